@@ -1,0 +1,242 @@
+/* netmesh: quality Delaunay/Voronoi meshes of point clouds in R^2..R^6 and their certified persistent homology,
+ * inside one block of memory that the caller hands over.
+ *
+ * The library never allocates, has no mutable global state, and gives the same results on every compiler and
+ * processor. A context lives at the start of the caller's block; nothing outside the block is written, and the block
+ * may be copied byte by byte to another 16-byte aligned address and used there. Two contexts are independent.
+ *
+ * Life of a context:   init -> delaunay | mesh | load -> persist -> get_*        (each step may be repeated)
+ *
+ * "Thesis" is D. Sheehy, Mesh Generation and Geometric Persistent Homology, CMU 2011; numbers are its sections.
+ * Unless said otherwise a call that does not return NETMESH_OK leaves the previous result untouched. */
+#ifndef NETMESH_H
+#define NETMESH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETMESH_VERSION_MAJOR 0
+#define NETMESH_VERSION_MINOR 1
+#define NETMESH_VERSION_PATCH 0
+#define NETMESH_DIM_MIN 2
+#define NETMESH_DIM_MAX 6
+#define NETMESH_NONE UINT32_MAX /* no neighbour, no index */
+
+typedef enum netmesh_status {
+    NETMESH_OK = 0,
+    NETMESH_INVALID_ARGUMENT = 1, /* detail.index_a: the argument's position, counted from 1 */
+    NETMESH_OUT_OF_MEMORY = 2,    /* the block is too small; detail.bytes_wanted: at least this many are needed */
+    NETMESH_CANCELLED = 3,        /* the poll function asked to stop */
+    NETMESH_NOT_FINITE = 4,       /* point index_a has a NaN or an infinity */
+    NETMESH_OUT_OF_RANGE = 5,     /* point index_a: a magnitude that meshing does not admit (see netmesh_mesh) */
+    NETMESH_FLAT = 6,             /* fewer than D+1 affinely independent points: no triangulation */
+    NETMESH_TOO_CLOSE = 7,        /* points index_a < index_b are distinct but closer than 64 units in the last place */
+    NETMESH_NO_RESULT = 8,        /* the call needs an earlier step that has not been done */
+    NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which */
+    NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
+    NETMESH_INTERNAL = 11         /* an invariant of the library does not hold: a defect, please report it */
+} netmesh_status;
+
+/* A short English phrase for a status; never null. */
+const char* netmesh_status_text(netmesh_status status);
+
+/* What the last call that failed has to say. Unused fields are 0. */
+typedef struct netmesh_detail {
+    netmesh_status status;
+    uint64_t index_a, index_b;
+    uint64_t bytes_wanted;
+    const char* message; /* static text, never null */
+} netmesh_detail;
+
+typedef enum netmesh_stage {
+    NETMESH_STAGE_NONE = 0,
+    NETMESH_STAGE_SORT = 1,       /* spatial order, duplicates, nearest neighbours; unit: points */
+    NETMESH_STAGE_DELAUNAY = 2,   /* insertion; unit: points */
+    NETMESH_STAGE_REFINE = 3,     /* refinement; unit: input points inserted (Steiner points come between them) */
+    NETMESH_STAGE_CERTIFY = 4,    /* aspect ratios, filter values and certificate; unit: cells */
+    NETMESH_STAGE_FILTER = 5,     /* filtration of an explicit complex; unit: simplices */
+    NETMESH_STAGE_GRADIENT = 6,   /* lower stars; unit: vertices */
+    NETMESH_STAGE_REDUCE = 7,     /* columns */
+    NETMESH_STAGE_CHECK = 8,      /* independent checkers; unit: cells */
+    NETMESH_STAGE_COUNT = 9
+} netmesh_stage;
+
+typedef struct netmesh_progress {
+    netmesh_stage stage;
+    uint64_t done, total;        /* in units of the stage; total may be an estimate, 0 when unknown */
+    uint64_t vertices, cells;    /* of the mesh so far */
+} netmesh_progress;
+
+/* Called about every 1,000 to 10,000 units of work. A non-zero return cancels: the call that polls returns
+ * NETMESH_CANCELLED. Must not call into the context. */
+typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
+
+typedef struct netmesh_options {
+    uint32_t struct_bytes;  /* sizeof(netmesh_options); set by netmesh_options_init */
+    uint32_t dim;           /* D, 2..6 */
+    double tau;             /* bound on the aspect ratio R/r of Voronoi cells, finite, > 2; 0: default of the dimension */
+    double domain_factor;   /* radius of the meshed domain over the radius of the smallest enclosing ball, in [1, 8];
+                               0: default of the job (1 for a mesh alone, what the certificate's proof needs for persist) */
+    uint64_t seed;          /* of every random choice */
+    netmesh_poll poll;      /* may be null */
+    void* user;             /* handed to poll */
+} netmesh_options;
+
+/* Defaults for dimension dim (clamped to 2..6): tau 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6); seed 1; no poll. */
+void netmesh_options_init(netmesh_options* options, uint32_t dim);
+
+typedef struct netmesh_context netmesh_context;
+
+/* Makes a context at the start of block[0, block_bytes). block must be 16-byte aligned. Costs O(1).
+ * INVALID_ARGUMENT (1: block null or misaligned, 3: context null), OUT_OF_MEMORY, FLOATING_POINT. */
+netmesh_status netmesh_init(void* block, size_t block_bytes, netmesh_context** context);
+
+/* After a byte copy of the block: the context in the copy. Contexts hold no addresses, so this is a cast and a check. */
+netmesh_status netmesh_adopt(void* block, netmesh_context** context);
+
+typedef enum netmesh_filter {
+    NETMESH_FILTER_NONE = 0,
+    NETMESH_FILTER_COMPLETE = 1, /* 7.4.2, on a mesh */
+    NETMESH_FILTER_BASIC = 2,    /* 7.4.1, on a mesh */
+    NETMESH_FILTER_ALPHA = 3     /* exact alpha complex, on a Delaunay triangulation of the points */
+} netmesh_filter;
+
+typedef enum netmesh_values {
+    NETMESH_VALUES_CERTIFIED = 0, /* the filter's values, clamped so that the certified ratio is the best possible */
+    NETMESH_VALUES_THESIS = 1     /* the filter's own values */
+} netmesh_values;
+
+typedef enum netmesh_job {
+    NETMESH_JOB_DELAUNAY = 1,        /* netmesh_delaunay */
+    NETMESH_JOB_MESH = 2,            /* netmesh_mesh alone */
+    NETMESH_JOB_PERSIST = 3,         /* netmesh_mesh for persistence, then netmesh_persist */
+    NETMESH_JOB_PERSIST_ALPHA = 4    /* netmesh_delaunay, then netmesh_persist with the alpha filter */
+} netmesh_job;
+
+/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others. SIZE_MAX when it does not
+ * fit a size_t, 0 on an invalid argument. */
+size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points);
+
+/* Delaunay triangulation of points[n][D] (row-major, any finite doubles; -0.0 counts as 0). Exact duplicates are
+ * merged into the first occurrence and counted. Ties of cospherical points are broken by index, so the result does not
+ * depend on anything but the sequence of points. Replaces what the context held, also on failure.
+ * Expected cost: 6 / 28 / 158 / 898 / 4264 cells made per point for uniform points in D = 2..6.
+ * INVALID_ARGUMENT, NOT_FINITE, FLAT, OUT_OF_MEMORY, CANCELLED. On the last two the context holds the Delaunay
+ * triangulation of the points inserted so far (report.complete is 0) if there is one. */
+netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, size_t n,
+                                const netmesh_options* options);
+
+/* Quality mesh of points[n][D] by Sparse Voronoi Refinement (4.4): a Delaunay triangulation of the points and of
+ * Steiner points in which each vertex that is not exempt has a Voronoi cell that, clipped to the domain ball, has
+ * aspect ratio at most tau. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
+ * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
+ * `for_job`: NETMESH_JOB_MESH or NETMESH_JOB_PERSIST, choosing the default domain.
+ * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
+ * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
+netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
+                            const netmesh_options* options);
+
+/* Takes over a mesh made elsewhere (or read from a file) to be checked or filtered. vertices[v][D]; markers[v] 0 input,
+ * 1 Steiner, 2 exempt (inputs come first); cells[c][D+1]; domain: D centre coordinates and a radius, or null for a
+ * Delaunay triangulation. Cells are oriented and linked here; whether it is a Delaunay triangulation is what
+ * netmesh_check tells. CHECK_FAILED when the cells are not a triangulated ball (a facet of three cells, a bad index...). */
+netmesh_status netmesh_load(netmesh_context* context, const double* vertices, const uint8_t* markers,
+                            size_t vertex_count, const uint32_t* cells, size_t cell_count, const double* domain,
+                            const netmesh_options* options);
+
+/* Persistent homology over Z/2 of the filtration `filter` on what the context holds, in degrees 0..max_degree
+ * (at most D-1; larger is clamped). Values are radii, not squared radii. COMPLETE and BASIC need a mesh, ALPHA a
+ * Delaunay triangulation. Zero-length pairs are dropped unless keep_zero_pairs is not 0.
+ * Memory above the mesh: below 8 bytes a simplex (complete, basic), about 24 bytes a simplex plus fill (alpha).
+ * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
+                               uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
+
+typedef enum netmesh_check_what {
+    NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
+    NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
+    NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
+    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau (meshes only) */
+    NETMESH_CHECK_ALL = 15
+} netmesh_check_what;
+
+/* Independent checkers: nothing that they read was cached by the code that made the result. O(cells).
+ * `what`: a union of netmesh_check_what; tau is taken from options. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
+netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netmesh_options* options);
+
+typedef enum netmesh_predicate_stage {
+    NETMESH_PREDICATE_CACHED = 0,  /* decided by a cached circumsphere and its error bound */
+    NETMESH_PREDICATE_FLOAT = 1,   /* floating-point determinant with an error bound */
+    NETMESH_PREDICATE_INTEGER = 2, /* exact arithmetic of limited width */
+    NETMESH_PREDICATE_EXACT = 3,   /* exact arithmetic of full width */
+    NETMESH_PREDICATE_TIE = 4,     /* exactly degenerate, decided by the symbolic perturbation */
+    NETMESH_PREDICATE_STAGES = 5
+} netmesh_predicate_stage;
+
+typedef struct netmesh_report {
+    uint32_t struct_bytes;      /* in: sizeof(netmesh_report) */
+    uint32_t dim;
+    uint32_t is_mesh;           /* 1 after mesh (or load with a domain), 0 after delaunay */
+    uint32_t complete;          /* 1 when the job ran to its end, 0 after OUT_OF_MEMORY or CANCELLED */
+    /* input */
+    uint64_t points, duplicates;
+    uint64_t input_fingerprint; /* of the values only */
+    /* mesh */
+    uint64_t vertices, inputs, steiner, exempt; /* vertices = inputs + steiner + exempt */
+    uint64_t cells, cells_created;
+    double tau;                 /* bound asked for; 0 for a Delaunay triangulation */
+    double aspect_ratio_max;    /* actual worst clipped aspect ratio over vertices that are not exempt; 0 if none */
+    double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D; radius 0 for a Delaunay triangulation */
+    /* diagram */
+    uint32_t has_diagram;
+    netmesh_filter filter;
+    netmesh_values values;
+    uint32_t max_degree;
+    uint64_t pairs[NETMESH_DIM_MAX]; /* per degree, essential ones included */
+    uint64_t simplices;         /* of the filtered complex */
+    double certified_ratio;     /* c >= 1: log-bottleneck distance to the offsets' diagram is at most ln c */
+    double certified_ratio_best;/* the best ratio that any filter values on this mesh can certify (certified values) */
+    double certified_from;      /* scale from which the ratio holds: 0, or r_P for the basic filter */
+    /* cost */
+    uint64_t block_bytes, peak_bytes, used_bytes;
+    uint64_t predicate_calls[NETMESH_PREDICATE_STAGES]; /* in-ball decisions ended in each stage */
+    uint64_t orient_calls[NETMESH_PREDICATE_STAGES];
+    uint64_t fingerprint;       /* of mesh and diagram; equal on every platform and for every block size */
+} netmesh_report;
+
+netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);
+netmesh_detail netmesh_get_detail(const netmesh_context* context);
+
+/* Vertices 0..inputs-1 are the input points in input order after merging, bit for bit; Steiner and exempt vertices
+ * follow. O(1) each; out-of-range indices give INVALID_ARGUMENT. */
+typedef struct netmesh_vertex {
+    double coordinates[NETMESH_DIM_MAX]; /* the first D */
+    uint32_t marker;                     /* 0 input, 1 Steiner, 2 exempt from quality */
+    uint32_t has_value;                  /* 1 after persist with complete or basic */
+    double value;                        /* the filter value t(v) that its simplices use */
+} netmesh_vertex;
+netmesh_status netmesh_get_vertex(const netmesh_context* context, uint64_t index, netmesh_vertex* vertex);
+
+/* Positively oriented: the determinant of the edge vectors from the first vertex is positive. neighbours[i] is the
+ * cell opposite vertices[i], NETMESH_NONE outside. */
+typedef struct netmesh_cell {
+    uint32_t vertices[NETMESH_DIM_MAX + 1];
+    uint32_t neighbours[NETMESH_DIM_MAX + 1];
+} netmesh_cell;
+netmesh_status netmesh_get_cell(const netmesh_context* context, uint64_t index, netmesh_cell* cell);
+
+/* Pairs sorted by degree, birth, death; death is +infinity for an essential class. */
+typedef struct netmesh_pair {
+    uint32_t degree;
+    double birth, death;
+} netmesh_pair;
+netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

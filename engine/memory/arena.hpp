@@ -1,0 +1,104 @@
+// The caller's block as one two-ended stack.
+//
+//   base                                                        base + size
+//   | context | low end: cells, tables -->   gap   <-- high end: vertices, scratch |
+//
+// Nothing has a pool of its own: whatever one structure leaves free, any other can take. Both ends are
+// stacks; a mark taken before a piece of work gives all of its memory back at once. What lives in the
+// block refers to the block by offset or index only, so the block may be copied elsewhere byte by byte.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace netmesh {
+
+class Arena {
+public:
+    static constexpr std::size_t alignment = 16;
+
+    // Takes over [base, base + bytes). base must be 16-byte aligned; the tail past a multiple of 16 is unused.
+    void adopt(void* base, std::size_t bytes) {
+        base_ = static_cast<unsigned char*>(base);
+        size_ = bytes & ~(alignment - 1);
+        low_ = 0;
+        high_ = size_;
+        peak_ = 0;
+        wanted_ = 0;
+    }
+    // The same block at a new address.
+    void rebase(void* base) { base_ = static_cast<unsigned char*>(base); }
+
+    std::size_t bytes() const { return size_; }
+    std::size_t bytes_free() const { return high_ - low_; }
+    std::size_t bytes_used() const { return low_ + (size_ - high_); }
+    // Largest bytes_used() so far; bytes_wanted: the largest total that a refused request asked for, 0 if none.
+    std::size_t bytes_peak() const { return peak_; }
+    std::size_t bytes_wanted() const { return wanted_; }
+
+    // count objects of T, uninitialised, at the low (high) end; nullptr when the gap is too small, and then
+    // nothing has changed. O(1).
+    template <class T> T* take_low(std::size_t count) {
+        std::size_t need;
+        if (!fits(count, sizeof(T), &need)) return nullptr;
+        unsigned char* p = base_ + low_;
+        low_ += need;
+        note_peak();
+        return reinterpret_cast<T*>(p);
+    }
+    template <class T> T* take_high(std::size_t count) {
+        std::size_t need;
+        if (!fits(count, sizeof(T), &need)) return nullptr;
+        high_ -= need;
+        note_peak();
+        return reinterpret_cast<T*>(base_ + high_);
+    }
+
+    std::size_t low_mark() const { return low_; }
+    std::size_t high_mark() const { return high_; }
+    void release_low(std::size_t mark) { low_ = mark; }
+    void release_high(std::size_t mark) { high_ = mark; }
+    unsigned char* at(std::size_t offset) const { return base_ + offset; }
+    std::size_t offset_of(const void* p) const {
+        return static_cast<std::size_t>(static_cast<const unsigned char*>(p) - base_);
+    }
+
+private:
+    bool fits(std::size_t count, std::size_t item_bytes, std::size_t* need) {
+        const std::size_t gap = high_ - low_;
+        if (count > (SIZE_MAX / 2) / item_bytes) {
+            wanted_ = SIZE_MAX;
+            return false;
+        }
+        *need = (count * item_bytes + alignment - 1) & ~(alignment - 1);
+        if (*need <= gap) return true;
+        const std::size_t total = bytes_used() + *need;
+        if (total > wanted_) wanted_ = total;
+        return false;
+    }
+    void note_peak() {
+        if (bytes_used() > peak_) peak_ = bytes_used();
+    }
+
+    unsigned char* base_;
+    std::size_t size_, low_, high_, peak_, wanted_;
+};
+
+// Gives everything taken at both ends since its construction back, unless kept.
+class ArenaScope {
+public:
+    explicit ArenaScope(Arena& arena) : arena_(arena), low_(arena.low_mark()), high_(arena.high_mark()) {}
+    ~ArenaScope() {
+        arena_.release_low(low_);
+        arena_.release_high(high_);
+    }
+    ArenaScope(const ArenaScope&) = delete;
+    ArenaScope& operator=(const ArenaScope&) = delete;
+    // What was taken at the low end stays, also what is taken from now on.
+    void keep_low_from_now() { low_ = arena_.low_mark(); }
+
+private:
+    Arena& arena_;
+    std::size_t low_, high_;
+};
+
+}  // namespace netmesh

@@ -1,0 +1,44 @@
+// Progress out, wish to stop in: the caller's poll function seen from inside a job.
+#pragma once
+#include <cstdint>
+
+#include "include/netmesh.h"
+
+namespace netmesh {
+
+class Monitor {
+public:
+    Monitor() = default;
+    Monitor(netmesh_poll poll, void* user) : poll_(poll), user_(user) {}
+
+    void begin(netmesh_stage stage, std::uint64_t total) {
+        progress_.stage = stage;
+        progress_.done = 0;
+        progress_.total = total;
+        countdown_ = interval;
+    }
+    void mesh_size(std::uint64_t vertices, std::uint64_t cells) {
+        progress_.vertices = vertices;
+        progress_.cells = cells;
+    }
+    // Says that `done` units are done; `work` is the cost since the last call in rough hundreds of nanoseconds. True
+    // when the caller wants to stop.
+    bool advance(std::uint64_t done, std::uint32_t work = 1) {
+        if (countdown_ > work) {
+            countdown_ -= work;
+            return false;
+        }
+        countdown_ = interval;
+        progress_.done = done;
+        return poll_ != nullptr && poll_(user_, &progress_) != 0;
+    }
+
+private:
+    static constexpr std::uint32_t interval = 100000;  // about every ten milliseconds
+    netmesh_poll poll_ = nullptr;
+    void* user_ = nullptr;
+    netmesh_progress progress_ = {};
+    std::uint32_t countdown_ = interval;
+};
+
+}  // namespace netmesh
