@@ -138,14 +138,16 @@ bool OutputFile::open(const std::string& path) {
 
 void OutputFile::write(const char* data, std::size_t bytes) {
     while (bytes > 0 && why_.empty()) {
+        if (interrupted()) {
+            why_ = "interrupted";
+            return;
+        }
         const ssize_t put = ::write(descriptor_, data, bytes);
         if (put >= 0) {
             data += put;
             bytes -= static_cast<std::size_t>(put);
         } else if (errno != EINTR) {
             fail("cannot write");
-        } else if (interrupted()) {
-            why_ = "interrupted";
         }
     }
 }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/include/netmesh.h"
+#include "netmesh.h"
 #include "tools/io/points.hpp"
 #include "tools/io/text_writer.hpp"
 #include "tools/outcome.hpp"

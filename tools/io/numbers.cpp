@@ -34,6 +34,10 @@ bool parse_finite(const std::string& text, double* value) {
     return parse_double(at, end, value) == NumberKind::finite && at == end;
 }
 
+bool is_count(double value) {
+    return value >= 0 && value < 9007199254740992.0 && value == static_cast<double>(static_cast<std::uint64_t>(value));
+}
+
 void append_number(std::string& text, double value) {
     char digits[40];
     const std::to_chars_result result = std::to_chars(digits, digits + sizeof digits, value + 0.0);

@@ -17,6 +17,9 @@ bool parse_unsigned(const std::string& text, std::uint64_t* value);
 // The whole of `text` as a finite double.
 bool parse_finite(const std::string& text, double* value);
 
+// True for a whole number from 0 to 2^53 - 1: what a count or an index in a file has to be.
+bool is_count(double value);
+
 // The shortest digits that read back to the same double; "inf" for infinity. -0.0 is written as 0.
 void append_number(std::string& text, double value);
 void append_number(std::string& text, std::uint64_t value);

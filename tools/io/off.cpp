@@ -1,5 +1,6 @@
 // Geomview's OFF: the vertices only. OFF holds 3D points, nOFF says its dimension.
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/io/points.hpp"
 
 namespace netmesh::tool {
@@ -11,10 +12,6 @@ struct OffHeader {
     std::uint64_t vertex_count = 0;
     bool more_columns = false;  // colours, normals or texture coordinates follow the point
 };
-
-bool is_count(double value, double most) {
-    return value >= 0 && value <= most && value == static_cast<double>(static_cast<std::uint64_t>(value));
-}
 
 // The keyword at the start of *line, cut off there; false when it is none.
 bool take_keyword(std::string_view* line, bool* wide, OffHeader* header) {
@@ -53,7 +50,7 @@ Outcome parse_off_header(LineReader& reader, const PointCloud& cloud, OffHeader*
     }
     if (numbers.size() > needed + 1) return line_error(cloud.name, reader.number(), "too many numbers in the header");
     for (const double number : numbers) {
-        if (!is_count(number, 1e18)) {
+        if (!is_count(number)) {
             return line_error(cloud.name, reader.number(), "the header holds a number that is not a count");
         }
     }

@@ -5,10 +5,6 @@ namespace netmesh::tool {
 
 namespace {
 
-bool is_whole(double value) {
-    return value >= 0 && value < 9007199254740992.0 && value == static_cast<double>(static_cast<std::uint64_t>(value));
-}
-
 // `# domain c1 .. cD r` and `# tau T`; other comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
@@ -54,7 +50,7 @@ struct NodeHeader {
 Complaint parse_node_header(const std::vector<double>& numbers, NodeFile* node, NodeHeader* header) {
     if (numbers.size() < 2 || numbers.size() > 4) return "the header is: count D attributes marker";
     for (const double number : numbers) {
-        if (!is_whole(number)) return "the header holds a number that is not a count";
+        if (!is_count(number)) return "the header holds a number that is not a count";
     }
     if (numbers[1] < dim_min || numbers[1] > dim_max) {
         return "dimension " + std::to_string(static_cast<std::uint64_t>(numbers[1])) +
@@ -90,7 +86,7 @@ Complaint parse_node_row(const std::vector<double>& numbers, std::uint64_t row, 
                             at + static_cast<std::ptrdiff_t>(dim + attributes));
     const double marker = node->has_markers ? numbers.back() : 0;
     // Other programs use markers of their own; they stand for nothing here, and any small number will do.
-    node->markers.push_back(is_whole(marker) && marker < 255 ? static_cast<std::uint8_t>(marker) : 255);
+    node->markers.push_back(is_count(marker) && marker < 255 ? static_cast<std::uint8_t>(marker) : 255);
     return {};
 }
 
@@ -153,7 +149,7 @@ Complaint parse_cell_row(const std::vector<double>& numbers, std::uint64_t row, 
         const double index = numbers[k] - static_cast<double>(first_id);
         if (allow_outside && numbers[k] == -1) {
             table->entries.push_back(NETMESH_NONE);
-        } else if (is_whole(index) && index < static_cast<double>(limit)) {
+        } else if (is_count(index) && index < static_cast<double>(limit)) {
             table->entries.push_back(static_cast<std::uint32_t>(index));
         } else {
             return "index " + number_text(numbers[k]) + " does not exist";
@@ -176,9 +172,9 @@ Outcome parse_cell_table(std::string_view content, std::uint64_t first_id, std::
         Complaint complaint = parse_numbers(line, &numbers);
         if (complaint.empty() && !header) {
             header = true;
-            if (numbers.size() < 2 || numbers.size() > 3 || !is_whole(numbers[0]) ||
+            if (numbers.size() < 2 || numbers.size() > 3 || !is_count(numbers[0]) ||
                 numbers[1] != static_cast<double>(table->columns) ||
-                (numbers.size() == 3 && !(is_whole(numbers[2]) && numbers[2] < 1000))) {
+                (numbers.size() == 3 && !(is_count(numbers[2]) && numbers[2] < 1000))) {
                 complaint = "the header is: count " + std::to_string(table->columns);
             } else {
                 count = static_cast<std::uint64_t>(numbers[0]);
