@@ -209,14 +209,14 @@ Status persist_alpha(const TriangulationView<D>& complex, const double* coordina
         const Pair pair = found.pairs[i];
         if (keep_zero || !is_rounding(pair)) pairs[count++] = pair;
     }
-    arena.take_low<Pair>(static_cast<std::size_t>(count));
+    arena.take_low<Pair>(static_cast<std::ptrdiff_t>(count));
     *out = {pairs, count};
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_values<D>(const Faces<D>&, const double*, std::size_t, Monitor&, double* const*);            \
-    template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::size_t, std::uint32_t, bool,     \
+    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, Monitor&, double* const*);            \
+    template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t, bool,     \
                                      Arena&, Monitor&, PairList*, std::uint64_t*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
