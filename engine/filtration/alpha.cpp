@@ -16,9 +16,10 @@ double unmarked(double x) { return is_marked(x) ? -x : x; }
 
 template <int D> struct Points {
     const double* coordinates;
-    std::size_t stride_bytes;
+    std::ptrdiff_t stride_bytes;
     const double* operator[](std::uint32_t v) const {
-        return reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(coordinates) + v * stride_bytes);
+        return reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(coordinates) +
+                                               static_cast<std::ptrdiff_t>(v) * stride_bytes);
     }
 };
 
@@ -180,7 +181,7 @@ Status diagram_of(const TriangulationView<D>& complex, const Points<D>& points, 
 }  // namespace
 
 template <int D>
-Status alpha_values(const Faces<D>& faces, const double* coordinates, std::size_t stride_bytes, Monitor& monitor,
+Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, Monitor& monitor,
                     double* const* value) {
     const Points<D> points = {coordinates, stride_bytes};
     for (std::uint32_t i = 0; i < faces.count[0]; ++i) value[0][i] = 0;
@@ -190,7 +191,7 @@ Status alpha_values(const Faces<D>& faces, const double* coordinates, std::size_
 }
 
 template <int D>
-Status persist_alpha(const TriangulationView<D>& complex, const double* coordinates, std::size_t stride_bytes,
+Status persist_alpha(const TriangulationView<D>& complex, const double* coordinates, std::ptrdiff_t stride_bytes,
                      std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor, PairList* out,
                      std::uint64_t* simplex_count) {
     const std::size_t low = arena.low_mark(), high = arena.high_mark();
@@ -208,14 +209,14 @@ Status persist_alpha(const TriangulationView<D>& complex, const double* coordina
         const Pair pair = found.pairs[i];
         if (keep_zero || !is_rounding(pair)) pairs[count++] = pair;
     }
-    arena.take_low<Pair>(static_cast<std::size_t>(count));
+    arena.take_low<Pair>(static_cast<std::ptrdiff_t>(count));
     *out = {pairs, count};
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_values<D>(const Faces<D>&, const double*, std::size_t, Monitor&, double* const*);            \
-    template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::size_t, std::uint32_t, bool,     \
+    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, Monitor&, double* const*);            \
+    template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t, bool,     \
                                      Arena&, Monitor&, PairList*, std::uint64_t*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
