@@ -1,6 +1,6 @@
 #include "delaunay/spatial_order.hpp"
 
-#include "numerics/bits.hpp"
+#include "numerics/real.hpp"
 #include "numerics/radix_sort.hpp"
 #include "numerics/random.hpp"
 

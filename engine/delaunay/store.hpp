@@ -11,7 +11,7 @@
 #include "complex/triangulation.hpp"
 #include "memory/arena.hpp"
 #include "memory/status.hpp"
-#include "numerics/bits.hpp"
+#include "numerics/real.hpp"
 #include "predicates/predicates.hpp"
 
 namespace netmesh {

@@ -69,7 +69,7 @@ template <int D> Sign orient_in(int k, const double* const* p, const int* axes, 
 template <int D>
 bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, std::uint32_t* ids) {
     const double* p[D + 1];
-    int axes[D];
+    int axes[D] = {};
     PredicateCounts& counts = store.state.orient_counts;
     if (count == 0) return false;
     ids[0] = order[0];

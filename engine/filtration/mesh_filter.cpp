@@ -118,8 +118,6 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
     return Status::ok;
 }
 
-double persistence_domain_factor(double tau) { return 1 + tau / (2 + tau); }
-
 #define NETMESH_INSTANTIATE(D)                                                                                  \
     template Status mesh_filter_values<D>(const Store<D>&, const Domain<D>&, MeshFilter, FilterValues, Arena&, \
                                           double*, MeshCertificate*);

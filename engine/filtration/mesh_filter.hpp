@@ -14,10 +14,9 @@
 // input, so its distance s to v and to the inputs satisfy d_P >= max(d - s, s). A frame cell is unbounded: hi = rho. What
 // is computed is rounded outwards, the centres' own error bounds included.
 //
-// A mesh with clipped aspect ratio tau in a domain of radius R_O = rho (1 + g) has c* <= max(sqrt(2 + tau),
-// sqrt(tau / g)): a cell inside the domain has R_v <= (tau/2) nn(v), so hi/lo <= (1 + tau/2) d / (d/2) or tau; a cell that
-// crosses its sphere reaches from v to a point with d_P >= g rho, so d_P(v), or R_v of an input, is at least 2 g rho / tau,
-// or g rho, while hi <= rho. g = tau / (2 + tau) makes both equal.
+// A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi / lo <= 2 + tau: for a Steiner vertex R_v <= (tau/2) d,
+// so hi <= d + R_v and lo >= d/2; for an input hi / lo <= tau. Refinement with `certify` (mesh/refine.hpp) brings every
+// other cell below that too, so that c* <= sqrt(2 + tau), less than tau.
 #pragma once
 #include <cstdint>
 
@@ -39,8 +38,5 @@ struct MeshCertificate {
 template <int D>
 Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFilter filter, FilterValues values,
                           Arena& arena, double* value, MeshCertificate* certificate);
-
-// The default domain_factor for persistence: 1 + g with g = tau / (2 + tau).
-double persistence_domain_factor(double tau);
 
 }  // namespace netmesh

@@ -64,7 +64,7 @@ template <int D> int smallest_ball(const double** p, int m, double* centre) {
             if (set >> i & 1u) chosen[size++] = p[i];
         chosen[size++] = p[m - 1];
         if (size > D + 1) continue;
-        double c[D];
+        double c[D] = {};
         if (!boundary_ball<D>(chosen, size, c)) continue;
         const double r2 = distance2<D>(c, p[m - 1]);
         bool all = r2 < best2;

@@ -33,7 +33,8 @@ template <int D> double distance2(const double* a, const double* b) {
 template <int D> class Refinement {
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)) {}
+        : store_(store), kernel_(store), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
+          certify_(options.certify) {}
 
     Status check_input(InputReport* input);
     Status open(const RefineOptions& options);
@@ -42,15 +43,30 @@ public:
 private:
     struct Corner {
         double x[D];
-        double distance2;
+        double distance2;  // from the vertex; negative: none yet
         std::uint32_t cell;
+    };
+    struct CellView {
+        Corner clipped;  // farthest corner of the clipped cell
+        Corner whole;    // farthest corner of the whole cell
+        double reach2;   // squared distance from the nearest input to the farthest corner from it
     };
 
     Status insert(std::uint32_t v, std::uint32_t from);
     Status split(std::uint32_t v, const Corner& corner);
     Status clean();
-    bool farthest_corner(std::uint32_t v, Corner* corner);
+    bool look(std::uint32_t v, CellView* view);
     void corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* corner);
+    const Corner* bad_corner(std::uint32_t v, const CellView& view) const;
+    std::uint32_t nearest_input(std::uint32_t v) const {
+        return store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
+    }
+    static void offer(const double* x, double distance2, std::uint32_t cell, Corner* corner) {
+        if (!(distance2 > corner->distance2)) return;
+        corner->distance2 = distance2;
+        corner->cell = cell;
+        for (int k = 0; k < D; ++k) corner->x[k] = x[k];
+    }
     void update_star(const Cavity& cavity, std::uint32_t v);
     bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }
 
@@ -61,6 +77,7 @@ private:
     InputTree<D> tree_;
     BucketQueue<D> queue_;
     double tau_;
+    bool certify_;
     std::uint32_t inputs_ = 0, inserted_ = 0;
 };
 
@@ -180,32 +197,46 @@ void Refinement<D>::corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* 
         if (n < c && !domain_.contains(other.centre)) continue;  // seen from the other end
         double z[2][D];
         const int crossings = sphere_crossings<D>(domain_, cell.centre, other.centre, z);
-        for (int j = 0; j < crossings; ++j) {
-            const double d2 = distance2<D>(z[j], store_.point(v));
-            if (!(d2 > corner->distance2)) continue;
-            corner->distance2 = d2;
-            corner->cell = c;
-            for (int k = 0; k < D; ++k) corner->x[k] = z[j][k];
-        }
+        for (int j = 0; j < crossings; ++j) offer(z[j], distance2<D>(z[j], store_.point(v)), c, corner);
     }
 }
 
-// The farthest corner of v's clipped cell. False when the gap is too small to search its star.
-template <int D> bool Refinement<D>::farthest_corner(std::uint32_t v, Corner* corner) {
-    corner->distance2 = -1;
+// Walks around v's cell. False when the gap is too small for that.
+template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
+    view->clipped.distance2 = view->whole.distance2 = -1;
+    view->reach2 = 0;
+    const double* const p = store_.point(v);
+    const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](std::uint32_t c) {
-        if (store_.is_ghost(c)) return;
         const Cell<D>& cell = store_.cell(c);
-        if (domain_.contains(cell.centre)) {
-            const double d2 = distance2<D>(cell.centre, store_.point(v));
-            if (!(d2 > corner->distance2)) return;
-            corner->distance2 = d2;
-            corner->cell = c;
-            for (int k = 0; k < D; ++k) corner->x[k] = cell.centre[k];
-        } else {
-            corners_on_sphere(v, c, corner);
-        }
+        if (store_.is_ghost(c)) return;
+        const double d2 = distance2<D>(cell.centre, p);
+        if (domain_.contains(cell.centre))
+            offer(cell.centre, d2, c, &view->clipped);
+        else
+            corners_on_sphere(v, c, &view->clipped);
+        if (!certify_) return;
+        offer(cell.centre, d2, c, &view->whole);
+        const double reach2 = distance2<D>(cell.centre, input);
+        if (reach2 > view->reach2) view->reach2 = reach2;
     });
+}
+
+// The corner to refine, null when the cell is good.
+template <int D>
+const typename Refinement<D>::Corner* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
+    const double nearest2 = store_.vertex(v).nearest2;
+    if (is_bad(view.clipped.distance2, nearest2)) return &view.clipped;
+    if (!certify_ || !is_bad(view.whole.distance2, nearest2)) return nullptr;
+    const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
+    double lo = 0.5 * square_root(nearest2);
+    if (store_.vertex(v).marker != Marker::input) {
+        const double d = square_root(distance2<D>(store_.point(v), store_.point(nearest_input(v))));
+        const double inner = d - square_root(view.whole.distance2);
+        lo = inner > 0.5 * d ? inner : 0.5 * d;
+    }
+    const double hi = reach < rho ? reach : rho;
+    return hi > (2 + tau_) * lo ? &view.whole : nullptr;
 }
 
 // Inserts a Steiner point between v and a bad corner of its cell, or yields to an input near that place.
@@ -221,8 +252,7 @@ template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner& corn
     const double empty2 = distance2<D>(steiner.x, p);
 
     double input2;
-    const std::uint32_t near = tree_.nearest(steiner.x, store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin,
-                                             none, &input2);
+    const std::uint32_t near = tree_.nearest(steiner.x, nearest_input(v), none, &input2);
     if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none) {
         store_.truncate_vertices(s);
         return insert(near, corner.cell);
@@ -244,10 +274,11 @@ template <int D> Status Refinement<D>::clean() {
     for (;;) {
         const std::uint32_t v = queue_.pop();
         if (v == none) return Status::ok;
-        Corner corner;
-        if (!farthest_corner(v, &corner)) return Status::out_of_memory;
-        if (!is_bad(corner.distance2, store_.vertex(v).nearest2)) continue;
-        const Status status = split(v, corner);
+        CellView view;
+        if (!look(v, &view)) return Status::out_of_memory;
+        const Corner* const corner = bad_corner(v, view);
+        if (corner == nullptr) continue;
+        const Status status = split(v, *corner);
         if (status != Status::ok) return status;
         queue_.push(v);
     }
