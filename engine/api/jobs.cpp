@@ -134,7 +134,7 @@ netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, 
         MeshCertificate certificate = {1, 1, 0};
         Status status;
         if (alpha) {
-            status = persist_alpha<D>(store.view(), store.coordinate_base(), Store<D>::vertex_stride, degree,
+            status = persist_alpha<D>(store.view(), store.point(0), Store<D>::vertex_stride, degree,
                                       keep_zero_pairs != 0, context->arena, monitor, &pairs, &simplices);
         } else {
             double* const value = context->arena.take_low<double>(context->store.vertex_count);

@@ -247,9 +247,7 @@ Status walk_stars(const TriangulationView<D>& complex, int dimension_max, Arena&
 }
 
 // Where the children of each face start in the table one dimension up; one more entry at the end.
-template <int D> struct Trie {
-    std::uint32_t* first_child[D + 1];
-};
+template <int D> struct Trie { std::uint32_t* first_child[D + 1]; };
 
 // Reads the stream once. With `faces` null it only counts, else it fills last_vertex and first_child.
 template <int D>

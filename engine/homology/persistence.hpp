@@ -53,9 +53,9 @@ struct FilteredComplex {
 };
 
 // Column reduction with clearing; union-find in degree 0, and in the top degree where no face has more than two
-// cofaces. Takes about 4 bytes for each simplex of the largest dimension count, 8 for each facet, plus fill. max_degree
-// may equal the dimension: cycles of the top dimension are then listed as essential classes. invalid_argument
-// (dimension), out_of_memory, cancelled.
+// cofaces. Takes about 5 bytes for each simplex of the most frequent dimension, 4 for each of the top two, plus fill.
+// max_degree may equal the dimension: cycles of the top dimension are then listed as essential classes.
+// invalid_argument (dimension), out_of_memory, cancelled.
 Status persist_filtration(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena,
                           Monitor& monitor, PairList* out);
 

@@ -14,4 +14,9 @@ template <int D>
 Status worst_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
                           std::uint32_t* vertex);
 
+// The same recomputed by the checker: from vertices, neighbour words and coordinates alone, corners by solving for them anew.
+template <int D>
+Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
+                               std::uint32_t* vertex);
+
 }  // namespace netmesh
