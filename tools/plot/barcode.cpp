@@ -7,17 +7,19 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double zero_width = 30;   // of the column for births at 0, left of the scale
-constexpr double arrow_width = 22;  // for heads of essential bars, right of the scale
+constexpr double zero_width = 44;    // of the column for births at 0, left of the scale
+constexpr double arrow_width = 22;   // for heads of essential bars, right of the scale
+constexpr double label_width = 104;  // of degree and count, left of the panel
 constexpr double group_gap = 12;
-constexpr double group_least = 30;  // so that the labels of a degree fit
+constexpr double group_least = 32;  // so that the labels of a degree fit
+constexpr double row_most = 9;
 
 struct Horizontal {
     const Panel& panel;
     const LogScale& scale;
     double left() const { return panel.x + (scale.has_zero ? zero_width : 0); }
     double right() const { return panel.x + panel.width - arrow_width; }
-    double zero() const { return panel.x + zero_width / 3; }
+    double zero() const { return panel.x + 10; }
     double at(double radius) const {
         if (radius == 0) return zero();
         return left() + scale.share(radius) * (right() - left());
@@ -34,6 +36,7 @@ void draw_axis(Svg& svg, const Panel& panel, const Horizontal& x, const LogScale
     for (const double tick : scale.ticks()) {
         const double at = x.at(std::exp(tick));
         svg.line(at, panel.y, at, bottom, rule, 1);
+        if (scale.has_zero && at < x.left() + 6) continue;  // its label would touch that of 0
         svg.line(at, bottom, at, bottom + 5, ink, 1);
         svg.text(at, bottom + 19, logarithm_label(tick), 12, ink, Anchor::middle);
         svg.text(at, bottom + 34, radius_label(tick), 11, faint_ink, Anchor::middle);
@@ -56,7 +59,7 @@ void draw_axis(Svg& svg, const Panel& panel, const Horizontal& x, const LogScale
 
 void draw_bar(Svg& svg, const Horizontal& x, const Bar& bar, double y, double thickness, bool certain) {
     const char* const colour = degree_colour(bar.degree);
-    const double opacity = certain ? 1 : 0.4;
+    const double opacity = certain ? 1 : 0.5;
     const bool essential = !std::isfinite(bar.death);
     const double start = x.at(bar.birth);
     const double end = essential ? x.right() + arrow_width - 8 : std::max(x.at(bar.death), start + 0.75);
@@ -69,9 +72,31 @@ void draw_bar(Svg& svg, const Horizontal& x, const Bar& bar, double y, double th
     svg.polygon(head, 3, colour, opacity);
 }
 
+// Rows as high as the panel bears; groups are never lower than their labels.
+double row_height(const std::vector<BarGroup>& groups, double height) {
+    double row = row_most;
+    for (; row > 0.5; row *= 0.98) {
+        double total = -group_gap;
+        for (const BarGroup& group : groups) {
+            total += std::max(group_least, row * static_cast<double>(group.shown.size())) + group_gap;
+        }
+        if (total <= height - 6) break;
+    }
+    return row;
+}
+
 std::string count_label(const BarGroup& group) {
     if (group.total == 0) return "none";
     return grouped_text(group.total) + (group.total == 1 ? " bar" : " bars");
+}
+
+void draw_labels(Svg& svg, const Panel& panel, double y, const BarGroup& group) {
+    svg.text(panel.x - label_width, y + 16, homology_label(group.degree), 18, degree_colour(group.degree),
+             Anchor::start, true);
+    svg.text(panel.x - 14, y + 13, count_label(group), 11, faint_ink, Anchor::end);
+    if (group.shown.size() < group.total) {
+        svg.text(panel.x - 14, y + 27, "longest " + std::to_string(group.shown.size()), 11, faint_ink, Anchor::end);
+    }
 }
 
 }  // namespace
@@ -111,31 +136,20 @@ void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& gro
                   const BarStyle& style) {
     const Horizontal x{panel, scale};
     draw_axis(svg, panel, x, scale);
-    // Rows as high as the panel bears, groups never lower than their labels.
-    double row = 11;
-    for (;; row *= 0.97) {
-        double height = 0;
-        for (const BarGroup& group : groups) {
-            height += std::max(group_least, row * static_cast<double>(group.shown.size())) + group_gap;
-        }
-        if (height <= panel.height + group_gap || row < 0.5) break;
-    }
+    const double row = row_height(groups, panel.height);
     double y = panel.y;
     for (const BarGroup& group : groups) {
-        const double height = std::max(group_least, row * static_cast<double>(group.shown.size()));
-        if (group.degree > 0)
-            svg.line(panel.x - 84, y - group_gap / 2, panel.x + panel.width, y - group_gap / 2, rule, 1);
-        const bool cut = group.shown.size() < group.total;
-        svg.text(panel.x - 84, y + 15, homology_label(group.degree), 17, degree_colour(group.degree), Anchor::start,
-                 true);
-        svg.text(panel.x - 12, y + 12, count_label(group), 11, faint_ink, Anchor::end);
-        if (cut) {
-            svg.text(panel.x - 12, y + 26, "longest " + std::to_string(group.shown.size()), 11, faint_ink, Anchor::end);
+        const double count = static_cast<double>(std::max<std::size_t>(group.shown.size(), 1));
+        const double height = std::max(group_least, row * count);
+        if (group.degree > 0) {
+            svg.line(panel.x - label_width, y - group_gap / 2, panel.x + panel.width, y - group_gap / 2, rule, 1);
         }
-        double at = y + (height - row * static_cast<double>(group.shown.size())) / 2 + row / 2;
+        draw_labels(svg, panel, y, group);
+        const double own_row = std::min(height / count, row_most);
+        double at = y + (height - own_row * count) / 2 + own_row / 2;
         for (const Bar& bar : group.shown) {
-            draw_bar(svg, x, bar, at, std::min(row * 0.62, 5.0), style.certain(bar));
-            at += row;
+            draw_bar(svg, x, bar, at, std::min(own_row * 0.7, 4.5), style.certain(bar));
+            at += own_row;
         }
         y += height + group_gap;
     }

@@ -11,7 +11,7 @@ namespace netmesh::tool {
 namespace {
 
 constexpr double page_width = 1280, page_height = 730;
-constexpr std::size_t rows_max = 60;  // bars shown of one degree
+constexpr std::size_t rows_max = 40;  // bars shown of one degree
 
 std::string superscript(std::uint32_t dim) {
     static constexpr const char* digits[] = {
@@ -62,15 +62,15 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     Svg svg(out, page_width, page_height);
     const BarStyle style{report.certified_ratio, report.certified_from};
     const LogScale scale = scale_for(bars);
-    svg.text(40, 40, "Persistent homology of " + grouped_text(report.points) + " points in R" + superscript(report.dim),
+    svg.text(48, 40, "Persistent homology of " + grouped_text(report.points) + " points in R" + superscript(report.dim),
              20, ink, Anchor::start, true);
-    svg.text(40, 62, subtitle(report), 13, faint_ink, Anchor::start);
+    svg.text(48, 62, subtitle(report), 13, faint_ink, Anchor::start);
     svg.text(page_width - 40, 62, certificate(report), 13, ink, Anchor::end);
-    const Panel barcode{130, 92, 580, 520};
+    const Panel barcode{152, 92, 572, 520};
     draw_barcode(svg, barcode, group_bars(bars, report.max_degree, rows_max), scale, style);
-    const Panel scatter{790, 92, 450, 520};
+    const Panel scatter{800, 92, 440, 520};
     draw_scatter(svg, scatter, bars, scale, style);
-    draw_key(svg, 46, page_height - 26, report, report.max_degree);
+    draw_key(svg, 52, page_height - 26, report, report.max_degree);
     svg.finish();
     return out.text();
 }

@@ -39,11 +39,12 @@ void draw_axes(Svg& svg, const Square& square, const LogScale& scale) {
         const double x = square.x_of(tick), y = square.y_of(tick);
         svg.line(x, square.panel.y, x, square.bottom(), rule, 1);
         svg.line(square.panel.x, y, square.right(), y, rule, 1);
-        svg.line(x, square.bottom(), x, square.bottom() + 5, ink, 1);
         svg.line(square.panel.x - 5, y, square.panel.x, y, ink, 1);
+        svg.text(square.panel.x - 9, y + 4, logarithm_label(tick), 12, ink, Anchor::end);
+        if (scale.has_zero && x < square.left() + 6) continue;  // its label would touch that of 0
+        svg.line(x, square.bottom(), x, square.bottom() + 5, ink, 1);
         svg.text(x, square.bottom() + 19, logarithm_label(tick), 12, ink, Anchor::middle);
         svg.text(x, square.bottom() + 34, radius_label(tick), 11, faint_ink, Anchor::middle);
-        svg.text(square.panel.x - 9, y + 4, logarithm_label(tick), 12, ink, Anchor::end);
     }
     svg.line(square.panel.x, square.top(), square.right(), square.top(), "#b9bec4", 1);
     svg.text(square.panel.x - 9, square.y(HUGE_VAL) + 4, "\xE2\x88\x9E", 14, ink, Anchor::end);
@@ -92,7 +93,9 @@ void draw_scatter(Svg& svg, const Panel& panel, const std::vector<Bar>& bars, co
             if (style.certain(bar) != certain) continue;
             const double x = square.x(bar.birth), y = square.y(bar.death);
             if (!drawn.emplace(bar.degree, static_cast<int>(2 * x), static_cast<int>(2 * y)).second) continue;
-            svg.circle(x, y, certain ? 3.4 : 2.4, degree_colour(bar.degree), certain ? 0.9 : 0.45);
+            // Long bars are larger dots, so that they are seen next to clouds of short ones.
+            const double length = bar.birth > 0 ? std::min(std::log(bar.death / bar.birth), 1.0) : 1.0;
+            svg.circle(x, y, 2 + 1.6 * length, degree_colour(bar.degree), certain ? 0.9 : 0.4 + 0.3 * length);
         }
     }
 }
