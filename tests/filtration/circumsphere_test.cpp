@@ -147,6 +147,14 @@ TEST_CASE("radii of nearly flat simplices are right") {
     }
 }
 
+TEST_CASE("a vertex off a nearly straight triangle is seen to be outside its large sphere") {
+    // The triangle's centre is at x = -2^49; the last vertex lies half a unit outside its sphere, so that the cell's
+    // centre moves by 2^48, little against the coefficients of the triangle.
+    const Circumsphere sphere = precise({{0, 0, -1}, {0, 0, 1}, {0x1p-50, 0, 0}, {0.5, 1, 0}});
+    CHECK((sphere.within & 8u) == 0);
+    CHECK(sphere.radius == doctest::Approx(std::sqrt(1.25) * 0x1p49).epsilon(1e-12));
+}
+
 TEST_CASE("beyond all precision a flat simplex is huge and has the signs of the limit") {
     for (double h : {1e-40, 1e-200, 1e-300}) {
         CAPTURE(h);
