@@ -1,0 +1,11 @@
+#include "diagram/sort.hpp"
+
+#include "memory/sort.hpp"
+
+namespace netmesh {
+
+void sort_pairs(Pair* pairs, std::uint64_t count) {
+    sort(pairs, count, [](const Pair& a, const Pair& b) { return before(a, b); });
+}
+
+}  // namespace netmesh

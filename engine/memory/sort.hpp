@@ -1,0 +1,83 @@
+// Sorting in place, the same on every platform: quicksort without recursion, heapsort where it degenerates.
+#pragma once
+#include <cstdint>
+
+namespace netmesh {
+
+template <class T, class Less> void heap_sort(T* items, std::uint64_t count, Less less) {
+    for (std::uint64_t left = count / 2, end = count; end > 1;) {
+        T item;
+        if (left > 0) {
+            item = items[--left];
+        } else {
+            item = items[--end];
+            items[end] = items[0];
+        }
+        std::uint64_t hole = left;
+        for (std::uint64_t child; (child = 2 * hole + 1) < end; hole = child) {
+            if (child + 1 < end && less(items[child], items[child + 1])) ++child;
+            if (!less(item, items[child])) break;
+            items[hole] = items[child];
+        }
+        items[hole] = item;
+    }
+}
+
+template <class T, class Less> void insertion_sort(T* items, std::uint64_t count, Less less) {
+    for (std::uint64_t i = 1; i < count; ++i) {
+        const T item = items[i];
+        std::uint64_t hole = i;
+        for (; hole > 0 && less(item, items[hole - 1]); --hole) items[hole] = items[hole - 1];
+        items[hole] = item;
+    }
+}
+
+// Splits items[0, count), count >= 3, at a median of three: returns p such that items[0, p) do not follow and items[p,
+// count) do not precede the median, 0 < p < count.
+template <class T, class Less> std::uint64_t split(T* items, std::uint64_t count, Less less) {
+    T a = items[0], b = items[count / 2], c = items[count - 1];
+    const T pivot = less(a, b) ? (less(b, c) ? b : less(a, c) ? c : a) : (less(a, c) ? a : less(b, c) ? c : b);
+    std::uint64_t i = 0, j = count - 1;
+    for (;;) {
+        while (less(items[i], pivot)) ++i;
+        while (less(pivot, items[j])) --j;
+        if (i >= j) return i == 0 ? 1 : i;
+        const T t = items[i];
+        items[i++] = items[j];
+        items[j--] = t;
+    }
+}
+
+// Sorts by the strict weak order `less`; equal items must be interchangeable. O(count log count), O(1) scratch.
+template <class T, class Less> void sort(T* items, std::uint64_t count, Less less) {
+    struct Range {
+        T* items;
+        std::uint64_t count;
+        int splits_left;
+    };
+    Range waiting[64];
+    int waiting_count = 0;
+    int levels = 2;
+    for (std::uint64_t n = count; n > 0; n >>= 1) levels += 2;
+    Range now = {items, count, levels};
+    for (;;) {
+        if (now.count <= 24 || now.splits_left == 0) {
+            if (now.count <= 24) {
+                insertion_sort(now.items, now.count, less);
+            } else {
+                heap_sort(now.items, now.count, less);
+            }
+            if (waiting_count == 0) return;
+            now = waiting[--waiting_count];
+            continue;
+        }
+        const std::uint64_t p = split(now.items, now.count, less);
+        const Range first = {now.items, p, now.splits_left - 1};
+        const Range second = {now.items + p, now.count - p, now.splits_left - 1};
+        // The larger part waits, so at most log2(count) parts do.
+        waiting[waiting_count++] = first.count < second.count ? second : first;
+        now = first.count < second.count ? first : second;
+    }
+}
+
+}  // namespace netmesh

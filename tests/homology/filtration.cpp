@@ -1,0 +1,166 @@
+// Explicit filtrations against known homology and the textbook reduction.
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "block.hpp"
+#include "oracle.hpp"
+
+using namespace netmesh;
+using oracle::Simplex;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<std::uint32_t> betti(const std::vector<Simplex>& maximal) {
+    const auto f = oracle::filter(oracle::all_faces(maximal), [](const Simplex& s) { return double(s.size()); });
+    const oracle::Explicit e(f);
+    Block block(1 << 20);
+    Monitor monitor;
+    PairList out;
+    REQUIRE(persist_filtration(e.complex, e.complex.dimension, true, block.arena, monitor, &out) == Status::ok);
+    CHECK(oracle::same(oracle::diagram(f, e.complex.dimension, true), out));
+    std::vector<std::uint32_t> b(e.complex.dimension + 1);
+    for (std::uint64_t i = 0; i < out.count; ++i) {
+        if (out.pairs[i].death == infinity) ++b[out.pairs[i].degree];
+    }
+    return b;
+}
+
+std::vector<Simplex> sphere(std::uint32_t dimension) {
+    std::vector<Simplex> maximal;
+    for (std::uint32_t skip = 0; skip < dimension + 2; ++skip) {
+        Simplex s;
+        for (std::uint32_t v = 0; v < dimension + 2; ++v) {
+            if (v != skip) s.push_back(v);
+        }
+        maximal.push_back(s);
+    }
+    return maximal;
+}
+
+// A square grid of n x n, its sides glued; turned: the second pair of sides is glued with a flip.
+std::vector<Simplex> glued_square(std::uint32_t n, bool turned) {
+    std::vector<Simplex> maximal;
+    const auto at = [&](std::uint32_t x, std::uint32_t y) {
+        if (x == n && turned) y = n - y;
+        return x % n * n + y % n;
+    };
+    for (std::uint32_t x = 0; x < n; ++x) {
+        for (std::uint32_t y = 0; y < n; ++y) {
+            maximal.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+            maximal.push_back({at(x, y), at(x, y + 1), at(x + 1, y + 1)});
+        }
+    }
+    return maximal;
+}
+
+// Six vertices, the icosahedron with opposite points identified.
+const std::vector<Simplex> projective_plane = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 1, 5},
+                                               {1, 2, 4}, {2, 3, 5}, {1, 3, 4}, {2, 4, 5}, {1, 3, 5}};
+
+oracle::Filtered random_filtration(std::mt19937& random, std::uint32_t vertices, std::uint32_t dimension,
+                                   std::uint32_t maximal_count, std::uint32_t levels) {
+    std::vector<Simplex> maximal;
+    for (std::uint32_t i = 0; i < maximal_count; ++i) {
+        std::set<std::uint32_t> s;
+        while (s.size() < dimension + 1) s.insert(random() % vertices);
+        maximal.push_back(Simplex(s.begin(), s.end()));
+    }
+    const auto simplices = oracle::all_faces(maximal);
+    std::map<Simplex, double> value;
+    for (std::size_t size = 1; size <= dimension + 1; ++size) {
+        for (const Simplex& s : simplices) {
+            if (s.size() != size) continue;
+            double t = double(random() % levels) - 2;
+            for (std::size_t i = 0; i < size && size > 1; ++i) {
+                Simplex face = s;
+                face.erase(face.begin() + static_cast<std::ptrdiff_t>(i));
+                t = std::max(t, value.at(face));
+            }
+            value[s] = t;
+        }
+    }
+    return oracle::filter(simplices, [&](const Simplex& s) { return value.at(s); });
+}
+
+}  // namespace
+
+TEST_CASE("Betti numbers over Z/2 of known complexes") {
+    using B = std::vector<std::uint32_t>;
+    CHECK(betti({{0}}) == B{1});
+    CHECK(betti({{0}, {1}, {2}}) == B{3});
+    CHECK(betti({{0, 1}, {1, 2}, {0, 2}}) == B{1, 1});
+    CHECK(betti({{0, 1, 2, 3, 4, 5, 6, 7}}) == B{1, 0, 0, 0, 0, 0, 0, 0});
+    for (std::uint32_t d = 1; d <= 6; ++d) {
+        B expected(d + 1);
+        expected[0] = expected[d] = 1;
+        CHECK(betti(sphere(d)) == expected);
+    }
+    CHECK(betti(glued_square(5, false)) == B{1, 2, 1});
+    CHECK(betti(glued_square(5, true)) == B{1, 2, 1});  // Klein bottle
+    CHECK(betti(projective_plane) == B{1, 1, 1});
+}
+
+TEST_CASE("a diagram by hand: a square that closes, then fills") {
+    const std::map<Simplex, double> value = {{{0}, 0.},    {{1}, 0.},       {{2}, 1.},      {{3}, 1.},
+                                             {{0, 1}, 1.}, {{1, 2}, 2.},    {{2, 3}, 3.},   {{0, 3}, 4.},
+                                             {{0, 2}, 5.}, {{0, 1, 2}, 6.}, {{0, 2, 3}, 7.}};
+    std::vector<Simplex> simplices;
+    for (const auto& entry : value) simplices.push_back(entry.first);
+    const oracle::Explicit e(oracle::filter(simplices, [&](const Simplex& s) { return value.at(s); }));
+    Block block(1 << 16);
+    Monitor monitor;
+    PairList out;
+    REQUIRE(persist_filtration(e.complex, 2, false, block.arena, monitor, &out) == Status::ok);
+    const std::vector<Pair> expected = {{0, 1, 0, 0}, {0, infinity, 0, 0}, {1, 2, 0, 0},
+                                        {1, 3, 0, 0}, {4, 7, 1, 0},        {5, 6, 1, 0}};
+    CHECK(oracle::same(expected, out));
+}
+
+TEST_CASE("random filtrations equal the textbook reduction") {
+    std::mt19937 random(7);
+    Block block(1 << 22);
+    for (int round = 0; round < 60; ++round) {
+        const std::uint32_t dimension = 1 + random() % 5;
+        const auto f = random_filtration(random, 6 + random() % 10, dimension, 1 + random() % 30, 1 + random() % 40);
+        const oracle::Explicit e(f);
+        for (std::uint32_t degree = 0; degree <= dimension + 1; ++degree) {
+            for (const bool keep : {false, true}) {
+                const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
+                Monitor monitor;
+                PairList out;
+                REQUIRE(persist_filtration(e.complex, degree, keep, block.arena, monitor, &out) == Status::ok);
+                CHECK(oracle::same(oracle::diagram(f, degree, keep), out));
+                CHECK(block.arena.high_mark() == high);
+                CHECK(block.arena.low_mark() - low == (out.count * sizeof(Pair) + 15) / 16 * 16);
+                block.arena.release_low(low);
+            }
+        }
+    }
+}
+
+TEST_CASE("every arena size gives the diagram or out_of_memory") {
+    std::mt19937 random(11);
+    const auto f = random_filtration(random, 14, 4, 40, 1000);
+    const oracle::Explicit e(f);
+    const auto expected = oracle::diagram(f, 4, false);
+    bool fitted = false;
+    for (std::size_t bytes = 0; bytes < 60000; bytes += 16) {
+        Block block(bytes);
+        Monitor monitor;
+        PairList out;
+        const Status status = persist_filtration(e.complex, 4, false, block.arena, monitor, &out);
+        if (status == Status::ok) {
+            fitted = true;
+            REQUIRE(oracle::same(expected, out));
+        } else {
+            REQUIRE(status == Status::out_of_memory);
+            REQUIRE(!fitted);
+            REQUIRE(block.arena.bytes_used() == 0);
+            REQUIRE(block.arena.bytes_wanted() > bytes);
+        }
+    }
+    CHECK(fitted);
+}
