@@ -182,35 +182,36 @@ template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
 }
 
 // With a = power of q outside (>= 0) and b = -power inside, the new centre is w c_in + (1-w) c_out, w = a / (a + b). Its
-// error is at most the larger of the two centres' errors, plus the error of w times their distance, plus rounding.
+// error is at most the larger of the two centres' errors, plus the error of w (doubt / (a + b)) times their distance, plus
+// rounding; the sum of three terms is bounded by the root of three times the sum of their squares.
 template <int D> bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, Cell<D>& cell) {
     double bound_in, bound_out;
     const double b = -power<D>(inside, q, &bound_in);
     const double a = power<D>(outside, q, &bound_out);
     const double sum = a + b, doubt = bound_in + bound_out;
     if (!(doubt < 0x1p-12 * sum)) return false;
-    const double w = a / sum;
-    double apart2 = 0, radius2 = 0, centre_size = 0;
+    const double inverse = 1 / sum;
+    const double w = a * inverse;
+    double apart2 = 0, radius2 = 0, size2 = 0;
     double centre[D];
     for (int i = 0; i < D; ++i) {
         const double d = inside.centre[i] - outside.centre[i];
         centre[i] = outside.centre[i] + w * d;
         apart2 += d * d;
-        const double s = absolute(inside.centre[i]) + absolute(outside.centre[i]);
-        if (s > centre_size) centre_size = s;
+        size2 += inside.centre[i] * inside.centre[i] + outside.centre[i] * outside.centre[i];
         const double e = q[i] - centre[i];
         radius2 += e * e;
     }
-    const double error_in = inside.error * square_root(inside.radius2);
-    const double error_out = outside.error * square_root(outside.radius2);
-    const double carried = error_in > error_out ? error_in : error_out;
-    const double distance =
-        1.01 * (carried + (doubt / sum + 4 * u) * square_root(apart2) + (2 + D) * u * centre_size);
-    const double error = 1.01 * distance / square_root(radius2);
-    if (!(error < error_usable) || !(radius2 > 0x1p-960)) return false;
+    const double in2 = static_cast<double>(inside.error) * inside.error * inside.radius2;
+    const double out2 = static_cast<double>(outside.error) * outside.error * outside.radius2;
+    const double w_error = doubt * inverse + 4 * u;
+    const double distance2 =
+        3.1 * ((in2 > out2 ? in2 : out2) + w_error * w_error * apart2 + (32 * u * u) * size2);
+    const double error2 = distance2 / radius2;
+    if (!(error2 < error_usable * error_usable) || !(radius2 > 0x1p-800)) return false;
     for (int i = 0; i < D; ++i) cell.centre[i] = centre[i];
     cell.radius2 = radius2;
-    cell.error = static_cast<float>(error);
+    cell.error = static_cast<float>(1.01 * square_root(error2));
     return true;
 }
 

@@ -138,7 +138,14 @@ template <int D> void keep_dimensions(Faces<D>& faces, int dimension, double** v
     faces.dimension_max = dimension;
 }
 
-bool is_rounding(const Pair& pair) { return pair.death < infinity && pair.death - pair.birth <= rounding * pair.death; }
+void drop_rounding(PairList* list) {
+    std::uint64_t kept = 0;
+    for (std::uint64_t i = 0; i < list->count; ++i) {
+        const Pair pair = list->pairs[i];
+        if (pair.death == infinity || pair.death - pair.birth > rounding * pair.death) list->pairs[kept++] = pair;
+    }
+    list->count = kept;
+}
 
 // Everything but giving back what was taken.
 template <int D>
@@ -199,24 +206,19 @@ Status persist_alpha(const TriangulationView<D>& complex, const double* coordina
     const std::uint32_t degree = max_degree < D ? max_degree : static_cast<std::uint32_t>(D - 1);
     PairList found = {};
     const Status status = diagram_of(complex, points, degree, keep_zero, arena, monitor, &found, simplex_count);
+    if (status == Status::ok && !keep_zero) drop_rounding(&found);
     arena.release_low(low);
     arena.release_high(high);
     if (status != Status::ok) return status;
-    // The pairs lie above what has just been released. They are moved down in order, so none is overwritten unread.
-    std::uint64_t count = 0;
-    Pair* const pairs = reinterpret_cast<Pair*>(arena.at(low));
-    for (std::uint64_t i = 0; i < found.count; ++i) {
-        const Pair pair = found.pairs[i];
-        if (keep_zero || !is_rounding(pair)) pairs[count++] = pair;
-    }
-    arena.take_low<Pair>(static_cast<std::ptrdiff_t>(count));
-    *out = {pairs, count};
+    Pair* const pairs = arena.take_low<Pair>(static_cast<std::size_t>(found.count));  // below found.pairs: it fits
+    __builtin_memmove(pairs, found.pairs, sizeof(Pair) * static_cast<std::size_t>(found.count));
+    *out = {pairs, found.count};
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, Monitor&, double* const*);            \
-    template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t, bool,     \
+    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, Monitor&, double* const*);         \
+    template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t, bool,  \
                                      Arena&, Monitor&, PairList*, std::uint64_t*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

@@ -12,9 +12,10 @@ namespace netmesh {
 // lies inside that (Gabriel), otherwise with the first of its cofacets; points enter at 0. value[k][i] belongs to the
 // i-th k-face; the arrays hold faces.count[k] numbers each, k = 0..D. Never decreasing from a face to its cofaces.
 //
-// coordinates: D doubles at the start of each vertex record, record v at v * stride_bytes (which may be negative). Relative error below
-// 1e-10 (about 1e-14 seen); where vertices are cospherical to the last bit, values that agree in theory agree in all
-// bits if one simplex is a face of the other. Ties of cospherical points may be broken in any consistent way.
+// coordinates: D doubles at the start of each vertex record, record v at v * stride_bytes (which may be negative).
+// Relative error below 1e-10 (about 1e-14 seen); where vertices are cospherical to the last bit, values that agree in
+// theory agree in all bits if one simplex is a face of the other. Ties of cospherical points may be broken in any
+// consistent way.
 //
 // Requires all faces (faces.dimension_max == D). One small linear solve a face: see circumsphere.hpp. cancelled.
 template <int D>

@@ -5,6 +5,7 @@
 #include "homology/pair_writer.hpp"
 #include "homology/persistence.hpp"
 #include "homology/union_find.hpp"
+#include "memory/high_scope.hpp"
 
 namespace netmesh {
 namespace {

@@ -10,19 +10,6 @@
 
 namespace netmesh {
 
-// Gives what was taken at the high end since its construction back; the low end goes on growing.
-class HighScope {
-public:
-    explicit HighScope(Arena& arena) : arena_(arena), high_(arena.high_mark()) {}
-    ~HighScope() { arena_.release_high(high_); }
-    HighScope(const HighScope&) = delete;
-    HighScope& operator=(const HighScope&) = delete;
-
-private:
-    Arena& arena_;
-    std::size_t high_;
-};
-
 class PairWriter {
 public:
     PairWriter(Arena& arena, std::uint32_t max_degree, bool keep_zero)

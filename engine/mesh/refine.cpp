@@ -68,6 +68,8 @@ private:
         for (int k = 0; k < D; ++k) corner->x[k] = x[k];
     }
     void update_star(const Cavity& cavity, std::uint32_t v);
+    void queue_bad_vertices(std::uint32_t c);
+    bool may_spoil_certificate(std::uint32_t v, const double* x) const;
     bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }
 
     Store<D>& store_;
@@ -156,8 +158,7 @@ template <int D> Status Refinement<D>::insert(std::uint32_t v, std::uint32_t fro
 }
 
 // Nearest-neighbour distances around the new vertex v, and the queue: a vertex may have become bad when its nearest
-// neighbour came nearer or when a new corner is far. The corner of a cell outside the domain counts as it stands, since a
-// crossing of its edges is no farther from v than the farther of the edge's ends.
+// neighbour came nearer, or because of a new corner.
 template <int D> void Refinement<D>::update_star(const Cavity& cavity, std::uint32_t v) {
     Vertex<D>& centre = store_.vertex(v);
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
@@ -174,15 +175,56 @@ template <int D> void Refinement<D>::update_star(const Cavity& cavity, std::uint
             }
         }
     }
-    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const Cell<D>& cell = store_.cell(kernel_.new_cell(cavity, k));
-        for (const std::uint32_t w : cell.vertex) {
-            if (w == none) continue;
-            const Vertex<D>& vertex = store_.vertex(w);
-            if (!vertex.queued && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2))
-                queue_.push(w);
-        }
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) queue_bad_vertices(kernel_.new_cell(cavity, k));
+}
+
+// Queues the vertices that the new cell c makes bad. A crossing on an edge from an old outer cell need not be looked at:
+// the edge has only become shorter.
+template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
+    const Cell<D>& cell = store_.cell(c);
+    if (!(cell.radius2 < infinity) && store_.is_ghost(c)) return;
+    unsigned far = 0;  // positions of the vertices for which this corner is far
+    for (int i = 0; i <= D; ++i) {
+        const Vertex<D>& vertex = store_.vertex(cell.vertex[i]);
+        if (!vertex.queued && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2)) far |= 1u << i;
     }
+    if (far == 0) return;
+    if (domain_.contains(cell.centre)) {
+        for (int i = 0; i <= D; ++i)
+            if (far >> i & 1u) queue_.push(cell.vertex[i]);
+        return;
+    }
+    if (certify_)
+        for (int i = 0; i <= D; ++i)
+            if ((far >> i & 1u) && may_spoil_certificate(cell.vertex[i], cell.centre)) {
+                queue_.push(cell.vertex[i]);
+                far &= ~(1u << i);
+            }
+    for (int i = 0; i <= D; ++i) {
+        const unsigned others = far & ~(1u << i);
+        if (others == 0 || cell.neighbour[i] == none) continue;
+        const std::uint32_t n = cell.neighbour[i] >> 3;
+        if (store_.is_ghost(n)) continue;
+        double z[2][D];
+        const int crossings = sphere_crossings<D>(domain_, cell.centre, store_.cell(n).centre, z);
+        for (int j = 0; j < crossings; ++j)
+            for (int k = 0; k <= D; ++k) {
+                const std::uint32_t w = cell.vertex[k];
+                if ((others >> k & 1u) && is_bad(distance2<D>(z[j], store_.point(w)), store_.vertex(w).nearest2))
+                    queue_.push(w);
+            }
+    }
+}
+
+// Could a corner at x of v's cell make d_P vary by more than a factor 2 + tau? As lo is at least half of d_P(v) (of nn(v) for
+// an input), a necessary condition without a walk around v.
+template <int D> bool Refinement<D>::may_spoil_certificate(std::uint32_t v, const double* x) const {
+    const double* const input = store_.point(nearest_input(v));
+    const double reach2 = distance2<D>(x, input), rho = domain_.enclosing_radius;
+    const double hi2 = reach2 < rho * rho ? reach2 : rho * rho;
+    const double d2 = store_.vertex(v).marker == Marker::input ? store_.vertex(v).nearest2
+                                                               : distance2<D>(store_.point(v), input);
+    return 4 * hi2 > (2 + tau_) * (2 + tau_) * d2;
 }
 
 // Crossings of the sphere with the edges of v's cell that end in corner c, which is outside.

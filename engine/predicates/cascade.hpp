@@ -28,6 +28,18 @@ template <int D, bool lifted> bool is_exact(const FloatResult& result, int quant
     return result.magnitude > 0 && quantum * degree >= -1074 && exponent_of(result.magnitude) < 53 + quantum * degree;
 }
 
+// Bits of the largest coordinate of a row in quanta. The lift wants one quantum, without it each column has its own:
+// units may differ by axis.
+template <int D, bool lifted> int difference_bits(const Frame<D, lifted>& frame, int row, const int (&quantum)[D]) {
+    if constexpr (lifted) return frame.exponent[row] + 1 - quantum[0];
+    int bits = 0;
+    for (int c = 0; c < D; ++c) {
+        const int k = exponent_of(__builtin_fabs(frame.row[row][c] - frame.base[c])) + 1 - quantum[c];
+        bits = k > bits ? k : bits;
+    }
+    return bits;
+}
+
 // What the float stage with the last point as base could not decide.
 template <int D, bool lifted>
 [[gnu::noinline]] Decision decide_undecided(const double* const* points, const FloatResult& first) {
@@ -46,25 +58,18 @@ template <int D, bool lifted>
     const Set frame = best_frame<D, lifted>(points);
     for (int i = 0; i < Set::rows; ++i)
         if (frame.exponent[i] == exponent_of_zero) return decide(0, false, stage_float);
-    if (frame.widest() <= 1023) {
+    if (frame.widest() <= 1023 && (first.magnitude == 0 || frame.gain > 2)) {
         const FloatResult second = float_stage_scaled<D, lifted>(frame);
         const double error = second.magnitude * FloatBounds<D, lifted>::error_factor;
-        if (second.determinant > error || -second.determinant > error)
+        if (__builtin_fabs(second.determinant) > error)
             return decide(sign_of(second.determinant), frame.negate, stage_float);
     }
 
-    // Bits of the differences in quanta. The lift wants one quantum, without it each column has its own: units may
-    // differ by axis.
     if constexpr (lifted)
         for (int& k : quantum) k = least;
     int row_bits_max = 0, bits = ExactBounds<D, lifted>::hadamard_bits();
     for (int i = 0; i < Set::rows; ++i) {
-        int row_bits = 0;
-        for (int c = 0; c < D; ++c) {
-            const double a = frame.row[i][c], b = frame.base[c];
-            const int width = exponent_of(a > b ? a - b : b - a) + 1 - quantum[c];
-            row_bits = width > row_bits ? width : row_bits;
-        }
+        const int row_bits = difference_bits<D, lifted>(frame, i, quantum);
         row_bits_max = row_bits > row_bits_max ? row_bits : row_bits_max;
         bits += row_bits;
     }
@@ -78,8 +83,7 @@ template <int D, bool lifted>
 template <int D, bool lifted> Decision decide(const double* const* points) {
     const FloatResult first = float_stage<D, lifted>(points);
     const double error = first.magnitude * FloatBounds<D, lifted>::error_factor;
-    if (first.determinant > error) return decide(1, (D & 1) != 0, stage_float);
-    if (-first.determinant > error) return decide(-1, (D & 1) != 0, stage_float);
+    if (__builtin_fabs(first.determinant) > error) return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
     return decide_undecided<D, lifted>(points, first);
 }
 

@@ -20,6 +20,7 @@ template <int D, bool lifted> struct Frame {
     const double* base;
     int exponent[rows];  // exponent_of the largest coordinate of the difference, which is below 2^(exponent+1)
     bool negate;         // the answer is the negated sign of the determinant
+    int gain;            // how many bits shorter the product of distances is than with the last point as base
 
     int widest() const {
         int e = exponent[0];
@@ -33,7 +34,7 @@ template <int D, bool lifted> struct Frame {
 template <int D> int difference_exponent(const double* a, const double* b) {
     double largest = 0;
     for (int c = 0; c < D; ++c) {
-        const double d = a[c] > b[c] ? a[c] - b[c] : b[c] - a[c];
+        const double d = __builtin_fabs(a[c] - b[c]);
         largest = d > largest ? d : largest;
     }
     return exponent_of(largest);
@@ -42,25 +43,24 @@ template <int D> int difference_exponent(const double* a, const double* b) {
 // The frame whose base has the least product of (largest coordinate) distances to the other points.
 template <int D, bool lifted> Frame<D, lifted> best_frame(const double* const* points) {
     constexpr int n = Frame<D, lifted>::points;
-    int exponent[n][n];
+    int exponent[n][n], sum[n] = {};
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j < i; ++j) exponent[i][j] = exponent[j][i] = difference_exponent<D>(points[i], points[j]);
-    int best = n - 1, best_sum = 0;
-    for (int i = n - 1; i >= 0; --i) {
-        int sum = 0;
-        for (int j = 0; j < n; ++j) sum += j == i ? 0 : exponent[i][j];
-        if (i == n - 1 || sum < best_sum) {
-            best = i;
-            best_sum = sum;
+        for (int j = 0; j < i; ++j) {
+            const int e = difference_exponent<D>(points[i], points[j]);
+            exponent[i][j] = exponent[j][i] = e;
+            sum[i] += e;
+            sum[j] += e;
         }
-    }
+    int best = n - 1;
+    for (int i = n - 2; i >= 0; --i) best = sum[i] < sum[best] ? i : best;
     Frame<D, lifted> frame;
     frame.base = points[best];
+    frame.gain = sum[n - 1] - sum[best];
     frame.negate = ((D + n - 1 - best) & 1) != 0;
-    for (int i = 0, r = 0; i < n; ++i) {
-        if (i == best) continue;
+    for (int r = 0; r < n - 1; ++r) {
+        const int i = r + (r >= best);
         frame.row[r] = points[i];
-        frame.exponent[r++] = exponent[i][best];
+        frame.exponent[r] = exponent[best][i];
     }
     return frame;
 }

@@ -13,14 +13,27 @@ namespace netmesh {
 
 constexpr int integer_stage_bits = 61;
 
-// x / 2^quantum modulo 2^64; quantum at most quantum_of(x).
-inline std::uint64_t quanta(double x, int quantum) {
-    const Decoded d = decode(x);
-    const int shift = d.exponent - quantum;
-    if (d.mantissa == 0 || shift >= 64) return 0;
-    const std::uint64_t m = shift >= 0 ? d.mantissa << shift : d.mantissa >> -shift;
-    return d.negative ? ~m + 1 : m;
-}
+// Coordinates in quanta, modulo 2^64: differences come out right even where coordinates are too large.
+class Quanta {
+public:
+    explicit Quanta(int quantum)
+        : quantum_(quantum), per_unit_(quantum < -1022 || quantum > 1022 ? 0 : power_of_two(-quantum)) {}
+
+    // x: a multiple of the quantum.
+    std::uint64_t of(double x) const {
+        const double y = x * per_unit_;  // exact: an integer, or out of range, or 0 without a factor
+        if (y != 0 && __builtin_fabs(y) < 0x1p62) return static_cast<std::uint64_t>(static_cast<std::int64_t>(y));
+        const Decoded d = decode(x);
+        const int shift = d.exponent - quantum_;
+        if (d.mantissa == 0 || shift >= 64) return 0;
+        const std::uint64_t m = shift >= 0 ? d.mantissa << shift : d.mantissa >> -shift;
+        return d.negative ? ~m + 1 : m;
+    }
+
+private:
+    int quantum_;
+    double per_unit_;
+};
 
 // All minors of order K, K digits each, from those of order K-1. entry: [0] the matrix's column K-1, [1] its negative.
 template <int N, int K>
@@ -65,9 +78,10 @@ template <int D, bool lifted> int integer_stage(const Frame<D, lifted>& frame, c
     constexpr int n = Frame<D, lifted>::rows;
     IntegerMatrix<n, D> a;
     for (int c = 0; c < D; ++c) {
-        const std::uint64_t base = quanta(frame.base[c], quantum[c]);
+        const Quanta quanta(quantum[c]);
+        const std::uint64_t base = quanta.of(frame.base[c]);
         for (int i = 0; i < n; ++i) {
-            a.entry[c][0][i] = static_cast<std::int64_t>(quanta(frame.row[i][c], quantum[c]) - base);
+            a.entry[c][0][i] = static_cast<std::int64_t>(quanta.of(frame.row[i][c]) - base);
             a.entry[c][1][i] = -a.entry[c][0][i];
         }
     }

@@ -114,7 +114,7 @@ SEES = {
     "delaunay": {"predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
     "mesh": {"delaunay", "predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
     "complex": {"memory", "numerics"},
-    "homology": {"complex", "memory", "numerics", "include", "diagram/pair.hpp"},
+    "homology": {"complex", "memory", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
     "diagram": {"homology", "complex", "memory", "numerics", "include"},
     "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "include"},
     "api": {"filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory",
@@ -208,7 +208,8 @@ class Graph:
             self.frame[title] = max(self.frame.get(title, 0), int(size.group(1)))
             self.label[title] = label.split("\\n")[0]
             self.calls.setdefault(title, set())
-            if size.group(2) != "static":
+            # "dynamic,bounded": arguments pushed around a call; the figure is the most that it gets.
+            if size.group(2) not in ("static", "dynamic,bounded"):
                 self.faults.append("frame of %s is %s" % (self.label[title], size.group(2)))
             return
         m = EDGE.match(line)
@@ -219,6 +220,16 @@ class Graph:
                     self.faults.append("indirect call in %s at %s" % (self.label.get(caller, caller), where))
                 return
             self.calls.setdefault(caller, set()).add(callee)
+
+    def link(self):
+        """Calls across files name the bare symbol; an instantiation's own record has its file in front."""
+        definitions = {}
+        for title in self.frame:
+            symbol = title.rsplit(":", 1)[-1]
+            if symbol not in definitions or self.frame[title] > self.frame[definitions[symbol]]:
+                definitions[symbol] = title
+        for caller, callees in self.calls.items():
+            self.calls[caller] = {c if c in self.frame else definitions.get(c, c) for c in callees}
 
     def cycles(self):
         """Strongly connected sets of more than one function, or functions that call themselves (Tarjan, iterative)."""
@@ -296,6 +307,7 @@ def dimension_of(title):
 def check_stack(records, limit, limit_low, recursion_only):
     graph = Graph()
     graph.read(records)
+    graph.link()
     if not graph.frame:
         print("FAULT no call graphs (.ci) under %s" % records)
         return 1

@@ -115,9 +115,9 @@ inline std::pair<double, double> turn(std::uint64_t i, std::uint64_t n) {
     s *= t;
     switch (q & 3) {
         case 0: return {c, s};
-        case 1: return {-s, c};
-        case 2: return {-c, -s};
-        default: return {s, -c};
+        case 1: return {0.0 - s, c};
+        case 2: return {0.0 - c, 0.0 - s};
+        default: return {s, 0.0 - c};
     }
 }
 

@@ -1,9 +1,9 @@
 // Explicit filtrations against known homology and the textbook reduction.
 #include <doctest/doctest.h>
 
-#include <cstring>
 #include <random>
 
+#include "block.hpp"
 #include "oracle.hpp"
 
 using namespace netmesh;
@@ -12,16 +12,6 @@ using oracle::Simplex;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Block {
-    explicit Block(std::size_t bytes) : words(bytes / 8 + 2) {
-        arena.adopt(
-            reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(words.data()) + 15) & ~std::uintptr_t{15}),
-            bytes);
-    }
-    std::vector<std::uint64_t> words;
-    Arena arena;
-};
 
 std::vector<std::uint32_t> betti(const std::vector<Simplex>& maximal) {
     const auto f = oracle::filter(oracle::all_faces(maximal), [](const Simplex& s) { return double(s.size()); });

@@ -2,6 +2,7 @@
 #pragma once
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -70,14 +71,10 @@ inline mpz_class orient_integer(const Matrix& x) {
 
 inline int orient(const std::vector<Point>& points) { return sgn(orient_integer(integers(points))); }
 
-// x: D+2 rows with the lift as last coordinate. Positive when the last point is below the hyperplane through the
-// others, provided that these are positively oriented: the lifted points q, p0, ..., pD then turn the way that p0, ...,
-// pD do when seen from below, so that the sign is found from orientation in D+1 dimensions alone.
-inline int below_lifted(const Matrix& x) {
-    // With the vertical direction straight down from q to a far point the simplex (p0..pD, q) has the orientation of
-    // (p0..pD) times that of the last axis, which points down.
-    return -sgn(orient_integer(x));
-}
+// x: D+2 rows with the lift as last coordinate. Positive when the last point is below the hyperplane through the others
+// and these are positively oriented: shear that hyperplane to height 0, and the determinant is orient of the others
+// times the height of the last point.
+inline int below_lifted(const Matrix& x) { return -sgn(orient_integer(x)); }
 
 // weights: added to the lifts; may be empty. Units: quanta squared over 2^weight_shift.
 inline int in_ball(const std::vector<Point>& points, const std::vector<mpz_class>& weights = {}, int weight_shift = 0) {

@@ -13,7 +13,7 @@ const char* cgal_version();
 
 // Quality mesh of 3D points; figures: vertices, cells, aspect_worst, aspect_mean.
 void ours_mesh(Trial& trial, const inputs::Points& points, double tau);
-void tetgen_mesh(Trial& trial, const inputs::Points& points, double ratio);
+void tetgen_mesh(Trial& trial, const inputs::Points& points, double ratio);  // radius-edge ratio
 
 // Persistence of the complete filter on the mesh of `points`; the mesh itself is not timed. Figures: simplices, and for
 // PHAT build_seconds, the time from the mesh to its boundary matrix. Both give the diagram without zero-length pairs.

@@ -1,0 +1,116 @@
+// Components of sublevel sets of vertices, and of superlevel sets of the closed sphere (see ball.hpp), from one link
+// vertex for each piece of a lower or upper link: degree 0 and, by duality, degree D-1.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "homology/pair_writer.hpp"
+#include "homology/union_find.hpp"
+#include "memory/arena.hpp"
+#include "memory/sort.hpp"
+
+namespace netmesh {
+
+// Pieces of links beyond the first: the vertex with this rank is joined to this link vertex. Grows at the arena's high
+// end, where nothing else may be taken as long as it grows.
+class JoinList {
+public:
+    struct Join {
+        std::uint32_t rank, vertex;
+    };
+    explicit JoinList(Arena& arena) : arena_(arena), top_(arena.high_mark()) {}
+
+    bool add(std::uint32_t rank, std::uint32_t vertex) {
+        if (count_ % 2 == 0 && arena_.take_high<Join>(2) == nullptr) return false;
+        ++count_;
+        *first() = Join{rank, vertex};
+        return true;
+    }
+    void sort_by_rank() {
+        sort(first(), count_,
+             [](const Join& a, const Join& b) { return a.rank != b.rank ? a.rank < b.rank : a.vertex < b.vertex; });
+    }
+    std::size_t count() const { return count_; }
+    const Join& operator[](std::size_t i) const { return first()[i]; }
+
+private:
+    Join* first() const { return reinterpret_cast<Join*>(arena_.at(top_ - count_ * sizeof(Join))); }
+
+    Arena& arena_;
+    std::size_t top_, count_ = 0;
+};
+
+// Order of vertices and the births of those that enter before their lower star.
+struct VertexOrder {
+    const double* value;
+    const std::uint32_t* order;
+    std::uint32_t count;
+    std::uint32_t zero_born_count;
+    double birth(std::uint32_t v) const { return v < zero_born_count ? 0.0 : value[v]; }
+};
+
+// Degree 0. below[v]: a lower link vertex of v or none; becomes the union-find. joins: sorted by rank; those to lower
+// vertices count. False: out of memory.
+inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, const JoinList* const* joins, int lists,
+                          const std::uint32_t* rank, PairWriter& writer) {
+    std::size_t next[2] = {0, 0};
+    const auto join = [&](std::uint32_t v, std::uint32_t u, double time) {
+        std::uint32_t a = find_root(below, v), b = find_root(below, u);
+        if (a == b) return true;
+        const double ta = vertices.birth(a), tb = vertices.birth(b);
+        if (tb < ta || (tb == ta && b < a)) {
+            const std::uint32_t t = a;
+            a = b;
+            b = t;
+        }
+        below[b] = a;
+        return writer.add(vertices.birth(b), time, 0);
+    };
+    for (std::uint32_t r = 0; r < vertices.count; ++r) {
+        const std::uint32_t v = vertices.order[r], u = below[v];
+        const double time = vertices.value[v];
+        if (u == none) {
+            below[v] = v;
+        } else if (v < vertices.zero_born_count) {
+            below[v] = v;
+            if (!join(v, u, time)) return false;
+        } else if (!writer.add(time, time, 0)) {
+            return false;
+        }
+        for (int l = 0; l < lists; ++l) {
+            for (; next[l] < joins[l]->count() && (*joins[l])[next[l]].rank == r; ++next[l]) {
+                const std::uint32_t u2 = (*joins[l])[next[l]].vertex;
+                if (u2 != vertices.count && rank[u2] < r && !join(v, u2, time)) return false;
+            }
+        }
+    }
+    for (std::uint32_t v = 0; v < vertices.count; ++v) {
+        if (below[v] == v && !writer.add_essential(vertices.birth(v), 0)) return false;
+    }
+    return true;
+}
+
+// Degree D-1, where every piece of every upper link has its join: above[v] and joins to higher vertices, downwards.
+// outside == vertices.count is above all; above[outside] == outside.
+inline bool join_superlevel(const VertexOrder& vertices, const std::uint32_t* rank, std::uint32_t* above,
+                            const JoinList& joins, std::uint32_t degree, PairWriter& writer) {
+    std::size_t next = joins.count();
+    for (std::uint32_t r = vertices.count; r-- > 0;) {
+        for (; next > 0 && joins[next - 1].rank == r; --next) {
+            const std::uint32_t u = joins[next - 1].vertex;
+            if (u != vertices.count && rank[u] < r) continue;
+            std::uint32_t a = find_root(above, vertices.order[r]), b = find_root(above, u);
+            if (a == b) continue;
+            if (a != vertices.count && (b == vertices.count || rank[b] > rank[a])) {
+                const std::uint32_t t = a;
+                a = b;
+                b = t;
+            }
+            above[b] = a;
+            if (!writer.add(vertices.value[vertices.order[r]], vertices.value[b], degree)) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace netmesh

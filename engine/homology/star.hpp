@@ -1,0 +1,281 @@
+// One lower star in full, and a discrete gradient on it.
+//
+// Simplex 0 of the star is the vertex itself; the others are given by their lower vertices other than that one, which
+// are labelled by descending rank. Every simplex knows its facets within the star; the facet opposite the vertex lies
+// in another lower star. The lower star is emptied by removing a free simplex together with its only coface, and one
+// maximal simplex of the largest dimension alone when there is none: that one is critical. Removed later is earlier in
+// the filtration, so a pair is an apparent pair of it, and the order of values is respected.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "homology/ball.hpp"
+#include "memory/sort.hpp"
+
+namespace netmesh {
+
+template <int D> class Star {
+public:
+    // Arrays for stars of at most simplices_max simplices, at the high end of the arena. False: out of memory.
+    bool reserve(const Ball<D>& ball, std::uint64_t simplices_max, Arena& arena);
+
+    // Lists the lower star of v; ball.slot holds label + 1 of its lower vertices until close(). False when the cells
+    // are not those of a ball.
+    bool open(const Ball<D>& ball, std::uint32_t v);
+    void close(const Ball<D>& ball);
+    // The gradient. Returns how many simplices are critical.
+    std::uint32_t match();
+
+    std::uint32_t capacity() const { return capacity_; }
+    std::uint32_t count() const { return count_; }
+    std::uint32_t vertices() const { return label_count_; }  // lower ones other than v
+    std::uint32_t rank_of(std::uint32_t label) const { return ranks_[label]; }
+    std::uint32_t highest() const { return highest_; }  // an upper vertex or `outside`; none if there is none
+    std::uint32_t dimension(std::uint32_t i) const { return form_[i] & 7; }
+    std::uint32_t label(std::uint32_t i) const { return form_[i] >> 3; }                         // of its lowest vertex
+    std::uint32_t parent(std::uint32_t i) const { return facets_[std::size_t{i} * D]; }          // without that one
+    const std::uint32_t* facets(std::uint32_t i) const { return facets_ + std::size_t{i} * D; }  // [dimension(i)]
+    std::uint32_t origin(std::uint32_t i) const { return origin_[i]; }    // incidence whose cell has i as a face
+    std::uint32_t partner(std::uint32_t i) const { return partner_[i]; }  // none: critical
+    bool pairs_up(std::uint32_t i) const { return partner_[i] != none && dimension(partner_[i]) > dimension(i); }
+    std::uint32_t position(std::uint32_t i) const { return position_[i]; }  // in the filtration of the star
+    std::uint32_t at(std::uint32_t position) const { return at_[position]; }
+    // The simplex of these labels (ascending), none if the star has none such.
+    std::uint32_t simplex_of(const std::uint32_t* labels, std::uint32_t n) const;
+    // A word for each simplex, free for use after match().
+    std::uint32_t& note(std::uint32_t i) { return sum_[i]; }
+
+    // Pieces of the lower link: whether label is the highest one of its piece, and the lowest of a piece by its
+    // highest.
+    std::uint32_t piece(std::uint32_t label) {
+        while (piece_[label] != label) label = piece_[label] = piece_[piece_[label]];
+        return label;
+    }
+
+private:
+    std::uint32_t collect(const Ball<D>& ball, std::uint32_t v);
+    void add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k);
+    std::uint32_t add(std::uint32_t dimension, std::uint32_t label, std::uint32_t incidence) {
+        const std::uint32_t i = count_++;
+        form_[i] = label << 3 | dimension;
+        origin_[i] = incidence;
+        cofaces_[i] = sum_[i] = 0;
+        return i;
+    }
+    std::uint32_t* place_of(std::uint32_t parent, std::uint32_t label) const;
+    void remove(std::uint32_t i);
+    void unite(std::uint32_t a, std::uint32_t b) {
+        a = piece(a);
+        b = piece(b);
+        if (a != b) piece_[a > b ? a : b] = a > b ? b : a;
+    }
+
+    std::uint32_t *facets_, *form_, *origin_, *cofaces_, *sum_, *partner_, *position_, *at_, *queue_;
+    std::uint32_t *ranks_, *piece_, *table_;
+    std::uint32_t capacity_, count_, label_count_, label_capacity_, highest_;
+    std::uint32_t table_mask_, table_shift_, table_bits_max_;
+    std::uint32_t queue_begin_, queue_end_, next_position_;
+    bool overflow_;
+};
+
+template <int D> bool Star<D>::reserve(const Ball<D>& ball, std::uint64_t simplices_max, Arena& arena) {
+    if (simplices_max >= 0x10000000u) return false;
+    capacity_ = static_cast<std::uint32_t>(simplices_max);
+    label_capacity_ = ball.degree_max + 2 * D + 2;
+    table_bits_max_ = 6;
+    while ((std::uint64_t{1} << table_bits_max_) < 2 * simplices_max) ++table_bits_max_;
+    std::uint32_t* words = arena.take_high<std::uint32_t>(std::size_t{capacity_} * (D + 8));
+    ranks_ = arena.take_high<std::uint32_t>(label_capacity_);
+    piece_ = arena.take_high<std::uint32_t>(label_capacity_);
+    table_ = arena.take_high<std::uint32_t>(std::size_t{1} << table_bits_max_);
+    if (words == nullptr || ranks_ == nullptr || piece_ == nullptr || table_ == nullptr) return false;
+    facets_ = words;
+    words += std::size_t{capacity_} * D;
+    std::uint32_t** const arrays[] = {&form_, &origin_, &cofaces_, &sum_, &partner_, &position_, &at_, &queue_};
+    for (std::uint32_t** array : arrays) {
+        *array = words;
+        words += capacity_;
+    }
+    return true;
+}
+
+// Ranks of the lower link vertices, descending, and their labels; returns an upper bound on the number of simplices.
+template <int D> std::uint32_t Star<D>::collect(const Ball<D>& ball, std::uint32_t v) {
+    const std::uint32_t r = ball.rank[v];
+    const bool hull = (ball.flags[v] & Ball<D>::on_hull) != 0;
+    std::uint32_t highest_rank = 0;
+    std::uint32_t with_lower[D + 1] = {};
+    label_count_ = 0;
+    highest_ = none;
+    for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
+        const std::uint32_t* p = ball.complex.vertices(ball.incidence[t] >> 3);
+        std::uint32_t k = 0;
+        for (std::uint32_t j = 0; j <= D; ++j) {
+            const std::uint32_t ru = ball.rank[p[j]];
+            if (ru > r) {
+                if (ru >= highest_rank) highest_rank = ru, highest_ = p[j];
+            } else if (ru < r) {
+                ++k;
+                if (ball.slot[p[j]] != 0) continue;
+                if (label_count_ == label_capacity_) {
+                    overflow_ = true;
+                    continue;
+                }
+                ball.slot[p[j]] = 1;
+                ranks_[label_count_++] = ru;
+            }
+        }
+        ++with_lower[k];
+        for (std::uint32_t j = 0; hull && j <= D; ++j) {
+            const std::uint32_t ru = ball.rank[p[j]];
+            if (p[D + 1 + j] == none && ru != r) ++with_lower[k - (ru < r ? 1 : 0)];
+        }
+    }
+    if (hull) highest_ = ball.outside;
+    sort(ranks_, label_count_, [](std::uint32_t a, std::uint32_t b) { return a > b; });
+    for (std::uint32_t l = 0; l < label_count_; ++l) {
+        ball.slot[ball.order[ranks_[l]]] = l + 1;
+        piece_[l] = l;
+    }
+    const std::uint64_t bound = simplices_bound<D>(label_count_, with_lower);
+    return bound < capacity_ ? static_cast<std::uint32_t>(bound) : capacity_;
+}
+
+template <int D> bool Star<D>::open(const Ball<D>& ball, std::uint32_t v) {
+    overflow_ = false;
+    const std::uint32_t bound = collect(ball, v);
+    std::uint32_t bits = 6;
+    while (bits < table_bits_max_ && (1u << bits) < bound + bound / 2) ++bits;
+    table_shift_ = 32 - bits;
+    table_mask_ = (1u << bits) - 1;
+    for (std::uint32_t i = 0; i <= table_mask_; ++i) table_[i] = 0;
+    count_ = 0;
+    if (label_count_ + 1 > capacity_) overflow_ = true;
+    if (overflow_) return false;
+    add(0, 0, ball.incidence[ball.begin[v]]);
+    for (std::uint32_t l = 0; l < label_count_; ++l) {
+        const std::uint32_t i = add(1, l, none);
+        facets_[std::size_t{i} * D] = 0;
+        ++cofaces_[0];
+        sum_[0] ^= i;
+    }
+    for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
+        const std::uint32_t* p = ball.complex.vertices(ball.incidence[t] >> 3);
+        std::uint32_t labels[D];
+        std::uint32_t k = 0;
+        for (std::uint32_t j = 0; j <= D; ++j) {
+            const std::uint32_t s = ball.slot[p[j]];
+            if (s == 0) continue;
+            if (k == D) return false;
+            std::uint32_t hole = k++;
+            for (; hole > 0 && labels[hole - 1] > s - 1; --hole) labels[hole] = labels[hole - 1];
+            labels[hole] = s - 1;
+        }
+        if (k > 0) add_faces(ball.incidence[t], labels, k);
+        if (overflow_) return false;
+    }
+    return true;
+}
+
+template <int D> void Star<D>::close(const Ball<D>& ball) {
+    for (std::uint32_t l = 0; l < label_count_; ++l) ball.slot[ball.order[ranks_[l]]] = 0;
+}
+
+// Where the child of `parent` by `label` is or would be noted.
+template <int D> std::uint32_t* Star<D>::place_of(std::uint32_t parent, std::uint32_t label) const {
+    std::uint32_t h = (parent * 0x9E3779B1u ^ label * 0x85EBCA77u) * 0xC2B2AE3Du >> table_shift_;
+    for (;; h = (h + 1) & table_mask_) {
+        const std::uint32_t i = table_[h];
+        if (i == 0 || (form_[i] >> 3 == label && this->parent(i) == parent)) return &table_[h];
+    }
+}
+
+template <int D> std::uint32_t Star<D>::simplex_of(const std::uint32_t* labels, std::uint32_t n) const {
+    std::uint32_t i = labels[0] + 1;
+    for (std::uint32_t j = 1; j < n; ++j) {
+        i = *place_of(i, labels[j]);
+        if (i == 0) return none;
+    }
+    return i;
+}
+
+template <int D> void Star<D>::add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k) {
+    std::uint32_t ids[1u << D];
+    ids[0] = 0;
+    for (std::uint32_t j = 0; j < k; ++j) {
+        const std::uint32_t bit = 1u << j;
+        ids[bit] = labels[j] + 1;
+        if (origin_[ids[bit]] == none) origin_[ids[bit]] = incidence;
+        for (std::uint32_t rest = 1; rest < bit; ++rest) {
+            const std::uint32_t parent = ids[rest];
+            std::uint32_t* place = place_of(parent, labels[j]);
+            if (*place == 0) {
+                if (count_ == capacity_ || count_ > table_mask_ - (table_mask_ >> 3)) {
+                    overflow_ = true;
+                    return;
+                }
+                const std::uint32_t i = add(dimension(parent) + 1, labels[j], incidence);
+                *place = i;
+                std::uint32_t* facet = facets_ + std::size_t{i} * D;
+                *facet++ = parent;
+                for (std::uint32_t b = 0; b < j; ++b) {
+                    if ((rest >> b & 1) != 0) *facet++ = ids[(rest ^ 1u << b) | bit];
+                }
+                for (std::uint32_t f = 0; f < dimension(i); ++f) {
+                    ++cofaces_[facets(i)[f]];
+                    sum_[facets(i)[f]] ^= i;
+                }
+                if (dimension(i) == 2) unite(label(parent), labels[j]);
+            }
+            ids[rest | bit] = *place;
+        }
+    }
+}
+
+// Takes i out: its facets lose a coface, and become free if one is left.
+template <int D> void Star<D>::remove(std::uint32_t i) {
+    position_[i] = --next_position_;
+    at_[next_position_] = i;
+    const std::uint32_t n = dimension(i);
+    for (std::uint32_t f = 0; f < n; ++f) {
+        const std::uint32_t face = facets(i)[f];
+        sum_[face] ^= i;
+        if (--cofaces_[face] == 1) queue_[queue_end_++] = face;
+    }
+}
+
+template <int D> std::uint32_t Star<D>::match() {
+    constexpr std::uint32_t present = none - 1;
+    std::uint32_t critical = 0, scan[D + 1];
+    queue_begin_ = queue_end_ = 0;
+    next_position_ = count_;
+    for (std::uint32_t i = 0; i < count_; ++i) {
+        partner_[i] = present;
+        if (cofaces_[i] == 1) queue_[queue_end_++] = i;
+    }
+    for (std::uint32_t k = 0; k <= D; ++k) scan[k] = 0;
+    while (next_position_ > 0) {
+        while (queue_begin_ < queue_end_) {
+            const std::uint32_t i = queue_[queue_begin_++];
+            if (partner_[i] != present || cofaces_[i] != 1) continue;
+            const std::uint32_t coface = sum_[i];
+            partner_[i] = coface;
+            partner_[coface] = i;
+            remove(coface);
+            remove(i);
+        }
+        if (next_position_ == 0) break;
+        std::uint32_t k = D, i = none;
+        for (;; --k) {
+            while (scan[k] < count_ && (dimension(scan[k]) != k || partner_[scan[k]] != present)) ++scan[k];
+            if (scan[k] < count_ || k == 0) break;
+        }
+        i = scan[k];
+        partner_[i] = none;
+        ++critical;
+        remove(i);
+    }
+    return critical;
+}
+
+}  // namespace netmesh

@@ -1,0 +1,325 @@
+// Degrees 1 to D-1 by one sweep over lower stars from the last to the first. Only stars where something can happen are
+// visited: irregular ones, and those that a column at work has reached.
+//
+// In a star the columns are reduced from the top dimension down. A critical k-simplex that no (k+1)-column has taken as
+// its pivot by then never will be one: it ends a class and starts a column. A column adds gradient pairs and the
+// columns of pivots taken before it, older columns first, and stays at work until it takes a pivot. Whatever it still
+// holds is dropped then, since no younger column can need it in another star. For k = D columns are components of the
+// dual graph: the superlevel sets of the closed sphere, joined at critical facets.
+#pragma once
+#include "homology/ball.hpp"
+#include "homology/front.hpp"
+#include "homology/pair_writer.hpp"
+#include "homology/star.hpp"
+#include "memory/monitor.hpp"
+
+namespace netmesh {
+
+template <int D> class Sweep {
+public:
+    // above[vertex_count + 1]: for each vertex a higher vertex of its link or `outside`, itself if there is none.
+    Sweep(const Ball<D>& ball, Star<D>& star, std::uint32_t* above, PairWriter& writer, Monitor& monitor)
+        : ball_(ball), star_(star), above_(above), writer_(writer), monitor_(monitor) {}
+
+    // Needs the ball's `irregular` flags. ok, out_of_memory, cancelled, internal.
+    Status run(Arena& arena);
+
+private:
+    Status visit(std::uint32_t r);
+    bool unite_critical_facets(std::uint32_t v);
+    std::uint32_t side(std::uint32_t cell, std::uint32_t v);
+    std::uint32_t across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const;
+    std::uint32_t root(std::uint32_t node);
+    std::uint32_t& above(std::uint32_t node) {
+        return node <= ball_.outside ? above_[node] : star_.note(node - ball_.outside - 1);
+    }
+    std::uint64_t age_of(std::uint32_t node, std::uint32_t v) const;
+    bool add_zero_pairs(double value);
+
+    std::uint32_t sorted_columns(std::uint32_t arrived);
+    bool start_columns(std::uint32_t k, std::uint32_t v);
+    bool gather(std::uint32_t c);
+    bool reduce(std::uint32_t c, std::uint32_t v);
+    bool add_outer_facet(std::uint32_t c, std::uint32_t i);
+    bool take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v);
+    bool before(std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t ka = front_.dimension(a), kb = front_.dimension(b);
+        return ka != kb ? ka > kb : front_.age(a) > front_.age(b);
+    }
+    std::uint32_t merge(std::uint32_t a, std::uint32_t b);
+
+    const Ball<D>& ball_;
+    Star<D>& star_;
+    std::uint32_t* above_;
+    PairWriter& writer_;
+    Monitor& monitor_;
+    Front<D> front_;
+    BitTree column_;  // of the star at work, by position
+    std::uint64_t* column_words_ = nullptr;
+    std::uint32_t done_columns_ = none;  // took a pivot in the star at work
+    std::uint32_t next_age_ = 0;
+    std::uint32_t critical_ = 0;  // simplices of the star at work
+    bool irregular_ = false;      // it
+    std::uint32_t work_ = 0;
+};
+
+template <int D> Status Sweep<D>::run(Arena& arena) {
+    column_words_ = arena.take_high<std::uint64_t>(BitTree::words_needed(star_.capacity()));
+    if (column_words_ == nullptr || !front_.reserve(ball_.vertex_count, arena)) return Status::out_of_memory;
+    for (std::uint32_t r = 0; r < ball_.vertex_count; ++r) {
+        if ((ball_.flags[ball_.order[r]] & Ball<D>::irregular) != 0) front_.waiting().insert(r);
+    }
+    monitor_.begin(NETMESH_STAGE_REDUCE, ball_.vertex_count);
+    for (std::uint32_t r = front_.waiting().top(); r != none; r = front_.waiting().top()) {
+        front_.waiting().erase(r);
+        work_ = 1;
+        const Status status = visit(r);
+        if (status != Status::ok) return status;
+        if (monitor_.advance(ball_.vertex_count - r, work_)) return Status::cancelled;
+    }
+    return front_.column_count() == 0 ? Status::ok : Status::internal;
+}
+
+template <int D> Status Sweep<D>::visit(std::uint32_t r) {
+    const std::uint32_t v = ball_.order[r];
+    const std::uint32_t arrived = front_.arrive(r);
+    irregular_ = (ball_.flags[v] & Ball<D>::irregular) != 0;
+    if (arrived == none && !irregular_) return Status::ok;
+    if (!star_.open(ball_, v)) return Status::internal;
+    critical_ = star_.match();
+    work_ += star_.count() / 2;
+    column_.adopt(column_words_, star_.count());
+    for (std::uint32_t i = 0; i < star_.count(); ++i) star_.note(i) = none;
+    bool fits = add_zero_pairs(ball_.value[v]) && (critical_ == 0 || unite_critical_facets(v));
+    std::uint32_t c = sorted_columns(arrived);
+    for (std::uint32_t k = D - 1; k >= 2; --k) {
+        fits = fits && (critical_ == 0 || start_columns(k, v));
+        while (fits && c != none && front_.dimension(c) == k) {
+            const std::uint32_t following = front_.next(c);
+            if (!gather(c)) return Status::internal;
+            fits = reduce(c, v);
+            c = following;
+        }
+        while (done_columns_ != none) {
+            const std::uint32_t done = done_columns_;
+            done_columns_ = front_.next(done);
+            front_.drop(done);
+        }
+    }
+    star_.close(ball_);
+    return fits ? Status::ok : Status::out_of_memory;
+}
+
+// Pairs of the gradient in an irregular star; those of regular ones are counted elsewhere, and so is degree 0.
+template <int D> bool Sweep<D>::add_zero_pairs(double value) {
+    if (!writer_.keeps_zero() || !irregular_) return true;
+    for (std::uint32_t i = 1; i < star_.count(); ++i) {
+        if (star_.pairs_up(i) && !writer_.add(value, value, star_.dimension(i))) return false;
+    }
+    return true;
+}
+
+// The columns of the arrived entries, each with its entries as local list; larger dimensions first, then older columns.
+template <int D> std::uint32_t Sweep<D>::sorted_columns(std::uint32_t arrived) {
+    std::uint32_t runs[32];  // sorted lists of 2^i columns
+    int run_count = 0;
+    std::uint32_t taken = 0;
+    std::uint32_t columns = none;
+    while (arrived != none) {
+        const std::uint32_t e = arrived, c = front_.column_of(e);
+        arrived = front_.next(e);
+        if (front_.local(c) == none) {
+            front_.next(c) = columns;
+            columns = c;
+        }
+        front_.next(e) = front_.local(c);
+        front_.local(c) = e;
+    }
+    while (columns != none) {
+        std::uint32_t run = columns;
+        columns = front_.next(run);
+        front_.next(run) = none;
+        ++taken;
+        for (std::uint32_t bit = 1; (taken & bit) == 0; bit <<= 1) run = merge(runs[--run_count], run);
+        runs[run_count++] = run;
+    }
+    for (std::uint32_t all = none;;) {
+        if (run_count == 0) return all;
+        all = merge(runs[--run_count], all);
+    }
+}
+
+template <int D> std::uint32_t Sweep<D>::merge(std::uint32_t a, std::uint32_t b) {
+    std::uint32_t first = none, last = none;
+    while (a != none || b != none) {
+        std::uint32_t& from = b == none || (a != none && before(a, b)) ? a : b;
+        const std::uint32_t c = from;
+        from = front_.next(c);
+        (last == none ? first : front_.next(last)) = c;
+        last = c;
+    }
+    if (last != none) front_.next(last) = none;
+    return first;
+}
+
+// Moves the local entries of a column into column_, where equal ones cancel. False: not simplices of the star.
+template <int D> bool Sweep<D>::gather(std::uint32_t c) {
+    const std::uint32_t n = front_.dimension(c) - 1;
+    for (std::uint32_t e = front_.local(c); e != none;) {
+        std::uint32_t labels[D];
+        for (std::uint32_t j = 0; j < n; ++j) {
+            labels[j] = ball_.slot[ball_.order[front_.ranks(e)[j + 1]]] - 1;
+            if (labels[j] == none) return false;
+        }
+        const std::uint32_t i = star_.simplex_of(labels, n);
+        if (i == none) return false;
+        column_.toggle(star_.position(i));
+        const std::uint32_t following = front_.next(e);
+        front_.give_back(e);
+        e = following;
+    }
+    front_.local(c) = none;
+    return true;
+}
+
+template <int D> bool Sweep<D>::start_columns(std::uint32_t k, std::uint32_t v) {
+    std::uint32_t left = 0;
+    for (std::uint32_t i = 0; i < star_.count(); ++i) {
+        left += star_.dimension(i) == k && star_.partner(i) == none && star_.note(i) == none ? 1 : 0;
+    }
+    next_age_ += left;
+    for (std::uint32_t p = 0, age = next_age_; left > 0; ++p) {
+        const std::uint32_t i = star_.at(p);
+        if (star_.dimension(i) != k || star_.partner(i) != none || star_.note(i) != none) continue;
+        --left;
+        const std::uint32_t c = front_.new_column(age--, ball_.rank[v], k);
+        if (c == none || !add_outer_facet(c, i)) return false;
+        for (std::uint32_t f = 0; f < k; ++f) column_.toggle(star_.position(star_.facets(i)[f]));
+        if (!reduce(c, v)) return false;
+    }
+    return true;
+}
+
+// Adds the facet of i opposite the vertex of the star to column c.
+template <int D> bool Sweep<D>::add_outer_facet(std::uint32_t c, std::uint32_t i) {
+    std::uint32_t ranks[D];
+    const std::uint32_t n = star_.dimension(i);
+    for (std::uint32_t j = n; j-- > 0; i = star_.parent(i)) ranks[j] = star_.rank_of(star_.label(i));
+    return front_.add(c, ranks, n);
+}
+
+// Reduces column_, the part of column c in this star, until it takes a pivot or nothing is left here.
+template <int D> bool Sweep<D>::reduce(std::uint32_t c, std::uint32_t v) {
+    for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
+        ++work_;
+        const std::uint32_t i = star_.at(p);
+        if (star_.pairs_up(i)) {
+            const std::uint32_t coface = star_.partner(i);
+            for (std::uint32_t f = 0; f < star_.dimension(coface); ++f) {
+                column_.toggle(star_.position(star_.facets(coface)[f]));
+            }
+            if (!add_outer_facet(c, coface)) return false;
+        } else if (star_.partner(i) != none) {
+            column_.toggle(p);  // it ends a class, so it is no pivot
+        } else if (star_.note(i) == none) {
+            return take_pivot(c, i, v);
+        } else {
+            const std::uint32_t older = star_.note(i);
+            for (std::uint32_t e = front_.local(older); e != none; e = front_.next(e)) column_.toggle(front_.place(e));
+            if (!front_.add_column(c, older)) return false;
+        }
+    }
+    return true;
+}
+
+template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v) {
+    star_.note(i) = c;
+    front_.next(c) = done_columns_;
+    done_columns_ = c;
+    for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
+        column_.toggle(p);
+        const std::uint32_t row = star_.at(p);
+        if ((star_.partner(row) == none || star_.pairs_up(row)) && !front_.add_local(c, p)) return false;
+    }
+    const std::uint32_t r = front_.creator_rank(c);
+    if (r == ball_.rank[v] && !irregular_) return true;  // counted with the regular star
+    return writer_.add(ball_.value[v], ball_.value[ball_.order[r]], star_.dimension(i));
+}
+
+// Components of the superlevel sets. The root of a component is the oldest there: `outside`, else the vertex of the
+// highest rank, else a critical cell of the star at work.
+template <int D> std::uint32_t Sweep<D>::root(std::uint32_t node) {
+    while (above(node) != node) node = above(node) = above(above(node));
+    return node;
+}
+template <int D> std::uint64_t Sweep<D>::age_of(std::uint32_t node, std::uint32_t v) const {
+    if (node > ball_.outside) return std::uint64_t{2} * ball_.rank[v];
+    return node == ball_.outside ? ~std::uint64_t{0} : std::uint64_t{2} * ball_.rank[node] + 1;
+}
+
+// The component on this side of a critical facet, from which the gradient leads to an upper vertex or a critical cell.
+template <int D> std::uint32_t Sweep<D>::side(std::uint32_t cell, std::uint32_t v) {
+    while (cell != none) {
+        const std::uint32_t* p = ball_.complex.vertices(cell);
+        std::uint32_t labels[D];
+        std::uint32_t k = 0;
+        for (std::uint32_t j = 0; j <= D; ++j) {
+            if (ball_.rank[p[j]] > ball_.rank[v]) return root(p[j]);
+            if (p[j] == v || k == D) continue;
+            std::uint32_t hole = k++;
+            const std::uint32_t label = ball_.slot[p[j]] - 1;
+            for (; hole > 0 && labels[hole - 1] > label; --hole) labels[hole] = labels[hole - 1];
+            labels[hole] = label;
+        }
+        const std::uint32_t i = star_.simplex_of(labels, D);
+        if (i == none) return none;
+        if (star_.partner(i) == none) return root(star_.note(i));
+        cell = across(cell, star_.partner(i), v);
+    }
+    return ball_.outside;
+}
+
+// The cell on the other side of `facet` of the star, `none` outside.
+template <int D> std::uint32_t Sweep<D>::across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const {
+    const std::uint32_t* p = ball_.complex.vertices(cell);
+    for (int j = 0; j <= D; ++j) {
+        if (p[j] == v) continue;
+        const std::uint32_t label = ball_.slot[p[j]] - 1;  // none for upper vertices
+        std::uint32_t i = facet;
+        while (i != 0 && star_.label(i) != label) i = star_.parent(i);
+        if (i == 0) return ball_.complex.neighbour(cell, j);
+    }
+    return none;
+}
+
+// Takes the critical facets of the star from the last to the first: one that joins two components is the pivot of the
+// younger one's creator. False: out of memory.
+template <int D> bool Sweep<D>::unite_critical_facets(std::uint32_t v) {
+    bool creator_free =
+        star_.highest() == none;  // no upper vertex: v stands for the component of its first critical cell
+    for (std::uint32_t p = star_.count(); p-- > 0;) {
+        const std::uint32_t i = star_.at(p);
+        if (star_.partner(i) != none) continue;
+        if (star_.dimension(i) == D) {
+            star_.note(i) = creator_free ? v : ball_.outside + 1 + i;
+            creator_free = false;
+        }
+        if (star_.dimension(i) != D - 1) continue;
+        const std::uint32_t cell = star_.origin(i) >> 3;
+        std::uint32_t a = side(cell, v), b = side(across(cell, i, v), v);
+        if (a == none || b == none || a == b) continue;
+        if (age_of(a, v) < age_of(b, v)) {
+            const std::uint32_t t = a;
+            a = b;
+            b = t;
+        }
+        above(b) = a;
+        star_.note(i) = 0;
+        if (b > ball_.outside && !irregular_) continue;  // counted with the regular star
+        const double death = ball_.value[b > ball_.outside ? v : b];
+        if (!writer_.add(ball_.value[v], death, D - 1)) return false;
+    }
+    return true;
+}
+
+}  // namespace netmesh

@@ -1,0 +1,151 @@
+// Lower-star persistence against the textbook reduction on small balls with every kind of tie.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "block.hpp"
+#include "grid.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+template <int D>
+void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uint32_t zero_born_count) {
+    const auto simplices = oracle::all_faces(ball.cells());
+    const auto f = oracle::lower_star(simplices, value, zero_born_count);
+    const auto complete = oracle::diagram(f, D - 1, true);
+    Block block(std::size_t{16} << 20);
+    for (std::uint32_t degree = 0; degree <= D; ++degree) {
+        for (const bool keep : {false, true}) {
+            std::vector<Pair> expected;
+            for (const Pair& p : complete) {
+                if (p.degree <= degree && (keep || p.birth != p.death)) expected.push_back(p);
+            }
+            const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
+            Monitor monitor;
+            PairList out;
+            std::uint64_t count = 0;
+            REQUIRE(persist_lower_star<D>(ball.view(), value.data(), zero_born_count, degree, keep, block.arena,
+                                          monitor, &out, &count) == Status::ok);
+            CHECK(count == simplices.size());
+            REQUIRE(oracle::same(expected, out));
+            CHECK(block.arena.high_mark() == high);
+            CHECK(block.arena.low_mark() - low == (out.count * sizeof(Pair) + 15) / 16 * 16);
+            block.arena.release_low(low);
+        }
+    }
+}
+
+template <int D> void check_values(const grid::Ball<D>& ball, std::mt19937& random) {
+    const std::uint32_t n = ball.vertex_count;
+    std::vector<double> value(n);
+    const auto both = [&] {
+        check<D>(ball, value, 0);
+        check<D>(ball, value, 1 + random() % n);
+        check<D>(ball, value, n);
+    };
+    for (double& t : value) t = double(random()) / 4294967296.0;
+    both();
+    for (double& t : value) t = double(random() % 3);
+    both();
+    for (double& t : value) t = 1.5;
+    check<D>(ball, value, n / 2);
+    for (double& t : value) t = (random() & 1) != 0 ? 0.0 : -0.0;
+    check<D>(ball, value, n / 3);
+    for (double& t : value) t = -double(random() % 1000);
+    check<D>(ball, value, 0);
+}
+
+template <int D> std::array<std::uint32_t, D> cubes(std::uint32_t a, std::uint32_t b, std::uint32_t rest) {
+    std::array<std::uint32_t, D> n;
+    n.fill(rest);
+    n[0] = a;
+    n[1] = b;
+    return n;
+}
+
+// Cells around one vertex whose link is large: a cone over the boundary of a long stack of cells.
+template <int D> grid::Ball<D> cone_over_stack(std::uint32_t length) {
+    std::vector<std::array<std::uint32_t, D + 1>> stack;
+    for (std::uint32_t c = 0; c < length; ++c) {
+        std::array<std::uint32_t, D + 1> cell;
+        for (std::uint32_t i = 0; i <= D; ++i) cell[i] = c + i;
+        stack.push_back(cell);
+    }
+    const std::uint32_t apex = length + D;
+    const auto inner = grid::link<D>(stack, apex);
+    std::vector<std::array<std::uint32_t, D + 1>> cells;
+    for (std::uint32_t c = 0; c < length; ++c) {
+        for (int i = 0; i <= D; ++i) {
+            if (inner.view().neighbour(c, i) != none) continue;
+            cells.push_back(stack[c]);
+            cells.back()[std::size_t(i)] = apex;
+        }
+    }
+    return grid::link<D>(cells, apex + 1);
+}
+
+}  // namespace
+
+TEST_CASE("a single cell") {
+    std::mt19937 random(1);
+    check_values<2>(grid::link<2>({{0, 1, 2}}, 3), random);
+    check_values<3>(grid::link<3>({{0, 1, 2, 3}}, 4), random);
+    check_values<4>(grid::link<4>({{0, 1, 2, 3, 4}}, 5), random);
+    check_values<5>(grid::link<5>({{0, 1, 2, 3, 4, 5}}, 6), random);
+    check_values<6>(grid::link<6>({{0, 1, 2, 3, 4, 5, 6}}, 7), random);
+}
+
+TEST_CASE("grids of the plane") {
+    std::mt19937 random(2);
+    check_values<2>(grid::freudenthal<2>({12, 9}, random), random);
+    check_values<2>(grid::freudenthal<2>({1, 15}, random), random);
+}
+TEST_CASE("grids of space") {
+    std::mt19937 random(3);
+    check_values<3>(grid::freudenthal<3>({5, 4, 4}, random), random);
+    check_values<3>(grid::freudenthal<3>({1, 1, 9}, random), random);
+}
+TEST_CASE("grids in four dimensions") {
+    std::mt19937 random(4);
+    check_values<4>(grid::freudenthal<4>({2, 2, 3, 2}, random), random);
+}
+TEST_CASE("grids in five and six dimensions") {
+    std::mt19937 random(5);
+    check_values<5>(grid::freudenthal<5>({2, 1, 1, 1, 2}, random), random);
+    check_values<6>(grid::freudenthal<6>({1, 1, 1, 1, 1, 1}, random), random);
+}
+TEST_CASE("links of more than 63 vertices") {
+    std::mt19937 random(6);
+    check_values<3>(cone_over_stack<3>(90), random);
+    check_values<4>(cone_over_stack<4>(80), random);
+}
+
+TEST_CASE("every arena size gives the diagram or out_of_memory") {
+    std::mt19937 random(8);
+    const auto ball = grid::freudenthal<4>({2, 2, 2, 2}, random);
+    std::vector<double> value(ball.vertex_count);
+    for (double& t : value) t = double(random() % 1000);
+    const auto records = ball.records;
+    const auto expected = oracle::diagram(oracle::lower_star(oracle::all_faces(ball.cells()), value, 20), 3, false);
+    bool fitted = false;
+    for (std::size_t bytes = 0; bytes < 300000; bytes += fitted ? 1024 : 16) {
+        Block block(bytes);
+        Monitor monitor;
+        PairList out;
+        const Status status =
+            persist_lower_star<4>(ball.view(), value.data(), 20, 3, false, block.arena, monitor, &out, nullptr);
+        if (status == Status::ok) {
+            fitted = true;
+            REQUIRE(oracle::same(expected, out));
+        } else {
+            REQUIRE(status == Status::out_of_memory);
+            REQUIRE(!fitted);
+            REQUIRE(block.arena.bytes_used() == 0);
+            REQUIRE(block.arena.bytes_wanted() > bytes);
+        }
+    }
+    CHECK(fitted);
+    CHECK(records == ball.records);
+}
