@@ -41,6 +41,7 @@ void catch_interrupts() {
         sigaction(number, nullptr, &before);
         if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // nohup stays nohup
     }
+    signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of write()
 }
 
 bool interrupted() { return signals_seen != 0; }

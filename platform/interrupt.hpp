@@ -5,7 +5,8 @@
 namespace netmesh::platform {
 
 // From now on the first SIGINT, SIGTERM or SIGHUP only sets a flag (and interrupts a blocking read); the second removes
-// the temporary files registered below and ends the process by that signal.
+// the temporary files registered below and ends the process by that signal. Running into the limit on file sizes
+// becomes an error of the write.
 void catch_interrupts();
 
 // True once a signal has come.

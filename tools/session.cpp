@@ -81,9 +81,9 @@ std::string Session::memory_message(std::size_t plan) const {
     std::string text = "netmesh: ";
     if (block_.base() == nullptr) {
         text += memory_bytes_ == 0 ? "the system refuses to reserve memory"
-                                   : "the system refuses to reserve " + grouped_text(memory_bytes_) + " bytes";
+                                   : "the system refuses to reserve " + std::to_string(memory_bytes_) + " bytes";
     } else {
-        text += grouped_text(block_.bytes()) + " bytes of memory are too few";
+        text += std::to_string(block_.bytes()) + " bytes of memory are too few";
     }
     const netmesh_detail detail = context_ == nullptr ? netmesh_detail{} : netmesh_get_detail(context_);
     if (last_.stage != NETMESH_STAGE_NONE) {

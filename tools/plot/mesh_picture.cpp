@@ -37,8 +37,10 @@ View view_of(const MeshSource& mesh) {
     return {(low[0] + high[0] - side) / 2, (low[1] + high[1] - side) / 2, (page_size - 2 * margin) / side};
 }
 
-// Each edge once: from the side of the cell with the smaller index.
-void draw_edges(const MeshSource& mesh, const View& view, double width, Svg& svg) {
+// Each edge once: from the side of the cell with the smaller index. `outer`: those that end at a boundary vertex, else
+// the others.
+void draw_edges(const MeshSource& mesh, const View& view, bool outer, const char* colour, double width, Svg& svg) {
+    constexpr std::uint64_t strokes_a_path = 500;  // viewers choke on paths of millions of strokes
     std::uint64_t strokes = 0;
     for (std::uint64_t c = 0; c < mesh.cell_count; c++) {
         const netmesh_cell cell = mesh.cell(c);
@@ -46,15 +48,14 @@ void draw_edges(const MeshSource& mesh, const View& view, double width, Svg& svg
             if (cell.neighbours[i] != NETMESH_NONE && cell.neighbours[i] < c) continue;
             const netmesh_vertex a = mesh.vertex(cell.vertices[(i + 1) % 3]);
             const netmesh_vertex b = mesh.vertex(cell.vertices[(i + 2) % 3]);
-            if (strokes++ % 500 == 0) {  // viewers choke on paths of millions of strokes
-                if (strokes > 1) svg.end_path("#9aa7b4", width);
-                svg.begin_path();
-            }
+            if ((a.marker == 2 || b.marker == 2) != outer) continue;
+            if (strokes > 0 && strokes % strokes_a_path == 0) svg.end_path(colour, width);
+            if (strokes++ % strokes_a_path == 0) svg.begin_path();
             svg.move_to(view.x(a), view.y(a));
             svg.draw_to(view.x(b), view.y(b));
         }
     }
-    if (strokes > 0) svg.end_path("#9aa7b4", width);
+    if (strokes > 0) svg.end_path(colour, width);
 }
 
 void draw_vertices(const MeshSource& mesh, const View& view, std::uint32_t marker, double radius, const char* colour,
@@ -76,7 +77,9 @@ void write_mesh_picture(const MeshSource& mesh, TextWriter& out) {
     const double cell_size = (page_size - 2 * margin) / std::sqrt(static_cast<double>(mesh.vertex_count) + 1);
     const double dot = std::clamp(0.11 * cell_size, 0.5, 4.5);
     svg.begin_clip(margin / 2, margin / 2, page_size - margin, page_size - margin);
-    draw_edges(mesh, view, std::clamp(0.03 * cell_size, 0.12, 1.1), svg);
+    const double stroke = std::clamp(0.035 * cell_size, 0.15, 1.1);
+    draw_edges(mesh, view, true, "#dde2e6", stroke, svg);
+    draw_edges(mesh, view, false, "#8c9aa8", stroke, svg);
     if (mesh.domain[2] > 0) {
         netmesh_vertex centre = {};
         centre.coordinates[0] = mesh.domain[0];
