@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t last_sibling = 0x80000000u;  // cells are below 2^29, so vertices are far below 2^31
 constexpr std::uint32_t children_max = 0xFFFFFFFEu;
 
-// A stream of words that grows at the low end of the arena while nothing else does.
+// A stream of words that grows at the low end of the arena while nothing else does. Its blocks are multiples of the
+// arena's alignment, so they lie end to end.
 class WordStream {
 public:
     explicit WordStream(Arena& arena) : arena_(arena), words_(nullptr), count_(0), capacity_(0) {}
@@ -32,6 +33,7 @@ public:
 
 private:
     static constexpr std::size_t block_words = 4096;
+    static_assert(block_words * sizeof(std::uint32_t) % Arena::alignment == 0, "");
     Arena& arena_;
     std::uint32_t* words_;
     std::size_t count_, capacity_;
@@ -224,6 +226,18 @@ private:
     std::uint32_t* entries_[D];  // [level][degree * entries_a_cell(level)]
 };
 
+// Asks for the cells of a star before they are needed: they are all over memory. Always inline, since a function that
+// does nothing but prefetch is taken for one without effect and dropped.
+template <int D>
+__attribute__((always_inline)) inline void fetch_star(const TriangulationView<D>& complex,
+                                                      const Incidence<D>& incidence, std::uint32_t v) {
+    constexpr std::uint32_t ahead_max = 64;
+    if (v >= complex.vertex_count) return;
+    const std::uint32_t begin = incidence.first[v], degree = incidence.first[v + 1] - begin;
+    for (std::uint32_t i = 0; i < degree && i < ahead_max; ++i)
+        __builtin_prefetch(complex.vertices(incidence.cell[begin + i]));
+}
+
 // Writes, for each used vertex, the vertex and the records of its star; then `none`.
 template <int D>
 Status walk_stars(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
@@ -234,6 +248,7 @@ Status walk_stars(const TriangulationView<D>& complex, int dimension_max, Arena&
     if (!star.reserve(complex, incidence.degree_max, dimension_max, arena)) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < complex.vertex_count; ++v) {
         const std::uint32_t first = incidence.first[v], degree = incidence.first[v + 1] - first;
+        fetch_star(complex, incidence, v + 1);
         if (degree == 0) continue;
         if (!stream.reserve(1)) return Status::out_of_memory;
         stream.push(v);
@@ -310,6 +325,17 @@ std::uint32_t seek(const std::uint32_t* a, std::uint32_t from, std::uint32_t to,
     return high;
 }
 
+// Asks for what link_facets reads out of order: children of the facet opposite the first vertex, which is in another
+// star than all the rest.
+template <int D>
+__attribute__((always_inline)) inline void fetch_children(const Faces<D>& faces, const Trie<D>& trie, int k,
+                                                          std::uint32_t p) {
+    constexpr std::uint32_t near = 8, far = 16;
+    if (k < 2 || p + far >= faces.count[k - 1]) return;
+    __builtin_prefetch(trie.first_child[k - 2] + faces.facets_of(k - 1, p + far)[0]);
+    __builtin_prefetch(faces.last_vertex[k - 1] + trie.first_child[k - 2][faces.facets_of(k - 1, p + near)[0]]);
+}
+
 // Boundaries of the k-faces from those of the (k-1)-faces.
 template <int D> void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_t vertex_count) {
     const bool all_used = faces.count[0] == vertex_count;
@@ -317,6 +343,7 @@ template <int D> void link_facets(const Faces<D>& faces, const Trie<D>& trie, in
     std::uint32_t* facets = faces.facets[k];
     for (std::uint32_t p = 0; p < faces.count[k - 1]; ++p) {
         const std::uint32_t begin = trie.first_child[k - 1][p], end = trie.first_child[k - 1][p + 1];
+        fetch_children(faces, trie, k, p);
         std::uint32_t* const row = facets + static_cast<std::size_t>(begin) * static_cast<std::size_t>(k + 1);
         for (int i = 0; i < k; ++i) {
             const std::uint32_t f = k == 1 ? none : faces.facets_of(k - 1, p)[i];

@@ -141,11 +141,46 @@ template <int D> double solve_by_elimination(const double (&a)[D][D], const doub
     return known ? worst / (1 - g) : infinity;
 }
 
+// Halves of squared edge lengths between which no product of up to D+1 entries of A and b underflows or overflows by
+// more than the error bounds allow for.
+constexpr double edge_square_min = 0x1p-200;
+constexpr double edge_square_max = 0x1p200;
+
+// Divides by a power of two so that the largest entry of A is in [1, 2). False when an edge is too short beside it.
+template <int D> bool rescale(double (&a)[D][D], double (&b)[D], double* unit) {
+    double largest = 0;
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j)
+            if (absolute(a[i][j]) > largest) largest = absolute(a[i][j]);
+    if (!(largest > 0x1p-1000 && largest < 0x1p1000)) return false;
+    const int exponent = exponent_of(largest);
+    const double inverse = power_of_two(-exponent);
+    *unit = power_of_two(exponent);
+    for (int i = 0; i < D; ++i) {
+        double square = 0;
+        for (int j = 0; j < D; ++j) {
+            a[i][j] *= inverse;
+            square += a[i][j] * a[i][j];
+        }
+        b[i] = 0.5 * square;
+        if (!(b[i] > edge_square_min)) return false;
+    }
+    return true;
+}
+
+// Says that nothing is known: every question about this ball goes to the exact predicates.
+template <int D> void forget_sphere(const double* const* p, Cell<D>& cell) {
+    for (int j = 0; j < D; ++j) cell.centre[j] = p[0][j];
+    cell.radius2 = infinity;
+    cell.error = static_cast<float>(infinity);
+}
+
 }  // namespace
 
 // The centre is p0 + x with A x = b, A's rows the edges from p0, b half their squares.
 template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
     double a[D][D], b[D], x[D];
+    bool plain = true;
     for (int i = 0; i < D; ++i) {
         double square = 0;
         for (int j = 0; j < D; ++j) {
@@ -153,12 +188,19 @@ template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
             square += a[i][j] * a[i][j];
         }
         b[i] = 0.5 * square;
+        plain = plain && b[i] > edge_square_min && b[i] < edge_square_max;
     }
+    double unit = 1;
+    if (!plain && !rescale<D>(a, b, &unit)) return forget_sphere<D>(p, cell);
     double solved;
     if constexpr (D <= 4)
         solved = solve_by_cofactors<D>(a, b, x);
     else
         solved = solve_by_elimination<D>(a, b, x);
+    if (!plain) {
+        solved *= unit;
+        for (int j = 0; j < D; ++j) x[j] *= unit;
+    }
 
     double radius2 = 0, centre_size = 0;
     for (int j = 0; j < D; ++j) {
@@ -171,12 +213,7 @@ template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
     // sqrt(D) turns the maximum norm into the Euclidean one; 1.01 absorbs the roundings of these lines.
     const double distance = 1.01 * square_root(static_cast<double>(D)) * (solved + 2 * u * centre_size);
     const double error = 1.01 * distance / square_root(radius2);
-    if (!(error < 1) || !(radius2 > 0x1p-960)) {
-        for (int j = 0; j < D; ++j) cell.centre[j] = p[0][j];
-        cell.radius2 = infinity;
-        cell.error = static_cast<float>(infinity);
-        return;
-    }
+    if (!(error < 1) || !(radius2 > 0x1p-960)) return forget_sphere<D>(p, cell);
     cell.radius2 = radius2;
     cell.error = static_cast<float>(error);
 }

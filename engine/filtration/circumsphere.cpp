@@ -8,7 +8,7 @@ namespace {
 constexpr int dim_max = 6;
 constexpr double largest_double = 0x1.fffffffffffffp1023;
 constexpr double pivot_min = 0x1p-400;  // squared height over squared length below which a simplex is flat
-constexpr double tie_unit = 0x1p-92, tie_max = 0x1p-50;
+constexpr double tie = 0x1p-80;         // of a facet's distance from the centre, over the radius
 
 double magnitude(double x) { return x < 0 ? -x : x; }
 
@@ -35,7 +35,7 @@ struct Rows {
     DoubleDouble e[dim_max][dim_max];  // edge vector / 2^size
     DoubleDouble b[dim_max];           // |e|^2 / 2 in units of 2^largest: the centre is sought in those
     DoubleDouble r[dim_max][dim_max];
-    double n[dim_max], whole[dim_max];
+    double n[dim_max];
     int size[dim_max], at[dim_max];
     int largest;
 };
@@ -63,7 +63,7 @@ void load(const double* const* point, double shrink, Rows& rows) {
     }
     for (int i = 0; i < rows.k; ++i) {
         const DoubleDouble n = inner(rows.e[i], rows.e[i], rows.dim);
-        rows.n[i] = rows.whole[i] = n.high;
+        rows.n[i] = n.high;
         rows.b[i] = scaled(n, power_of_two(rows.size[i] - rows.largest - 1));
     }
 }
@@ -83,7 +83,6 @@ void bring_pivot(Rows& rows, int j) {
     for (int i = 0; i < j; ++i) exchange(rows.r[i][j], rows.r[i][pivot]);
     exchange(rows.b[j], rows.b[pivot]);
     exchange(rows.n[j], rows.n[pivot]);
-    exchange(rows.whole[j], rows.whole[pivot]);
     exchange(rows.size[j], rows.size[pivot]);
     exchange(rows.at[j], rows.at[pivot]);
 }
@@ -102,13 +101,11 @@ Circumsphere circumsphere_precise(const double* const* point, int k, int dim) {
     rows.dim = dim;
     load(point, shrink, rows);
     DoubleDouble y[dim_max], radius_squared = {0, 0};
-    double product = 1;
     for (int j = 0; j < k; ++j) {
         bring_pivot(rows, j);
         const DoubleDouble* q = rows.e[j];
         DoubleDouble n = inner(q, q, dim);
         if (!(n.high > pivot_min)) n = {pivot_min, 0};
-        product *= n.high / rows.whole[j];
         y[j] = rows.b[j] / n;
         radius_squared = radius_squared + rows.b[j] * y[j];
         for (int i = j + 1; i < k; ++i) {
@@ -120,20 +117,19 @@ Circumsphere circumsphere_precise(const double* const* point, int k, int dim) {
         }
     }
 
-    double largest = __builtin_sqrt(radius_squared.high), spread = 0;
+    const double reach_of_tie = tie * __builtin_sqrt(radius_squared.high);
+    double spread = 0;
     DoubleDouble first = {1, 0};
+    std::uint32_t within = 0;
     for (int j = k - 1; j >= 0; --j) {
         for (int i = j + 1; i < k; ++i) y[j] = y[j] - rows.r[j][i] * y[i];
-        const double stretch = power_of_two(rows.largest - rows.size[j] > 500 ? 500 : rows.largest - rows.size[j]);
+        const int shorter = rows.largest - rows.size[j];
+        const double stretch = power_of_two(shorter > 500 ? 500 : shorter);
         first = first - scaled(y[j], stretch);
         spread += stretch;
-        if (magnitude(y[j].high) > largest) largest = magnitude(y[j].high);
+        if (y[j].high <= reach_of_tie) within |= 2u << rows.at[j];
     }
-    double tie = tie_unit / product;
-    if (!(tie < tie_max)) tie = tie_max;
-    std::uint32_t within = first.high <= tie * largest * spread ? 1u : 0u;
-    for (int j = 0; j < k; ++j)
-        if (y[j].high <= tie * largest) within |= 2u << rows.at[j];
+    if (first.high <= reach_of_tie * spread) within |= 1u;
     double radius = square_root(radius_squared) * power_of_two(rows.largest);
     if (!(radius <= largest_double * shrink)) radius = largest_double * shrink;
     return {radius / shrink, within};

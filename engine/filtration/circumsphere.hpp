@@ -23,10 +23,11 @@ struct Circumsphere {
 // some beta_i is too close to 0 to tell its sign. point: k+1 addresses of D coordinates. 2 <= k <= D.
 template <int K, int D> bool circumsphere_fast(const double* const* point, Circumsphere* out);
 
-// In about 106 bits, any finite coordinates. A beta_i that vanishes within that precision counts as 0. For affinely
-// independent points the radius is correctly rounded but for odd cases as long as the vertices' distances and the
-// simplex's heights spread over less than about 2^40. When the precision cannot tell the simplex from a flat one, the
-// radius is very large and the signs are those of the limit. 1 <= k <= dim <= 6.
+// In about 106 bits, any finite coordinates. A centre that lies on a facet to within 2^-80 radii counts as on it: the
+// two spheres are then the same in all bits that matter, and noise does not decide. The radius is nearly always
+// correctly rounded; it loses digits in simplices flatter than 1 : 2^50, whose spheres are mostly as much larger than
+// themselves. When the precision cannot tell the simplex from a flat one, the radius is very large and the signs are
+// those of the limit. 1 <= k <= dim <= 6.
 Circumsphere circumsphere_precise(const double* const* point, int k, int dim);
 
 }  // namespace netmesh

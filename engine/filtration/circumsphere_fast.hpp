@@ -15,7 +15,7 @@ template <int D> inline double inner_product(const double* a, const double* b) {
 // through the triangle of coefficients gives beta.
 template <int K, int D> inline bool circumsphere_fast(const double* const* point, Circumsphere* out) {
     constexpr double size_min = 0x1p-200, size_max = 0x1p200;
-    constexpr double unit = 0x1p-50;  // error of beta over the squared condition: far above what is seen
+    constexpr double unit = 0x1p-50;       // error of beta over the squared condition: far above what is seen
     constexpr double error_max = 0x1p-26;  // radii are then seen to be good to 2^-38
     double e[K][D], b[K], n[K], whole[K], r[K][K];
     int at[K];

@@ -42,9 +42,7 @@ template <int D> struct Bounds {
             }
         }
     }
-    double input_distance(std::uint32_t v) const {
-        return distance<D>(store.point(v), store.point(nearest_input(v)));
-    }
+    double input_distance(std::uint32_t v) const { return distance<D>(store.point(v), store.point(nearest_input(v))); }
     // lo_v and hi_v, both cut at rho.
     Interval interval(std::uint32_t v) const {
         const Vertex<D>& vertex = store.vertex(v);
@@ -65,8 +63,7 @@ template <int D> struct Bounds {
     // The thesis's own value: s of 7.4.2.
     double own_value(std::uint32_t v) const {
         const Vertex<D>& vertex = store.vertex(v);
-        const double s =
-            vertex.marker == Marker::input ? 0.5 * square_root(vertex.nearest2) : input_distance(v);
+        const double s = vertex.marker == Marker::input ? 0.5 * square_root(vertex.nearest2) : input_distance(v);
         return s < rho ? s : rho;
     }
 };
@@ -118,8 +115,8 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
     return Status::ok;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                  \
-    template Status mesh_filter_values<D>(const Store<D>&, const Domain<D>&, MeshFilter, FilterValues, Arena&, \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status mesh_filter_values<D>(const Store<D>&, const Domain<D>&, MeshFilter, FilterValues, Arena&,         \
                                           double*, MeshCertificate*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

@@ -79,7 +79,7 @@ public:
     bool add_column(std::uint32_t to, std::uint32_t from) {
         const std::uint32_t n = dimension(from);
         for (std::uint32_t e = node(from)[3]; e != none; e = node(e)[3]) {
-            std::uint32_t ranks[ranks_max];
+            std::uint32_t ranks[ranks_max] = {};
             for (std::uint32_t i = 0; i < n; ++i) ranks[i] = node(e)[4 + i];
             if (!add(to, ranks, n)) return false;
         }

@@ -166,7 +166,7 @@ template <int D> std::uint32_t Sweep<D>::merge(std::uint32_t a, std::uint32_t b)
 template <int D> bool Sweep<D>::gather(std::uint32_t c) {
     const std::uint32_t n = front_.dimension(c) - 1;
     for (std::uint32_t e = front_.local(c); e != none;) {
-        std::uint32_t labels[D];
+        std::uint32_t labels[D] = {};
         for (std::uint32_t j = 0; j < n; ++j) {
             labels[j] = ball_.slot[ball_.order[front_.ranks(e)[j + 1]]] - 1;
             if (labels[j] == none) return false;
@@ -202,7 +202,7 @@ template <int D> bool Sweep<D>::start_columns(std::uint32_t k, std::uint32_t v) 
 
 // Adds the facet of i opposite the vertex of the star to column c.
 template <int D> bool Sweep<D>::add_outer_facet(std::uint32_t c, std::uint32_t i) {
-    std::uint32_t ranks[D];
+    std::uint32_t ranks[D] = {};
     const std::uint32_t n = star_.dimension(i);
     for (std::uint32_t j = n; j-- > 0; i = star_.parent(i)) ranks[j] = star_.rank_of(star_.label(i));
     return front_.add(c, ranks, n);
@@ -261,7 +261,7 @@ template <int D> std::uint64_t Sweep<D>::age_of(std::uint32_t node, std::uint32_
 template <int D> std::uint32_t Sweep<D>::side(std::uint32_t cell, std::uint32_t v) {
     while (cell != none) {
         const std::uint32_t* p = ball_.complex.vertices(cell);
-        std::uint32_t labels[D];
+        std::uint32_t labels[D] = {};
         std::uint32_t k = 0;
         for (std::uint32_t j = 0; j <= D; ++j) {
             if (ball_.rank[p[j]] > ball_.rank[v]) return root(p[j]);

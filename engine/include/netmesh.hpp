@@ -3,6 +3,9 @@
 #ifndef NETMESH_HPP
 #define NETMESH_HPP
 
+#include <cstddef>
+#include <cstdint>
+
 #include "netmesh.h"
 
 namespace netmesh {

@@ -39,6 +39,7 @@ inline int sphere_crossings(const Domain<D>& domain, const double* a, const doub
         from2 += f * f;
     }
     const double rest = from2 - domain.radius * domain.radius;
+    if (rest > 0 && !(along < 0)) return 0;  // outside, and leading away
     const double root2 = along * along - length2 * rest;
     if (!(root2 >= 0) || !(length2 > 0)) return 0;
     // The two parameters without cancellation: one from the larger sum, the other from their product.

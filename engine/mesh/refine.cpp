@@ -234,8 +234,11 @@ void Refinement<D>::corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* 
     for (int i = 0; i <= D; ++i) {
         if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
         const std::uint32_t n = cell.neighbour[i] >> 3;
-        if (store_.is_ghost(n)) continue;
         const Cell<D>& other = store_.cell(n);
+        if (!(other.radius2 < infinity) && store_.is_ghost(n)) continue;
+        // A crossing is no farther from v than the farther end; one that is not bad does not matter.
+        const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
+        if (!(bound2 > corner->distance2) || !is_bad(bound2 * (1 + 0x1p-30), store_.vertex(v).nearest2)) continue;
         if (n < c && !domain_.contains(other.centre)) continue;  // seen from the other end
         double z[2][D];
         const int crossings = sphere_crossings<D>(domain_, cell.centre, other.centre, z);

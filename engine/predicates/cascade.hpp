@@ -22,10 +22,11 @@ inline int sign_of(double x) { return (x > 0) - (x < 0); }
 
 // The quantum certificate: when all coordinates are multiples of 2^quantum and the magnitude is below 2^53 quanta (of
 // the determinant), every number on the way is an integer below 2^53 in its own quanta, a double, and nothing was
-// rounded. Zero is certain then as well. No row is zero, so the magnitude bounds what is on the way too.
+// rounded. Zero is certain then as well. (No row is zero, so the magnitude bounds what is on the way too; it is above
+// 2^-960 if it is not 0, so that no quantum is below the least double.)
 template <int D, bool lifted> bool is_exact(const FloatResult& result, int quantum) {
     constexpr int degree = lifted ? D + 2 : D;
-    return result.magnitude > 0 && quantum * degree >= -1074 && exponent_of(result.magnitude) < 53 + quantum * degree;
+    return result.magnitude > 0 && exponent_of(result.magnitude) < 53 + quantum * degree;
 }
 
 // Bits of the largest coordinate of a row in quanta. The lift wants one quantum, without it each column has its own:

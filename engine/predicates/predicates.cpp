@@ -34,8 +34,8 @@ template <int D> Sign in_ball(const double* const* cell, const double* q, Predic
 //     sum of lambda_k w_k - w_q
 // is positive. Its sign is that of the first coefficient that is not zero in descending order of the indices. q has the
 // coefficient -1, so at the latest q decides. lambda_k has the sign of orient of the cell with q in the place of p_k.
-// As a weight depends on nothing but the index, all answers belong to one lifted point set, and a lift this small
-// leaves every point below the hull of the others, as it is on the paraboloid.
+// As a weight depends on nothing but the index, all answers belong to one lifted point set; as the paraboloid is
+// strictly convex, weights this small hide no point.
 template <int D>
 [[gnu::noinline]] Sign break_tie(const double* const* cell, const std::uint32_t* ids, const double* q,
                                  std::uint32_t q_id) {

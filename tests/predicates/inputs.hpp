@@ -1,4 +1,4 @@
-// Points that predicates find hard, D+2 at a time.
+// Points that predicates find hard, D+2 at a time. Random draws are sequenced, so that every compiler makes the same.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -19,26 +19,31 @@ enum class Kind {
     hyperplane_ulp,    // the same, one coordinate one unit in the last place off
     cluster,           // a tiny cell and a far point
     zoom,              // points at distances 2^-i
+    own_scales,        // each point at its own scale
     mixed_scales,      // flips of a vector with exponents between -70 and 70
     full_range,        // random bit patterns
     full_range_flips,  // flips of a random bit pattern
     denormal,          // small multiples of the least double
     denormal_flips,    // flips of denormals
+    offset_flips,      // finely resolved flips, far from the origin along one axis
+    extremes,          // tiny and huge points together
     huge,              // near the greatest double, so that differences overflow
     specials,          // from a short list of extremes, with both zeros
     count
 };
 
 inline const char* name(Kind kind) {
-    static const char* const names[] = {
-        "uniform",      "grid",  "cospherical", "flips",    "flips_ulp",      "plane", "plane_ulp", "cluster", "zoom",
-        "mixed_scales", "range", "range_flips", "denormal", "denormal_flips", "huge",  "specials"};
+    static const char* const names[] = {"uniform",      "grid",      "cospherical", "flips",    "flips_ulp",
+                                        "plane",        "plane_ulp", "cluster",     "zoom",     "own_scales",
+                                        "mixed_scales", "range",     "range_flips", "denormal", "denormal_flips",
+                                        "offset_flips", "extremes",  "huge",        "specials"};
     return names[static_cast<int>(kind)];
 }
 
 // Numbers so long that the oracle takes a millisecond.
 inline bool is_slow(Kind kind) {
-    return kind == Kind::full_range || kind == Kind::full_range_flips || kind == Kind::specials;
+    return kind == Kind::full_range || kind == Kind::full_range_flips || kind == Kind::extremes ||
+           kind == Kind::own_scales || kind == Kind::specials;
 }
 
 using Point = std::vector<double>;
@@ -67,7 +72,8 @@ public:
             each(p, [&] { return 2 * unit() - 1; });
             break;
         case Kind::grid: {
-            const double step = coin() ? 1 : 0.1, shift = coin() ? 0 : 1000;
+            const double step = coin() ? 1 : 0.1;
+            const double shift = coin() ? 0 : 1000;
             const int side = between(2, 5);
             each(p, [&] { return shift + step * between(0, side - 1); });
             break;
@@ -100,8 +106,19 @@ public:
                 for (double& x : p[i]) x = std::ldexp(2 * unit() - 1, -step * static_cast<int>(i));
             break;
         }
+        case Kind::own_scales: {
+            const int spread = between(60, 500);
+            for (Point& x : p) {
+                const int exponent = between(-spread, spread);
+                for (double& c : x) c = std::ldexp(2 * unit() - 1, exponent);
+            }
+            break;
+        }
         case Kind::mixed_scales:
-            flips(p, [&] { return std::ldexp(1 + unit(), between(-70, 70)); });
+            flips(p, [&] {
+                const double m = 1 + unit();
+                return std::ldexp(m, between(-70, 70));
+            });
             break;
         case Kind::full_range:
             each(p, [&] { return any_finite(); });
@@ -111,7 +128,10 @@ public:
             break;
         case Kind::denormal: {
             const int width = between(1, 53);
-            each(p, [&] { return std::ldexp(static_cast<double>(between(-3, 3)) + unit(), width - 1074); });
+            each(p, [&] {
+                const double whole = between(-3, 3);
+                return std::ldexp(whole + unit(), width - 1074);
+            });
             break;
         }
         case Kind::denormal_flips: {
@@ -119,8 +139,30 @@ public:
             flips(p, [&] { return std::ldexp(unit(), width - 1074); });
             break;
         }
+        case Kind::offset_flips: {
+            Point v(p[0].size());
+            for (double& c : v) c = std::ldexp(between(1, 1 << 30) * 1024.0 + between(0, 1023), -60 + between(0, 15));
+            v[0] = std::ldexp(between(1, 1 << 30), -40);
+            for (Point& x : p) {
+                for (std::size_t c = 0; c < v.size(); ++c) x[c] = coin() ? v[c] : -v[c];
+                x[0] += 4096;
+            }
+            break;
+        }
+        case Kind::extremes:
+            for (Point& x : p) {
+                const bool tiny = coin();
+                for (double& c : x) {
+                    const double m = 2 * unit() - 1;
+                    c = tiny ? std::ldexp(m, between(-1074, -1040)) : std::ldexp(m, between(1000, 1023));
+                }
+            }
+            break;
         case Kind::huge:
-            each(p, [&] { return std::ldexp(static_cast<double>(between(-3, 3)) / 3 * (coin() ? 1 : unit()), 1023); });
+            each(p, [&] {
+                const double m = static_cast<double>(between(-3, 3)) / 3;
+                return std::ldexp(coin() ? m : m * unit(), 1023);
+            });
             break;
         default: {
             static const double list[] = {
@@ -131,8 +173,9 @@ public:
             break;
         }
         }
-        if (kind == Kind::flips_ulp || kind == Kind::hyperplane_ulp) {
-            double& x = p[below(p.size())][below(static_cast<std::uint64_t>(dim))];
+        if (kind == Kind::flips_ulp || kind == Kind::hyperplane_ulp || (kind == Kind::offset_flips && coin())) {
+            Point& moved = p[below(p.size())];
+            double& x = moved[below(static_cast<std::uint64_t>(dim))];
             x = std::nextafter(x, coin() ? 10 : -10);
         }
         return p;
