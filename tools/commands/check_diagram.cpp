@@ -35,7 +35,9 @@ Outcome read_diagram(const std::string& path, DiagramFile* file) {
 
 // The best that the candidates tried so far came to.
 struct Comparison {
-    bool equal = false;
+    double tolerance = 0;  // relative; 0: equal means equal
+    bool equal = false;    // within the tolerance
+    bool exact = false;
     std::size_t common = 0;  // bars before the first difference
     std::string closest;     // what the sentence about the closest candidate says
 };
@@ -43,7 +45,8 @@ struct Comparison {
 void compare(const DiagramFile& file, const std::vector<Bar>& recomputed, const Candidate& candidate,
              Comparison* best) {
     const std::size_t at = first_difference(file.bars, recomputed);
-    best->equal = at == SIZE_MAX;
+    best->exact = at == SIZE_MAX;
+    best->equal = best->exact || (best->tolerance > 0 && nearly_equal(file.bars, recomputed, best->tolerance));
     if (best->equal || (at < best->common && !best->closest.empty())) return;
     best->common = at;
     best->closest = candidate_text(candidate) + ": ";
@@ -91,7 +94,9 @@ Outcome conclude(const DiagramFile& file, const Comparison& best, const Candidat
     }
     run->engine = session.report();
     std::string text = file.name + " is the diagram of " + source + " for " + candidate_text(found) +
-                       "; certified ratio " + rounded_text(run->engine->certified_ratio, 6);
+                       (best.exact ? "" : ", to within " + rounded_text(best.tolerance, 2)) + "; certified ratio " +
+                       rounded_text(run->engine->certified_ratio, 6);
+    if (run->engine->certified_from > 0) text += " from radius " + rounded_text(run->engine->certified_from, 6);
     if (run->engine->is_mesh != 0) text += "; aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6);
     run->checked->push_back(text);
     return {};
@@ -137,6 +142,7 @@ Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file,
     if (!outcome.good()) return outcome;
     const bool is_mesh = !files.node.domain.empty();
     Comparison best;
+    if (is_mesh) best.tolerance = reload_tolerance;
     Candidate found = {};
     outcome = recompute(
         options, file, candidates(options, is_mesh, !is_mesh), files.node.cloud,

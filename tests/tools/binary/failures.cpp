@@ -62,8 +62,8 @@ TEST_CASE("a file is replaced as a whole, through symbolic links, with its permi
 TEST_CASE("devices are written, not replaced") {
     const Folder folder;
     REQUIRE(mkfifo((folder.path() + "/pipe.off").c_str(), 0600) == 0);
-    const Result result =
-        folder.run("delaunay - -o pipe.off --quiet", "0 0\n1 0\n0 1\n", "", "& cat pipe.off >copy.off; wait $!");
+    const std::string copy = "& cat '" + folder.path() + "/pipe.off' >'" + folder.path() + "/copy.off'; wait $!";
+    const Result result = folder.run("delaunay - -o pipe.off --quiet", "0 0\n1 0\n0 1\n", "", copy);
     CHECK(result.exit == 0);
     CHECK(folder.read("copy.off").rfind("nOFF\n", 0) == 0);
     CHECK(std::filesystem::is_fifo(folder.path() + "/pipe.off"));
