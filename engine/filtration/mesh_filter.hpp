@@ -15,9 +15,9 @@
 // from any input, so its distance s to v and to the inputs satisfy d_P >= max(d - s, s). A frame cell is unbounded: hi
 // = rho. What is computed is rounded outwards, the centres' own error bounds included.
 //
-// A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi / lo <= 2 + tau: for a Steiner vertex R_v <=
-// (tau/2) d, so hi <= d + R_v and lo >= d/2; for an input hi / lo <= tau. Refinement with `certify` (mesh/refine.hpp)
-// brings every other cell below that too, so that c* <= sqrt(2 + tau), less than tau.
+// A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi <= (2 + tau) lo and hi <= tau s, s the thesis's value: for a
+// Steiner vertex R_v <= (tau/2) d, so hi <= d + R_v <= tau d, and lo >= d/2; for an input hi <= tau lo, s = lo. Refinement with
+// `certify` (mesh/refine.hpp) brings every other cell there too. So c* <= sqrt(2 + tau), and with the thesis's values c <= tau.
 #pragma once
 #include <cstdint>
 

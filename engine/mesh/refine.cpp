@@ -219,15 +219,14 @@ template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
     }
 }
 
-// Could a corner at x of v's cell make d_P vary by more than a factor 2 + tau? As lo is at least half of d_P(v) (of nn(v) for
-// an input), a necessary condition without a walk around v.
+// Could a corner at x of v's cell spoil the certificate? As lo is at least half of d_P(v), a necessary condition that
+// needs no walk around v.
 template <int D> bool Refinement<D>::may_spoil_certificate(std::uint32_t v, const double* x) const {
     const double* const input = store_.point(nearest_input(v));
     const double reach2 = distance2<D>(x, input), rho = domain_.enclosing_radius;
     const double hi2 = reach2 < rho * rho ? reach2 : rho * rho;
-    const double d2 = store_.vertex(v).marker == Marker::input ? store_.vertex(v).nearest2
-                                                               : distance2<D>(store_.point(v), input);
-    return 4 * hi2 > (2 + tau_) * (2 + tau_) * d2;
+    if (store_.vertex(v).marker == Marker::input) return 4 * hi2 > tau_ * tau_ * store_.vertex(v).nearest2;
+    return 4 * hi2 > (2 + tau_) * (2 + tau_) * distance2<D>(store_.point(v), input);
 }
 
 // Crossings of the sphere with the edges of v's cell that end in corner c, which is outside.
@@ -277,14 +276,12 @@ const typename Refinement<D>::Corner* Refinement<D>::bad_corner(std::uint32_t v,
     if (is_bad(view.clipped.distance2, nearest2)) return &view.clipped;
     if (!certify_ || !is_bad(view.whole.distance2, nearest2)) return nullptr;
     const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
-    double lo = 0.5 * square_root(nearest2);
-    if (store_.vertex(v).marker != Marker::input) {
-        const double d = square_root(distance2<D>(store_.point(v), store_.point(nearest_input(v))));
-        const double inner = d - square_root(view.whole.distance2);
-        lo = inner > 0.5 * d ? inner : 0.5 * d;
-    }
     const double hi = reach < rho ? reach : rho;
-    return hi > (2 + tau_) * lo ? &view.whole : nullptr;
+    if (store_.vertex(v).marker == Marker::input) return 2 * hi > tau_ * square_root(nearest2) ? &view.whole : nullptr;
+    const double d = square_root(distance2<D>(store_.point(v), store_.point(nearest_input(v))));
+    const double inner = d - square_root(view.whole.distance2);
+    const double lo = inner > 0.5 * d ? inner : 0.5 * d;
+    return hi > (2 + tau_) * lo || hi > tau_ * d ? &view.whole : nullptr;
 }
 
 // Inserts a Steiner point between v and a bad corner of its cell, or yields to an input near that place.

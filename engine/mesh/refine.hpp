@@ -10,7 +10,7 @@ namespace netmesh {
 struct RefineOptions {
     double tau;            // > 2
     double domain_factor;  // domain radius over the radius of the smallest enclosing ball, >= 1
-    bool certify;          // also make the certificate of filtration/mesh_filter.hpp at most sqrt(2 + tau)
+    bool certify;          // also bring the certified ratio of filtration/mesh_filter.hpp below sqrt(2 + tau)
     std::uint64_t seed;
 };
 
@@ -24,11 +24,11 @@ struct RefineOptions {
 // (every vertex stays in the domain, so 3.6's packing argument applies with Omega the domain). The frame of 2 D exempt
 // vertices at four times the domain's radius is farther from every input than any other input, as 3.3.2 requires.
 //
-// With `certify` a cell is also bad when d_P, cut at rho = domain.enclosing_radius, varies on the whole of it (corners
-// outside the domain too) by a factor above 2 + tau. Then its unclipped aspect ratio exceeds tau, by the bounds stated in
-// mesh_filter.hpp, and a Steiner point towards its farthest corner is as good for the proof as any other. Such a cell has
-// d_P(v) < 2 rho / (2 + tau), so everything stays within 1 + (2 + 1.15 tau) / (2 + tau) < 2.2 enclosing radii, a compact set;
-// only a thin shell around the domain is refined, and only as far as the certificate needs it.
+// With `certify` a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners outside the
+// domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an input, else d_P(v). Either
+// means that its unclipped aspect ratio exceeds tau, so a Steiner point towards its farthest corner is as good for the
+// proof as any other. Such a cell has d_P(v) < 2 rho / (2 + tau), so everything stays within 1 + (2 + 1.15 tau) / (2 + tau) < 2.2
+// enclosing radii, a compact set; only a thin shell around the domain is refined, only as far as the certificate needs.
 //
 // ok, out_of_memory, cancelled (both: a Delaunay mesh of what was inserted, tau not promised), out_of_range and too_close
 // (rows in *input), and what take_input says.

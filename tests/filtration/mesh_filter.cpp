@@ -41,6 +41,8 @@ template <int D> void sample_inclusions(const inputs::Points& points, double tau
         if (kind == FilterValues::certified) {
             CHECK(c <= std::sqrt(2 + tau));
             CHECK(c == doctest::Approx(certificate.ratio_best));
+        } else {
+            CHECK(c <= tau);
         }
         CHECK(c >= certificate.ratio_best * (1 - 1e-9));
         inputs::Random random(8);
