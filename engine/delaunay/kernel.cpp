@@ -1,6 +1,15 @@
 #include "delaunay/kernel.hpp"
 
 namespace netmesh {
+namespace {
+
+template <int D> void make_ghost(Cell<D>& cell) {
+    for (int k = 0; k < D; ++k) cell.centre[k] = 0;
+    cell.radius2 = infinity;
+    cell.error = static_cast<float>(infinity);
+}
+
+}  // namespace
 
 template <int D> bool Kernel<D>::in_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
     double bound;
@@ -83,9 +92,7 @@ template <int D> Status Kernel<D>::start(const std::uint32_t* ids) {
             const int position = i == a2 ? b2 : i == b2 ? a2 : i;
             ghost.neighbour[j] = static_cast<std::uint32_t>(1 + missing) << 3 | static_cast<std::uint32_t>(position);
         }
-        for (int k = 0; k < D; ++k) ghost.centre[k] = 0;
-        ghost.radius2 = infinity;
-        ghost.error = static_cast<float>(infinity);
+        make_ghost<D>(ghost);
         ghost.mark = 0;
     }
     store_.state.last_cell = 0;
@@ -192,14 +199,7 @@ bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, std::uint32_t fir
 template <int D>
 void Kernel<D>::make_sphere(std::uint32_t made, std::uint32_t inside, std::uint32_t outside, const double* q) {
     Cell<D>& cell = store_.cell(made);
-    for (int i = 0; i <= D; ++i)
-        if (cell.vertex[i] == none) {
-            for (int k = 0; k < D; ++k) cell.centre[k] = 0;
-            cell.radius2 = infinity;
-            cell.error = static_cast<float>(infinity);
-            return;
-        }
-    if (pencil_sphere<D>(store_.cell(inside), store_.cell(outside), q, cell)) return;
+    if (pencil_sphere<D>(store_.cell(inside), store_.cell(outside), q, error_max_, cell)) return;
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
     solve_sphere<D>(p, cell);
@@ -219,14 +219,19 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, std::uint32_t id) {
             const std::uint32_t n = store_.new_cell();
             Cell<D>& fresh = store_.cell(n);
             Cell<D>& old = store_.cell(c);
+            bool ghost = false;
             for (int j = 0; j <= D; ++j) {
-                fresh.vertex[j] = old.vertex[j];
+                const std::uint32_t v = j == i ? id : old.vertex[j];
+                ghost |= v == none;
+                fresh.vertex[j] = v;
                 fresh.neighbour[j] = none;
             }
-            fresh.vertex[i] = id;
             fresh.neighbour[i] = word;
             fresh.mark = 0;
-            make_sphere(n, c, word >> 3, q);
+            if (ghost)
+                make_ghost<D>(fresh);
+            else
+                make_sphere(n, c, word >> 3, q);
             old.neighbour[i] = n << 3 | static_cast<std::uint32_t>(i);
             store_.cell(word >> 3).neighbour[word & 7u] = n << 3 | static_cast<std::uint32_t>(i);
             list[-1 - static_cast<std::ptrdiff_t>(made++)] = n;

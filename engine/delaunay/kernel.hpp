@@ -17,7 +17,9 @@ struct Cavity {
 
 template <int D> class Kernel {
 public:
-    explicit Kernel(Store<D>& store) : store_(store) {}
+    // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts are
+    // decided exactly whatever it is; corners that results depend on want it small.
+    Kernel(Store<D>& store, double error_max) : store_(store), error_max_(error_max) {}
 
     // Makes the D+1 points with these indices, affinely independent, the first cell with its ghosts. out_of_memory.
     Status start(const std::uint32_t* ids);
@@ -55,6 +57,7 @@ private:
     void link(const Cavity& cavity, std::uint32_t inside, int facet);
 
     Store<D>& store_;
+    double error_max_;
 };
 
 template <int D> template <class Visit> bool Kernel<D>::visit_star(std::uint32_t v, Visit&& visit) {

@@ -4,7 +4,6 @@ namespace netmesh {
 namespace {
 
 constexpr double u = unit_roundoff;
-constexpr double error_usable = 0x1p-22;  // a bound above this sends a cell to solve_sphere
 
 // Solves A x = b by cofactors, without a branch, and bounds the error of x in the maximum norm (infinite or NaN when A
 // is too close to singular). Every term of a determinant is a product of one entry from each row, so the rounding of a
@@ -221,7 +220,8 @@ template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
 // With a = power of q outside (>= 0) and b = -power inside, the new centre is w c_in + (1-w) c_out, w = a / (a + b). Its
 // error is at most the larger of the two centres' errors, plus the error of w (doubt / (a + b)) times their distance, plus
 // rounding; the sum of three terms is bounded by the root of three times the sum of their squares.
-template <int D> bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, Cell<D>& cell) {
+template <int D>
+bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, double error_max, Cell<D>& cell) {
     double bound_in, bound_out;
     const double b = -power<D>(inside, q, &bound_in);
     const double a = power<D>(outside, q, &bound_out);
@@ -245,7 +245,7 @@ template <int D> bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outsid
     const double distance2 =
         3.1 * ((in2 > out2 ? in2 : out2) + w_error * w_error * apart2 + (32 * u * u) * size2);
     const double error2 = distance2 / radius2;
-    if (!(error2 < error_usable * error_usable) || !(radius2 > 0x1p-800)) return false;
+    if (!(error2 < error_max * error_max) || !(radius2 > 0x1p-800)) return false;
     for (int i = 0; i < D; ++i) cell.centre[i] = centre[i];
     cell.radius2 = radius2;
     cell.error = static_cast<float>(1.01 * square_root(error2));
@@ -254,7 +254,7 @@ template <int D> bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outsid
 
 #define NETMESH_INSTANTIATE(D)                                   \
     template void solve_sphere<D>(const double* const*, Cell<D>&); \
-    template bool pencil_sphere<D>(const Cell<D>&, const Cell<D>&, const double*, Cell<D>&);
+    template bool pencil_sphere<D>(const Cell<D>&, const Cell<D>&, const double*, double, Cell<D>&);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

@@ -37,7 +37,8 @@ template <int D> void solve_sphere(const double* const* p, Cell<D>& cell);
 
 // The ball through q and the facet shared by `inside` (conflicts with q) and `outside` (does not): it belongs to the
 // pencil spanned by the two balls, so its centre is a convex combination of theirs. Returns false when the bound so
-// obtained is not good enough; then nothing is written. No square system is solved: O(D).
-template <int D> bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, Cell<D>& cell);
+// obtained is above error_max; then nothing is written. No square system is solved: O(D).
+template <int D>
+bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, double error_max, Cell<D>& cell);
 
 }  // namespace netmesh

@@ -69,30 +69,6 @@ template <int D> bool Store<D>::has_room(std::uint32_t cells, std::uint32_t vert
     return false;
 }
 
-template <int D> std::uint32_t Store<D>::new_cell() {
-    ++state.cells_created;
-    if (state.free_head != none) {
-        const std::uint32_t c = state.free_head;
-        state.free_head = cells_[c].neighbour[0];
-        --state.cells_free;
-        return c;
-    }
-    arena.extend_low(sizeof(CellT));
-    return state.cell_slots++;
-}
-
-template <int D> std::uint32_t Store<D>::new_vertex() {
-    arena.extend_high(sizeof(VertexT));
-    return state.vertex_count++;
-}
-
-template <int D> void Store<D>::free_cell(std::uint32_t c) {
-    cells_[c].vertex[0] = freed;
-    cells_[c].neighbour[0] = state.free_head;
-    state.free_head = c;
-    ++state.cells_free;
-}
-
 template <int D> std::uint32_t Store<D>::new_stamp() {
     if (state.stamp > 0xFFFFFFF0u) {
         for (std::uint32_t c = 0; c < state.cell_slots; ++c) cells_[c].mark = 0;

@@ -88,9 +88,27 @@ public:
     // Room for that many more cells and vertices together and list_bytes of list? Remembers what was wanted if not.
     bool has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes);
     // After has_room these cannot fail.
-    std::uint32_t new_cell();
-    std::uint32_t new_vertex();
-    void free_cell(std::uint32_t c);
+    std::uint32_t new_cell() {
+        ++state.cells_created;
+        if (state.free_head == none) {
+            arena.extend_low(sizeof(CellT));
+            return state.cell_slots++;
+        }
+        const std::uint32_t c = state.free_head;
+        state.free_head = cells_[c].neighbour[0];
+        --state.cells_free;
+        return c;
+    }
+    std::uint32_t new_vertex() {
+        arena.extend_high(sizeof(VertexT));
+        return state.vertex_count++;
+    }
+    void free_cell(std::uint32_t c) {
+        cells_[c].vertex[0] = freed;
+        cells_[c].neighbour[0] = state.free_head;
+        state.free_head = c;
+        ++state.cells_free;
+    }
 
     // A stamp that no cell carries yet, even; stamp + 1 is unused too.
     std::uint32_t new_stamp();

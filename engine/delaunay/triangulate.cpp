@@ -6,6 +6,9 @@
 namespace netmesh {
 namespace {
 
+// Here balls only answer whether a point is inside, so their bounds may grow: one question in thousands turns exact.
+constexpr double ball_error_max = 0x1p-14;
+
 constexpr std::size_t points_max = std::size_t{1} << 28;
 
 template <int D> bool equal_points(const double* a, const double* b) {
@@ -144,7 +147,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     std::uint32_t ids[D + 1];
     if (!independent_points<D>(store, order, count, ids)) return Status::flat;
     if (store.open_cells() != Status::ok) return Status::out_of_memory;
-    Kernel<D> kernel(store);
+    Kernel<D> kernel(store, ball_error_max);
     status = kernel.start(ids);
     if (status != Status::ok) return status;
 

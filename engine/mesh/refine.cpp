@@ -17,6 +17,9 @@ constexpr double frame_factor = 4;
 // Refinement stops a hair before tau, so that a recomputation with other roundings finds the bound kept.
 constexpr double tau_margin = 0x1p-30;
 
+// Corners are what refinement measures, to much better than the tolerance of the checker.
+constexpr double ball_error_max = 0x1p-22;
+
 constexpr double coordinate_max = 0x1p500;
 constexpr double separation_min = 0x1p-500;
 constexpr double resolution = 64 * 0x1p-52;
@@ -33,7 +36,7 @@ template <int D> double distance2(const double* a, const double* b) {
 template <int D> class Refinement {
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
+        : store_(store), kernel_(store, ball_error_max), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
           certify_(options.certify) {}
 
     Status check_input(InputReport* input);
