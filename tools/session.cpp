@@ -7,6 +7,7 @@ namespace netmesh::tool {
 
 namespace {
 
+constexpr std::uint64_t argument_point_count = 3;  // of netmesh_delaunay and netmesh_mesh: the one a user can get wrong
 constexpr std::size_t least_lazy_bytes = std::size_t{1} << 30;
 
 }  // namespace
@@ -93,7 +94,7 @@ std::string Session::memory_message(std::size_t plan) const {
         if (last_.vertices > 0) text += " with " + grouped_text(last_.vertices) + " vertices";
     }
     if (detail.bytes_wanted > 0) text += "; it takes more than " + std::to_string(detail.bytes_wanted - 1) + " bytes";
-    if (plan > 0 && plan > block_.bytes()) text += "; plan for " + std::to_string(plan) + " bytes";
+    if (plan != SIZE_MAX && plan > block_.bytes()) text += "; plan for " + std::to_string(plan) + " bytes";
     return text;
 }
 
@@ -114,6 +115,9 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
         return data_error(cloud.where(detail.index_a) +
                           ": outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
                           "2^-500 (3.1e-151)");
+    case NETMESH_INVALID_ARGUMENT:
+        if (detail.index_a == argument_point_count) return data_error(cloud.name + ": " + said);
+        return {Exit::internal, "netmesh: internal error: " + said};
     case NETMESH_FLAT:
         return {Exit::degenerate, cloud.name + ": flat: fewer than " + std::to_string(dim_ + 1) +
                                       " affinely independent points in dimension " + std::to_string(dim_) +

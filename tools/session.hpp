@@ -33,7 +33,7 @@ public:
     const netmesh_options& engine_options() const { return engine_options_; }
     void set_tau(double tau) { engine_options_.tau = tau; }
     netmesh_report report() const;
-    StageClock& clock() { return clock_; }
+    const StageClock& clock() const { return clock_; }
 
 private:
     static int poll(void* self, const netmesh_progress* progress);

@@ -93,6 +93,7 @@ Outcome conclude(const DiagramFile& file, const Comparison& best, const Candidat
         return mismatch(file.name + " is not the diagram of " + source + "; closest is " + best.closest);
     }
     run->engine = session.report();
+    run->clock = session.clock();
     std::string text = file.name + " is the diagram of " + source + " for " + candidate_text(found) +
                        (best.exact ? "" : ", to within " + rounded_text(best.tolerance, 2)) + "; certified ratio " +
                        rounded_text(run->engine->certified_ratio, 6);
@@ -128,9 +129,7 @@ Outcome check_diagram_with_points(const Options& options, const DiagramFile& fil
         session, &best, &found);
     // Flat points have no triangulation: then only the mesh filters could have made the diagram.
     if (!outcome.good() && outcome.exit != Exit::degenerate) return outcome;
-    outcome = conclude(file, best, found, points.name, session, run);
-    run->clock = nullptr;
-    return outcome;
+    return conclude(file, best, found, points.name, session, run);
 }
 
 Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file, RunReport* run) {

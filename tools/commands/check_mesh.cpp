@@ -128,6 +128,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     run->checked->push_back("facets shared by two, cells positively oriented, spheres empty, hull convex");
     run->checked->push_back(files.neighbours.name + " names the cells behind the facets");
     run->engine = session.report();
+    run->clock = session.clock();
     if (!files.node.domain.empty()) {
         run->checked->push_back("aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6) + " (tau " +
                                 rounded_text(session.engine_options().tau, 6) + ")");

@@ -105,7 +105,7 @@ Outcome run_engine_command(const Options& options) {
     outcome = session.run(job_of(options), cloud, [&](Session& s) { return work(s, options, cloud); });
     if (!outcome.good()) return outcome;
     run.engine = session.report();
-    run.clock = &session.clock();
+    run.clock = session.clock();
 
     const double computed = platform::seconds_now();
     std::vector<Bar> bars;

@@ -53,7 +53,7 @@ LogScale scale_for(const std::vector<Bar>& bars) {
 std::string radius_label(double logarithm) {
     const double radius = std::exp(logarithm);
     char text[40];
-    if (radius >= 1e-4 && radius < 1e5) {
+    if (radius >= 1e-3 && radius < 1e5) {
         const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(radius) + 1e-9)));
         std::snprintf(text, sizeof text, "%.*f", decimals, radius);
         std::string label = text;

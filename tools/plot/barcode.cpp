@@ -11,8 +11,11 @@ constexpr double zero_width = 44;    // of the column for births at 0, left of t
 constexpr double arrow_width = 22;   // for heads of essential bars, right of the scale
 constexpr double label_width = 104;  // of degree and count, left of the panel
 constexpr double group_gap = 12;
-constexpr double group_least = 32;  // so that the labels of a degree fit
+constexpr double gap_stretch = 48;
+constexpr double group_least = 32;   // so that the labels of a degree fit
+constexpr double group_share = 1.4;  // at most this many times an equal share of the panel goes to one degree
 constexpr double row_most = 9;
+constexpr double least_ratio = 1.002;  // death / birth of a bar that is worth a row when there are too many
 
 struct Horizontal {
     const Panel& panel;
@@ -72,13 +75,17 @@ void draw_bar(Svg& svg, const Horizontal& x, const Bar& bar, double y, double th
     svg.polygon(head, 3, colour, opacity);
 }
 
+double group_height(const BarGroup& group, double row, double most) {
+    return std::clamp(row * static_cast<double>(group.shown.size()), group_least, most);
+}
+
 // Rows as high as the panel bears; groups are never lower than their labels.
-double row_height(const std::vector<BarGroup>& groups, double height) {
+double row_height(const std::vector<BarGroup>& groups, double height, double most) {
     double row = row_most;
     for (; row > 0.5; row *= 0.98) {
         double total = -group_gap;
         for (const BarGroup& group : groups) {
-            total += std::max(group_least, row * static_cast<double>(group.shown.size())) + group_gap;
+            total += group_height(group, row, most) + group_gap;
         }
         if (total <= height - 6) break;
     }
@@ -95,7 +102,8 @@ void draw_labels(Svg& svg, const Panel& panel, double y, const BarGroup& group) 
              Anchor::start, true);
     svg.text(panel.x - 14, y + 13, count_label(group), 11, faint_ink, Anchor::end);
     if (group.shown.size() < group.total) {
-        svg.text(panel.x - 14, y + 27, "longest " + std::to_string(group.shown.size()), 11, faint_ink, Anchor::end);
+        const std::string label = group.shown.empty() ? "all short" : "longest " + std::to_string(group.shown.size());
+        svg.text(panel.x - 14, y + 27, label, 11, faint_ink, Anchor::end);
     }
 }
 
@@ -126,6 +134,7 @@ std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max
                 return pa != pb ? pa > pb : a.death > b.death;
             });
             group.shown.resize(rows_max);
+            while (!group.shown.empty() && persistence(group.shown.back()) < least_ratio) group.shown.pop_back();
         }
         std::stable_sort(group.shown.begin(), group.shown.end(), comes_before);
     }
@@ -136,13 +145,17 @@ void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& gro
                   const BarStyle& style) {
     const Horizontal x{panel, scale};
     draw_axis(svg, panel, x, scale);
-    const double row = row_height(groups, panel.height);
+    const double most = group_share * panel.height / static_cast<double>(groups.size());
+    const double row = row_height(groups, panel.height, most);
+    double left = panel.height;  // what no group needs stretches the gaps
+    for (const BarGroup& group : groups) left -= group_height(group, row, most) + group_gap;
+    const double gap = group_gap + std::clamp(left / static_cast<double>(groups.size()), 0.0, gap_stretch);
     double y = panel.y;
     for (const BarGroup& group : groups) {
         const double count = static_cast<double>(std::max<std::size_t>(group.shown.size(), 1));
-        const double height = std::max(group_least, row * count);
+        const double height = group_height(group, row, most);
         if (group.degree > 0) {
-            svg.line(panel.x - label_width, y - group_gap / 2, panel.x + panel.width, y - group_gap / 2, rule, 1);
+            svg.line(panel.x - label_width, y - gap / 2, panel.x + panel.width, y - gap / 2, rule, 1);
         }
         draw_labels(svg, panel, y, group);
         const double own_row = std::min(height / count, row_most);
@@ -151,7 +164,7 @@ void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& gro
             draw_bar(svg, x, bar, at, std::min(own_row * 0.7, 4.5), style.certain(bar));
             at += own_row;
         }
-        y += height + group_gap;
+        y += height + gap;
     }
 }
 

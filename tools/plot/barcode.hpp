@@ -26,7 +26,8 @@ struct BarGroup {
     std::vector<Bar> shown;  // sorted by birth, then death
 };
 
-// The groups for degrees 0..max_degree, each of at most `rows_max` bars.
+// The groups for degrees 0..max_degree. Of more than `rows_max` bars those with the largest death / birth are taken,
+// and of these only the ones that would be seen.
 std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max_degree, std::size_t rows_max);
 
 void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& groups, const LogScale& scale,

@@ -88,7 +88,7 @@ void write_mesh_picture(const MeshSource& mesh, TextWriter& out) {
     }
     draw_vertices(mesh, view, 2, 0.6 * dot, "#c98a1b", svg);
     draw_vertices(mesh, view, 1, 0.6 * dot, "#1b7f79", svg);
-    draw_vertices(mesh, view, 0, dot, "#d1495b", svg);
+    draw_vertices(mesh, view, 0, std::max(dot, 1.4), "#d1495b", svg);
     svg.end_group();
     double x = margin;
     const double y = page_size + caption / 2;

@@ -41,7 +41,7 @@ void draw_axes(Svg& svg, const Square& square, const LogScale& scale) {
         svg.line(square.panel.x, y, square.right(), y, rule, 1);
         svg.line(square.panel.x - 5, y, square.panel.x, y, ink, 1);
         svg.text(square.panel.x - 9, y + 4, logarithm_label(tick), 12, ink, Anchor::end);
-        if (scale.has_zero && x < square.left() + 6) continue;  // its label would touch that of 0
+        if (scale.has_zero && x < square.left() + 16) continue;  // its label would touch that of 0
         svg.line(x, square.bottom(), x, square.bottom() + 5, ink, 1);
         svg.text(x, square.bottom() + 19, logarithm_label(tick), 12, ink, Anchor::middle);
         svg.text(x, square.bottom() + 34, radius_label(tick), 11, faint_ink, Anchor::middle);

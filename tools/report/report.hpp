@@ -16,7 +16,7 @@ struct RunReport {
     std::optional<netmesh_report> engine;  // without it, everything the engine would say is null
     std::uint32_t dim = 0;                 // of the input; 0: none
     double read_seconds = 0, write_seconds = 0, total_seconds = 0;
-    const StageClock* clock = nullptr;
+    std::optional<StageClock> clock;
     const std::vector<Bar>* bars = nullptr;           // diagram.bars, when the data has no other way out
     std::optional<std::uint64_t> plan_bytes;          // size
     std::optional<std::vector<std::string>> checked;  // check: what was found to hold

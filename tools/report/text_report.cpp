@@ -49,7 +49,7 @@ std::string cost_lines(const RunReport& run) {
     std::string text = "memory   peak " + bytes_text(engine.peak_bytes) + " of " + bytes_text(engine.block_bytes) +
                        (run.options->memory_bytes == 0 ? " reserved\n" : " given\n");
     text += "time     " + seconds_text(run.total_seconds) + " s: read " + seconds_text(run.read_seconds);
-    for (int stage = 1; stage < NETMESH_STAGE_COUNT && run.clock != nullptr; stage++) {
+    for (int stage = 1; stage < NETMESH_STAGE_COUNT && run.clock; stage++) {
         const netmesh_stage which = static_cast<netmesh_stage>(stage);
         const double seconds = run.clock->seconds(which);
         if (seconds > 0) text += std::string(", ") + stage_name(which) + " " + seconds_text(seconds);
