@@ -151,7 +151,7 @@ void refine() {
     contestants.push_back([&](Trial& t) { bench::tetgen_mesh(t, points, 1.2); });
 #endif
     const std::vector<Summary> s = play(contestants);
-    std::printf("\nQuality mesh of %zu uniform points in 3D; aspect ratio R/r of the Voronoi cells of vertices inside the hull\n",
+    std::printf("\nQuality mesh of %zu uniform points in 3D; aspect ratio R/r of whole Voronoi cells in the domain\n",
                 points.size() / 3);
     const char* names[] = {"netmesh tau 3.0", "TetGen -q1.2"};
     for (std::size_t i = 0; i < s.size(); ++i) {
@@ -159,6 +159,7 @@ void refine() {
         if (s[i].finished())
             std::printf(", %.0f vertices, %.0f cells, aspect ratio worst %.3f, mean %.3f, %.0f MB", s[i].figure(bench::vertices),
                         s[i].figure(bench::cells), s[i].figure(bench::aspect_worst), s[i].figure(bench::aspect_mean), s[i].bytes() / 1e6);
+        if (s[i].finished() && i == 0) std::printf("; clipped to the domain, worst %.3f", s[i].figure(bench::aspect_clipped));
         std::printf("\n");
     }
     all_equal = all_equal && s[0].finished();

@@ -43,7 +43,7 @@ void tetgen_mesh(Trial& trial, const inputs::Points& points, double ratio) {
     for (std::size_t t = 0; t < tets.size(); ++t)
         for (std::size_t i = 0; i < 4; ++i)
             tets[t][i] = static_cast<std::uint32_t>(out.tetrahedronlist[4 * t + i] - out.firstnumber);
-    measure_aspect(trial, coordinates, tets, {});
+    measure_aspect(trial, coordinates, tets, nullptr);
 }
 
 }  // namespace bench

@@ -128,11 +128,10 @@ Outcome run(const Contestant& contestant) {
 }
 
 void measure_aspect(Trial& trial, const std::vector<double>& points, const std::vector<std::array<std::uint32_t, 4>>& tets,
-                    const std::vector<bool>& left_out) {
+                    const double* ball) {
     const std::size_t n = points.size() / 3;
     std::vector<double> far(n, 0.0), near(n, INFINITY);
-    std::vector<bool> skip = left_out;
-    skip.resize(n, false);
+    std::vector<bool> skip(n, false);
     const auto squared = [](const double* a, const double* b) {
         return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]);
     };
@@ -151,7 +150,9 @@ void measure_aspect(Trial& trial, const std::vector<double>& points, const std::
             const int b = (a + 1) % 3, c = (a + 2) % 3;
             centre[a] = p[0][a] + (lift[0] * minor(1, 2, b, c) + lift[1] * minor(2, 0, b, c) + lift[2] * minor(0, 1, b, c)) / det;
         }
+        const bool outside = ball != nullptr && !(squared(centre, ball) <= ball[3] * ball[3]);
         for (int i = 0; i < 4; ++i) {
+            if (outside) skip[t[i]] = true;
             far[t[i]] = std::max(far[t[i]], squared(p[i], centre));
             std::array<std::uint32_t, 3> f = {t[(i + 1) & 3], t[(i + 2) & 3], t[(i + 3) & 3]};
             std::sort(f.begin(), f.end());
