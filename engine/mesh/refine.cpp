@@ -14,10 +14,10 @@ constexpr double pull_back = 1.15;
 constexpr double yield_radius = 0.9;
 // Frame distance over domain radius. The frame's hull must contain the domain: more than sqrt(6).
 constexpr double frame_factor = 4;
-// Refinement stops a hair before tau, so that a recomputation with other roundings finds the bound kept.
-constexpr double tau_margin = 0x1p-30;
+// Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
+constexpr double tau_margin = 0x1p-20;
 
-// Corners are what refinement measures, to much better than the tolerance of the checker.
+// Corners are what refinement measures.
 constexpr double ball_error_max = 0x1p-22;
 
 constexpr double coordinate_max = 0x1p500;
@@ -240,7 +240,7 @@ void Refinement<D>::corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* 
         if (!(other.radius2 < infinity) && store_.is_ghost(n)) continue;
         // A crossing is no farther from v than the farther end; one that is not bad does not matter.
         const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
-        if (!(bound2 > corner->distance2) || !is_bad(bound2 * (1 + 0x1p-30), store_.vertex(v).nearest2)) continue;
+        if (!(bound2 > corner->distance2) || !is_bad(bound2 * (1 + 0x1p-20), store_.vertex(v).nearest2)) continue;
         if (n < c && !domain_.contains(other.centre)) continue;  // seen from the other end
         double z[2][D];
         const int crossings = sphere_crossings<D>(domain_, cell.centre, other.centre, z);
@@ -340,6 +340,16 @@ template <int D> Status Refinement<D>::run(const std::uint32_t* order) {
     return Status::ok;
 }
 
+// Replaces balls that were derived from others by balls that depend on the cell alone, so that what is read off the mesh is
+// the same however it was made, and again after it has been written to a file and loaded.
+template <int D> void settle_spheres(Store<D>& store) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        const double* p[D + 1];
+        for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
+        solve_sphere<D>(p, store.cell(c));
+    }
+}
+
 }  // namespace
 
 template <int D>
@@ -354,6 +364,7 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
     if (status == Status::ok) status = refinement.open(options);
     if (status == Status::ok) status = refinement.run(order);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
+    settle_spheres<D>(store);
     return status;
 }
 
