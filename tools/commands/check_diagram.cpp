@@ -35,9 +35,7 @@ Outcome read_diagram(const std::string& path, DiagramFile* file) {
 
 // The best that the candidates tried so far came to.
 struct Comparison {
-    double tolerance = 0;  // relative; 0: equal means equal
-    bool equal = false;    // within the tolerance
-    bool exact = false;
+    bool equal = false;
     std::size_t common = 0;  // bars before the first difference
     std::string closest;     // what the sentence about the closest candidate says
 };
@@ -45,8 +43,7 @@ struct Comparison {
 void compare(const DiagramFile& file, const std::vector<Bar>& recomputed, const Candidate& candidate,
              Comparison* best) {
     const std::size_t at = first_difference(file.bars, recomputed);
-    best->exact = at == SIZE_MAX;
-    best->equal = best->exact || (best->tolerance > 0 && nearly_equal(file.bars, recomputed, best->tolerance));
+    best->equal = at == SIZE_MAX;
     if (best->equal || (at < best->common && !best->closest.empty())) return;
     best->common = at;
     best->closest = candidate_text(candidate) + ": ";
@@ -95,8 +92,7 @@ Outcome conclude(const DiagramFile& file, const Comparison& best, const Candidat
     run->engine = session.report();
     run->clock = session.clock();
     std::string text = file.name + " is the diagram of " + source + " for " + candidate_text(found) +
-                       (best.exact ? "" : ", to within " + rounded_text(best.tolerance, 2)) + "; certified ratio " +
-                       rounded_text(run->engine->certified_ratio, 6);
+                       "; certified ratio " + rounded_text(run->engine->certified_ratio, 6);
     if (run->engine->certified_from > 0) text += " from radius " + rounded_text(run->engine->certified_from, 6);
     if (run->engine->is_mesh != 0) text += "; aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6);
     run->checked->push_back(text);
@@ -141,7 +137,6 @@ Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file,
     if (!outcome.good()) return outcome;
     const bool is_mesh = !files.node.domain.empty();
     Comparison best;
-    if (is_mesh) best.tolerance = reload_tolerance;
     Candidate found = {};
     outcome = recompute(
         options, file, candidates(options, is_mesh, !is_mesh), files.node.cloud,

@@ -92,15 +92,11 @@ Outcome compare_values(Session& session, const Options& options, const MeshFiles
         if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
         if (status != NETMESH_OK) continue;
         const ContextMesh mesh(session.context());
-        double worst = 0;  // relative difference
-        for (std::size_t i = 0; i < node.cloud.rows(); i++) {
-            const double written = node.attributes[i], value = mesh.vertex(i).value;
-            if (written == value) continue;
-            worst = std::max(worst, std::fabs(written - value) / std::max(std::fabs(written), value));
-        }
-        if (!(worst <= reload_tolerance)) continue;
+        bool equal = true;
+        for (std::size_t i = 0; i < node.cloud.rows() && equal; i++)
+            equal = node.attributes[i] == mesh.vertex(i).value;
+        if (!equal) continue;
         *found = candidate_text(candidate);
-        if (worst > 0) *found += ", to within " + rounded_text(worst, 2);
         return {};
     }
     return mismatch("the values in " + node.cloud.name + " are those of no filter");

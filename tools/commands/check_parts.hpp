@@ -23,10 +23,6 @@ std::string candidate_text(const Candidate& candidate);
 // The candidates that --filter and --values leave, of those that work on a mesh or on a Delaunay triangulation.
 std::vector<Candidate> candidates(const Options& options, bool on_mesh, bool on_delaunay);
 
-// The engine derives filter values from circumcentres with an error bound each, and both depend a little on how the
-// mesh came about; so do values recomputed on a mesh that was read from files. What is recomputed from points is exact.
-constexpr double reload_tolerance = 1e-6;  // relative; about 2.4e-7 was seen
-
 Outcome mismatch(const std::string& what);  // Exit::check
 
 // The engine's netmesh_load on the content of files.

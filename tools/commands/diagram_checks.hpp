@@ -17,10 +17,6 @@ std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at = nu
 // they are equal.
 std::size_t first_difference(const std::vector<Bar>& a, const std::vector<Bar>& b);
 
-// True when the bars of both diagrams can be paired off, degree by degree, with births and deaths that differ by at
-// most a share `tolerance` of themselves; bars that are no longer than twice that share may stay alone. O(n log n).
-bool nearly_equal(const std::vector<Bar>& a, const std::vector<Bar>& b, double tolerance);
-
 // "1 0.25 0.5", or "nothing" past the end.
 std::string bar_text(const std::vector<Bar>& bars, std::size_t index);
 

@@ -147,23 +147,6 @@ TEST_CASE("the first difference of two diagrams") {
     CHECK(bar_text(c, 1) == "nothing");
 }
 
-TEST_CASE("diagrams that are nearly equal") {
-    const Bar essential = {0, 0, HUGE_VAL};
-    const std::vector<Bar> a = {{0, 0, 1}, {0, 0, 2}, essential, {1, 1, 2}, {1, 1.05, 3}};
-    CHECK(nearly_equal(a, a, 0));
-    const std::vector<Bar> shifted = {{0, 0, 1.01}, {0, 0, 1.99}, essential, {1, 1.04, 3.05}, {1, 1.01, 1.98}};
-    CHECK(nearly_equal(a, shifted, 0.02));
-    CHECK(!nearly_equal(a, shifted, 0.001));
-    const std::vector<Bar> noisy = {{0, 0, 1}, {0, 0, 2}, essential, {1, 1, 1.01}, {1, 1, 2}, {1, 1.05, 3}};
-    CHECK(nearly_equal(a, noisy, 0.02));
-    CHECK(nearly_equal(noisy, a, 0.02));
-    CHECK(!nearly_equal(a, noisy, 0.001));
-    CHECK(!nearly_equal({{0, 0, 1}, essential}, {essential}, 0.02));
-    CHECK(!nearly_equal({essential}, {{0, 0, 1}, essential}, 0.02));
-    CHECK(!nearly_equal({essential}, {{1, 0, HUGE_VAL}}, 0.02));
-    CHECK(!nearly_equal({{0, 0, 1}}, {essential}, 0.02));
-}
-
 namespace {
 
 std::vector<double> sample(const std::string& shape, std::uint64_t count, std::uint32_t dim, std::uint64_t seed = 1) {
