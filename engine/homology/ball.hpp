@@ -44,6 +44,11 @@ template <int D> struct Ball {
     std::uint8_t* flags;       // [vertex_count]
     std::uint32_t* slot;       // [vertex_count] labels in the star at work; all 0 between stars
 
+    // Asks for the vertices of the cell of incidence t, or of the last one.
+    void prefetch(std::uint32_t t) const {
+        const std::uint32_t last = begin[vertex_count] - 1;
+        __builtin_prefetch(complex.vertices(incidence[t < last ? t : last] >> 3));
+    }
     // Lists the incidences; the arrays taken stay at the arena's high end. False: out of memory.
     bool list_incidences(Arena& arena) {
         const std::size_t n = vertex_count;

@@ -90,7 +90,6 @@ template <int D> bool Link<D>::read(const Ball<D>& ball, std::uint32_t v, std::u
     const std::uint32_t r = ball.rank[v];
     const bool hull = (ball.flags[v] & Ball<D>::on_hull) != 0;
     const std::size_t label_limit = labels_max(ball);
-    const std::uint32_t last = ball.begin[ball.vertex_count] - 1;
     label_count_ = 1;
     lower_count_ = 0;
     lower_ = 0;
@@ -102,8 +101,7 @@ template <int D> bool Link<D>::read(const Ball<D>& ball, std::uint32_t v, std::u
     for (int k = 0; k <= D; ++k) with_lower_[k] = 0;
     bool sound = true;
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
-        const std::uint32_t next = ball.incidence[t + ahead < last ? t + ahead : last];
-        __builtin_prefetch(ball.complex.vertices(next >> 3));
+        ball.prefetch(t + ahead);
         const std::uint32_t c = ball.incidence[t] >> 3, i = ball.incidence[t] & 7;
         const std::uint32_t* p = ball.complex.vertices(c);
         std::uint32_t s[D];

@@ -124,10 +124,10 @@ template <int D> Status LowerStars<D>::look_at_stars(JoinList& joins) {
     for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
         if ((ball_.flags[v] & Ball<D>::large) == 0) continue;
         if (!star_.open(ball_, v)) return Status::internal;
-        const std::uint32_t pieces_end = star_.vertices();
-        for (std::uint32_t l = 0; l < pieces_end; ++l) {
-            if (star_.piece(l) != l || star_.piece(pieces_end - 1) == l) continue;
-            if (!joins.add(ball_.rank[v], ball_.order[star_.rank_of(l)])) return Status::out_of_memory;
+        const std::uint32_t first = below_[v] == none ? 0 : star_.piece(ball_.slot[below_[v]]);
+        for (std::uint32_t i = 1; i < star_.count(); ++i) {
+            if (star_.dimension(i) != 1 || star_.piece(i) != i || i == first) continue;
+            if (!joins.add(ball_.rank[v], star_.vertex(i))) return Status::out_of_memory;
         }
         std::uint32_t counts[D + 1] = {};
         for (std::uint32_t i = 0; i < star_.count(); ++i) ++counts[star_.dimension(i)];

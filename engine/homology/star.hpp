@@ -10,16 +10,29 @@
 #include <cstdint>
 
 #include "homology/ball.hpp"
-#include "memory/sort.hpp"
 
 namespace netmesh {
 
+// Ascending, without branches.
+template <int N> void sort_small(std::uint32_t* items) {
+    for (int end = N - 1; end > 0; --end) {
+        for (int i = 0; i < end; ++i) {
+            const std::uint32_t a = items[i], b = items[i + 1];
+            items[i] = a < b ? a : b;
+            items[i + 1] = a < b ? b : a;
+        }
+    }
+}
+
 template <int D> class Star {
 public:
+    static constexpr std::uint32_t upper = none;
+
     // Arrays for stars of at most simplices_max simplices, at the high end of the arena. False: out of memory.
     bool reserve(const Ball<D>& ball, std::uint64_t simplices_max, Arena& arena);
 
-    // Lists the lower star of v; ball.slot holds label + 1 of its lower vertices until close(). False when the cells
+    // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for
+    // the upper ones. False when the cells
     // are not those of a ball.
     bool open(const Ball<D>& ball, std::uint32_t v);
     void close(const Ball<D>& ball);
@@ -28,12 +41,11 @@ public:
 
     std::uint32_t capacity() const { return capacity_; }
     std::uint32_t count() const { return count_; }
-    std::uint32_t vertices() const { return label_count_; }  // lower ones other than v
-    std::uint32_t rank_of(std::uint32_t label) const { return ranks_[label]; }
+    std::uint32_t vertex(std::uint32_t label) const { return origin_[label]; }
     std::uint32_t highest() const { return highest_; }  // an upper vertex or `outside`; none if there is none
     std::uint32_t dimension(std::uint32_t i) const { return form_[i] & 7; }
     std::uint32_t label(std::uint32_t i) const { return form_[i] >> 3; }                         // of its lowest vertex
-    std::uint32_t parent(std::uint32_t i) const { return facets_[std::size_t{i} * D]; }          // without that one
+    std::uint32_t parent(std::uint32_t i) const { return facets_[std::size_t{i} * D]; }          // without it
     const std::uint32_t* facets(std::uint32_t i) const { return facets_ + std::size_t{i} * D; }  // [dimension(i)]
     std::uint32_t origin(std::uint32_t i) const { return origin_[i]; }    // incidence whose cell has i as a face
     std::uint32_t partner(std::uint32_t i) const { return partner_[i]; }  // none: critical
@@ -45,20 +57,20 @@ public:
     // A word for each simplex, free for use after match().
     std::uint32_t& note(std::uint32_t i) { return sum_[i]; }
 
-    // Pieces of the lower link: whether label is the highest one of its piece, and the lowest of a piece by its
-    // highest.
+    // Representative label of the piece of the lower link that a label is in; until match().
     std::uint32_t piece(std::uint32_t label) {
-        while (piece_[label] != label) label = piece_[label] = piece_[piece_[label]];
+        while (position_[label] != label) label = position_[label] = position_[position_[label]];
         return label;
     }
 
 private:
-    std::uint32_t collect(const Ball<D>& ball, std::uint32_t v);
+    std::uint32_t label_of(const Ball<D>& ball, std::uint32_t u);
+    void clear_table(std::uint32_t cell_count, bool hull);
     void add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k);
-    std::uint32_t add(std::uint32_t dimension, std::uint32_t label, std::uint32_t incidence) {
+    std::uint32_t add(std::uint32_t dimension, std::uint32_t label, std::uint32_t origin) {
         const std::uint32_t i = count_++;
         form_[i] = label << 3 | dimension;
-        origin_[i] = incidence;
+        origin_[i] = origin;
         cofaces_[i] = sum_[i] = 0;
         return i;
     }
@@ -67,12 +79,12 @@ private:
     void unite(std::uint32_t a, std::uint32_t b) {
         a = piece(a);
         b = piece(b);
-        if (a != b) piece_[a > b ? a : b] = a > b ? b : a;
+        if (a != b) position_[a > b ? a : b] = a > b ? b : a;
     }
 
     std::uint32_t *facets_, *form_, *origin_, *cofaces_, *sum_, *partner_, *position_, *at_, *queue_;
-    std::uint32_t *ranks_, *piece_, *table_;
-    std::uint32_t capacity_, count_, label_count_, label_capacity_, highest_;
+    std::uint32_t *seen_, *table_;
+    std::uint32_t capacity_, count_, seen_count_, seen_capacity_, rank_, highest_;
     std::uint32_t table_mask_, table_shift_, table_bits_max_;
     std::uint32_t queue_begin_, queue_end_, next_position_;
     bool overflow_;
@@ -80,15 +92,14 @@ private:
 
 template <int D> bool Star<D>::reserve(const Ball<D>& ball, std::uint64_t simplices_max, Arena& arena) {
     if (simplices_max >= 0x10000000u) return false;
-    capacity_ = static_cast<std::uint32_t>(simplices_max);
-    label_capacity_ = ball.degree_max + 2 * D + 2;
+    capacity_ = static_cast<std::uint32_t>(simplices_max) + D;
+    seen_capacity_ = ball.degree_max + 2 * D + 2;
     table_bits_max_ = 6;
     while ((std::uint64_t{1} << table_bits_max_) < 2 * simplices_max) ++table_bits_max_;
     std::uint32_t* words = arena.take_high<std::uint32_t>(std::size_t{capacity_} * (D + 8));
-    ranks_ = arena.take_high<std::uint32_t>(label_capacity_);
-    piece_ = arena.take_high<std::uint32_t>(label_capacity_);
+    seen_ = arena.take_high<std::uint32_t>(seen_capacity_);
     table_ = arena.take_high<std::uint32_t>(std::size_t{1} << table_bits_max_);
-    if (words == nullptr || ranks_ == nullptr || piece_ == nullptr || table_ == nullptr) return false;
+    if (words == nullptr || seen_ == nullptr || table_ == nullptr) return false;
     facets_ = words;
     words += std::size_t{capacity_} * D;
     std::uint32_t** const arrays[] = {&form_, &origin_, &cofaces_, &sum_, &partner_, &position_, &at_, &queue_};
@@ -99,86 +110,71 @@ template <int D> bool Star<D>::reserve(const Ball<D>& ball, std::uint64_t simpli
     return true;
 }
 
-// Ranks of the lower link vertices, descending, and their labels; returns an upper bound on the number of simplices.
-template <int D> std::uint32_t Star<D>::collect(const Ball<D>& ball, std::uint32_t v) {
-    const std::uint32_t r = ball.rank[v];
-    const bool hull = (ball.flags[v] & Ball<D>::on_hull) != 0;
-    std::uint32_t highest_rank = 0;
-    std::uint32_t with_lower[D + 1] = {};
-    label_count_ = 0;
-    highest_ = none;
-    for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
-        const std::uint32_t* p = ball.complex.vertices(ball.incidence[t] >> 3);
-        std::uint32_t k = 0;
-        for (std::uint32_t j = 0; j <= D; ++j) {
-            const std::uint32_t ru = ball.rank[p[j]];
-            if (ru > r) {
-                if (ru >= highest_rank) highest_rank = ru, highest_ = p[j];
-            } else if (ru < r) {
-                ++k;
-                if (ball.slot[p[j]] != 0) continue;
-                if (label_count_ == label_capacity_) {
-                    overflow_ = true;
-                    continue;
-                }
-                ball.slot[p[j]] = 1;
-                ranks_[label_count_++] = ru;
-            }
-        }
-        ++with_lower[k];
-        for (std::uint32_t j = 0; hull && j <= D; ++j) {
-            const std::uint32_t ru = ball.rank[p[j]];
-            if (p[D + 1 + j] == none && ru != r) ++with_lower[k - (ru < r ? 1 : 0)];
-        }
+// First sight of a link vertex.
+template <int D> std::uint32_t Star<D>::label_of(const Ball<D>& ball, std::uint32_t u) {
+    const std::uint32_t ru = ball.rank[u];
+    if (seen_count_ == seen_capacity_) {
+        overflow_ = true;
+        return upper;
     }
-    if (hull) highest_ = ball.outside;
-    sort(ranks_, label_count_, [](std::uint32_t a, std::uint32_t b) { return a > b; });
-    for (std::uint32_t l = 0; l < label_count_; ++l) {
-        ball.slot[ball.order[ranks_[l]]] = l + 1;
-        piece_[l] = l;
+    seen_[seen_count_++] = u;
+    if (ru > rank_) {
+        if (highest_ == none || (highest_ != ball.outside && ru > ball.rank[highest_])) highest_ = u;
+        return ball.slot[u] = upper;
     }
-    const std::uint64_t bound = simplices_bound<D>(label_count_, with_lower);
-    return bound < capacity_ ? static_cast<std::uint32_t>(bound) : capacity_;
+    const std::uint32_t i = add(1, count_, u);
+    position_[i] = i;
+    facets_[std::size_t{i} * D] = 0;
+    ++cofaces_[0];
+    sum_[0] ^= i;
+    return ball.slot[u] = i;
+}
+
+// An empty table for the faces of so many cells: a face of n vertices of the link sphere is in at least D+1-n cells.
+template <int D> void Star<D>::clear_table(std::uint32_t cell_count, bool hull) {
+    std::uint32_t per_cell_12 = 0;  // in twelfths, rounded up
+    for (std::uint32_t n = 1, choose = D; n <= D; choose = choose * (D - n) / (n + 1), ++n) {
+        per_cell_12 += hull ? 12 * choose : (12 * choose + D - n) / (D + 1 - n);
+    }
+    const std::uint64_t bound = (std::uint64_t{cell_count} * per_cell_12 + 11) / 12;
+    std::uint32_t bits = 6;
+    while (bits < table_bits_max_ && (std::uint64_t{1} << bits) < bound + bound / 4) ++bits;
+    table_shift_ = 32 - bits;
+    table_mask_ = (1u << bits) - 1;
+    std::uint32_t* const table = table_;
+    for (std::uint32_t i = 0; i < 1u << bits; ++i) table[i] = 0;
 }
 
 template <int D> bool Star<D>::open(const Ball<D>& ball, std::uint32_t v) {
+    const bool hull = (ball.flags[v] & Ball<D>::on_hull) != 0;
+    rank_ = ball.rank[v];
     overflow_ = false;
-    const std::uint32_t bound = collect(ball, v);
-    std::uint32_t bits = 6;
-    while (bits < table_bits_max_ && (1u << bits) < bound + bound / 2) ++bits;
-    table_shift_ = 32 - bits;
-    table_mask_ = (1u << bits) - 1;
-    for (std::uint32_t i = 0; i <= table_mask_; ++i) table_[i] = 0;
-    count_ = 0;
-    if (label_count_ + 1 > capacity_) overflow_ = true;
-    if (overflow_) return false;
+    count_ = seen_count_ = 0;
+    highest_ = hull ? ball.outside : none;
+    clear_table(ball.begin[v + 1] - ball.begin[v], hull);
     add(0, 0, ball.incidence[ball.begin[v]]);
-    for (std::uint32_t l = 0; l < label_count_; ++l) {
-        const std::uint32_t i = add(1, l, none);
-        facets_[std::size_t{i} * D] = 0;
-        ++cofaces_[0];
-        sum_[0] ^= i;
-    }
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
+        ball.prefetch(t + 16);
         const std::uint32_t* p = ball.complex.vertices(ball.incidence[t] >> 3);
-        std::uint32_t labels[D];
-        std::uint32_t k = 0;
-        for (std::uint32_t j = 0; j <= D; ++j) {
-            const std::uint32_t s = ball.slot[p[j]];
-            if (s == 0) continue;
-            if (k == D) return false;
-            std::uint32_t hole = k++;
-            for (; hole > 0 && labels[hole - 1] > s - 1; --hole) labels[hole] = labels[hole - 1];
-            labels[hole] = s - 1;
+        const std::uint32_t at = ball.incidence[t] & 7;
+        if (count_ + D > capacity_) overflow_ = true;
+        if (overflow_) break;
+        std::uint32_t slots[D];
+        for (std::uint32_t j = 0; j < D; ++j) {
+            const std::uint32_t u = p[j + (j >= at ? 1 : 0)];
+            slots[j] = ball.slot[u];
+            if (slots[j] == 0) slots[j] = label_of(ball, u);
         }
-        if (k > 0) add_faces(ball.incidence[t], labels, k);
-        if (overflow_) return false;
+        sort_small<D>(slots);
+        std::uint32_t k = 0;
+        for (std::uint32_t j = 0; j < D; ++j) k += slots[j] != upper ? 1 : 0;
+        if (k > 0) add_faces(ball.incidence[t], slots, k);
     }
-    return true;
+    return !overflow_;
 }
 
 template <int D> void Star<D>::close(const Ball<D>& ball) {
-    for (std::uint32_t l = 0; l < label_count_; ++l) ball.slot[ball.order[ranks_[l]]] = 0;
+    for (std::uint32_t l = 0; l < seen_count_; ++l) ball.slot[seen_[l]] = 0;
 }
 
 // Where the child of `parent` by `label` is or would be noted.
@@ -191,7 +187,7 @@ template <int D> std::uint32_t* Star<D>::place_of(std::uint32_t parent, std::uin
 }
 
 template <int D> std::uint32_t Star<D>::simplex_of(const std::uint32_t* labels, std::uint32_t n) const {
-    std::uint32_t i = labels[0] + 1;
+    std::uint32_t i = labels[0];
     for (std::uint32_t j = 1; j < n; ++j) {
         i = *place_of(i, labels[j]);
         if (i == 0) return none;
@@ -204,8 +200,7 @@ template <int D> void Star<D>::add_faces(std::uint32_t incidence, const std::uin
     ids[0] = 0;
     for (std::uint32_t j = 0; j < k; ++j) {
         const std::uint32_t bit = 1u << j;
-        ids[bit] = labels[j] + 1;
-        if (origin_[ids[bit]] == none) origin_[ids[bit]] = incidence;
+        ids[bit] = labels[j];
         for (std::uint32_t rest = 1; rest < bit; ++rest) {
             const std::uint32_t parent = ids[rest];
             std::uint32_t* place = place_of(parent, labels[j]);

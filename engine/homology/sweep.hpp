@@ -12,6 +12,7 @@
 #include "homology/pair_writer.hpp"
 #include "homology/star.hpp"
 #include "memory/monitor.hpp"
+#include "memory/sort.hpp"
 
 namespace netmesh {
 
@@ -26,6 +27,7 @@ public:
 
 private:
     Status visit(std::uint32_t r);
+    void prefetch_star(std::uint32_t r);
     bool unite_critical_facets(std::uint32_t v);
     std::uint32_t side(std::uint32_t cell, std::uint32_t v);
     std::uint32_t across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const;
@@ -39,6 +41,7 @@ private:
     std::uint32_t sorted_columns(std::uint32_t arrived);
     bool start_columns(std::uint32_t k, std::uint32_t v);
     bool gather(std::uint32_t c);
+    std::uint32_t simplex_of(std::uint32_t* labels, std::uint32_t n) const;
     bool reduce(std::uint32_t c, std::uint32_t v);
     bool add_outer_facet(std::uint32_t c, std::uint32_t i);
     bool take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v);
@@ -86,6 +89,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     irregular_ = (ball_.flags[v] & Ball<D>::irregular) != 0;
     if (arrived == none && !irregular_) return Status::ok;
     if (!star_.open(ball_, v)) return Status::internal;
+    prefetch_star(front_.waiting().top());
     critical_ = star_.match();
     work_ += star_.count() / 2;
     column_.adopt(column_words_, star_.count());
@@ -108,6 +112,15 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     }
     star_.close(ball_);
     return fits ? Status::ok : Status::out_of_memory;
+}
+
+// Stars next to each other in rank are far apart in memory: the cells of what is likely the next one come while this
+// one is worked on.
+template <int D> void Sweep<D>::prefetch_star(std::uint32_t r) {
+    if (r == none) return;
+    const std::uint32_t v = ball_.order[r];
+    for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
+    front_.prefetch(r);
 }
 
 // Pairs of the gradient in an irregular star; those of regular ones are counted elsewhere, and so is degree 0.
@@ -167,11 +180,8 @@ template <int D> bool Sweep<D>::gather(std::uint32_t c) {
     const std::uint32_t n = front_.dimension(c) - 1;
     for (std::uint32_t e = front_.local(c); e != none;) {
         std::uint32_t labels[D] = {};
-        for (std::uint32_t j = 0; j < n; ++j) {
-            labels[j] = ball_.slot[ball_.order[front_.ranks(e)[j + 1]]] - 1;
-            if (labels[j] == none) return false;
-        }
-        const std::uint32_t i = star_.simplex_of(labels, n);
+        for (std::uint32_t j = 0; j < n; ++j) labels[j] = ball_.slot[ball_.order[front_.ranks(e)[j + 1]]];
+        const std::uint32_t i = simplex_of(labels, n);
         if (i == none) return false;
         column_.toggle(star_.position(i));
         const std::uint32_t following = front_.next(e);
@@ -180,6 +190,13 @@ template <int D> bool Sweep<D>::gather(std::uint32_t c) {
     }
     front_.local(c) = none;
     return true;
+}
+
+// The simplex of these labels in any order, which is lost; none if the star has none such.
+template <int D> std::uint32_t Sweep<D>::simplex_of(std::uint32_t* labels, std::uint32_t n) const {
+    insertion_sort(labels, n, [](std::uint32_t a, std::uint32_t b) { return a < b; });
+    if (labels[0] == 0 || labels[n - 1] == Star<D>::upper) return none;
+    return star_.simplex_of(labels, n);
 }
 
 template <int D> bool Sweep<D>::start_columns(std::uint32_t k, std::uint32_t v) {
@@ -204,7 +221,8 @@ template <int D> bool Sweep<D>::start_columns(std::uint32_t k, std::uint32_t v) 
 template <int D> bool Sweep<D>::add_outer_facet(std::uint32_t c, std::uint32_t i) {
     std::uint32_t ranks[D] = {};
     const std::uint32_t n = star_.dimension(i);
-    for (std::uint32_t j = n; j-- > 0; i = star_.parent(i)) ranks[j] = star_.rank_of(star_.label(i));
+    for (std::uint32_t j = 0; j < n; ++j, i = star_.parent(i)) ranks[j] = ball_.rank[star_.vertex(star_.label(i))];
+    insertion_sort(ranks, n, [](std::uint32_t a, std::uint32_t b) { return a > b; });
     return front_.add(c, ranks, n);
 }
 
@@ -261,17 +279,13 @@ template <int D> std::uint64_t Sweep<D>::age_of(std::uint32_t node, std::uint32_
 template <int D> std::uint32_t Sweep<D>::side(std::uint32_t cell, std::uint32_t v) {
     while (cell != none) {
         const std::uint32_t* p = ball_.complex.vertices(cell);
-        std::uint32_t labels[D] = {};
+        std::uint32_t labels[D + 1] = {};
         std::uint32_t k = 0;
         for (std::uint32_t j = 0; j <= D; ++j) {
             if (ball_.rank[p[j]] > ball_.rank[v]) return root(p[j]);
-            if (p[j] == v || k == D) continue;
-            std::uint32_t hole = k++;
-            const std::uint32_t label = ball_.slot[p[j]] - 1;
-            for (; hole > 0 && labels[hole - 1] > label; --hole) labels[hole] = labels[hole - 1];
-            labels[hole] = label;
+            if (p[j] != v) labels[k++] = ball_.slot[p[j]];
         }
-        const std::uint32_t i = star_.simplex_of(labels, D);
+        const std::uint32_t i = simplex_of(labels, D);
         if (i == none) return none;
         if (star_.partner(i) == none) return root(star_.note(i));
         cell = across(cell, star_.partner(i), v);
@@ -284,7 +298,7 @@ template <int D> std::uint32_t Sweep<D>::across(std::uint32_t cell, std::uint32_
     const std::uint32_t* p = ball_.complex.vertices(cell);
     for (int j = 0; j <= D; ++j) {
         if (p[j] == v) continue;
-        const std::uint32_t label = ball_.slot[p[j]] - 1;  // none for upper vertices
+        const std::uint32_t label = ball_.slot[p[j]];
         std::uint32_t i = facet;
         while (i != 0 && star_.label(i) != label) i = star_.parent(i);
         if (i == 0) return ball_.complex.neighbour(cell, j);
