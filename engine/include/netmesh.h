@@ -79,8 +79,8 @@ typedef struct netmesh_options {
     uint32_t struct_bytes;  /* sizeof(netmesh_options); set by netmesh_options_init */
     uint32_t dim;           /* D, 2..6 */
     double tau;             /* bound on the aspect ratio R/r of Voronoi cells, finite, > 2; 0: default of the dimension */
-    double domain_factor;   /* radius of the meshed domain over the radius of the smallest enclosing ball, in [1, 8];
-                               0: default of the job (1 for a mesh alone, what the certificate's proof needs for persist) */
+    double domain_factor;   /* radius of the ball in which quality is promised over the radius of the smallest enclosing
+                               ball, in [1, 8]; 0: 1 */
     uint64_t seed;          /* of every random choice */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
@@ -134,7 +134,8 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * Steiner points in which each vertex that is not exempt has a Voronoi cell that, clipped to the domain ball, has
  * aspect ratio at most tau. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
- * `for_job`: NETMESH_JOB_MESH or NETMESH_JOB_PERSIST, choosing the default domain.
+ * `for_job`: NETMESH_JOB_MESH, or NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
+ * ratio of sqrt(2 + tau) needs it.
  * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
  * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,

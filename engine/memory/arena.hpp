@@ -35,22 +35,43 @@ public:
     std::size_t bytes_peak() const { return peak_; }
     std::size_t bytes_wanted() const { return wanted_; }
 
-    // count objects of T, uninitialised, at the low (high) end; nullptr when the gap is too small, and then
-    // nothing has changed. O(1).
+    // count objects of T, uninitialised, at the low (high) end, 16-byte aligned; nullptr when the gap is too small,
+    // and then nothing has changed. O(1).
     template <class T> T* take_low(std::size_t count) {
+        const std::size_t start = (low_ + alignment - 1) & ~(alignment - 1);
         std::size_t need;
-        if (!fits(count, sizeof(T), &need)) return nullptr;
-        unsigned char* p = base_ + low_;
-        low_ += need;
+        if (!fits(count, sizeof(T), start - low_, &need)) return nullptr;
+        low_ = start + need;
         note_peak();
-        return reinterpret_cast<T*>(p);
+        return reinterpret_cast<T*>(base_ + start);
     }
     template <class T> T* take_high(std::size_t count) {
+        const std::size_t end = high_ & ~(alignment - 1);
         std::size_t need;
-        if (!fits(count, sizeof(T), &need)) return nullptr;
-        high_ -= need;
+        if (!fits(count, sizeof(T), high_ - end, &need)) return nullptr;
+        high_ = (end - need) & ~(alignment - 1);
         note_peak();
         return reinterpret_cast<T*>(base_ + high_);
+    }
+    // Makes the last piece at the low (high) end longer by exactly this many bytes (a multiple of 8). False: no room.
+    bool extend_low(std::size_t bytes) {
+        std::size_t need;
+        if (!fits(bytes, 1, 0, &need)) return false;
+        low_ += bytes;
+        note_peak();
+        return true;
+    }
+    bool extend_high(std::size_t bytes) {
+        std::size_t need;
+        if (!fits(bytes, 1, 0, &need)) return false;
+        high_ -= bytes;
+        note_peak();
+        return true;
+    }
+    // Remembers a request that was found not to fit without being made.
+    void refuse(std::size_t bytes) {
+        const std::size_t total = bytes_used() + bytes;
+        if (total > wanted_) wanted_ = total;
     }
 
     std::size_t low_mark() const { return low_; }
@@ -63,16 +84,14 @@ public:
     }
 
 private:
-    bool fits(std::size_t count, std::size_t item_bytes, std::size_t* need) {
-        const std::size_t gap = high_ - low_;
+    bool fits(std::size_t count, std::size_t item_bytes, std::size_t padding, std::size_t* need) {
         if (count > (SIZE_MAX / 2) / item_bytes) {
             wanted_ = SIZE_MAX;
             return false;
         }
-        *need = (count * item_bytes + alignment - 1) & ~(alignment - 1);
-        if (*need <= gap) return true;
-        const std::size_t total = bytes_used() + *need;
-        if (total > wanted_) wanted_ = total;
+        *need = count * item_bytes;
+        if (*need + padding + alignment <= high_ - low_) return true;
+        refuse(*need + padding + alignment);
         return false;
     }
     void note_peak() {

@@ -1,0 +1,161 @@
+#include "api/dispatch.hpp"
+#include "delaunay/load.hpp"
+#include "mesh/input_tree.hpp"
+#include "mesh/quality.hpp"
+
+namespace netmesh {
+namespace {
+
+// Room for the rounding of a ratio, when the mesh was made elsewhere.
+constexpr double ratio_tolerance = 0x1p-40;
+
+template <int D> CheckResult check_markers(const Store<D>& store) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i) {
+            if (store.cell(c).neighbour[i] != none) continue;
+            for (int j = 0; j <= D; ++j)
+                if (j != i && store.vertex(store.cell(c).vertex[j]).marker != Marker::exempt)
+                    return {"a vertex of the mesh's hull is not exempt", c};
+        }
+    return {nullptr, none};
+}
+
+template <int D>
+Status check_quality(const Store<D>& store, const Domain<D>& domain, Arena& arena, double tau, CheckResult* why) {
+    *why = check_markers<D>(store);
+    if (why->violation != nullptr) return Status::check_failed;
+    double worst;
+    const Status status = recomputed_aspect_ratio<D>(store, domain, arena, &worst, &why->cell);
+    if (status != Status::ok) return status;
+    if (worst <= tau * (1 + ratio_tolerance)) return Status::ok;
+    why->violation = "a clipped Voronoi cell has an aspect ratio above tau";
+    return Status::check_failed;
+}
+
+// Nearest inputs of all vertices; inputs come first.
+template <int D> Status find_origins(Store<D>& store, std::uint32_t inputs) {
+    ArenaScope scope(store.arena);
+    InputTree<D> tree;
+    if (tree.build(store, store.arena, inputs) != Status::ok) return Status::out_of_memory;
+    std::uint32_t last = 0;
+    for (std::uint32_t v = inputs; v < store.state.vertex_count; ++v) {
+        double d2;
+        store.vertex(v).origin = last = tree.nearest(store.point(v), last, none, &d2);
+    }
+    return Status::ok;
+}
+
+bool are_markers_valid(const uint8_t* markers, size_t count, std::uint32_t* inputs) {
+    *inputs = 0;
+    for (size_t v = 0; v < count; ++v) {
+        if (markers[v] > 2) return false;
+        if (markers[v] != 0) continue;
+        if (*inputs != v) return false;
+        ++*inputs;
+    }
+    return true;
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+netmesh_status netmesh_load(netmesh_context* context, const double* vertices, const uint8_t* markers,
+                            size_t vertex_count, const uint32_t* cells, size_t cell_count, const double* domain,
+                            const netmesh_options* options) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    const auto refuse = [&](const char* message, std::uint64_t position) {
+        return finish(context, Status::invalid_argument, message, position);
+    };
+    if (vertices == nullptr || vertex_count == 0) return refuse("there are no vertices", 2);
+    std::uint32_t inputs;
+    if (markers == nullptr || !are_markers_valid(markers, vertex_count, &inputs))
+        return refuse("markers are not 0, 1 or 2 with the inputs first", 3);
+    if (inputs == 0) return refuse("there is no input vertex", 3);
+    if (vertex_count > (size_t{1} << 28)) return refuse("more than 2^28 vertices", 4);
+    if (cells == nullptr || cell_count == 0) return refuse("there are no cells", 5);
+    if (cell_count > Store<2>::slots_max) return refuse("more than 2^29 cells", 6);
+    if (!usable(options)) return refuse("options are not initialised or the dimension is not 2..6", 8);
+    for (size_t i = 0; i < vertex_count * options->dim; ++i)
+        if (!is_finite(vertices[i]))
+            return finish(context, Status::not_finite, "a coordinate is not a finite number", i / options->dim);
+    if (domain != nullptr)
+        for (std::uint32_t k = 0; k <= options->dim; ++k)
+            if (!is_finite(domain[k]) || (k == options->dim && !(domain[k] > 0))) return refuse("bad domain ball", 7);
+    clear(context);
+    return with_dimension(options->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->store);
+        CheckResult why;
+        Status status = load_cells<D>(store, vertices, static_cast<std::uint32_t>(vertex_count), cells,
+                                      static_cast<std::uint32_t>(cell_count), &why);
+        if (status == Status::ok) {
+            for (size_t v = 0; v < vertex_count; ++v)
+                store.vertex(static_cast<std::uint32_t>(v)).marker = static_cast<Marker>(markers[v]);
+            status = find_origins<D>(store, inputs);
+        }
+        if (status != Status::ok) {
+            const std::uint64_t wanted = context->arena.bytes_wanted();
+            clear(context);
+            finish(context, status, why.violation != nullptr ? why.violation : netmesh_status_text(NETMESH_OUT_OF_MEMORY),
+                   why.cell);
+            if (status == Status::out_of_memory) context->detail.bytes_wanted = wanted;
+            return context->detail.status;
+        }
+        context->dim = D;
+        context->complete = true;
+        context->is_mesh = domain != nullptr;
+        context->points = context->inputs = inputs;
+        context->duplicates = 0;
+        context->input_fingerprint = 0;
+        context->mesh_mark = context->arena.low_mark();
+        context->tau = tau_of(*options);
+        context->aspect_ratio_max = 0;
+        if (domain != nullptr) {
+            Domain<D> ball;
+            smallest_enclosing_ball<D>(store, inputs, ball);
+            context->enclosing_radius = 0;
+            for (int k = 0; k < D; ++k) context->domain_centre[k] = ball.centre[k] = domain[k];
+            for (std::uint32_t v = 0; v < inputs; ++v) {
+                const double r = square_root(ball.distance2(store.point(v))) * (1 + 8 * unit_roundoff);
+                if (r > context->enclosing_radius) context->enclosing_radius = r;
+            }
+            if (context->enclosing_radius == 0) context->enclosing_radius = ball.enclosing_radius;
+            context->domain_radius = domain[D];
+            std::uint32_t worst;
+            if (worst_aspect_ratio<D>(store, domain_of<D>(*context), context->arena, &context->aspect_ratio_max,
+                                      &worst) != Status::ok) {
+                clear(context);
+                return finish(context, Status::out_of_memory, netmesh_status_text(NETMESH_OUT_OF_MEMORY));
+            }
+        }
+        return finish(context, Status::ok, "");
+    });
+}
+
+netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netmesh_options* options) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    if (what == 0 || (what & ~static_cast<uint32_t>(NETMESH_CHECK_ALL)) != 0)
+        return finish(context, Status::invalid_argument, "unknown checks", 2);
+    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 3);
+    if (context->dim == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    return with_dimension(context->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        const Store<D> store(context->arena, context->store);
+        CheckResult why = {nullptr, none};
+        Status status = Status::ok;
+        if ((what & NETMESH_CHECK_ALL) != 0) why = check_combinatorial<D>(store);
+        if (why.violation == nullptr && (what & (NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY)) != 0)
+            why = check_geometric<D>(store);
+        if (why.violation == nullptr && (what & NETMESH_CHECK_DELAUNAY) != 0) why = check_delaunay<D>(store);
+        if (why.violation == nullptr && (what & NETMESH_CHECK_QUALITY) != 0 && context->is_mesh)
+            status = check_quality<D>(store, domain_of<D>(*context), context->arena, tau_of(*options), &why);
+        if (why.violation != nullptr) return finish(context, Status::check_failed, why.violation, why.cell);
+        return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
+    });
+}
+
+}  // extern "C"

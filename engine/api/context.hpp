@@ -1,0 +1,45 @@
+// What a context remembers between calls, at the start of the caller's block. Counts, offsets and values only.
+#pragma once
+#include <cstdint>
+
+#include "delaunay/store.hpp"
+#include "filtration/mesh_filter.hpp"
+#include "homology/persistence.hpp"
+#include "include/netmesh.h"
+#include "memory/arena.hpp"
+#include "mesh/domain.hpp"
+
+namespace netmesh {
+
+constexpr std::uint64_t context_magic = 0x6E65746D65736801u;
+
+// The block while a result is held:
+//
+//   | Context | cells | filter values | pairs |        gap        | vertices |
+//             ^ start                ^ diagram_mark
+struct Context {
+    std::uint64_t magic;
+    std::uint64_t block_bytes;
+    Arena arena;
+    std::uint64_t start;  // low end of an empty context
+    netmesh_detail detail;
+
+    std::uint32_t dim;  // 0: holds nothing
+    bool is_mesh, complete, has_values, has_diagram;
+    StoreState store;
+    std::uint64_t points, duplicates, input_fingerprint;
+    std::uint32_t inputs;
+    double tau, aspect_ratio_max;
+    double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
+
+    std::uint64_t mesh_mark;  // low end of the mesh alone
+    std::uint64_t values_offset, pairs_offset, pair_count, simplices;
+    netmesh_filter filter;
+    netmesh_values values;
+    std::uint32_t max_degree;
+    double certified_ratio, certified_ratio_best, certified_from;
+};
+
+}  // namespace netmesh
+
+struct netmesh_context : netmesh::Context {};

@@ -1,0 +1,59 @@
+// From a dimension known at run time to one known at compile time.
+#pragma once
+#include <cstdint>
+
+#include "api/context.hpp"
+
+namespace netmesh {
+
+template <int D> struct Dimension {
+    static constexpr int value = D;
+};
+
+// Calls f(Dimension<D>{}) for dim in 2..6; dim must be checked before.
+template <class F> auto with_dimension(std::uint32_t dim, F&& f) {
+    switch (dim) {
+    case 2: return f(Dimension<2>{});
+    case 3: return f(Dimension<3>{});
+    case 4: return f(Dimension<4>{});
+    case 5: return f(Dimension<5>{});
+    default: return f(Dimension<6>{});
+    }
+}
+
+inline Monitor monitor_of(const netmesh_options& options) { return Monitor(options.poll, options.user); }
+
+// Records a failure (or success) for netmesh_get_detail and translates it.
+inline netmesh_status finish(netmesh_context* context, Status status, const char* message, std::uint64_t a = 0,
+                             std::uint64_t b = 0) {
+    context->detail = netmesh_detail{};
+    context->detail.status = static_cast<netmesh_status>(status);
+    context->detail.index_a = a;
+    context->detail.index_b = b;
+    context->detail.message = status == Status::ok ? "" : message;
+    if (status == Status::out_of_memory) {
+        const std::uint64_t wanted = context->arena.bytes_wanted();
+        context->detail.bytes_wanted = wanted + (context->block_bytes - context->arena.bytes());
+    }
+    return context->detail.status;
+}
+
+template <int D> Domain<D> domain_of(const Context& context) {
+    Domain<D> domain;
+    for (int k = 0; k < D; ++k) domain.centre[k] = context.domain_centre[k];
+    domain.radius = context.domain_radius;
+    domain.enclosing_radius = context.enclosing_radius;
+    return domain;
+}
+
+// Checks what every job checks: the context and its block, the options' size, the dimension.
+bool usable(netmesh_context* context);
+bool usable(const netmesh_options* options);
+double tau_of(const netmesh_options& options);
+
+// Forgets the result held.
+void clear(netmesh_context* context);
+// Forgets the diagram and the filter values.
+void clear_diagram(netmesh_context* context);
+
+}  // namespace netmesh

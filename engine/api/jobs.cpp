@@ -1,0 +1,175 @@
+#include "api/dispatch.hpp"
+#include "filtration/alpha.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/refine.hpp"
+
+namespace netmesh {
+namespace {
+
+const char* text_of(Status status) { return netmesh_status_text(static_cast<netmesh_status>(status)); }
+
+// What a triangulation or mesh leaves behind in the context.
+template <int D> void keep_store(netmesh_context* context, const InputReport& input, Status status) {
+    context->dim = D;
+    context->complete = status == Status::ok;
+    context->points = input.rows;
+    context->duplicates = input.duplicates;
+    context->input_fingerprint = input.fingerprint;
+    context->inputs = static_cast<std::uint32_t>(input.rows - input.duplicates);
+    context->mesh_mark = context->arena.low_mark();
+}
+
+netmesh_status finish_job(netmesh_context* context, Status status, const InputReport& input) {
+    const bool holds = status == Status::ok || status == Status::cancelled || status == Status::out_of_memory;
+    if (!holds || context->store.cell_slots == 0) {
+        const std::uint64_t wanted = context->arena.bytes_wanted();
+        clear(context);
+        const netmesh_status result = finish(context, status, text_of(status), input.row_a, input.row_b);
+        if (status == Status::out_of_memory) context->detail.bytes_wanted = wanted;
+        return result;
+    }
+    return finish(context, status, text_of(status), input.row_a, input.row_b);
+}
+
+netmesh_status check_arguments(netmesh_context* context, const double* points, size_t n,
+                               const netmesh_options* options, int options_position) {
+    if (points == nullptr) return finish(context, Status::invalid_argument, "points is null", 2);
+    if (n == 0) return finish(context, Status::invalid_argument, "there are no points", 3);
+    if (n > (size_t{1} << 28)) return finish(context, Status::invalid_argument, "more than 2^28 points", 3);
+    if (!usable(options))
+        return finish(context, Status::invalid_argument, "options are not initialised or the dimension is not 2..6",
+                      static_cast<std::uint64_t>(options_position));
+    return NETMESH_OK;
+}
+
+bool is_valid_tau(double tau) { return tau > 2 && is_finite(tau); }
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, size_t n,
+                                const netmesh_options* options) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    const netmesh_status checked = check_arguments(context, points, n, options, 4);
+    if (checked != NETMESH_OK) return checked;
+    clear(context);
+    Monitor monitor = monitor_of(*options);
+    return with_dimension(options->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        InputReport input;
+        Store<D> store(context->arena, context->store);
+        context->store = StoreState{};
+        const Status status = triangulate<D>(store, points, n, options->seed, monitor, &input);
+        keep_store<D>(context, input, status);
+        return finish_job(context, status, input);
+    });
+}
+
+netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
+                            const netmesh_options* options) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    const netmesh_status checked = check_arguments(context, points, n, options, 5);
+    if (checked != NETMESH_OK) return checked;
+    if (for_job != NETMESH_JOB_MESH && for_job != NETMESH_JOB_PERSIST)
+        return finish(context, Status::invalid_argument, "the job is neither a mesh nor persistence", 4);
+    const double tau = tau_of(*options);
+    if (!is_valid_tau(tau))
+        return finish(context, Status::invalid_argument, "tau is not a finite number above 2", 5);
+    const double factor = options->domain_factor != 0 ? options->domain_factor : 1;
+    if (!(factor >= 1 && factor <= 8))
+        return finish(context, Status::invalid_argument, "domain_factor is not between 1 and 8", 5);
+    clear(context);
+    Monitor monitor = monitor_of(*options);
+    return with_dimension(options->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        InputReport input;
+        Store<D> store(context->arena, context->store);
+        context->store = StoreState{};
+        Domain<D> domain = {};
+        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed}, monitor, &input, &domain);
+        keep_store<D>(context, input, status);
+        context->is_mesh = true;
+        context->tau = tau;
+        for (int k = 0; k < D; ++k) context->domain_centre[k] = domain.centre[k];
+        context->domain_radius = domain.radius;
+        context->enclosing_radius = domain.enclosing_radius;
+        context->aspect_ratio_max = 0;
+        if (context->store.cell_slots > 0) {
+            std::uint32_t worst;
+            const Status measured =
+                worst_aspect_ratio<D>(store, domain, context->arena, &context->aspect_ratio_max, &worst);
+            if (status == Status::ok) status = measured;
+        }
+        return finish_job(context, status, input);
+    });
+}
+
+netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
+                               uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 6);
+    if (filter != NETMESH_FILTER_COMPLETE && filter != NETMESH_FILTER_BASIC && filter != NETMESH_FILTER_ALPHA)
+        return finish(context, Status::invalid_argument, "unknown filter", 2);
+    if (values != NETMESH_VALUES_CERTIFIED && values != NETMESH_VALUES_THESIS)
+        return finish(context, Status::invalid_argument, "unknown kind of values", 3);
+    if (context->dim == 0 || !context->complete)
+        return finish(context, Status::no_result, "there is no complete triangulation or mesh");
+    const bool alpha = filter == NETMESH_FILTER_ALPHA;
+    if (alpha == context->is_mesh)
+        return finish(context, Status::no_result,
+                      alpha ? "the alpha filter needs a Delaunay triangulation of the points alone"
+                            : "this filter needs a mesh");
+    const std::uint32_t degree = max_degree < context->dim ? max_degree : context->dim - 1;
+    clear_diagram(context);
+    Monitor monitor = monitor_of(*options);
+    return with_dimension(context->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->store);
+        PairList pairs = {};
+        std::uint64_t simplices = 0;
+        MeshCertificate certificate = {1, 1, 0};
+        Status status;
+        if (alpha) {
+            status = persist_alpha<D>(store.view(), store.point(0), Store<D>::vertex_stride, degree,
+                                      keep_zero_pairs != 0, context->arena, monitor, &pairs, &simplices);
+        } else {
+            double* const value = context->arena.take_low<double>(context->store.vertex_count);
+            const bool complete = filter == NETMESH_FILTER_COMPLETE;
+            monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
+            status = value == nullptr ? Status::out_of_memory : Status::ok;
+            if (status == Status::ok)
+                status = mesh_filter_values<D>(
+                    store, domain_of<D>(*context), complete ? MeshFilter::complete : MeshFilter::basic,
+                    values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified,
+                    context->arena, value, &certificate);
+            if (status == Status::ok)
+                status = persist_lower_star<D>(store.view(), value, complete ? context->inputs : 0, degree,
+                                               keep_zero_pairs != 0, context->arena, monitor, &pairs, &simplices);
+            if (status == Status::ok) {
+                context->has_values = true;
+                context->values_offset = context->arena.offset_of(value);
+            }
+        }
+        if (status != Status::ok) {
+            clear_diagram(context);
+            return finish(context, status, text_of(status));
+        }
+        context->has_diagram = true;
+        context->pairs_offset = context->arena.offset_of(pairs.pairs);
+        context->pair_count = pairs.count;
+        context->simplices = simplices;
+        context->filter = filter;
+        context->values = values;
+        context->max_degree = degree;
+        context->certified_ratio = certificate.ratio;
+        context->certified_ratio_best = certificate.ratio_best;
+        context->certified_from = certificate.from;
+        return finish(context, Status::ok, "");
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,57 @@
+#include "api/dispatch.hpp"
+
+namespace netmesh {
+namespace {
+
+// Measured on uniform points; the margin covers other seeds and small sets.
+constexpr double margin = 1.3;
+constexpr double delaunay_cells_per_point[] = {0, 0, 2.0, 6.8, 31, 160, 760};
+constexpr double mesh_cells_per_vertex[] = {0, 0, 2.05, 6.5, 28, 140, 600};
+constexpr double simplices_per_cell[] = {0, 0, 3.0, 4.35, 6.3, 9.1, 13.3};
+// Vertices a point: 1 + growth / (tau - 2)^(exponent / 8).
+constexpr double growth[] = {0, 0, 2.1, 4.1, 8.5, 12, 15};
+constexpr int exponent[] = {0, 0, 7, 10, 12, 13, 14};
+constexpr double gradient_bytes_per_simplex = 8;
+constexpr double alpha_bytes_per_simplex = 48;
+constexpr double sort_bytes_per_point = 24;
+
+double power_in_eighths(double x, int k) {
+    const double root = square_root(square_root(square_root(x)));
+    double p = 1;
+    for (int i = 0; i < k; ++i) p *= root;
+    return p;
+}
+
+template <int D> double planned_bytes(netmesh_job job, double tau, double points) {
+    const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST;
+    double vertices = points, cells = points * delaunay_cells_per_point[D];
+    if (meshes) {
+        vertices = points * (1 + growth[D] / power_in_eighths(tau - 2, exponent[D])) + 100;
+        cells = vertices * mesh_cells_per_vertex[D];
+    }
+    double bytes = vertices * sizeof(Vertex<D>) + cells * sizeof(Cell<D>) + 9 * points;
+    const double simplices = cells * simplices_per_cell[D];
+    if (job == NETMESH_JOB_PERSIST) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
+    if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
+    const double sorting = points * (sizeof(Vertex<D>) + sort_bytes_per_point);
+    if (bytes < sorting) bytes = sorting;
+    // Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
+    return margin * bytes + sizeof(netmesh_context) + 16384 + 64 * sizeof(Cell<D>) * mesh_cells_per_vertex[D];
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points) {
+    if (!usable(options) || points == 0 || points > (uint64_t{1} << 28)) return 0;
+    if (job < NETMESH_JOB_DELAUNAY || job > NETMESH_JOB_PERSIST_ALPHA) return 0;
+    const double tau = tau_of(*options);
+    if (!(tau > 2) || !is_finite(tau)) return 0;
+    const double bytes = with_dimension(options->dim, [&](auto dimension) {
+        return planned_bytes<decltype(dimension)::value>(job, tau, static_cast<double>(points));
+    });
+    if (!(bytes < 0x1p62) || bytes >= static_cast<double>(SIZE_MAX / 2)) return SIZE_MAX;
+    return (static_cast<size_t>(bytes) + Arena::alignment) & ~(Arena::alignment - 1);
+}

@@ -1,0 +1,162 @@
+#include "api/dispatch.hpp"
+#include "numerics/fingerprint.hpp"
+
+namespace netmesh {
+namespace {
+
+const Pair* pairs_of(const netmesh_context* context) {
+    return reinterpret_cast<const Pair*>(reinterpret_cast<const unsigned char*>(context) + context->pairs_offset);
+}
+
+// The store of a context that is only read. Its arena is given the block's present address.
+template <int D> Store<D> store_of(const netmesh_context* context, Arena& arena, StoreState& state) {
+    arena = context->arena;
+    arena.rebase(const_cast<netmesh_context*>(context));
+    state = context->store;
+    return Store<D>(arena, state);
+}
+
+bool holds_result(const netmesh_context* context) {
+    return context != nullptr && context->magic == context_magic && context->dim != 0;
+}
+
+template <int D> std::uint64_t fingerprint_of(const netmesh_context* context) {
+    Arena arena;
+    StoreState state;
+    const Store<D> store = store_of<D>(context, arena, state);
+    Fingerprint f;
+    f.add(static_cast<std::uint64_t>(D));
+    for (std::uint32_t v = 0; v < state.vertex_count; ++v) {
+        for (int k = 0; k < D; ++k) f.add(store.vertex(v).x[k]);
+        f.add(static_cast<std::uint64_t>(store.vertex(v).marker));
+    }
+    for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i) {
+            const std::uint32_t word = store.cell(c).neighbour[i];
+            f.add(static_cast<std::uint64_t>(store.cell(c).vertex[i]) << 32 | (word == none ? none : word >> 3));
+        }
+    if (context->has_diagram) {
+        f.add(context->certified_ratio);
+        for (std::uint64_t k = 0; k < context->pair_count; ++k) {
+            const Pair& pair = pairs_of(context)[k];
+            f.add(static_cast<std::uint64_t>(pair.degree));
+            f.add(pair.birth);
+            f.add(pair.death);
+        }
+    }
+    return f.value();
+}
+
+template <int D> void count_markers(const netmesh_context* context, netmesh_report* report) {
+    Arena arena;
+    StoreState state;
+    const Store<D> store = store_of<D>(context, arena, state);
+    for (std::uint32_t v = context->inputs; v < state.vertex_count; ++v)
+        ++(store.vertex(v).marker == Marker::exempt ? report->exempt : report->steiner);
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report) {
+    if (context == nullptr || context->magic != context_magic || report == nullptr ||
+        report->struct_bytes != sizeof(netmesh_report))
+        return NETMESH_INVALID_ARGUMENT;
+    *report = netmesh_report{};
+    report->struct_bytes = sizeof(netmesh_report);
+    report->block_bytes = context->block_bytes;
+    report->peak_bytes = context->arena.bytes_peak();
+    report->used_bytes = context->arena.bytes_used();
+    if (!holds_result(context)) return NETMESH_OK;
+
+    report->dim = context->dim;
+    report->is_mesh = context->is_mesh;
+    report->complete = context->complete;
+    report->points = context->points;
+    report->duplicates = context->duplicates;
+    report->input_fingerprint = context->input_fingerprint;
+    report->vertices = context->store.vertex_count;
+    report->inputs = context->inputs;
+    report->cells = context->store.cell_slots;
+    report->cells_created = context->store.cells_created;
+    with_dimension(context->dim, [&](auto dimension) { count_markers<decltype(dimension)::value>(context, report); });
+    if (context->is_mesh) {
+        report->tau = context->tau;
+        report->aspect_ratio_max = context->aspect_ratio_max;
+        for (std::uint32_t k = 0; k < context->dim; ++k) report->domain[k] = context->domain_centre[k];
+        report->domain[context->dim] = context->domain_radius;
+    }
+    report->has_diagram = context->has_diagram;
+    if (context->has_diagram) {
+        report->filter = context->filter;
+        report->values = context->values;
+        report->max_degree = context->max_degree;
+        for (std::uint64_t k = 0; k < context->pair_count; ++k) ++report->pairs[pairs_of(context)[k].degree];
+        report->simplices = context->simplices;
+        report->certified_ratio = context->certified_ratio;
+        report->certified_ratio_best = context->certified_ratio_best;
+        report->certified_from = context->certified_from;
+    }
+    for (int s = 0; s < NETMESH_PREDICATE_STAGES; ++s) {
+        report->predicate_calls[s] = context->store.in_ball_counts.calls[s];
+        report->orient_calls[s] = context->store.orient_counts.calls[s];
+    }
+    report->fingerprint = with_dimension(
+        context->dim, [&](auto dimension) { return fingerprint_of<decltype(dimension)::value>(context); });
+    return NETMESH_OK;
+}
+
+netmesh_status netmesh_get_vertex(const netmesh_context* context, uint64_t index, netmesh_vertex* vertex) {
+    if (vertex == nullptr || !holds_result(context) || index >= context->store.vertex_count)
+        return NETMESH_INVALID_ARGUMENT;
+    *vertex = netmesh_vertex{};
+    with_dimension(context->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Arena arena;
+        StoreState state;
+        const Store<D> store = store_of<D>(context, arena, state);
+        const Vertex<D>& v = store.vertex(static_cast<std::uint32_t>(index));
+        for (int k = 0; k < D; ++k) vertex->coordinates[k] = v.x[k];
+        vertex->marker = static_cast<std::uint32_t>(v.marker);
+    });
+    if (context->has_values) {
+        vertex->has_value = 1;
+        vertex->value = reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(context) +
+                                                        context->values_offset)[index];
+    }
+    return NETMESH_OK;
+}
+
+netmesh_status netmesh_get_cell(const netmesh_context* context, uint64_t index, netmesh_cell* cell) {
+    if (cell == nullptr || !holds_result(context) || index >= context->store.cell_slots)
+        return NETMESH_INVALID_ARGUMENT;
+    *cell = netmesh_cell{};
+    with_dimension(context->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Arena arena;
+        StoreState state;
+        const TriangulationView<D> view = store_of<D>(context, arena, state).view();
+        const std::uint32_t c = static_cast<std::uint32_t>(index);
+        for (int i = 0; i <= D; ++i) {
+            cell->vertices[i] = view.vertices(c)[i];
+            cell->neighbours[i] = view.neighbour(c, i);
+        }
+    });
+    return NETMESH_OK;
+}
+
+netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair) {
+    if (pair == nullptr || !holds_result(context) || !context->has_diagram || index >= context->pair_count)
+        return NETMESH_INVALID_ARGUMENT;
+    const Pair& p = pairs_of(context)[index];
+    pair->degree = p.degree;
+    pair->birth = p.birth;
+    pair->death = p.death;
+    return NETMESH_OK;
+}
+
+}  // extern "C"

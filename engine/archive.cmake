@@ -1,0 +1,91 @@
+# From the engine's objects to the archive that users link: one relocatable object in which only netmesh_* is global.
+#
+# A client that instantiates the same templates under other flags (say -mfma) would otherwise hand the linker a weak
+# copy that replaces the library's, and results would change without a word. So the objects are combined (ld -r, with
+# the COMDAT groups dissolved where the linker can) and every other symbol is made local (objcopy).
+#
+#   netmesh_engine   the plain archive, every symbol visible: what the tests of inner rooms link
+#   netmesh          the finished archive libnetmesh.a: what tools, benchmarks and users link
+
+# Sets `out` to the linker flags of the combining step, `out_ok` to whether linker and objcopy can do it at all, tried
+# on two small objects that share a template.
+function(netmesh_can_finish out out_ok out_why)
+  set(${out_ok} FALSE PARENT_SCOPE)
+  if(NOT CMAKE_OBJCOPY OR NOT CMAKE_LINKER OR NOT CMAKE_NM)
+    set(${out_why} "objcopy, ld or nm is missing" PARENT_SCOPE)
+    return()
+  endif()
+  set(flags -r)
+  execute_process(COMMAND ${CMAKE_LINKER} --help OUTPUT_VARIABLE help ERROR_QUIET)
+  if(help MATCHES "force-group-allocation")
+    list(APPEND flags --force-group-allocation)
+  endif()
+  separate_arguments(user_flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
+  if("-m32" IN_LIST user_flags)
+    list(APPEND flags -m elf_i386)
+  endif()
+  if(CMAKE_CXX_COMPILER_TARGET)
+    list(APPEND user_flags --target=${CMAKE_CXX_COMPILER_TARGET})
+  endif()
+  set(dir ${PROJECT_BINARY_DIR}/CMakeFiles/netmesh_finish)
+  file(WRITE ${dir}/a.cpp
+    "template <class T> T twice(T x) { return x + x; }\ntemplate double twice<double>(double);\n"
+    "extern \"C\" double netmesh_a(double x) { return twice(x); }\n")
+  file(WRITE ${dir}/b.cpp
+    "template <class T> T twice(T x) { return x + x; }\ntemplate double twice<double>(double);\n"
+    "extern \"C\" double netmesh_b(double x) { return twice(x); }\n")
+  foreach(unit a b)
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} ${user_flags} ${NETMESH_ENGINE_FLAGS} -c ${dir}/${unit}.cpp -o ${dir}/${unit}.o
+      RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+    if(failed)
+      set(${out_why} "the compiler refuses a small file" PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  execute_process(COMMAND ${CMAKE_LINKER} ${flags} -o ${dir}/ab.o ${dir}/a.o ${dir}/b.o
+    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed)
+    set(${out_why} "${CMAKE_LINKER} does not combine objects" PARENT_SCOPE)
+    return()
+  endif()
+  execute_process(COMMAND ${CMAKE_OBJCOPY} -w "--keep-global-symbol=netmesh_*" ${dir}/ab.o
+    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  execute_process(COMMAND ${CMAKE_NM} -g --defined-only ${dir}/ab.o OUTPUT_VARIABLE symbols ERROR_QUIET)
+  if(failed OR NOT symbols MATCHES "netmesh_a" OR symbols MATCHES "twice")
+    set(${out_why} "${CMAKE_OBJCOPY} does not make symbols local" PARENT_SCOPE)
+    return()
+  endif()
+  set(${out} ${flags} PARENT_SCOPE)
+  set(${out_ok} TRUE PARENT_SCOPE)
+endfunction()
+
+add_library(netmesh_engine STATIC ${NETMESH_ENGINE_SOURCES})
+target_compile_features(netmesh_engine PUBLIC cxx_std_17)
+set_target_properties(netmesh_engine PROPERTIES CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF
+  ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plain)
+target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
+target_include_directories(netmesh_engine
+  PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include> PRIVATE ${PROJECT_SOURCE_DIR}/engine)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Records only, no code: tests/archive reads call chains and their stack out of them.
+  target_compile_options(netmesh_engine PRIVATE -fstack-usage -fcallgraph-info=su,da)
+endif()
+
+netmesh_can_finish(NETMESH_COMBINE NETMESH_FINISHED NETMESH_WHY)
+list(JOIN NETMESH_COMBINE " " NETMESH_COMBINE_TEXT)
+if(NETMESH_FINISHED)
+  set(combined ${PROJECT_BINARY_DIR}/plain/netmesh.o)
+  add_custom_command(OUTPUT ${combined}
+    COMMAND ${CMAKE_LINKER} ${NETMESH_COMBINE} -o ${combined}.tmp --whole-archive $<TARGET_FILE:netmesh_engine>
+    COMMAND ${CMAKE_OBJCOPY} -w "--keep-global-symbol=netmesh_*" ${combined}.tmp ${combined}
+    COMMAND ${CMAKE_COMMAND} -E remove ${combined}.tmp
+    DEPENDS netmesh_engine $<TARGET_FILE:netmesh_engine>
+    COMMENT "Finishing libnetmesh.a" VERBATIM)
+  set_source_files_properties(${combined} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+  add_library(netmesh STATIC ${combined})
+else()
+  message(STATUS "netmesh: ${NETMESH_WHY}; libnetmesh.a keeps its inner symbols global")
+  add_library(netmesh STATIC $<TARGET_OBJECTS:netmesh_engine>)
+endif()
+set_target_properties(netmesh PROPERTIES LINKER_LANGUAGE CXX)
+target_include_directories(netmesh PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include>)

@@ -1,0 +1,427 @@
+// A face belongs to the star of its least vertex. Stars are walked one by one, each depth first along ascending
+// vertices:
+//
+//   v  ->  v w  ->  v w x ...        a node is a face; its children append one greater vertex
+//
+// and the children of every node are written to one stream in the order of the walk. The stream is then unfolded into
+// one table a dimension, in which the children of a node lie together, ascending: a trie. Facet i of the face (p, x), p
+// its first k vertices, is the child x of facet i of p, so boundaries come from boundaries one dimension below.
+#include "complex/faces.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr std::uint32_t last_sibling = 0x80000000u;  // cells are below 2^29, so vertices are far below 2^31
+constexpr std::uint32_t children_max = 0xFFFFFFFEu;
+
+// A stream of words that grows at the low end of the arena while nothing else does. Its blocks are multiples of the
+// arena's alignment, so they lie end to end.
+class WordStream {
+public:
+    explicit WordStream(Arena& arena) : arena_(arena), words_(nullptr), count_(0), capacity_(0) {}
+    bool reserve(std::size_t more) {
+        while (capacity_ - count_ < more) {
+            std::uint32_t* block = arena_.take_low<std::uint32_t>(block_words);
+            if (block == nullptr) return false;
+            if (words_ == nullptr) words_ = block;
+            capacity_ += block_words;
+        }
+        return true;
+    }
+    void push(std::uint32_t word) { words_[count_++] = word; }
+    const std::uint32_t* words() const { return words_; }
+
+private:
+    static constexpr std::size_t block_words = 4096;
+    static_assert(block_words * sizeof(std::uint32_t) % Arena::alignment == 0, "");
+    Arena& arena_;
+    std::uint32_t* words_;
+    std::size_t count_, capacity_;
+};
+
+void sift_down(std::uint32_t* a, std::size_t root, std::size_t n) {
+    const std::uint32_t x = a[root];
+    for (std::size_t child; (child = 2 * root + 1) < n; root = child) {
+        if (child + 1 < n && a[child] < a[child + 1]) ++child;
+        if (a[child] <= x) break;
+        a[root] = a[child];
+    }
+    a[root] = x;
+}
+
+// Distinct numbers, ascending.
+void sort_words(std::uint32_t* a, std::size_t n) {
+    if (n <= 32) {
+        for (std::size_t i = 1; i < n; ++i) {
+            const std::uint32_t x = a[i];
+            std::size_t j = i;
+            for (; j > 0 && a[j - 1] > x; --j) a[j] = a[j - 1];
+            a[j] = x;
+        }
+        return;
+    }
+    for (std::size_t i = n / 2; i-- > 0;) sift_down(a, i, n);
+    for (std::size_t i = n; i-- > 1;) {
+        const std::uint32_t x = a[0];
+        a[0] = a[i];
+        a[i] = x;
+        sift_down(a, 0, i);
+    }
+}
+
+// Cells by vertex.
+template <int D> struct Incidence {
+    std::uint32_t* first;  // [vertex_count + 1]
+    std::uint32_t* cell;   // [(D+1) * cell_count]
+    std::uint32_t degree_max;
+};
+
+template <int D> bool build_incidence(const TriangulationView<D>& complex, Arena& arena, Incidence<D>* out) {
+    const std::size_t n = complex.vertex_count;
+    std::uint32_t* first = arena.take_high<std::uint32_t>(n + 1);
+    std::uint32_t* cell =
+        arena.take_high<std::uint32_t>(static_cast<std::size_t>(complex.cell_count) * static_cast<std::size_t>(D + 1));
+    if (first == nullptr || cell == nullptr) return false;
+    for (std::size_t v = 0; v <= n; ++v) first[v] = 0;
+    for (std::uint32_t c = 0; c < complex.cell_count; ++c)
+        for (int i = 0; i <= D; ++i) ++first[complex.vertices(c)[i]];
+    std::uint32_t sum = 0, degree_max = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+        if (first[v] > degree_max) degree_max = first[v];
+        sum += first[v];
+        first[v] = sum;
+    }
+    first[n] = sum;
+    for (std::uint32_t c = complex.cell_count; c-- > 0;)
+        for (int i = 0; i <= D; ++i) cell[--first[complex.vertices(c)[i]]] = c;
+    *out = {first, cell, degree_max};
+    return true;
+}
+
+// Walks the star of one vertex at a time. Inside a star vertices go by their rank in its link, and an entry
+// (cell << 3 | next) stands for a cell of the star that contains the current face and goes on with upper[cell][next..].
+template <int D> class StarWalk {
+public:
+    bool reserve(const TriangulationView<D>& complex, std::uint32_t degree_max, int dimension_max, Arena& arena) {
+        const std::size_t degree = degree_max, n = complex.vertex_count;
+        const std::size_t link_max = degree * D < n ? degree * D : n;
+        dimension_max_ = dimension_max;
+        rank_ = arena.take_high<std::uint32_t>(n);
+        upper_ = arena.take_high<std::uint32_t>(degree * D);
+        size_ = arena.take_high<std::uint8_t>(degree);
+        link_ = arena.take_high<std::uint32_t>(link_max);
+        seen_ = arena.take_high<std::uint32_t>(link_max);
+        tally_ = arena.take_high<std::uint32_t>(link_max);
+        bool enough = rank_ && upper_ && size_ && link_ && seen_ && tally_;
+        for (int level = 0; level < dimension_max; ++level) {
+            entries_[level] = arena.take_high<std::uint32_t>(degree * entries_a_cell(level));
+            enough = enough && entries_[level] != nullptr;
+        }
+        if (!enough) return false;
+        for (std::size_t v = 0; v < n; ++v) rank_[v] = none;
+        for (std::size_t i = 0; i < link_max; ++i) tally_[i] = 0;
+        return true;
+    }
+
+    // Appends the records of the star of v to the stream: for every face but those of the greatest dimension, in the
+    // order of the walk, its children, the last one marked, or `none`. False when the stream cannot grow.
+    bool walk(const TriangulationView<D>& complex, std::uint32_t v, const std::uint32_t* cells, std::uint32_t degree,
+              WordStream& stream) {
+        load(complex, v, cells, degree);
+        std::uint32_t at[D + 1], end[D + 1];
+        end[1] = 0;
+        if (!expand(entries_[0], star_size_, 0, stream, &end[1])) return false;
+        at[1] = 0;
+        for (int level = 1; level >= 1 && level < dimension_max_;) {
+            if (at[level] == end[level]) {
+                --level;
+                continue;
+            }
+            const std::uint32_t* e = entries_[level];
+            const std::uint32_t begin = at[level], head = rank_of(e[begin]);
+            std::uint32_t stop = begin + 1;
+            while (stop < end[level] && rank_of(e[stop]) == head) ++stop;
+            at[level] = stop;
+            if (!expand(e + begin, stop - begin, level, stream, &end[level + 1])) return false;
+            if (level + 1 < dimension_max_) at[++level] = 0;
+        }
+        return true;
+    }
+
+private:
+    static std::size_t entries_a_cell(int level) { return level == 0 ? 1 : static_cast<std::size_t>(D + 1 - level); }
+    std::uint32_t rank_of(std::uint32_t entry) const { return upper_[(entry >> 3) * D + (entry & 7u) - 1]; }
+
+    // Sorts what is above v in each cell of its star and replaces it by ranks in the link.
+    void load(const TriangulationView<D>& complex, std::uint32_t v, const std::uint32_t* cells, std::uint32_t degree) {
+        std::uint32_t link_size = 0;
+        star_size_ = 0;
+        for (std::uint32_t i = 0; i < degree; ++i) {
+            const std::uint32_t* w = complex.vertices(cells[i]);
+            std::uint32_t* u = upper_ + static_cast<std::size_t>(star_size_) * D;
+            int n = 0;
+            for (int j = 0; j <= D; ++j) {
+                if (w[j] <= v) continue;
+                int at = n++;
+                for (; at > 0 && u[at - 1] > w[j]; --at) u[at] = u[at - 1];
+                u[at] = w[j];
+                if (rank_[w[j]] == none) {
+                    rank_[w[j]] = 0;
+                    link_[link_size++] = w[j];
+                }
+            }
+            if (n == 0) continue;
+            entries_[0][star_size_] = star_size_ << 3;
+            size_[star_size_++] = static_cast<std::uint8_t>(n);
+        }
+        sort_words(link_, link_size);
+        for (std::uint32_t r = 0; r < link_size; ++r) rank_[link_[r]] = r;
+        for (std::uint32_t c = 0; c < star_size_; ++c)
+            for (int j = 0; j < size_[c]; ++j) upper_[c * D + j] = rank_[upper_[c * D + j]];
+        for (std::uint32_t r = 0; r < link_size; ++r) rank_[link_[r]] = none;
+    }
+
+    // Writes the record of the face that `face[0..n)` contain; below the greatest dimension also lists their entries
+    // for its children in entries_[level + 1], ascending by child.
+    bool expand(const std::uint32_t* face, std::uint32_t n, int level, WordStream& stream, std::uint32_t* listed) {
+        std::uint32_t children = 0;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t c = face[i] >> 3;
+            for (std::uint32_t j = face[i] & 7u; j < size_[c]; ++j) {
+                const std::uint32_t w = upper_[c * D + j];
+                if (tally_[w]++ == 0) seen_[children++] = w;
+            }
+        }
+        if (!stream.reserve(children + 1)) return false;
+        if (children == 0) stream.push(none);
+        sort_words(seen_, children);
+        std::uint32_t start = 0;
+        for (std::uint32_t i = 0; i < children; ++i) {
+            stream.push(link_[seen_[i]] | (i + 1 == children ? last_sibling : 0u));
+            const std::uint32_t here = tally_[seen_[i]];
+            tally_[seen_[i]] = start;
+            start += here;
+        }
+        *listed = start;
+        if (level + 1 < dimension_max_) {
+            std::uint32_t* to = entries_[level + 1];
+            for (std::uint32_t i = 0; i < n; ++i) {
+                const std::uint32_t c = face[i] >> 3;
+                for (std::uint32_t j = face[i] & 7u; j < size_[c]; ++j)
+                    to[tally_[upper_[c * D + j]]++] = c << 3 | (j + 1);
+            }
+        }
+        for (std::uint32_t i = 0; i < children; ++i) tally_[seen_[i]] = 0;
+        return true;
+    }
+
+    int dimension_max_;
+    std::uint32_t star_size_;
+    std::uint32_t* rank_;        // [vertex_count], `none` between calls
+    std::uint32_t* upper_;       // [degree][D], ascending ranks
+    std::uint8_t* size_;         // [degree], how many there are
+    std::uint32_t* link_;        // [link], vertex of each rank
+    std::uint32_t* seen_;        // [link], scratch of expand
+    std::uint32_t* tally_;       // [link], 0 between calls
+    std::uint32_t* entries_[D];  // [level][degree * entries_a_cell(level)]
+};
+
+// Asks for the cells of a star before they are needed: they are all over memory. Always inline, since a function that
+// does nothing but prefetch is taken for one without effect and dropped.
+template <int D>
+__attribute__((always_inline)) inline void fetch_star(const TriangulationView<D>& complex,
+                                                      const Incidence<D>& incidence, std::uint32_t v) {
+    constexpr std::uint32_t ahead_max = 64;
+    if (v >= complex.vertex_count) return;
+    const std::uint32_t begin = incidence.first[v], degree = incidence.first[v + 1] - begin;
+    for (std::uint32_t i = 0; i < degree && i < ahead_max; ++i)
+        __builtin_prefetch(complex.vertices(incidence.cell[begin + i]));
+}
+
+// Writes, for each used vertex, the vertex and the records of its star; then `none`.
+template <int D>
+Status walk_stars(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
+                  WordStream& stream) {
+    Incidence<D> incidence;
+    StarWalk<D> star;
+    if (!build_incidence(complex, arena, &incidence)) return Status::out_of_memory;
+    if (!star.reserve(complex, incidence.degree_max, dimension_max, arena)) return Status::out_of_memory;
+    for (std::uint32_t v = 0; v < complex.vertex_count; ++v) {
+        const std::uint32_t first = incidence.first[v], degree = incidence.first[v + 1] - first;
+        fetch_star(complex, incidence, v + 1);
+        if (degree == 0) continue;
+        if (!stream.reserve(1)) return Status::out_of_memory;
+        stream.push(v);
+        if (dimension_max > 0 && !star.walk(complex, v, incidence.cell + first, degree, stream))
+            return Status::out_of_memory;
+        if (monitor.advance(v, 1 + degree)) return Status::cancelled;
+    }
+    if (!stream.reserve(1)) return Status::out_of_memory;
+    stream.push(none);
+    return Status::ok;
+}
+
+// Where the children of each face start in the table one dimension up; one more entry at the end.
+template <int D> struct Trie { std::uint32_t* first_child[D + 1]; };
+
+// Reads the stream once. With `faces` null it only counts, else it fills last_vertex and first_child.
+template <int D>
+bool unfold(const std::uint32_t* word, int dimension_max, std::uint32_t* count, const Faces<D>* faces,
+            const Trie<D>* trie) {
+    std::uint32_t at[D + 2], end[D + 2];
+    for (int k = 0; k <= D; ++k) count[k] = 0;
+    while (*word != none) {
+        end[0] = count[0] + 1;
+        at[0] = count[0]++;
+        if (faces) faces->last_vertex[0][at[0]] = *word;
+        ++word;
+        for (int level = 0; level >= 0 && dimension_max > 0;) {
+            if (at[level] == end[level]) {
+                --level;
+                continue;
+            }
+            const std::uint32_t face = at[level]++, start = count[level + 1];
+            std::uint32_t next = start;
+            if (*word == none) {
+                ++word;
+            } else {
+                for (bool more = true; more; ++word, ++next) {
+                    if (next == children_max) return false;
+                    more = (*word & last_sibling) == 0;
+                    if (faces) faces->last_vertex[level + 1][next] = *word & ~last_sibling;
+                }
+            }
+            if (trie) trie->first_child[level][face] = start;
+            count[level + 1] = next;
+            if (level + 1 < dimension_max) {
+                ++level;
+                at[level] = start;
+                end[level] = next;
+            }
+        }
+    }
+    if (trie)
+        for (int k = 0; k < dimension_max; ++k) trie->first_child[k][count[k]] = count[k + 1];
+    return true;
+}
+
+// Position of x in the ascending list a[from, to), which holds it. Galloping: O(log of the distance).
+std::uint32_t seek(const std::uint32_t* a, std::uint32_t from, std::uint32_t to, std::uint32_t x) {
+    if (a[from] >= x) return from;
+    std::uint32_t low = from, step = 1;
+    while (step < to - low && a[low + step] < x) {
+        low += step;
+        step *= 2;
+    }
+    std::uint32_t high = step < to - low ? low + step : to;
+    while (high - low > 1) {
+        const std::uint32_t middle = low + (high - low) / 2;
+        if (a[middle] < x) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return high;
+}
+
+// Asks for what link_facets reads out of order: children of the facet opposite the first vertex, which is in another
+// star than all the rest.
+template <int D>
+__attribute__((always_inline)) inline void fetch_children(const Faces<D>& faces, const Trie<D>& trie, int k,
+                                                          std::uint32_t p) {
+    constexpr std::uint32_t near = 8, far = 16;
+    if (k < 2 || p + far >= faces.count[k - 1]) return;
+    __builtin_prefetch(trie.first_child[k - 2] + faces.facets_of(k - 1, p + far)[0]);
+    __builtin_prefetch(faces.last_vertex[k - 1] + trie.first_child[k - 2][faces.facets_of(k - 1, p + near)[0]]);
+}
+
+// Boundaries of the k-faces from those of the (k-1)-faces.
+template <int D> void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_t vertex_count) {
+    const bool all_used = faces.count[0] == vertex_count;
+    const std::uint32_t* last = faces.last_vertex[k];
+    std::uint32_t* facets = faces.facets[k];
+    for (std::uint32_t p = 0; p < faces.count[k - 1]; ++p) {
+        const std::uint32_t begin = trie.first_child[k - 1][p], end = trie.first_child[k - 1][p + 1];
+        fetch_children(faces, trie, k, p);
+        std::uint32_t* const row = facets + static_cast<std::size_t>(begin) * static_cast<std::size_t>(k + 1);
+        for (int i = 0; i < k; ++i) {
+            const std::uint32_t f = k == 1 ? none : faces.facets_of(k - 1, p)[i];
+            std::uint32_t at = k == 1 ? p : trie.first_child[k - 2][f];
+            const std::uint32_t to = k == 1 ? faces.count[0] : trie.first_child[k - 2][f + 1];
+            std::uint32_t* entry = row + i;
+            for (std::uint32_t face = begin; face < end; ++face, entry += k + 1) {
+                if (k == 1 && all_used) {
+                    at = last[face];
+                } else {
+                    at = seek(faces.last_vertex[k - 1], at, to, last[face]);
+                }
+                *entry = at;
+            }
+        }
+        std::uint32_t* entry = row + k;
+        for (std::uint32_t face = begin; face < end; ++face, entry += k + 1) *entry = p;
+    }
+}
+
+template <int D>
+Status enumerate(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
+                 Faces<D>* out) {
+    const std::size_t low = arena.low_mark(), high = arena.high_mark();
+    WordStream stream(arena);
+    const Status status = walk_stars(complex, dimension_max, arena, monitor, stream);
+    if (status != Status::ok) return status;
+    arena.release_high(high);
+
+    Faces<D> faces = {};
+    Trie<D> trie = {};
+    faces.dimension_max = dimension_max;
+    if (!unfold<D>(stream.words(), dimension_max, faces.count, nullptr, nullptr)) return Status::out_of_memory;
+    for (int k = 0; k <= dimension_max; ++k) {
+        faces.last_vertex[k] = arena.take_high<std::uint32_t>(faces.count[k]);
+        if (faces.last_vertex[k] == nullptr) return Status::out_of_memory;
+    }
+    const std::size_t high_kept = arena.high_mark();
+    for (int k = 0; k < dimension_max; ++k) {
+        trie.first_child[k] = arena.take_high<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) + 1);
+        if (trie.first_child[k] == nullptr) return Status::out_of_memory;
+    }
+    std::uint32_t count[D + 1];
+    unfold<D>(stream.words(), dimension_max, count, &faces, &trie);
+    arena.release_low(low);
+    for (int k = 1; k <= dimension_max; ++k) {
+        faces.facets[k] =
+            arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) * static_cast<std::size_t>(k + 1));
+        if (faces.facets[k] == nullptr) return Status::out_of_memory;
+    }
+    for (int k = 1; k <= dimension_max; ++k) {
+        link_facets(faces, trie, k, complex.vertex_count);
+        if (monitor.advance(complex.vertex_count, 1 + faces.count[k] / 8)) return Status::cancelled;
+    }
+    arena.release_high(high_kept);
+    *out = faces;
+    return Status::ok;
+}
+
+}  // namespace
+
+template <int D>
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
+                       Faces<D>* out) {
+    if (dimension_max < 0 || dimension_max > D) return Status::invalid_argument;
+    const std::size_t low = arena.low_mark(), high = arena.high_mark();
+    const Status status = enumerate(complex, dimension_max, arena, monitor, out);
+    if (status != Status::ok) {
+        arena.release_low(low);
+        arena.release_high(high);
+    }
+    return status;
+}
+
+template Status enumerate_faces<2>(const TriangulationView<2>&, int, Arena&, Monitor&, Faces<2>*);
+template Status enumerate_faces<3>(const TriangulationView<3>&, int, Arena&, Monitor&, Faces<3>*);
+template Status enumerate_faces<4>(const TriangulationView<4>&, int, Arena&, Monitor&, Faces<4>*);
+template Status enumerate_faces<5>(const TriangulationView<5>&, int, Arena&, Monitor&, Faces<5>*);
+template Status enumerate_faces<6>(const TriangulationView<6>&, int, Arena&, Monitor&, Faces<6>*);
+
+}  // namespace netmesh

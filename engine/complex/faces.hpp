@@ -1,0 +1,44 @@
+// Every face of a triangulated D-ball, once, with its boundary. No coordinates.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "complex/triangulation.hpp"
+#include "memory/arena.hpp"
+#include "memory/monitor.hpp"
+
+namespace netmesh {
+
+// The faces of dimension 0..dimension_max. Those of one dimension are numbered densely in lexicographic order of their
+// ascending vertex lists, so numbers depend on the set of cells alone, not on the order in which cells are stored.
+template <int D> struct Faces {
+    int dimension_max;
+    std::uint32_t count[D + 1];         // by dimension; 0 above dimension_max
+    std::uint32_t* last_vertex[D + 1];  // [count[k]], the greatest vertex of each k-face
+    std::uint32_t* facets[D + 1];       // k >= 1: [count[k]][k+1], entry i is the (k-1)-face opposite the i-th vertex
+
+    const std::uint32_t* facets_of(int k, std::uint32_t face) const {
+        return facets[k] + static_cast<std::size_t>(face) * static_cast<std::size_t>(k + 1);
+    }
+    // The k+1 vertices of a face, ascending. O(k).
+    void vertices(int k, std::uint32_t face, std::uint32_t* out) const {
+        for (; k > 0; --k) {
+            out[k] = last_vertex[k][face];
+            face = facets_of(k, face)[k];
+        }
+        out[0] = last_vertex[0][face];
+    }
+};
+
+// Lists the faces of dimension 0..dimension_max (0 <= dimension_max <= D) of a triangulation whose neighbour words are
+// not read. Vertices that are in no cell are no faces. `facets` is left at the low end of the arena, ascending in k;
+// `last_vertex` at the high end, so that it can be released alone. Nothing else stays.
+// Cost: O(sum over cells of 2^(D+1)) and a few words a simplex of scratch: one word per vertex of a cell while stars
+// are walked, about two words a face while boundaries are made.
+// out_of_memory, cancelled: the arena is as before and *out is not written. A dimension with 2^32 - 1 faces or more
+// counts as out_of_memory.
+template <int D>
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
+                       Faces<D>* out);
+
+}  // namespace netmesh

@@ -1,0 +1,147 @@
+#include "delaunay/check.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> int position_of(const Cell<D>& cell, std::uint32_t v) {
+    for (int i = 0; i <= D; ++i)
+        if (cell.vertex[i] == v) return i;
+    return -1;
+}
+
+template <int D> void points_of(const Store<D>& store, std::uint32_t c, const double** p) {
+    for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
+}
+
+// From hull facet `facet` of cell c across its ridge without vertex `ridge`: the vertex of the next hull facet that is
+// not on the ridge. Turns around the ridge through at most all cells; `none` if that does not end.
+template <int D> std::uint32_t across_ridge(const Store<D>& store, std::uint32_t c, int facet, int ridge) {
+    int enter = facet, leave = ridge;
+    for (std::uint32_t steps = 0; steps <= store.state.cell_slots; ++steps) {
+        const Cell<D>& cell = store.cell(c);
+        const std::uint32_t word = cell.neighbour[leave];
+        if (word == none) return cell.vertex[enter];
+        const std::uint32_t pivot = cell.vertex[enter];
+        c = word >> 3;
+        enter = static_cast<int>(word & 7u);
+        leave = position_of<D>(store.cell(c), pivot);
+    }
+    return none;
+}
+
+// Does cell c contain x, boundary included?
+template <int D> bool contains(const Store<D>& store, std::uint32_t c, const double* x, PredicateCounts& counts) {
+    const double* p[D + 1];
+    points_of<D>(store, c, p);
+    for (int i = 0; i <= D; ++i) {
+        const double* const kept = p[i];
+        p[i] = x;
+        if (orient<D>(p, counts) == Sign::negative) return false;
+        p[i] = kept;
+    }
+    return true;
+}
+
+}  // namespace
+
+template <int D> CheckResult check_combinatorial(const Store<D>& store) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        const Cell<D>& cell = store.cell(c);
+        for (int i = 0; i <= D; ++i) {
+            if (cell.vertex[i] >= store.state.vertex_count) return {"a cell has a vertex that does not exist", c};
+            for (int j = 0; j < i; ++j)
+                if (cell.vertex[i] == cell.vertex[j]) return {"a cell has a vertex twice", c};
+        }
+        for (int i = 0; i <= D; ++i) {
+            const std::uint32_t word = cell.neighbour[i];
+            if (word == none) continue;
+            const std::uint32_t n = word >> 3, j = word & 7u;
+            if (n >= store.state.cell_slots || n == c || j > D) return {"a neighbour does not exist", c};
+            const Cell<D>& other = store.cell(n);
+            if (other.neighbour[j] != (c << 3 | static_cast<std::uint32_t>(i))) return {"neighbours are not mutual", c};
+            for (int k = 0; k <= D; ++k)
+                if (k != i && position_of<D>(other, cell.vertex[k]) < 0)
+                    return {"neighbours do not share a facet", c};
+            if (position_of<D>(cell, other.vertex[j]) >= 0) return {"neighbours share more than a facet", c};
+        }
+    }
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
+        const std::uint32_t c = store.vertex(v).cell;
+        if (c == none) continue;
+        if (c >= store.state.cell_slots || position_of<D>(store.cell(c), v) < 0)
+            return {"a vertex points to a cell that it does not belong to", none};
+    }
+    return {nullptr, none};
+}
+
+template <int D> CheckResult check_geometric(const Store<D>& store) {
+    PredicateCounts counts = {};
+    const double* p[D + 1];
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        points_of<D>(store, c, p);
+        if (orient<D>(p, counts) != Sign::positive) return {"a cell is not positively oriented", c};
+        for (int i = 0; i <= D; ++i) {
+            if (store.cell(c).neighbour[i] != none) continue;
+            const double* const kept = p[i];
+            for (int j = 0; j <= D; ++j) {
+                if (j == i) continue;
+                const std::uint32_t w = across_ridge<D>(store, c, i, j);
+                if (w == none) return {"the hull is not closed", c};
+                p[i] = store.point(w);
+                if (orient<D>(p, counts) == Sign::negative) return {"the hull is not convex", c};
+            }
+            p[i] = kept;
+        }
+    }
+    if (store.state.cell_slots == 0) return {nullptr, none};
+    // A point inside cell 0: its barycentre, pulled towards nothing else, is in no other cell.
+    double x[D];
+    points_of<D>(store, 0, p);
+    for (int k = 0; k < D; ++k) {
+        x[k] = 0;
+        for (int i = 0; i <= D; ++i) x[k] += p[i][k] * (1.0 / (D + 1));
+    }
+    if (!contains<D>(store, 0, x, counts)) return {nullptr, none};  // a cell too thin for a double inside
+    for (std::uint32_t c = 1; c < store.state.cell_slots; ++c) {
+        if (!contains<D>(store, c, x, counts)) continue;
+        // On a common facet is fine, inside of both is not.
+        points_of<D>(store, c, p);
+        bool inside = true;
+        for (int i = 0; i <= D && inside; ++i) {
+            const double* const kept = p[i];
+            p[i] = x;
+            inside = orient<D>(p, counts) == Sign::positive;
+            p[i] = kept;
+        }
+        if (inside) return {"two cells overlap", c};
+    }
+    return {nullptr, none};
+}
+
+template <int D> CheckResult check_delaunay(const Store<D>& store) {
+    PredicateCounts counts = {};
+    const double* p[D + 1];
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        points_of<D>(store, c, p);
+        for (int i = 0; i <= D; ++i) {
+            const std::uint32_t word = store.cell(c).neighbour[i];
+            if (word == none || word >> 3 < c) continue;
+            const double* const q = store.point(store.cell(word >> 3).vertex[word & 7u]);
+            if (in_ball<D>(p, q, counts) == Sign::positive) return {"a vertex lies inside the ball of a cell", c};
+        }
+    }
+    return {nullptr, none};
+}
+
+#define NETMESH_INSTANTIATE(D)                                        \
+    template CheckResult check_combinatorial<D>(const Store<D>&);     \
+    template CheckResult check_geometric<D>(const Store<D>&);         \
+    template CheckResult check_delaunay<D>(const Store<D>&);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,27 @@
+// Independent checkers: they read vertices, neighbour words and coordinates, nothing that was cached, and decide exactly.
+#pragma once
+#include <cstdint>
+
+#include "delaunay/store.hpp"
+
+namespace netmesh {
+
+struct CheckResult {
+    const char* violation;  // static text; null when all is well
+    std::uint32_t cell;     // where; `none` when it is not about one cell
+};
+
+// On a compact store, O(cells) each (in-ball and orientation tests: one a facet). The first violation found is returned.
+
+// Vertices distinct and in range, neighbours mutual with equal facets, each vertex's cell at that vertex.
+template <int D> CheckResult check_combinatorial(const Store<D>& store);
+
+// Every cell positively oriented, and the hull closed and locally convex: with one point covered exactly once (which is
+// checked too) the cells then cover the convex hull once. Needs check_combinatorial.
+template <int D> CheckResult check_geometric(const Store<D>& store);
+
+// No vertex opposite a facet strictly inside the ball on the other side; with the above, by Delaunay's lemma, no vertex
+// strictly inside any ball. Needs check_geometric.
+template <int D> CheckResult check_delaunay(const Store<D>& store);
+
+}  // namespace netmesh

@@ -1,0 +1,281 @@
+#include "delaunay/kernel.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> void make_ghost(Cell<D>& cell) {
+    for (int k = 0; k < D; ++k) cell.centre[k] = 0;
+    cell.radius2 = infinity;
+    cell.error = static_cast<float>(infinity);
+}
+
+}  // namespace
+
+template <int D> bool Kernel<D>::in_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
+    double bound;
+    const double value = power<D>(store_.cell(c), q, &bound);
+    if (value > bound) {
+        ++store_.state.in_ball_counts.calls[0];
+        return false;
+    }
+    if (value < -bound) {
+        ++store_.state.in_ball_counts.calls[0];
+        return true;
+    }
+    const int infinite = store_.ghost_position(c);
+    return infinite < 0 ? exact_conflict(c, q, id) : ghost_in_conflict(c, infinite, q, id);
+}
+
+template <int D> bool Kernel<D>::exact_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
+    const Cell<D>& cell = store_.cell(c);
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
+    return in_ball_perturbed<D>(p, cell.vertex, q, id, store_.state.in_ball_counts) == Sign::positive;
+}
+
+// A point in the plane of the facet is compared with the ball of the finite cell behind it: both lifted simplices have
+// the same trace in that plane, perturbation included.
+template <int D>
+bool Kernel<D>::ghost_in_conflict(std::uint32_t c, int infinite, const double* q, std::uint32_t id) {
+    const Cell<D>& cell = store_.cell(c);
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = i == infinite ? q : store_.point(cell.vertex[i]);
+    const Sign side = orient<D>(p, store_.state.orient_counts);
+    if (side != Sign::zero) return side == Sign::positive;
+    const std::uint32_t behind = cell.neighbour[infinite] >> 3;
+    double bound;
+    const double value = power<D>(store_.cell(behind), q, &bound);
+    if (value > bound) return false;
+    if (value < -bound) return true;
+    return exact_conflict(behind, q, id);
+}
+
+template <int D> Status Kernel<D>::start(const std::uint32_t* ids) {
+    if (!store_.has_room(D + 2, 0, 0)) return Status::out_of_memory;
+    const double* p[D + 1];
+    std::uint32_t v[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store_.point(v[i] = ids[i]);
+    if (orient<D>(p, store_.state.orient_counts) == Sign::negative) {
+        v[0] = ids[1];
+        v[1] = ids[0];
+        p[0] = store_.point(v[0]);
+        p[1] = store_.point(v[1]);
+    }
+    // Cell 0 is finite; ghost 1 + i lies behind its facet i. Seen from outside a facet turns the other way, so a ghost
+    // has two of the facet's vertices exchanged.
+    for (int c = 0; c < D + 2; ++c) store_.new_cell();
+    Cell<D>& first = store_.cell(0);
+    for (int i = 0; i <= D; ++i) {
+        first.vertex[i] = v[i];
+        first.neighbour[i] = static_cast<std::uint32_t>(1 + i) << 3 | static_cast<std::uint32_t>(i);
+        store_.vertex(v[i]).cell = 0;
+    }
+    first.mark = 0;
+    solve_sphere<D>(p, first);
+    for (int i = 0; i <= D; ++i) {
+        Cell<D>& ghost = store_.cell(static_cast<std::uint32_t>(1 + i));
+        for (int j = 0; j <= D; ++j) ghost.vertex[j] = v[j];
+        ghost.vertex[i] = none;
+        const int a = i == 0 ? 1 : 0, b = i <= 1 ? 2 : 1;
+        ghost.vertex[a] = v[b];
+        ghost.vertex[b] = v[a];
+        // Ghost i without vertex k borders ghost k without vertex i.
+        for (int j = 0; j <= D; ++j) {
+            if (j == i) {
+                ghost.neighbour[j] = static_cast<std::uint32_t>(i);
+                continue;
+            }
+            const std::uint32_t k = ghost.vertex[j];
+            int missing = 0;
+            while (v[missing] != k) ++missing;
+            const int a2 = missing == 0 ? 1 : 0, b2 = missing <= 1 ? 2 : 1;
+            const int position = i == a2 ? b2 : i == b2 ? a2 : i;
+            ghost.neighbour[j] = static_cast<std::uint32_t>(1 + missing) << 3 | static_cast<std::uint32_t>(position);
+        }
+        make_ghost<D>(ghost);
+        ghost.mark = 0;
+    }
+    store_.state.last_cell = 0;
+    return Status::ok;
+}
+
+template <int D> std::uint32_t Kernel<D>::locate(const double* q, std::uint32_t id, std::uint32_t from) {
+    std::uint32_t c = from;
+    int infinite = store_.ghost_position(c);
+    if (infinite >= 0) {
+        if (in_conflict(c, q, id)) return c;
+        c = store_.cell(c).neighbour[infinite] >> 3;
+    }
+    double bound;
+    double value = power<D>(store_.cell(c), q, &bound);
+    for (;;) {
+        if (value < -bound) return c;
+        const Cell<D>& cell = store_.cell(c);
+        std::uint32_t next = none;
+        for (int i = 0; i <= D; ++i) {
+            const std::uint32_t n = cell.neighbour[i] >> 3;
+            double n_bound;
+            const double n_value = power<D>(store_.cell(n), q, &n_bound);
+            if (n_value < value && n_value > -infinity) {
+                next = n;
+                value = n_value;
+                bound = n_bound;
+                break;
+            }
+        }
+        if (next == none) break;
+        c = next;
+    }
+    if (in_conflict(c, q, id)) return c;
+    for (int i = 0; i <= D; ++i) {
+        const std::uint32_t n = store_.cell(c).neighbour[i] >> 3;
+        if (in_conflict(n, q, id)) return n;
+    }
+    return walk(q, c);
+}
+
+// The visibility walk with exact signs: from a cell through any facet that separates it from q. It ends on a Delaunay
+// triangulation, as the exact powers decrease.
+template <int D> std::uint32_t Kernel<D>::walk(const double* q, std::uint32_t from) {
+    std::uint32_t c = from;
+    for (;;) {
+        const Cell<D>& cell = store_.cell(c);
+        if (store_.is_ghost(c)) return c;
+        const double* p[D + 1];
+        for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
+        std::uint32_t next = none;
+        for (int i = 0; i <= D && next == none; ++i) {
+            const double* const kept = p[i];
+            p[i] = q;
+            if (orient<D>(p, store_.state.orient_counts) == Sign::negative) next = cell.neighbour[i] >> 3;
+            p[i] = kept;
+        }
+        if (next == none) return c;
+        c = next;
+    }
+}
+
+template <int D>
+bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
+    const std::uint32_t stamp = store_.new_stamp();
+    const std::size_t capacity = store_.list_capacity();
+    std::uint32_t* const list = store_.list_top();
+    if (capacity < 1) {
+        store_.arena.refuse(4);
+        return false;
+    }
+    list[-1] = first;
+    store_.cell(first).mark = stamp;
+    std::uint32_t count = 1, facets = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const Cell<D>& cell = store_.cell(list[-1 - static_cast<std::ptrdiff_t>(k)]);
+        for (int i = 0; i <= D; ++i) {
+            const std::uint32_t n = cell.neighbour[i] >> 3;
+            Cell<D>& other = store_.cell(n);
+            if (other.mark == stamp) continue;
+            if (other.mark == stamp + 1) {
+                ++facets;
+                continue;
+            }
+            if (!in_conflict(n, q, id)) {
+                other.mark = stamp + 1;
+                ++facets;
+                continue;
+            }
+            if (count >= capacity) {
+                store_.arena.refuse((count + facets) * 4);
+                return false;
+            }
+            other.mark = stamp;
+            list[-1 - static_cast<std::ptrdiff_t>(count++)] = n;
+        }
+    }
+    cavity->cells = count;
+    cavity->facets = facets;
+    cavity->stamp = stamp;
+    return true;
+}
+
+template <int D>
+void Kernel<D>::make_sphere(std::uint32_t made, std::uint32_t inside, std::uint32_t outside, const double* q) {
+    Cell<D>& cell = store_.cell(made);
+    if (pencil_sphere<D>(store_.cell(inside), store_.cell(outside), q, error_max_, cell)) return;
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
+    solve_sphere<D>(p, cell);
+}
+
+// Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
+// keeps the orientation. The word towards the outside is left, in the old cell, pointing at the new cell instead.
+template <int D> void Kernel<D>::fill(const Cavity& cavity, std::uint32_t id) {
+    const double* const q = store_.point(id);
+    std::uint32_t* const list = store_.list_top();
+    std::uint32_t made = cavity.cells;
+    for (std::uint32_t k = 0; k < cavity.cells; ++k) {
+        const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
+        for (int i = 0; i <= D; ++i) {
+            const std::uint32_t word = store_.cell(c).neighbour[i];
+            if (store_.cell(word >> 3).mark != cavity.stamp + 1) continue;
+            const std::uint32_t n = store_.new_cell();
+            Cell<D>& fresh = store_.cell(n);
+            Cell<D>& old = store_.cell(c);
+            bool ghost = false;
+            for (int j = 0; j <= D; ++j) {
+                const std::uint32_t v = j == i ? id : old.vertex[j];
+                ghost |= v == none;
+                fresh.vertex[j] = v;
+                fresh.neighbour[j] = none;
+            }
+            fresh.neighbour[i] = word;
+            fresh.mark = 0;
+            if (ghost)
+                make_ghost<D>(fresh);
+            else
+                make_sphere(n, c, word >> 3, q);
+            old.neighbour[i] = n << 3 | static_cast<std::uint32_t>(i);
+            store_.cell(word >> 3).neighbour[word & 7u] = n << 3 | static_cast<std::uint32_t>(i);
+            list[-1 - static_cast<std::ptrdiff_t>(made++)] = n;
+        }
+    }
+    for (std::uint32_t k = 0; k < cavity.cells; ++k) {
+        const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
+        for (int i = 0; i <= D; ++i)
+            if (store_.cell(store_.cell(c).neighbour[i] >> 3).mark != cavity.stamp) link(cavity, c, i);
+    }
+    for (std::uint32_t k = 0; k < cavity.cells; ++k) store_.free_cell(list[-1 - static_cast<std::ptrdiff_t>(k)]);
+    store_.state.last_cell = list[-static_cast<std::ptrdiff_t>(made)];
+}
+
+// Links the new cell behind facet i of old cell c to its neighbours at the new vertex: turns around each ridge of the
+// facet through old cells until the next facet of the cavity's boundary.
+template <int D> void Kernel<D>::link(const Cavity& cavity, std::uint32_t c, int i) {
+    const std::uint32_t made = store_.cell(c).neighbour[i] >> 3;
+    Cell<D>& fresh = store_.cell(made);
+    for (int j = 0; j <= D; ++j) {
+        const std::uint32_t v = fresh.vertex[j];
+        if (v != none) store_.vertex(v).cell = made;
+        if (j == i || fresh.neighbour[j] != none) continue;
+        const Cell<D>* current = &store_.cell(c);
+        int enter = i, leave = j;
+        std::uint32_t word = current->neighbour[leave];
+        while (store_.cell(word >> 3).mark == cavity.stamp) {
+            const std::uint32_t pivot = current->vertex[enter];
+            current = &store_.cell(word >> 3);
+            enter = static_cast<int>(word & 7u);
+            leave = 0;
+            while (current->vertex[leave] != pivot) ++leave;
+            word = current->neighbour[leave];
+        }
+        const std::uint32_t other = word >> 3;
+        fresh.neighbour[j] = other << 3 | static_cast<std::uint32_t>(enter);
+        store_.cell(other).neighbour[enter] = made << 3 | static_cast<std::uint32_t>(j);
+    }
+}
+
+template class Kernel<2>;
+template class Kernel<3>;
+template class Kernel<4>;
+template class Kernel<5>;
+template class Kernel<6>;
+
+}  // namespace netmesh

@@ -1,0 +1,139 @@
+#include "delaunay/load.hpp"
+
+#include "delaunay/sphere.hpp"
+#include "numerics/radix_sort.hpp"
+#include "numerics/random.hpp"
+
+namespace netmesh {
+namespace {
+
+// The same for each order of the facet's vertices.
+template <int D> std::uint64_t facet_key(const Cell<D>& cell, int facet) {
+    std::uint64_t key = 0;
+    for (int i = 0; i <= D; ++i)
+        if (i != facet) key += mix64(cell.vertex[i]);
+    return key;
+}
+
+template <int D> bool same_facet(const Cell<D>& a, int i, const Cell<D>& b, int j) {
+    for (int k = 0; k <= D; ++k) {
+        if (k == i) continue;
+        bool found = false;
+        for (int l = 0; l <= D; ++l) found |= l != j && b.vertex[l] == a.vertex[k];
+        if (!found) return false;
+    }
+    return true;
+}
+
+template <int D> Status link_facets(Store<D>& store, CheckResult* why) {
+    ArenaScope scope(store.arena);
+    const std::size_t count = std::size_t{store.state.cell_slots} * (D + 1);
+    if (count > none / 8) return Status::out_of_memory;
+    std::uint64_t* const keys = store.arena.template take_high<std::uint64_t>(count);
+    std::uint32_t* const facets = store.arena.template take_high<std::uint32_t>(count);
+    std::uint64_t* const spare_keys = store.arena.template take_high<std::uint64_t>(count);
+    std::uint32_t* const spare_facets = store.arena.template take_high<std::uint32_t>(count);
+    if (keys == nullptr || facets == nullptr || spare_keys == nullptr || spare_facets == nullptr)
+        return Status::out_of_memory;
+    std::size_t k = 0;
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i, ++k) {
+            keys[k] = facet_key<D>(store.cell(c), i);
+            facets[k] = c << 3 | static_cast<std::uint32_t>(i);
+            store.cell(c).neighbour[i] = none;
+        }
+    radix_sort(keys, facets, spare_keys, spare_facets, count);
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = a + 1; b < count && keys[b] == keys[a]; ++b) {
+            Cell<D>& first = store.cell(facets[a] >> 3);
+            Cell<D>& second = store.cell(facets[b] >> 3);
+            const int i = static_cast<int>(facets[a] & 7u), j = static_cast<int>(facets[b] & 7u);
+            if (!same_facet<D>(first, i, second, j)) continue;
+            if (first.neighbour[i] != none || second.neighbour[j] != none) {
+                *why = {"a facet belongs to more than two cells", facets[b] >> 3};
+                return Status::check_failed;
+            }
+            first.neighbour[i] = facets[b];
+            second.neighbour[j] = facets[a];
+        }
+    return Status::ok;
+}
+
+template <int D> void measure_edges(Store<D>& store) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        const Cell<D>& cell = store.cell(c);
+        for (int i = 0; i <= D; ++i)
+            for (int j = 0; j < i; ++j) {
+                Vertex<D>& a = store.vertex(cell.vertex[i]);
+                Vertex<D>& b = store.vertex(cell.vertex[j]);
+                double d2 = 0;
+                for (int k = 0; k < D; ++k) d2 += (a.x[k] - b.x[k]) * (a.x[k] - b.x[k]);
+                if (d2 < a.nearest2) a.nearest2 = d2;
+                if (d2 < b.nearest2) b.nearest2 = d2;
+            }
+    }
+}
+
+}  // namespace
+
+template <int D>
+Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vertex_count, const std::uint32_t* cells,
+                  std::uint32_t cell_count, CheckResult* why) {
+    *why = {nullptr, none};
+    if (store.open_vertices(vertex_count) != Status::ok || store.open_cells() != Status::ok ||
+        !store.has_room(cell_count, 0, 0))
+        return Status::out_of_memory;
+    for (std::uint32_t v = 0; v < vertex_count; ++v) {
+        Vertex<D>& vertex = store.vertex(v);
+        for (int k = 0; k < D; ++k) vertex.x[k] = coordinates[std::size_t{v} * D + k] + 0.0;
+        vertex.nearest2 = infinity;
+        vertex.cell = vertex.next = none;
+        vertex.origin = v;
+        vertex.marker = Marker::input;
+        vertex.queued = 0;
+        vertex.unused = 0;
+    }
+    for (std::uint32_t c = 0; c < cell_count; ++c) {
+        const std::uint32_t made = store.new_cell();
+        Cell<D>& cell = store.cell(made);
+        const double* p[D + 1];
+        for (int i = 0; i <= D; ++i) {
+            cell.vertex[i] = cells[std::size_t{c} * (D + 1) + i];
+            if (cell.vertex[i] >= vertex_count) {
+                *why = {"a cell has a vertex that does not exist", c};
+                return Status::check_failed;
+            }
+            for (int j = 0; j < i; ++j)
+                if (cell.vertex[j] == cell.vertex[i]) {
+                    *why = {"a cell has a vertex twice", c};
+                    return Status::check_failed;
+                }
+            p[i] = store.point(cell.vertex[i]);
+            store.vertex(cell.vertex[i]).cell = made;
+        }
+        if (orient<D>(p, store.state.orient_counts) == Sign::negative) {
+            const std::uint32_t v = cell.vertex[0];
+            cell.vertex[0] = cell.vertex[1];
+            cell.vertex[1] = v;
+            const double* const q = p[0];
+            p[0] = p[1];
+            p[1] = q;
+        }
+        cell.mark = 0;
+        solve_sphere<D>(p, cell);
+    }
+    measure_edges<D>(store);
+    return link_facets<D>(store, why);
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                    \
+    template Status load_cells<D>(Store<D>&, const double*, std::uint32_t, const std::uint32_t*, std::uint32_t, \
+                                  CheckResult*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

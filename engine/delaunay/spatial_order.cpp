@@ -1,0 +1,173 @@
+#include "delaunay/spatial_order.hpp"
+
+#include "numerics/real.hpp"
+#include "numerics/radix_sort.hpp"
+#include "numerics/random.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> struct Curve {
+    static constexpr int bits = 60 / D < 30 ? 60 / D : 30;
+
+    // Position along the D-dimensional Hilbert curve of the grid point x, each x[i] < 2^bits (J. Skilling, Programming
+    // the Hilbert curve, 2004: undo the rotations bit plane by bit plane, then Gray decode and interleave).
+    static std::uint64_t position(std::uint32_t* x) {
+        for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1) {
+            const std::uint32_t p = q - 1;
+            for (int i = 0; i < D; ++i) {
+                const std::uint32_t on = (x[i] & q) ? ~std::uint32_t{0} : 0;
+                const std::uint32_t t = (x[0] ^ x[i]) & p & ~on;
+                x[0] ^= t | (p & on);
+                x[i] ^= t;
+            }
+        }
+        for (int i = 1; i < D; ++i) x[i] ^= x[i - 1];
+        std::uint32_t t = 0;
+        for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1)
+            if (x[D - 1] & q) t ^= q - 1;
+        std::uint64_t key = 0;
+        for (int i = 0; i < D; ++i) x[i] ^= t;
+        for (int b = bits - 1; b >= 0; --b)
+            for (int i = 0; i < D; ++i) key = (key << 1) | ((x[i] >> b) & 1u);
+        return key;
+    }
+};
+
+template <int D> struct Sorter {
+    const unsigned char* coordinates;
+    std::ptrdiff_t stride;
+    std::uint64_t* keys;
+    std::uint32_t* order;
+    std::uint64_t* spare_keys;
+    std::uint32_t* spare_items;
+
+    const double* point(std::uint32_t i) const {
+        return reinterpret_cast<const double*>(coordinates + static_cast<std::ptrdiff_t>(i) * stride);
+    }
+    bool same(std::uint32_t a, std::uint32_t b) const {
+        for (int i = 0; i < D; ++i)
+            if (point(a)[i] != point(b)[i]) return false;
+        return true;
+    }
+    std::uint64_t hash(std::uint32_t i) const {
+        std::uint64_t h = 0;
+        for (int k = 0; k < D; ++k) h = mix64(h ^ bits_of(point(i)[k]));
+        return h;
+    }
+
+    // Keys of order[begin, end) on a grid that covers just these points; differences are taken in halves, as the range
+    // of finite doubles does not fit a double.
+    void key_range(std::size_t begin, std::size_t end) {
+        double low[D], scale[D];
+        for (int k = 0; k < D; ++k) {
+            double lo = point(order[begin])[k], hi = lo;
+            for (std::size_t i = begin; i < end; ++i) {
+                const double x = point(order[i])[k];
+                if (x < lo) lo = x;
+                if (x > hi) hi = x;
+            }
+            low[k] = lo * 0.5;
+            scale[k] = hi * 0.5 - lo * 0.5;
+        }
+        double widest = 0;
+        for (int k = 0; k < D; ++k)
+            if (scale[k] > widest) widest = scale[k];
+        const double cells = static_cast<double>((std::uint32_t{1} << Curve<D>::bits) - 1);
+        for (std::size_t i = begin; i < end; ++i) {
+            const double* x = point(order[i]);
+            std::uint32_t g[D];
+            for (int k = 0; k < D; ++k)
+                g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
+            keys[i] = Curve<D>::position(g);
+        }
+    }
+    void sort_range(std::size_t begin, std::size_t end) {
+        radix_sort(keys + begin, order + begin, spare_keys, spare_items, end - begin);
+    }
+    void split_equal_keys(std::size_t count);
+};
+
+// Every run of equal keys that holds different points is keyed again on its own bounding box until none is left. The
+// two ends of the widest axis get different keys, so each pass splits the run. Below half the smallest normal number
+// halves round, and such points are told apart by insertion on their coordinates.
+template <int D> void Sorter<D>::split_equal_keys(std::size_t count) {
+    std::size_t begin = 0;
+    while (begin < count) {
+        std::size_t end = begin + 1;
+        bool mixed = false;
+        for (; end < count && keys[end] == keys[begin]; ++end) mixed |= !same(order[begin], order[end]);
+        if (!mixed) {
+            begin = end;
+            continue;
+        }
+        key_range(begin, end);
+        bool split = false;
+        for (std::size_t i = begin + 1; i < end; ++i) split |= keys[i] != keys[begin];
+        if (split) {
+            sort_range(begin, end);
+            continue;
+        }
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            const std::uint32_t item = order[i];
+            const double* x = point(item);
+            std::size_t j = i;
+            for (; j > begin; --j) {
+                const double* y = point(order[j - 1]);
+                int k = 0;
+                while (k < D - 1 && x[k] == y[k]) ++k;
+                if (!(x[k] < y[k])) break;
+                order[j] = order[j - 1];
+            }
+            order[j] = item;
+        }
+        begin = end;
+    }
+}
+
+}  // namespace
+
+template <int D>
+Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_bytes, std::uint32_t count,
+                     std::uint64_t seed, bool rounds, Arena& arena, std::uint32_t* order) {
+    if (count == 0) return Status::ok;
+    ArenaScope scope(arena);
+    Sorter<D> s;
+    s.coordinates = coordinates;
+    s.stride = stride_bytes;
+    s.order = order;
+    s.keys = arena.take_low<std::uint64_t>(count);
+    s.spare_keys = arena.take_low<std::uint64_t>(count);
+    s.spare_items = arena.take_low<std::uint32_t>(count);
+    if (s.keys == nullptr || s.spare_keys == nullptr || s.spare_items == nullptr) return Status::out_of_memory;
+
+    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+    s.key_range(0, count);
+    if (rounds) {
+        // A point is in the last round with probability 3/4, else in the one before with 3/4, and so on; equal points
+        // fall into the same round. Small sets need few rounds.
+        std::uint32_t rounds_max = 0;
+        for (std::uint32_t left = count; left > 64 && rounds_max < 15; left /= 4) ++rounds_max;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            std::uint64_t h = mix64(s.hash(i) ^ seed);
+            std::uint32_t round = rounds_max;
+            for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
+            s.keys[i] |= static_cast<std::uint64_t>(round) << 60;
+        }
+    }
+    s.sort_range(0, count);
+    s.split_equal_keys(count);
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                        \
+    template Status spatial_order<D>(const unsigned char*, std::ptrdiff_t, std::uint32_t, std::uint64_t, bool, Arena&, \
+                                     std::uint32_t*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,86 @@
+#include "delaunay/store.hpp"
+
+namespace netmesh {
+
+template <int D> Status Store<D>::open_vertices(std::uint32_t vertex_count) {
+    VertexT* const vertices = arena.take_high<VertexT>(vertex_count);
+    if (vertices == nullptr) return Status::out_of_memory;
+    state = StoreState{};
+    // The room that alignment left above the array is not worth a second offset: the array begins where it was put.
+    state.vertices_end = arena.offset_of(vertices) + vertex_count * sizeof(VertexT);
+    state.free_head = none;
+    state.vertex_count = vertex_count;
+    state.stamp = 2;
+    state.last_cell = none;
+    locate_arrays();
+    return Status::ok;
+}
+
+template <int D> Status Store<D>::open_cells() {
+    CellT* const cells = arena.take_low<CellT>(0);
+    if (cells == nullptr) return Status::out_of_memory;
+    state.cells_offset = arena.offset_of(cells);
+    locate_arrays();
+    return Status::ok;
+}
+
+template <int D> void Store<D>::truncate_vertices(std::uint32_t vertex_count) {
+    state.vertex_count = vertex_count;
+    arena.release_high(state.vertices_end - vertex_count * sizeof(VertexT));
+}
+
+template <int D> void Store<D>::compact(std::size_t offset) {
+    std::uint32_t kept = 0;
+    for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+        cells_[c].mark = is_live(c) && !is_ghost(c) ? kept++ : none;
+    for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
+        if (cells_[c].mark == none) continue;
+        for (std::uint32_t& word : cells_[c].neighbour) {
+            const std::uint32_t n = cells_[word >> 3].mark;
+            word = n == none ? none : n << 3 | (word & 7u);
+        }
+    }
+    CellT* const target = reinterpret_cast<CellT*>(arena.at(offset));
+    for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
+        const std::uint32_t to = cells_[c].mark;
+        if (to == none) continue;
+        __builtin_memmove(&target[to], &cells_[c], sizeof(CellT));
+        target[to].mark = 0;
+        for (const std::uint32_t v : target[to].vertex) vertex(v).cell = to;
+    }
+    state.cells_offset = offset;
+    state.cell_slots = kept;
+    state.cells_free = 0;
+    state.free_head = none;
+    state.last_cell = kept > 0 ? 0 : none;
+    arena.release_low(offset + kept * sizeof(CellT));
+    locate_arrays();
+}
+
+template <int D> bool Store<D>::has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes) {
+    const std::uint32_t fresh = cells > state.cells_free ? cells - state.cells_free : 0;
+    if (fresh > slots_max - state.cell_slots) {
+        arena.refuse(SIZE_MAX / 4);
+        return false;
+    }
+    const std::size_t bytes = fresh * sizeof(CellT) + vertices * sizeof(VertexT) + list_bytes + Arena::alignment;
+    if (bytes <= arena.bytes_free()) return true;
+    arena.refuse(bytes);
+    return false;
+}
+
+template <int D> std::uint32_t Store<D>::new_stamp() {
+    if (state.stamp > 0xFFFFFFF0u) {
+        for (std::uint32_t c = 0; c < state.cell_slots; ++c) cells_[c].mark = 0;
+        state.stamp = 2;
+    }
+    return state.stamp += 2;
+}
+
+template class Store<2>;
+template class Store<3>;
+template class Store<4>;
+template class Store<5>;
+template class Store<6>;
+
+}  // namespace netmesh

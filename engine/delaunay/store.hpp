@@ -1,0 +1,138 @@
+// Cells and vertices of a Delaunay triangulation inside the arena.
+//
+//   low end: cells 0, 1, 2, ...  -->     gap     <--  ..., 2, 1, 0 :vertices, high end
+//
+// Both grow into the same gap, so neither has a limit of its own. While a point is inserted the list of its conflicting
+// cells stands in the gap too, below the last vertex.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "complex/triangulation.hpp"
+#include "memory/arena.hpp"
+#include "memory/status.hpp"
+#include "numerics/real.hpp"
+#include "predicates/predicates.hpp"
+
+namespace netmesh {
+
+// A cell is positively oriented. Where the point at infinity takes the place of a vertex (`none`), it is a ghost: the
+// outer side of the hull facet formed by its other vertices, oriented as if infinity were a point beyond that facet.
+template <int D> struct Cell {
+    std::uint32_t vertex[D + 1];
+    std::uint32_t neighbour[D + 1];  // words as in TriangulationView
+    double centre[D];                // of the circumscribed ball, approximately; ghosts: unspecified
+    double radius2;                  // squared distance of `centre` to a vertex; ghosts: +infinity
+    float error;                     // |centre - true centre| <= error * radius; +infinity when unknown
+    std::uint32_t mark;              // stamp of the last search that met the cell
+};
+
+enum class Marker : std::uint8_t { input = 0, steiner = 1, exempt = 2 };
+
+template <int D> struct Vertex {
+    double x[D];
+    double nearest2;       // squared distance to the nearest other vertex (meshes)
+    std::uint32_t cell;    // a cell at this vertex, `none` before its insertion
+    std::uint32_t next;    // link of the list that the vertex is in (meshes)
+    std::uint32_t origin;  // input: its row in the caller's array; otherwise the nearest input vertex
+    Marker marker;
+    std::uint8_t queued;
+    std::uint16_t unused;
+};
+
+// The part of a triangulation that outlives a call: offsets and counts, no addresses.
+struct StoreState {
+    std::uint64_t cells_offset;     // of cell 0 in the block
+    std::uint64_t vertices_end;     // offset just past vertex 0
+    std::uint32_t cell_slots;       // cells ever made: live and free ones
+    std::uint32_t cells_free;
+    std::uint32_t free_head;        // last freed slot, linked by neighbour[0]
+    std::uint32_t vertex_count;
+    std::uint32_t stamp;
+    std::uint32_t last_cell;        // where the next search starts
+    std::uint64_t cells_created;
+    PredicateCounts in_ball_counts, orient_counts;
+};
+
+template <int D> class Store {
+public:
+    using CellT = Cell<D>;
+    using VertexT = Vertex<D>;
+    static constexpr std::uint32_t slots_max = 0x1FFFFFFFu;  // three bits of a neighbour word hold a position
+    static constexpr std::uint32_t freed = none - 1;         // vertex[0] of a free slot
+
+    Store(Arena& arena, StoreState& state) : arena(arena), state(state) { locate_arrays(); }
+
+    // Starts an empty store with vertex_count uninitialised vertices; then cells begin at the present low end.
+    // out_of_memory.
+    Status open_vertices(std::uint32_t vertex_count);
+    Status open_cells();
+    // Forgets all vertices from vertex_count on; there is nothing else at the high end.
+    void truncate_vertices(std::uint32_t vertex_count);
+    // Ends the job: drops ghosts and free slots, moves the cells down to `offset` in their order and gives what is free to
+    // the gap. Hull facets then have neighbour `none`. O(cells), needs no memory.
+    void compact(std::size_t offset);
+
+    CellT& cell(std::uint32_t i) const { return cells_[i]; }
+    VertexT& vertex(std::uint32_t i) const { return vertices_end_[-1 - static_cast<std::ptrdiff_t>(i)]; }
+    const double* point(std::uint32_t i) const { return vertex(i).x; }
+    bool is_live(std::uint32_t c) const { return cells_[c].vertex[0] != freed; }
+    bool is_ghost(std::uint32_t c) const { return ghost_position(c) >= 0; }
+    int ghost_position(std::uint32_t c) const {
+        for (int i = 0; i <= D; ++i)
+            if (cells_[c].vertex[i] == none) return i;
+        return -1;
+    }
+    std::uint32_t live_cells() const { return state.cell_slots - state.cells_free; }
+
+    // Room for that many more cells and vertices together and list_bytes of list? Remembers what was wanted if not.
+    bool has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes);
+    // After has_room these cannot fail.
+    std::uint32_t new_cell() {
+        ++state.cells_created;
+        if (state.free_head == none) {
+            arena.extend_low(sizeof(CellT));
+            return state.cell_slots++;
+        }
+        const std::uint32_t c = state.free_head;
+        state.free_head = cells_[c].neighbour[0];
+        --state.cells_free;
+        return c;
+    }
+    std::uint32_t new_vertex() {
+        arena.extend_high(sizeof(VertexT));
+        return state.vertex_count++;
+    }
+    void free_cell(std::uint32_t c) {
+        cells_[c].vertex[0] = freed;
+        cells_[c].neighbour[0] = state.free_head;
+        state.free_head = c;
+        ++state.cells_free;
+    }
+
+    // A stamp that no cell carries yet, even; stamp + 1 is unused too.
+    std::uint32_t new_stamp();
+
+    // Lists of cells stand in the gap, entry k at list_top()[-1 - k].
+    std::uint32_t* list_top() const { return reinterpret_cast<std::uint32_t*>(arena.at(arena.high_mark())); }
+    std::size_t list_capacity() const { return arena.bytes_free() / 4; }
+
+    TriangulationView<D> view() const {
+        return {reinterpret_cast<const unsigned char*>(cells_), sizeof(CellT), state.cell_slots, state.vertex_count};
+    }
+    const unsigned char* coordinate_base() const { return reinterpret_cast<const unsigned char*>(&vertex(0)); }
+    static constexpr std::ptrdiff_t vertex_stride = -static_cast<std::ptrdiff_t>(sizeof(VertexT));
+
+    Arena& arena;
+    StoreState& state;
+
+private:
+    void locate_arrays() {
+        cells_ = reinterpret_cast<CellT*>(arena.at(state.cells_offset));
+        vertices_end_ = reinterpret_cast<VertexT*>(arena.at(state.vertices_end));
+    }
+    CellT* cells_;
+    VertexT* vertices_end_;
+};
+
+}  // namespace netmesh

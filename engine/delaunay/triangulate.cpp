@@ -1,0 +1,188 @@
+#include "delaunay/triangulate.hpp"
+
+#include "delaunay/spatial_order.hpp"
+#include "numerics/fingerprint.hpp"
+
+namespace netmesh {
+namespace {
+
+// Here balls only answer whether a point is inside, so their bounds may grow: one question in thousands turns exact.
+constexpr double ball_error_max = 0x1p-14;
+
+constexpr std::size_t points_max = std::size_t{1} << 28;
+
+template <int D> bool equal_points(const double* a, const double* b) {
+    for (int k = 0; k < D; ++k)
+        if (a[k] != b[k]) return false;
+    return true;
+}
+
+// Moves duplicates out: in `order` equal points are neighbours with the smallest index first.
+template <int D>
+std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t* order, std::uint32_t count) {
+    std::uint32_t first = order[0];
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t v = order[k];
+        const bool duplicate = k > 0 && equal_points<D>(store.point(first), store.point(v));
+        if (!duplicate) first = v;
+        store.vertex(v).next = duplicate ? none : 0;
+    }
+    std::uint32_t kept = 0;
+    for (std::uint32_t v = 0; v < count; ++v)
+        if (store.vertex(v).next != none) store.vertex(v).next = kept++;
+    if (kept == count) return count;
+    std::uint32_t out = 0;
+    for (std::uint32_t k = 0; k < count; ++k)
+        if (store.vertex(order[k]).next != none) order[out++] = store.vertex(order[k]).next;
+    out = 0;
+    for (std::uint32_t v = 0; v < count; ++v)
+        if (store.vertex(v).next != none) store.vertex(out++) = store.vertex(v);
+    return kept;
+}
+
+template <int K> Sign projected_orient(const double* const* p, const int* axes, PredicateCounts& counts) {
+    double x[K + 1][K];
+    const double* rows[K + 1];
+    for (int i = 0; i <= K; ++i) {
+        for (int j = 0; j < K; ++j) x[i][j] = p[i][axes[j]];
+        rows[i] = x[i];
+    }
+    return orient<K>(rows, counts);
+}
+
+// Orientation of K+1 points in the K given coordinates.
+template <int D> Sign orient_in(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
+    if (k == 1) return projected_orient<1>(p, axes, counts);
+    if (k == 2) return projected_orient<2>(p, axes, counts);
+    if constexpr (D >= 3)
+        if (k == 3) return projected_orient<3>(p, axes, counts);
+    if constexpr (D >= 4)
+        if (k == 4) return projected_orient<4>(p, axes, counts);
+    if constexpr (D >= 5)
+        if (k == 5) return projected_orient<5>(p, axes, counts);
+    if constexpr (D >= 6)
+        if (k == 6) return projected_orient<6>(p, axes, counts);
+    return Sign::zero;
+}
+
+}  // namespace
+
+// K+1 points span a K-flat exactly when K of the coordinates have a non-zero minor; a set of coordinates that works for
+// the first K points can be extended by one of the others, so no more than D - K of them are tried for each point.
+template <int D>
+bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, std::uint32_t* ids) {
+    const double* p[D + 1];
+    int axes[D] = {};
+    PredicateCounts& counts = store.state.orient_counts;
+    if (count == 0) return false;
+    ids[0] = order[0];
+    p[0] = store.point(ids[0]);
+    int rank = 0;
+    for (std::uint32_t k = 1; k < count && rank < D; ++k) {
+        p[rank + 1] = store.point(order[k]);
+        for (int axis = 0; axis < D; ++axis) {
+            bool used = false;
+            for (int j = 0; j < rank; ++j) used |= axes[j] == axis;
+            if (used) continue;
+            axes[rank] = axis;
+            if (orient_in<D>(rank + 1, p, axes, counts) == Sign::zero) continue;
+            ids[++rank] = order[k];
+            break;
+        }
+    }
+    return rank == D;
+}
+
+template <int D>
+Status take_input(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+                  InputReport* input, std::uint32_t** order) {
+    *input = InputReport{};
+    if (n == 0 || n > points_max) return Status::invalid_argument;
+    monitor.begin(NETMESH_STAGE_SORT, n);
+    for (std::size_t i = 0; i < n; ++i)
+        for (int k = 0; k < D; ++k)
+            if (!is_finite(points[i * D + k])) {
+                input->row_a = i;
+                return Status::not_finite;
+            }
+    const std::uint32_t count = static_cast<std::uint32_t>(n);
+    if (store.open_vertices(count) != Status::ok) return Status::out_of_memory;
+    Fingerprint fingerprint;
+    fingerprint.add(static_cast<std::uint64_t>(D));
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Vertex<D>& v = store.vertex(i);
+        for (int k = 0; k < D; ++k) {
+            v.x[k] = points[std::size_t{i} * D + k] + 0.0;
+            fingerprint.add(v.x[k]);
+        }
+        v.nearest2 = infinity;
+        v.cell = none;
+        v.next = none;
+        v.origin = i;
+        v.marker = Marker::input;
+        v.queued = 0;
+        v.unused = 0;
+    }
+    input->rows = n;
+    input->fingerprint = fingerprint.value();
+    *order = store.arena.template take_low<std::uint32_t>(count);
+    if (*order == nullptr) return Status::out_of_memory;
+    const Status status = spatial_order<D>(store.coordinate_base(), Store<D>::vertex_stride, count, seed, true,
+                                           store.arena, *order);
+    if (status != Status::ok) return status;
+    const std::uint32_t kept = remove_duplicates<D>(store, *order, count);
+    input->duplicates = count - kept;
+    store.truncate_vertices(kept);
+    return Status::ok;
+}
+
+template <int D>
+Status triangulate(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+                   InputReport* input) {
+    const std::size_t low = store.arena.low_mark();
+    std::uint32_t* order;
+    Status status = take_input<D>(store, points, n, seed, monitor, input, &order);
+    if (status != Status::ok) return status;
+    const std::uint32_t count = store.state.vertex_count;
+    std::uint32_t ids[D + 1];
+    if (!independent_points<D>(store, order, count, ids)) return Status::flat;
+    if (store.open_cells() != Status::ok) return Status::out_of_memory;
+    Kernel<D> kernel(store, ball_error_max);
+    status = kernel.start(ids);
+    if (status != Status::ok) return status;
+
+    monitor.begin(NETMESH_STAGE_DELAUNAY, count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t v = order[k];
+        if (store.vertex(v).cell != none) continue;
+        const double* const q = store.point(v);
+        const std::uint32_t hit = kernel.locate(q, v, store.state.last_cell);
+        Cavity cavity;
+        if (!kernel.find_cavity(q, v, hit, &cavity) || !kernel.can_fill(cavity, 0)) {
+            status = Status::out_of_memory;
+            break;
+        }
+        kernel.fill(cavity, v);
+        monitor.mesh_size(k, store.live_cells());
+        if (monitor.advance(k, 2 + cavity.facets)) {
+            status = Status::cancelled;
+            break;
+        }
+    }
+    store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
+    return status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                     \
+    template Status take_input<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*,     \
+                                  std::uint32_t**);                                                                \
+    template Status triangulate<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*);   \
+    template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, std::uint32_t*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,37 @@
+// Delaunay triangulation of a point set: the job from points to compact cells.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "delaunay/kernel.hpp"
+#include "memory/monitor.hpp"
+
+namespace netmesh {
+
+// What a job says about its input; `row` counts in the caller's array.
+struct InputReport {
+    std::uint64_t rows;
+    std::uint64_t duplicates;
+    std::uint64_t fingerprint;  // of the values in order
+    std::uint64_t row_a, row_b; // culprits of not_finite, out_of_range, too_close
+};
+
+// Copies points[n][D] into fresh vertices (store.open_vertices), with -0.0 made 0, origin = row, cell = none and marker
+// input; finds and removes exact duplicates and leaves the insertion order of what remains in order[0..vertex_count),
+// which is taken at the low end. out_of_memory, not_finite (row_a), invalid_argument when n is 0 or above 2^28.
+template <int D>
+Status take_input(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+                  InputReport* input, std::uint32_t** order);
+
+// Triangulates points[n][D]. ok, flat (fewer than D+1 affinely independent points), out_of_memory, cancelled, and what
+// take_input says. Unless there is no first cell yet, the store is left compact and a Delaunay triangulation of what was
+// inserted; vertices not inserted have cell `none`.
+template <int D>
+Status triangulate(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+                   InputReport* input);
+
+// The first D+1 affinely independent points along order[0..count), exactly. False when there are none.
+template <int D>
+bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, std::uint32_t* ids);
+
+}  // namespace netmesh

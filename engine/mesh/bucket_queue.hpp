@@ -1,0 +1,77 @@
+// Vertices whose cell may be bad, those with the nearest neighbours first.
+#pragma once
+#include <cstdint>
+
+#include "delaunay/store.hpp"
+
+namespace netmesh {
+
+// First in, first out among vertices whose squared nearest-neighbour distances have the same binary exponent. Links run
+// through the vertices, so membership costs no memory. O(1).
+template <int D> class BucketQueue {
+public:
+    // largest2: squared distances are measured down from here; below 2^-511 of it everything is one bucket.
+    Status open(Store<D>& store, Arena& arena, double largest2) {
+        store_ = &store;
+        top_ = exponent_of(largest2);
+        buckets_ = arena.take_low<Bucket>(count);
+        if (buckets_ == nullptr) return Status::out_of_memory;
+        for (int b = 0; b < count; ++b) buckets_[b] = {none, none};
+        for (std::uint64_t& word : filled_) word = 0;
+        return Status::ok;
+    }
+
+    void push(std::uint32_t v) {
+        Vertex<D>& vertex = store_->vertex(v);
+        if (vertex.queued) return;
+        vertex.queued = 1;
+        vertex.next = none;
+        int b = count - 1 - (top_ - exponent_of(vertex.nearest2));
+        if (b < 0) b = 0;
+        if (b >= count) b = count - 1;
+        Bucket& bucket = buckets_[b];
+        if (bucket.tail == none)
+            bucket.head = v;
+        else
+            store_->vertex(bucket.tail).next = v;
+        bucket.tail = v;
+        filled_[b / 64] |= std::uint64_t{1} << (b % 64);
+    }
+
+    // The next vertex, `none` when there is none.
+    std::uint32_t pop() {
+        for (int w = 0; w < count / 64; ++w) {
+            if (filled_[w] == 0) continue;
+            const int b = w * 64 + lowest_bit(filled_[w]);
+            Bucket& bucket = buckets_[b];
+            const std::uint32_t v = bucket.head;
+            bucket.head = store_->vertex(v).next;
+            if (bucket.head == none) {
+                bucket.tail = none;
+                filled_[w] &= filled_[w] - 1;
+            }
+            store_->vertex(v).queued = 0;
+            return v;
+        }
+        return none;
+    }
+
+private:
+    static constexpr int count = 512;
+    struct Bucket {
+        std::uint32_t head, tail;
+    };
+    static int lowest_bit(std::uint64_t word) {
+        int b = 0;
+        for (; (word & 0xFF) == 0; word >>= 8) b += 8;
+        for (; (word & 1) == 0; word >>= 1) ++b;
+        return b;
+    }
+
+    Store<D>* store_;
+    Bucket* buckets_;
+    int top_;
+    std::uint64_t filled_[count / 64];
+};
+
+}  // namespace netmesh

@@ -1,0 +1,126 @@
+#include "mesh/domain.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> double distance2(const double* a, const double* b) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = a[k] - b[k];
+        d2 += d * d;
+    }
+    return d2;
+}
+
+// Centre of the smallest ball with these m points on its boundary, in their affine hull; false when they are dependent
+// or the centre is outside their convex hull (then a smaller set carries the ball).
+template <int D> bool boundary_ball(const double* const* p, int m, double* centre) {
+    double g[D][D + 1];
+    const int n = m - 1;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            double dot = 0;
+            for (int k = 0; k < D; ++k) dot += (p[i + 1][k] - p[0][k]) * (p[j + 1][k] - p[0][k]);
+            g[i][j] = dot;
+        }
+        g[i][n] = 0.5 * g[i][i];
+    }
+    for (int k = 0; k < n; ++k) {
+        int pivot = k;
+        for (int i = k + 1; i < n; ++i)
+            if (absolute(g[i][k]) > absolute(g[pivot][k])) pivot = i;
+        if (!(absolute(g[pivot][k]) > 0)) return false;
+        for (int j = 0; j <= n; ++j) {
+            const double t = g[k][j];
+            g[k][j] = g[pivot][j];
+            g[pivot][j] = t;
+        }
+        for (int i = 0; i < n; ++i) {
+            if (i == k) continue;
+            const double factor = g[i][k] / g[k][k];
+            for (int j = k; j <= n; ++j) g[i][j] -= factor * g[k][j];
+        }
+    }
+    double first = 1;
+    for (int k = 0; k < D; ++k) centre[k] = p[0][k];
+    for (int i = 0; i < n; ++i) {
+        const double weight = g[i][n] / g[i][i];
+        if (!(weight >= 0)) return false;
+        first -= weight;
+        for (int k = 0; k < D; ++k) centre[k] += weight * (p[i + 1][k] - p[0][k]);
+    }
+    return first >= -0x1p-40;
+}
+
+// The smallest ball of m <= D+2 points, the last of which lies on its boundary; keeps in p the points that carry it and
+// returns their number. 0 when rounding leaves no candidate.
+template <int D> int smallest_ball(const double** p, int m, double* centre) {
+    double best2 = infinity;
+    unsigned best_set = 0;
+    for (unsigned set = 0; set < (1u << (m - 1)); ++set) {
+        const double* chosen[D + 2];
+        int size = 0;
+        for (int i = 0; i < m - 1; ++i)
+            if (set >> i & 1u) chosen[size++] = p[i];
+        chosen[size++] = p[m - 1];
+        if (size > D + 1) continue;
+        double c[D] = {};
+        if (!boundary_ball<D>(chosen, size, c)) continue;
+        const double r2 = distance2<D>(c, p[m - 1]);
+        bool all = r2 < best2;
+        for (int i = 0; i < m && all; ++i) all = distance2<D>(c, p[i]) <= r2 * (1 + 0x1p-40);
+        if (!all) continue;
+        best2 = r2;
+        best_set = set;
+        for (int k = 0; k < D; ++k) centre[k] = c[k];
+    }
+    if (best2 == infinity) return 0;
+    int size = 0;
+    for (int i = 0; i < m - 1; ++i)
+        if (best_set >> i & 1u) p[size++] = p[i];
+    p[size++] = p[m - 1];
+    return size;
+}
+
+}  // namespace
+
+template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain) {
+    const double* basis[D + 2];
+    int size = 1;
+    basis[0] = store.point(0);
+    double centre[D];
+    for (int k = 0; k < D; ++k) centre[k] = domain.centre[k] = basis[0][k];
+    double best2 = infinity;  // smallest covering radius seen, squared
+    for (int step = 0; step < 200; ++step) {
+        double far2 = -1;
+        std::uint32_t far = 0;
+        for (std::uint32_t v = 0; v < count; ++v) {
+            const double d2 = distance2<D>(centre, store.point(v));
+            if (d2 > far2) {
+                far2 = d2;
+                far = v;
+            }
+        }
+        if (far2 < best2) {
+            best2 = far2;
+            for (int k = 0; k < D; ++k) domain.centre[k] = centre[k];
+        }
+        if (far2 <= distance2<D>(centre, basis[0]) * (1 + 0x1p-40)) break;
+        basis[size] = store.point(far);
+        size = smallest_ball<D>(basis, size + 1, centre);
+        if (size == 0) break;
+    }
+    double magnitude = 1;
+    for (int k = 0; k < D; ++k)
+        if (absolute(domain.centre[k]) > magnitude) magnitude = absolute(domain.centre[k]);
+    domain.enclosing_radius = best2 > 0 ? square_root(best2) * (1 + 8 * unit_roundoff) : magnitude;
+    domain.radius = 0;
+}
+
+template void smallest_enclosing_ball<2>(const Store<2>&, std::uint32_t, Domain<2>&);
+template void smallest_enclosing_ball<3>(const Store<3>&, std::uint32_t, Domain<3>&);
+template void smallest_enclosing_ball<4>(const Store<4>&, std::uint32_t, Domain<4>&);
+template void smallest_enclosing_ball<5>(const Store<5>&, std::uint32_t, Domain<5>&);
+template void smallest_enclosing_ball<6>(const Store<6>&, std::uint32_t, Domain<6>&);
+
+}  // namespace netmesh

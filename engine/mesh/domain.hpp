@@ -1,0 +1,58 @@
+// The ball in which mesh quality is promised, and Voronoi edges clipped to it.
+#pragma once
+#include <cstdint>
+
+#include "delaunay/store.hpp"
+
+namespace netmesh {
+
+template <int D> struct Domain {
+    double centre[D];
+    double radius;
+    double enclosing_radius;  // of a ball about `centre` that contains all inputs: rho of the certificate, or more
+
+    double distance2(const double* x) const {
+        double d2 = 0;
+        for (int k = 0; k < D; ++k) {
+            const double d = x[k] - centre[k];
+            d2 += d * d;
+        }
+        return d2;
+    }
+    bool contains(const double* x) const { return distance2(x) <= radius * radius; }
+};
+
+// Smallest enclosing ball of vertices 0..count-1: exact up to rounding where the search converges, never too small by
+// more than rounding, as the radius is the largest distance from the centre found, enlarged by 8 u. Fischer and Gaertner's
+// bases by exhaustion over at most D+2 points; O(n) a step, few steps. A single point gets a radius of its own
+// magnitude, at least 1. domain.radius is left 0.
+template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain);
+
+// The points (0, 1 or 2) in which the segment a-b crosses the domain's sphere, written to z.
+template <int D>
+inline int sphere_crossings(const Domain<D>& domain, const double* a, const double* b, double (&z)[2][D]) {
+    double along = 0, length2 = 0, from2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double e = b[k] - a[k], f = a[k] - domain.centre[k];
+        along += e * f;
+        length2 += e * e;
+        from2 += f * f;
+    }
+    const double rest = from2 - domain.radius * domain.radius;
+    if (rest > 0 && !(along < 0)) return 0;  // outside, and leading away
+    const double root2 = along * along - length2 * rest;
+    if (!(root2 >= 0) || !(length2 > 0)) return 0;
+    // The two parameters without cancellation: one from the larger sum, the other from their product.
+    const double root = square_root(root2);
+    const double sum = along > 0 ? -along - root : -along + root;
+    const double s[2] = {sum / length2, sum != 0 ? rest / sum : 0};
+    int found = 0;
+    for (const double t : s) {
+        if (!(t > 0 && t < 1)) continue;
+        for (int k = 0; k < D; ++k) z[found][k] = a[k] + t * (b[k] - a[k]);
+        ++found;
+    }
+    return found;
+}
+
+}  // namespace netmesh

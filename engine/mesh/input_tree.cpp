@@ -1,0 +1,121 @@
+#include "mesh/input_tree.hpp"
+
+namespace netmesh {
+namespace {
+
+struct Range {
+    std::uint32_t begin, end;
+};
+
+}  // namespace
+
+// Puts the median along the widest axis into the middle of the range (Hoare's selection; equal keys split evenly).
+template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end) {
+    int axis = 0;
+    double widest = -1;
+    for (int k = 0; k < D; ++k) {
+        double low = infinity, high = -infinity;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const double x = store_->point(items_[i])[k];
+            if (x < low) low = x;
+            if (x > high) high = x;
+        }
+        if (high - low > widest) {
+            widest = high - low;
+            axis = k;
+        }
+    }
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    axis_[middle] = static_cast<std::uint8_t>(axis);
+    std::int64_t low = begin, high = static_cast<std::int64_t>(end) - 1;
+    while (low < high) {
+        const double pivot = store_->point(items_[low + (high - low) / 2])[axis];
+        std::int64_t i = low, j = high;
+        while (i <= j) {
+            while (store_->point(items_[i])[axis] < pivot) ++i;
+            while (store_->point(items_[j])[axis] > pivot) --j;
+            if (i > j) break;
+            const std::uint32_t t = items_[i];
+            items_[i++] = items_[j];
+            items_[j--] = t;
+        }
+        if (middle <= j)
+            high = j;
+        else if (middle >= i)
+            low = i;
+        else
+            break;
+    }
+}
+
+template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count) {
+    items_ = arena.take_low<std::uint32_t>(count);
+    axis_ = arena.take_low<std::uint8_t>(count);
+    if (items_ == nullptr || axis_ == nullptr) return Status::out_of_memory;
+    store_ = &store;
+    count_ = count;
+    for (std::uint32_t i = 0; i < count; ++i) items_[i] = i;
+    Range stack[40];
+    int depth = 0;
+    stack[depth++] = {0, count};
+    while (depth > 0) {
+        const Range range = stack[--depth];
+        if (range.end - range.begin <= leaf) continue;
+        split(range.begin, range.end);
+        const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
+        stack[depth++] = {range.begin, middle};
+        stack[depth++] = {middle + 1, range.end};
+    }
+    return Status::ok;
+}
+
+template <int D>
+std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
+                                    double* distance2) const {
+    std::uint32_t best = none;
+    double best2 = infinity;
+    const auto consider = [&](std::uint32_t v) {
+        if (v == except) return;
+        const double* p = store_->point(v);
+        double d2 = 0;
+        for (int k = 0; k < D; ++k) {
+            const double d = x[k] - p[k];
+            d2 += d * d;
+        }
+        if (d2 < best2 || (d2 == best2 && v < best)) {
+            best2 = d2;
+            best = v;
+        }
+    };
+    if (start != none) consider(start);
+    Range stack[40];
+    double plane2[40];  // no point of the range is nearer than this, squared
+    int depth = 0;
+    stack[0] = {0, count_};
+    plane2[depth++] = 0;
+    while (depth > 0) {
+        Range range = stack[--depth];
+        if (plane2[depth] > best2) continue;
+        while (range.end - range.begin > leaf) {
+            const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
+            const int axis = axis_[middle];
+            const double offset = x[axis] - store_->point(items_[middle])[axis];
+            consider(items_[middle]);
+            const Range below = {range.begin, middle}, above = {middle + 1, range.end};
+            stack[depth] = offset < 0 ? above : below;
+            plane2[depth++] = offset * offset;
+            range = offset < 0 ? below : above;
+        }
+        for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
+    }
+    *distance2 = best2;
+    return best;
+}
+
+template class InputTree<2>;
+template class InputTree<3>;
+template class InputTree<4>;
+template class InputTree<5>;
+template class InputTree<6>;
+
+}  // namespace netmesh

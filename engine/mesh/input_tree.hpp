@@ -1,0 +1,28 @@
+// Nearest input point, exactly: a k-d tree over the inputs, 5 bytes a point.
+#pragma once
+#include <cstdint>
+
+#include "delaunay/store.hpp"
+
+namespace netmesh {
+
+template <int D> class InputTree {
+public:
+    // Over vertices 0..count-1, at the arena's low end. O(n log n). out_of_memory.
+    Status build(const Store<D>& store, Arena& arena, std::uint32_t count);
+
+    // The input nearest to x that is not `except`, smallest index among equals, in terms of the squared distance as
+    // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
+    std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
+
+private:
+    static constexpr std::uint32_t leaf = 8;
+    void split(std::uint32_t begin, std::uint32_t end);
+
+    const Store<D>* store_;
+    std::uint32_t* items_;
+    std::uint8_t* axis_;  // of the split at the middle item of a range
+    std::uint32_t count_;
+};
+
+}  // namespace netmesh

@@ -1,0 +1,118 @@
+#include "mesh/quality.hpp"
+
+#include "delaunay/sphere.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> void raise(const Store<D>& store, const double* corner, std::uint32_t v, double* out2) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = corner[k] - store.point(v)[k];
+        d2 += d * d;
+    }
+    if (d2 > out2[v]) out2[v] = d2;
+}
+
+// Corner of a cell as the mesh has it, or computed anew.
+template <int D> const double* kept_corner(const Store<D>& store, std::uint32_t c, Cell<D>&) {
+    return store.cell(c).centre;
+}
+template <int D> const double* fresh_corner(const Store<D>& store, std::uint32_t c, Cell<D>& scratch) {
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
+    solve_sphere<D>(p, scratch);
+    return scratch.centre;
+}
+
+// out2[v] := squared out-radius of v's clipped cell, corners from corner_of.
+template <int D, class CornerOf>
+void clipped_out_radii(const Store<D>& store, const Domain<D>& domain, CornerOf&& corner_of, double* out2) {
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) out2[v] = 0;
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        const Cell<D>& cell = store.cell(c);
+        Cell<D> here, there;
+        const double* const corner = corner_of(c, here);
+        if (domain.contains(corner)) {
+            for (const std::uint32_t v : cell.vertex) raise<D>(store, corner, v, out2);
+            continue;
+        }
+        for (int i = 0; i <= D; ++i) {
+            if (cell.neighbour[i] == none) continue;
+            const std::uint32_t n = cell.neighbour[i] >> 3;
+            const double* const other = corner_of(n, there);
+            if (n < c && !domain.contains(other)) continue;
+            double z[2][D];
+            const int crossings = sphere_crossings<D>(domain, corner, other, z);
+            for (int j = 0; j < crossings; ++j)
+                for (int k = 0; k <= D; ++k)
+                    if (k != i) raise<D>(store, z[j], cell.vertex[k], out2);
+        }
+    }
+}
+
+template <int D>
+void worst_ratio(const Store<D>& store, const double* out2, const double* nearest2, double* worst,
+                 std::uint32_t* vertex) {
+    double worst2 = 0;
+    *vertex = none;
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
+        if (store.vertex(v).cell == none || store.vertex(v).marker == Marker::exempt) continue;
+        const double ratio2 = 4 * out2[v] / (nearest2 != nullptr ? nearest2[v] : store.vertex(v).nearest2);
+        if (!(ratio2 > worst2)) continue;
+        worst2 = ratio2;
+        *vertex = v;
+    }
+    *worst = square_root(worst2);
+}
+
+}  // namespace
+
+template <int D>
+Status worst_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
+                          std::uint32_t* vertex) {
+    ArenaScope scope(arena);
+    double* const out2 = arena.take_low<double>(store.state.vertex_count);
+    if (out2 == nullptr) return Status::out_of_memory;
+    clipped_out_radii<D>(store, domain, [&](std::uint32_t c, Cell<D>& s) { return kept_corner<D>(store, c, s); }, out2);
+    worst_ratio<D>(store, out2, nullptr, worst, vertex);
+    return Status::ok;
+}
+
+template <int D>
+Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
+                               std::uint32_t* vertex) {
+    ArenaScope scope(arena);
+    double* const out2 = arena.take_low<double>(store.state.vertex_count);
+    double* const nearest2 = arena.take_low<double>(store.state.vertex_count);
+    if (out2 == nullptr || nearest2 == nullptr) return Status::out_of_memory;
+    clipped_out_radii<D>(store, domain, [&](std::uint32_t c, Cell<D>& s) { return fresh_corner<D>(store, c, s); }, out2);
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) nearest2[v] = infinity;
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        const Cell<D>& cell = store.cell(c);
+        for (int i = 0; i <= D; ++i)
+            for (int j = 0; j <= D; ++j) {
+                if (i == j) continue;
+                double d2 = 0;
+                for (int k = 0; k < D; ++k) {
+                    const double d = store.point(cell.vertex[i])[k] - store.point(cell.vertex[j])[k];
+                    d2 += d * d;
+                }
+                if (d2 < nearest2[cell.vertex[i]]) nearest2[cell.vertex[i]] = d2;
+            }
+    }
+    worst_ratio<D>(store, out2, nearest2, worst, vertex);
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                     \
+    template Status worst_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);         \
+    template Status recomputed_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

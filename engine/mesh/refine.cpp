@@ -1,0 +1,381 @@
+#include "mesh/refine.hpp"
+
+#include "mesh/bucket_queue.hpp"
+#include "mesh/input_tree.hpp"
+
+namespace netmesh {
+namespace {
+
+// A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad: the cell then
+// loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
+constexpr double pull_back = 1.15;
+// An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
+// ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
+constexpr double yield_radius = 0.9;
+// Frame distance over domain radius. The frame's hull must contain the domain: more than sqrt(6).
+constexpr double frame_factor = 4;
+// Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
+constexpr double tau_margin = 0x1p-20;
+
+// Corners are what refinement measures.
+constexpr double ball_error_max = 0x1p-22;
+
+constexpr double coordinate_max = 0x1p500;
+constexpr double separation_min = 0x1p-500;
+constexpr double resolution = 64 * 0x1p-52;
+
+template <int D> double distance2(const double* a, const double* b) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = a[k] - b[k];
+        d2 += d * d;
+    }
+    return d2;
+}
+
+template <int D> class Refinement {
+public:
+    Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
+        : store_(store), kernel_(store, ball_error_max), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
+          certify_(options.certify) {}
+
+    Status check_input(InputReport* input);
+    Status open(const RefineOptions& options);
+    Status run(const std::uint32_t* order);
+
+private:
+    struct Corner {
+        double x[D];
+        double distance2;  // from the vertex; negative: none yet
+        std::uint32_t cell;
+    };
+    struct CellView {
+        Corner clipped;  // farthest corner of the clipped cell
+        Corner whole;    // farthest corner of the whole cell
+        double reach2;   // squared distance from the nearest input to the farthest corner from it
+    };
+
+    Status insert(std::uint32_t v, std::uint32_t from);
+    Status split(std::uint32_t v, const Corner& corner);
+    Status clean();
+    bool look(std::uint32_t v, CellView* view);
+    void corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* corner);
+    const Corner* bad_corner(std::uint32_t v, const CellView& view) const;
+    std::uint32_t nearest_input(std::uint32_t v) const {
+        return store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
+    }
+    static void offer(const double* x, double distance2, std::uint32_t cell, Corner* corner) {
+        if (!(distance2 > corner->distance2)) return;
+        corner->distance2 = distance2;
+        corner->cell = cell;
+        for (int k = 0; k < D; ++k) corner->x[k] = x[k];
+    }
+    void update_star(const Cavity& cavity, std::uint32_t v);
+    void queue_bad_vertices(std::uint32_t c);
+    bool may_spoil_certificate(std::uint32_t v, const double* x) const;
+    bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }
+
+    Store<D>& store_;
+    Kernel<D> kernel_;
+    Monitor& monitor_;
+    Domain<D>& domain_;
+    InputTree<D> tree_;
+    BucketQueue<D> queue_;
+    double tau_;
+    bool certify_;
+    std::uint32_t inputs_ = 0, inserted_ = 0;
+};
+
+template <int D> Status Refinement<D>::check_input(InputReport* input) {
+    inputs_ = store_.state.vertex_count;
+    for (std::uint32_t v = 0; v < inputs_; ++v)
+        for (int k = 0; k < D; ++k)
+            if (!(absolute(store_.point(v)[k]) <= coordinate_max)) {
+                input->row_a = store_.vertex(v).origin;
+                return Status::out_of_range;
+            }
+    const Status status = tree_.build(store_, store_.arena, inputs_);
+    if (status != Status::ok || inputs_ == 1) return status;
+    for (std::uint32_t v = 0; v < inputs_; ++v) {
+        double d2;
+        const std::uint32_t near = tree_.nearest(store_.point(v), v > 0 ? v - 1 : 1, v, &d2);
+        double size = 0;
+        for (int k = 0; k < D; ++k)
+            if (absolute(store_.point(v)[k]) > size) size = absolute(store_.point(v)[k]);
+        const bool tiny = d2 < separation_min * separation_min;
+        if (!tiny && d2 >= (resolution * size) * (resolution * size)) continue;
+        const std::uint64_t a = store_.vertex(v).origin, b = store_.vertex(near).origin;
+        input->row_a = a < b ? a : b;
+        input->row_b = a < b ? b : a;
+        return tiny && d2 > (resolution * size) * (resolution * size) ? Status::out_of_range : Status::too_close;
+    }
+    return Status::ok;
+}
+
+// The frame: vertices on both sides of the domain along each axis.
+template <int D> Status Refinement<D>::open(const RefineOptions& options) {
+    smallest_enclosing_ball<D>(store_, inputs_, domain_);
+    domain_.radius = domain_.enclosing_radius * options.domain_factor;
+    const double reach = frame_factor * domain_.radius;
+    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
+    if (store_.open_cells() != Status::ok || !store_.has_room(0, 2 * D, 0)) return Status::out_of_memory;
+    std::uint32_t frame[2 * D];
+    for (int i = 0; i < 2 * D; ++i) {
+        frame[i] = store_.new_vertex();
+        Vertex<D>& v = store_.vertex(frame[i]);
+        for (int k = 0; k < D; ++k) v.x[k] = domain_.centre[k];
+        v.x[i / 2] += i % 2 == 0 ? reach : -reach;
+        v.nearest2 = infinity;
+        v.cell = none;
+        v.next = none;
+        v.marker = Marker::exempt;
+        v.queued = 0;
+        v.unused = 0;
+        double d2;
+        v.origin = tree_.nearest(v.x, 0, none, &d2);
+    }
+    std::uint32_t ids[D + 1];
+    if (!independent_points<D>(store_, frame, 2 * D, ids)) return Status::internal;
+    Status status = kernel_.start(ids);
+    for (int i = 0; i < 2 * D && status == Status::ok; ++i)
+        if (store_.vertex(frame[i]).cell == none) status = insert(frame[i], store_.state.last_cell);
+    for (int i = 0; i < 2 * D; ++i)
+        for (int j = 0; j < 2 * D; ++j) {
+            const double d2 = distance2<D>(store_.point(frame[i]), store_.point(frame[j]));
+            if (i != j && d2 < store_.vertex(frame[i]).nearest2) store_.vertex(frame[i]).nearest2 = d2;
+        }
+    return status;
+}
+
+// Inserts vertex v, whose record is complete, near cell `from`. Nothing has changed when memory runs out.
+template <int D> Status Refinement<D>::insert(std::uint32_t v, std::uint32_t from) {
+    const double* const q = store_.point(v);
+    const std::uint32_t hit = kernel_.locate(q, v, from);
+    Cavity cavity;
+    if (!kernel_.find_cavity(q, v, hit, &cavity) || !kernel_.can_fill(cavity, 0)) return Status::out_of_memory;
+    kernel_.fill(cavity, v);
+    update_star(cavity, v);
+    if (store_.vertex(v).marker == Marker::input) ++inserted_;
+    monitor_.mesh_size(store_.state.vertex_count - inputs_ + inserted_, store_.live_cells());
+    return monitor_.advance(inserted_, 4 + 2 * cavity.facets) ? Status::cancelled : Status::ok;
+}
+
+// Nearest-neighbour distances around the new vertex v, and the queue: a vertex may have become bad when its nearest
+// neighbour came nearer, or because of a new corner.
+template <int D> void Refinement<D>::update_star(const Cavity& cavity, std::uint32_t v) {
+    Vertex<D>& centre = store_.vertex(v);
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
+        const std::uint32_t c = kernel_.new_cell(cavity, k);
+        for (const std::uint32_t w : store_.cell(c).vertex) {
+            // Linking leaves each neighbour pointing at one of the new cells: there it is visited.
+            if (w == v || w == none || store_.vertex(w).cell != c) continue;
+            Vertex<D>& other = store_.vertex(w);
+            const double d2 = distance2<D>(centre.x, other.x);
+            if (d2 < centre.nearest2) centre.nearest2 = d2;
+            if (d2 < other.nearest2) {
+                other.nearest2 = d2;
+                if (other.marker != Marker::exempt) queue_.push(w);
+            }
+        }
+    }
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) queue_bad_vertices(kernel_.new_cell(cavity, k));
+}
+
+// Queues the vertices that the new cell c makes bad. A crossing on an edge from an old outer cell need not be looked at:
+// the edge has only become shorter.
+template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
+    const Cell<D>& cell = store_.cell(c);
+    if (!(cell.radius2 < infinity) && store_.is_ghost(c)) return;
+    unsigned far = 0;  // positions of the vertices for which this corner is far
+    for (int i = 0; i <= D; ++i) {
+        const Vertex<D>& vertex = store_.vertex(cell.vertex[i]);
+        if (!vertex.queued && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2)) far |= 1u << i;
+    }
+    if (far == 0) return;
+    if (domain_.contains(cell.centre)) {
+        for (int i = 0; i <= D; ++i)
+            if (far >> i & 1u) queue_.push(cell.vertex[i]);
+        return;
+    }
+    if (certify_)
+        for (int i = 0; i <= D; ++i)
+            if ((far >> i & 1u) && may_spoil_certificate(cell.vertex[i], cell.centre)) {
+                queue_.push(cell.vertex[i]);
+                far &= ~(1u << i);
+            }
+    for (int i = 0; i <= D; ++i) {
+        const unsigned others = far & ~(1u << i);
+        if (others == 0 || cell.neighbour[i] == none) continue;
+        const std::uint32_t n = cell.neighbour[i] >> 3;
+        if (store_.is_ghost(n)) continue;
+        double z[2][D];
+        const int crossings = sphere_crossings<D>(domain_, cell.centre, store_.cell(n).centre, z);
+        for (int j = 0; j < crossings; ++j)
+            for (int k = 0; k <= D; ++k) {
+                const std::uint32_t w = cell.vertex[k];
+                if ((others >> k & 1u) && is_bad(distance2<D>(z[j], store_.point(w)), store_.vertex(w).nearest2))
+                    queue_.push(w);
+            }
+    }
+}
+
+// Could a corner at x of v's cell spoil the certificate? As lo is at least half of d_P(v), a necessary condition that
+// needs no walk around v.
+template <int D> bool Refinement<D>::may_spoil_certificate(std::uint32_t v, const double* x) const {
+    const double* const input = store_.point(nearest_input(v));
+    const double reach2 = distance2<D>(x, input), rho = domain_.enclosing_radius;
+    const double hi2 = reach2 < rho * rho ? reach2 : rho * rho;
+    if (store_.vertex(v).marker == Marker::input) return 4 * hi2 > tau_ * tau_ * store_.vertex(v).nearest2;
+    return 4 * hi2 > (2 + tau_) * (2 + tau_) * distance2<D>(store_.point(v), input);
+}
+
+// Crossings of the sphere with the edges of v's cell that end in corner c, which is outside.
+template <int D>
+void Refinement<D>::corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* corner) {
+    const Cell<D>& cell = store_.cell(c);
+    for (int i = 0; i <= D; ++i) {
+        if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
+        const std::uint32_t n = cell.neighbour[i] >> 3;
+        const Cell<D>& other = store_.cell(n);
+        if (!(other.radius2 < infinity) && store_.is_ghost(n)) continue;
+        // A crossing is no farther from v than the farther end; one that is not bad does not matter.
+        const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
+        if (!(bound2 > corner->distance2) || !is_bad(bound2 * (1 + 0x1p-20), store_.vertex(v).nearest2)) continue;
+        if (n < c && !domain_.contains(other.centre)) continue;  // seen from the other end
+        double z[2][D];
+        const int crossings = sphere_crossings<D>(domain_, cell.centre, other.centre, z);
+        for (int j = 0; j < crossings; ++j) offer(z[j], distance2<D>(z[j], store_.point(v)), c, corner);
+    }
+}
+
+// Walks around v's cell. False when the gap is too small for that.
+template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
+    view->clipped.distance2 = view->whole.distance2 = -1;
+    view->reach2 = 0;
+    const double* const p = store_.point(v);
+    const double* const input = store_.point(nearest_input(v));
+    return kernel_.visit_star(v, [&](std::uint32_t c) {
+        const Cell<D>& cell = store_.cell(c);
+        if (store_.is_ghost(c)) return;
+        const double d2 = distance2<D>(cell.centre, p);
+        if (domain_.contains(cell.centre))
+            offer(cell.centre, d2, c, &view->clipped);
+        else
+            corners_on_sphere(v, c, &view->clipped);
+        if (!certify_) return;
+        offer(cell.centre, d2, c, &view->whole);
+        const double reach2 = distance2<D>(cell.centre, input);
+        if (reach2 > view->reach2) view->reach2 = reach2;
+    });
+}
+
+// The corner to refine, null when the cell is good.
+template <int D>
+const typename Refinement<D>::Corner* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
+    const double nearest2 = store_.vertex(v).nearest2;
+    if (is_bad(view.clipped.distance2, nearest2)) return &view.clipped;
+    if (!certify_ || !is_bad(view.whole.distance2, nearest2)) return nullptr;
+    const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
+    const double hi = reach < rho ? reach : rho;
+    if (store_.vertex(v).marker == Marker::input) return 2 * hi > tau_ * square_root(nearest2) ? &view.whole : nullptr;
+    const double d = square_root(distance2<D>(store_.point(v), store_.point(nearest_input(v))));
+    const double inner = d - square_root(view.whole.distance2);
+    const double lo = inner > 0.5 * d ? inner : 0.5 * d;
+    return hi > (2 + tau_) * lo || hi > tau_ * d ? &view.whole : nullptr;
+}
+
+// Inserts a Steiner point between v and a bad corner of its cell, or yields to an input near that place.
+template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner& corner) {
+    const double nearest2 = store_.vertex(v).nearest2;
+    const double wanted = pull_back * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
+    const double fraction = wanted < whole ? wanted / whole : 1;
+    if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
+    const std::uint32_t s = store_.new_vertex();
+    Vertex<D>& steiner = store_.vertex(s);
+    const double* const p = store_.point(v);
+    for (int k = 0; k < D; ++k) steiner.x[k] = p[k] + fraction * (corner.x[k] - p[k]);
+    const double empty2 = distance2<D>(steiner.x, p);
+
+    double input2;
+    const std::uint32_t near = tree_.nearest(steiner.x, nearest_input(v), none, &input2);
+    if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none) {
+        store_.truncate_vertices(s);
+        return insert(near, corner.cell);
+    }
+    steiner.nearest2 = infinity;
+    steiner.cell = none;
+    steiner.next = none;
+    steiner.origin = near;
+    steiner.marker = Marker::steiner;
+    steiner.queued = 0;
+    steiner.unused = 0;
+    const Status status = insert(s, corner.cell);
+    if (status == Status::out_of_memory) store_.truncate_vertices(s);
+    return status;
+}
+
+// Restores the quality of all cells.
+template <int D> Status Refinement<D>::clean() {
+    for (;;) {
+        const std::uint32_t v = queue_.pop();
+        if (v == none) return Status::ok;
+        CellView view;
+        if (!look(v, &view)) return Status::out_of_memory;
+        const Corner* const corner = bad_corner(v, view);
+        if (corner == nullptr) continue;
+        const Status status = split(v, *corner);
+        if (status != Status::ok) return status;
+        queue_.push(v);
+    }
+}
+
+template <int D> Status Refinement<D>::run(const std::uint32_t* order) {
+    monitor_.begin(NETMESH_STAGE_REFINE, inputs_);
+    for (std::uint32_t k = 0; k < inputs_; ++k) {
+        if (store_.vertex(order[k]).cell != none) continue;
+        Status status = insert(order[k], store_.state.last_cell);
+        if (status == Status::ok) status = clean();
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+// Replaces balls that were derived from others by balls that depend on the cell alone, so that what is read off the mesh is
+// the same however it was made, and again after it has been written to a file and loaded.
+template <int D> void settle_spheres(Store<D>& store) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        const double* p[D + 1];
+        for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
+        solve_sphere<D>(p, store.cell(c));
+    }
+}
+
+}  // namespace
+
+template <int D>
+Status refine(Store<D>& store, const double* points, std::size_t n, const RefineOptions& options, Monitor& monitor,
+              InputReport* input, Domain<D>* domain) {
+    const std::size_t low = store.arena.low_mark();
+    std::uint32_t* order;
+    Status status = take_input<D>(store, points, n, options.seed, monitor, input, &order);
+    if (status != Status::ok) return status;
+    Refinement<D> refinement(store, options, monitor, *domain);
+    status = refinement.check_input(input);
+    if (status == Status::ok) status = refinement.open(options);
+    if (status == Status::ok) status = refinement.run(order);
+    store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
+    settle_spheres<D>(store);
+    return status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                    \
+    template Status refine<D>(Store<D>&, const double*, std::size_t, const RefineOptions&, Monitor&, InputReport*, \
+                              Domain<D>*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

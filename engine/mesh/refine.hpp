@@ -1,0 +1,39 @@
+// Sparse Voronoi Refinement (thesis 4.4): from points to a quality mesh.
+#pragma once
+#include <cstdint>
+
+#include "delaunay/triangulate.hpp"
+#include "mesh/domain.hpp"
+
+namespace netmesh {
+
+struct RefineOptions {
+    double tau;            // > 2
+    double domain_factor;  // domain radius over the radius of the smallest enclosing ball, >= 1
+    bool certify;          // also bring the certified ratio of filtration/mesh_filter.hpp below sqrt(2 + tau)
+    std::uint64_t seed;
+};
+
+// Meshes points[n][D]. Afterwards the store is compact; vertices are the inputs (input order), then Steiner and exempt
+// vertices as they came; `domain` is the ball in which each vertex that is not exempt has a clipped Voronoi cell of
+// aspect ratio at most tau; vertex.nearest2 and vertex.origin (nearest input) are final.
+//
+// What is refined is the corner of a clipped cell: a Voronoi corner inside the domain, or a point where a Voronoi edge
+// crosses its sphere. Each Steiner point lies in the cell of some vertex v, at a distance of at least (tau/2) times
+// the distance from v to its nearest neighbour, which is all that the size and termination proof of 3.3 asks for
+// (every vertex stays in the domain, so 3.6's packing argument applies with Omega the domain). The frame of 2 D exempt
+// vertices at four times the domain's radius is farther from every input than any other input, as 3.3.2 requires.
+//
+// With `certify` a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners outside the
+// domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an input, else d_P(v). Either
+// means that its unclipped aspect ratio exceeds tau, so a Steiner point towards its farthest corner is as good for the
+// proof as any other. Such a cell has d_P(v) < 2 rho / (2 + tau), so everything stays within 1 + (2 + 1.15 tau) / (2 + tau) < 2.2
+// enclosing radii, a compact set; only a thin shell around the domain is refined, only as far as the certificate needs.
+//
+// ok, out_of_memory, cancelled (both: a Delaunay mesh of what was inserted, tau not promised), out_of_range and too_close
+// (rows in *input), and what take_input says.
+template <int D>
+Status refine(Store<D>& store, const double* points, std::size_t n, const RefineOptions& options, Monitor& monitor,
+              InputReport* input, Domain<D>* domain);
+
+}  // namespace netmesh

@@ -1,0 +1,13 @@
+// Stable sort of (64-bit key, 32-bit item) pairs.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace netmesh {
+
+// Sorts keys[0..count) ascending and carries items along; equal keys keep their order. spare_keys and spare_items have
+// count entries each and hold nothing afterwards. O(count) for each 8-bit digit in which keys differ.
+void radix_sort(std::uint64_t* keys, std::uint32_t* items, std::uint64_t* spare_keys, std::uint32_t* spare_items,
+                std::size_t count);
+
+}  // namespace netmesh

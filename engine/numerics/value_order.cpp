@@ -1,0 +1,128 @@
+#include "numerics/value_order.hpp"
+
+namespace netmesh {
+namespace {
+
+// A stretch of the array and the bit of its key at which the digit to sort by begins; the key is the value's 64 bits
+// and, once these are equal, the position's 32.
+struct Range {
+    std::uint32_t begin, end;
+};
+constexpr std::uint32_t digits = 256;
+constexpr int digit_bits = 8;
+constexpr int depth_max = 14;  // 8 digits of the value and 4 of the position, one more each for an odd start
+constexpr std::uint32_t short_range = 40;
+
+std::uint64_t bits_of(double x) {
+    std::uint64_t b;
+    __builtin_memcpy(&b, &x, sizeof b);
+    return b;
+}
+
+struct Items {
+    double* value;
+    std::uint32_t* position;
+
+    bool before(std::uint32_t i, double v, std::uint32_t p) const {
+        return value[i] != v ? value[i] < v : position[i] < p;
+    }
+    void swap(std::uint32_t i, std::uint32_t j) const {
+        const double v = value[i];
+        const std::uint32_t p = position[i];
+        value[i] = value[j];
+        position[i] = position[j];
+        value[j] = v;
+        position[j] = p;
+    }
+};
+
+void insertion_sort(const Items& items, Range range) {
+    for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
+        const double v = items.value[i];
+        const std::uint32_t p = items.position[i];
+        std::uint32_t j = i;
+        for (; j > range.begin && !items.before(j - 1, v, p); --j) {
+            items.value[j] = items.value[j - 1];
+            items.position[j] = items.position[j - 1];
+        }
+        items.value[j] = v;
+        items.position[j] = p;
+    }
+}
+
+// How to read a digit of an item.
+struct Digit {
+    bool of_position;
+    int shift;
+    std::uint32_t of(const Items& items, std::uint32_t i) const {
+        const std::uint64_t key = of_position ? items.position[i] : bits_of(items.value[i]);
+        return static_cast<std::uint32_t>(key >> shift) & (digits - 1);
+    }
+};
+
+// The highest digit in which the items of a range differ: value first, then position. Positions are distinct.
+Digit leading_digit(const Items& items, Range range) {
+    std::uint64_t differ = 0;
+    std::uint32_t positions = 0;
+    for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
+        differ |= bits_of(items.value[i]) ^ bits_of(items.value[range.begin]);
+        positions |= items.position[i] ^ items.position[range.begin];
+    }
+    const bool of_position = differ == 0;
+    int top = 63;
+    if (of_position) differ = positions;
+    while (top >= digit_bits && (differ >> top) == 0) --top;
+    return {of_position, top - digit_bits + 1 > 0 ? top - digit_bits + 1 : 0};
+}
+
+// Puts every item into the bucket of its digit; bucket d then ends at end[d].
+void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end) {
+    std::uint32_t next[digits];
+    for (std::uint32_t d = 0; d < digits; ++d) end[d] = 0;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) ++end[digit.of(items, i)];
+    std::uint32_t sum = range.begin;
+    for (std::uint32_t d = 0; d < digits; ++d) {
+        next[d] = sum;
+        sum += end[d];
+        end[d] = sum;
+    }
+    for (std::uint32_t d = 0; d < digits; ++d) {
+        while (next[d] < end[d]) {
+            const std::uint32_t home = digit.of(items, next[d]);
+            if (home == d) {
+                ++next[d];
+            } else {
+                items.swap(next[d], next[home]++);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Arena& arena) {
+    const ArenaScope scope(arena);
+    Range* const stack = arena.take_high<Range>(depth_max * digits);
+    std::uint32_t* const end = arena.take_high<std::uint32_t>(digits);
+    if (stack == nullptr || end == nullptr) return false;
+    const Items items = {value, position};
+    for (std::uint32_t i = 0; i < count; ++i) position[i] = i;
+    std::size_t height = 0;
+    if (count > 1) stack[height++] = {0, count};
+    while (height > 0) {
+        const Range range = stack[--height];
+        if (range.end - range.begin <= short_range) {
+            insertion_sort(items, range);
+            continue;
+        }
+        distribute(items, range, leading_digit(items, range), end);
+        std::uint32_t begin = range.begin;
+        for (std::uint32_t d = 0; d < digits; ++d) {
+            if (end[d] - begin > 1) stack[height++] = {begin, end[d]};
+            begin = end[d];
+        }
+    }
+    return true;
+}
+
+}  // namespace netmesh

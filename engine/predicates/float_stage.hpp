@@ -1,0 +1,146 @@
+// The determinant in doubles with a bound on its error.
+//
+// Entries are differences of coordinates, the lift is a sum of squares, the determinant is expanded column by column.
+// Let u = 2^-53 and d_i the exact differences. In the computed value every product of the Leibniz sum carries at most
+// e(N) factors 1 + delta, |delta| <= u:
+//     e(1) = 1 (the difference),  e(k) = e(k-1) + 1 (difference) + 1 (product) + (k-1) (sums)  for coordinate columns,
+//     e = e(D) + (D+2) (the lift) + 1 + D  when the lift is the last of D+1 columns.
+// So the error is at most e u (1 + e u) times the permanent of the matrix of absolute values, and an inequality of
+// Carlen, Lieb and Loss (An inequality of Hadamard type for permanents, 2006) bounds a permanent of order D by
+// D! / D^(D/2) times the product of the rows' lengths: it is at most
+//     orient: c |d_1| ... |d_D|,    in_ball: c (D+1) max |d_i| |d_1| ... |d_(D+1)|,    c = D! / D^(D/2).
+// `magnitude` is that bound. It holds for every minor and partial sum too, as far as no |d_i| is below 1.
+// All this is without underflow. Admitting only lengths within 2^(+-480/ceil(factors/2)) keeps each product of lengths
+// in the bound above 2^-960; at most 1,000 roundings below 2^-1074, each multiplied by no more than the lengths that
+// its minor lacks, add less than 2^-100 of the bound. Overflow cannot occur.
+#pragma once
+#include <utility>
+
+#include "numerics/minors.hpp"
+#include "predicates/frame.hpp"
+
+namespace netmesh {
+
+template <int N, int K> struct FloatMinor {
+    static constexpr const MinorLevel<N, K>& level = minor_level<N, K>;
+
+    // Member K-1-J; a first operand is never negated, so that the sum starts with it.
+    template <int S, int J> static double term(const double (&a)[N][N], const double* below) {
+        return a[level.term[S][K - 1 - J].row][K - 1] * below[level.term[S][K - 1 - J].below];
+    }
+    template <int S, int... J>
+    static double sum(const double (&a)[N][N], const double* below, std::integer_sequence<int, J...>) {
+        double s = term<S, 0>(a, below);
+        ((s = (J & 1) == 0 ? s - term<S, J + 1>(a, below) : s + term<S, J + 1>(a, below)), ...);
+        return s;
+    }
+    template <int... S>
+    static void all(const double (&a)[N][N], const double* below, double* out, std::integer_sequence<int, S...>) {
+        ((out[S] = sum<S>(a, below, std::make_integer_sequence<int, K - 1>{})), ...);
+    }
+    // The minors of order K from those of order K-1.
+    static void all(const double (&a)[N][N], const double* below, double* out) {
+        all(a, below, out, std::make_integer_sequence<int, binomial(N, K)>{});
+    }
+};
+
+template <int N, int K> double float_determinant_from(const double (&a)[N][N], const double* below) {
+    double minors[binomial(N, K)];
+    FloatMinor<N, K>::all(a, below, minors);
+    if constexpr (K == N)
+        return minors[0];
+    else
+        return float_determinant_from<N, K + 1>(a, minors);
+}
+
+template <int N> double float_determinant(const double (&a)[N][N]) {
+    double first[N];
+    for (int i = 0; i < N; ++i) first[i] = a[i][0];
+    return float_determinant_from<N, 2>(a, first);
+}
+
+struct FloatResult {
+    double determinant;
+    double magnitude;  // 0: nothing is known
+};
+
+template <int D, bool lifted> struct FloatBounds {
+    static constexpr int roundings() {
+        int e = 1;
+        for (int k = 2; k <= D; ++k) e += k + 1;
+        return lifted ? e + 2 * D + 3 : e;
+    }
+    static constexpr double permanent_constant() {
+        constexpr double c[7] = {1, 1, 1, 1.15471, 1.5, 2.14664, 3.33334};  // rounded up
+        return lifted ? c[D] * (D + 1) : c[D];
+    }
+    // Lengths in the magnitude: one a row and, with a lift, the largest once more.
+    static constexpr int factors = lifted ? D + 2 : D;
+    static constexpr double range() {
+        double r = 1;
+        for (int i = 0; i < 960 / ((factors + 1) / 2); ++i) r *= 2;
+        return r;
+    }
+    static constexpr double length_squared_max = range();
+    static constexpr double length_squared_min = 1 / range();
+    // 1.001 covers the second order and the rounding of the magnitude itself.
+    static constexpr double magnitude_factor = permanent_constant() * 1.001;
+    static constexpr double error_factor = roundings() * 1.1102230246251565e-16 * 1.001;
+};
+
+// With the last of the points as base.
+template <int D, bool lifted> FloatResult float_stage(const double* const* points) {
+    using Bounds = FloatBounds<D, lifted>;
+    constexpr int n = Frame<D, lifted>::rows;
+    double a[n][n], half[2] = {1, 1}, longest = 0;
+    bool admitted = true;
+    for (int i = 0; i < n; ++i) {
+        double s = 0;
+        for (int c = 0; c < D; ++c) {
+            const double d = points[i][c] - points[n][c];
+            a[i][c] = d;
+            s += d * d;
+        }
+        if constexpr (lifted) a[i][D] = s;
+        half[i & 1] *= s;
+        longest = s > longest ? s : longest;
+        admitted &= s >= Bounds::length_squared_min;
+        admitted &= s <= Bounds::length_squared_max;
+    }
+    if constexpr (lifted) half[n & 1] *= longest;
+    if (!admitted) return {0, 0};
+    return {float_determinant<n>(a), __builtin_sqrt(half[0]) * __builtin_sqrt(half[1]) * Bounds::magnitude_factor};
+}
+
+// x * 2^k for |k| <= 2044, in two exact steps unless it underflows.
+inline double scale(double x, int k) { return x * power_of_two(k / 2) * power_of_two(k - k / 2); }
+
+// With the frame's base, each row divided by its size, so that no range is too wide: an entry or a lift that underflows
+// is too small to matter by far. The rows must be neither zero nor infinite.
+template <int D, bool lifted> FloatResult float_stage_scaled(const Frame<D, lifted>& frame) {
+    using Bounds = FloatBounds<D, lifted>;
+    constexpr int n = Frame<D, lifted>::rows;
+    const int widest = frame.widest();
+    double a[n][n], product = 1;
+    for (int i = 0; i < n; ++i) {
+        double s = 0;
+        for (int c = 0; c < D; ++c) {
+            a[i][c] = scale(frame.row[i][c] - frame.base[c], -frame.exponent[i]);
+            s += a[i][c] * a[i][c];  // in [1, 4 D)
+        }
+        if constexpr (lifted) {
+            const int fall = widest - frame.exponent[i];
+            a[i][D] = scale(s, fall < 2000 ? -fall : -2000);
+        }
+        product *= s;
+    }
+    double magnitude = __builtin_sqrt(product) * Bounds::magnitude_factor;
+    if constexpr (lifted) {
+        double highest = 0;
+        for (int i = 0; i < n; ++i) highest = a[i][D] > highest ? a[i][D] : highest;
+        magnitude *= highest;  // a lift over its row's length is at most the lift
+    }
+    return {float_determinant<n>(a), magnitude};
+}
+
+}  // namespace netmesh

@@ -1,0 +1,170 @@
+#include "platform/files.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "platform/interrupt.hpp"
+
+namespace netmesh::platform {
+
+namespace {
+
+std::string reason() {
+    if (errno == ENOENT) return "no such file or folder";
+    if (errno == EISDIR) return "is a directory";
+    return std::strerror(errno);
+}
+
+bool read_descriptor(int descriptor, std::size_t expected, std::string* content, std::string* why) {
+    content->resize(expected + 1);  // one more than expected, so that the end is seen without growing
+    std::size_t filled = 0;
+    for (;;) {
+        if (filled == content->size()) content->resize(2 * filled + 65536);
+        const ssize_t got = ::read(descriptor, &(*content)[filled], content->size() - filled);
+        if (got == 0) break;
+        if (got > 0) {
+            filled += static_cast<std::size_t>(got);
+        } else if (errno != EINTR) {
+            *why = reason();
+            return false;
+        }
+        if (interrupted()) {
+            *why = "interrupted";
+            return false;
+        }
+    }
+    content->resize(filled);
+    return true;
+}
+
+std::string resolved(const std::string& path) {
+    char* target = realpath(path.c_str(), nullptr);
+    if (target == nullptr) return path;
+    const std::string result = target;
+    std::free(target);
+    return result;
+}
+
+}  // namespace
+
+bool read_file(const std::string& path, std::string* content, std::string* why) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        *why = reason();
+        return false;
+    }
+    struct stat about = {};
+    const bool known = fstat(descriptor, &about) == 0;
+    bool good = false;
+    if (known && S_ISDIR(about.st_mode)) {
+        *why = "is a directory";
+    } else {
+        const std::size_t expected = known && S_ISREG(about.st_mode) ? static_cast<std::size_t>(about.st_size) : 0;
+        good = read_descriptor(descriptor, expected, content, why);
+    }
+    ::close(descriptor);
+    return good;
+}
+
+bool read_stdin(std::string* content, std::string* why) { return read_descriptor(0, 0, content, why); }
+
+bool can_write(const std::string& path, std::string* why) {
+    struct stat about = {};
+    std::string tested = path;
+    int wish = W_OK;
+    if (stat(path.c_str(), &about) != 0) {
+        const std::size_t slash = path.rfind('/');
+        tested = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+        wish = W_OK | X_OK;
+    } else if (S_ISDIR(about.st_mode)) {
+        *why = "is a directory";
+        return false;
+    }
+    if (access(tested.c_str(), wish) == 0) return true;
+    *why = reason();
+    return false;
+}
+
+OutputFile::~OutputFile() {
+    if (descriptor_ >= 0 && !is_stdout_) ::close(descriptor_);
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+    forget(removal_);
+}
+
+bool OutputFile::fail(const char* doing) {
+    if (why_.empty()) why_ = std::string(doing) + ": " + reason();
+    return false;
+}
+
+void OutputFile::open_stdout() {
+    descriptor_ = 1;
+    is_stdout_ = true;
+}
+
+bool OutputFile::open(const std::string& path) {
+    struct stat about = {};
+    mode_t mode = 0;
+    if (stat(path.c_str(), &about) == 0) {
+        if (S_ISDIR(about.st_mode)) {
+            errno = EISDIR;
+            return fail("cannot write");
+        }
+        if (!S_ISREG(about.st_mode)) {
+            descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+            return descriptor_ >= 0 || fail("cannot open for writing");
+        }
+        if (access(path.c_str(), W_OK) != 0) return fail("cannot write");
+        mode = about.st_mode & 07777;
+    } else {
+        const mode_t mask = umask(0);
+        umask(mask);
+        mode = 0666 & ~mask;
+    }
+    path_ = resolved(path);
+    std::string name = path_ + ".XXXXXX";
+    descriptor_ = mkstemp(&name[0]);
+    if (descriptor_ < 0) return fail("cannot write");
+    temporary_ = name;
+    removal_ = remove_when_killed(temporary_.c_str());
+    fchmod(descriptor_, mode);
+    return true;
+}
+
+void OutputFile::write(const char* data, std::size_t bytes) {
+    while (bytes > 0 && why_.empty()) {
+        if (interrupted()) {
+            why_ = "interrupted";
+            return;
+        }
+        const ssize_t put = ::write(descriptor_, data, bytes);
+        if (put >= 0) {
+            data += put;
+            bytes -= static_cast<std::size_t>(put);
+        } else if (errno != EINTR) {
+            fail("cannot write");
+        }
+    }
+}
+
+bool OutputFile::finish() {
+    if (descriptor_ >= 0 && !is_stdout_ && ::close(descriptor_) != 0) fail("cannot write");
+    descriptor_ = -1;
+    return why_.empty();
+}
+
+bool OutputFile::publish() {
+    if (temporary_.empty()) return true;
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) return fail("cannot rename");
+    temporary_.clear();
+    forget(removal_);
+    removal_ = -1;
+    return true;
+}
+
+}  // namespace netmesh::platform

@@ -1,0 +1,52 @@
+#include "platform/memory.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdio>
+
+namespace netmesh::platform {
+
+bool Reservation::reserve(std::size_t bytes) {
+    release();
+    void* base = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (base == MAP_FAILED) return false;
+    base_ = base;
+    bytes_ = bytes;
+    return true;
+}
+
+void Reservation::release() {
+    if (base_ != nullptr) munmap(base_, bytes_);
+    base_ = nullptr;
+    bytes_ = 0;
+}
+
+namespace {
+
+// The number in a control-group file, or `otherwise` when there is none ("max" means no limit).
+unsigned long long number_in(const char* path, unsigned long long otherwise) {
+    std::FILE* file = std::fopen(path, "r");
+    if (file == nullptr) return otherwise;
+    unsigned long long value = 0;
+    const bool found = std::fscanf(file, "%llu", &value) == 1;
+    std::fclose(file);
+    return found ? value : otherwise;
+}
+
+}  // namespace
+
+std::size_t physical_memory_bytes() {
+    const long pages = sysconf(_SC_PHYS_PAGES), page_bytes = sysconf(_SC_PAGESIZE);
+    unsigned long long bytes = SIZE_MAX / 2;
+    if (pages > 0 && page_bytes > 0) {
+        bytes = static_cast<unsigned long long>(pages) * static_cast<unsigned long long>(page_bytes);
+    }
+    const unsigned long long limit = number_in("/sys/fs/cgroup/memory.max", bytes);
+    if (limit < bytes) bytes = limit;
+    const unsigned long long most = SIZE_MAX / 2;
+    return static_cast<std::size_t>(bytes < most ? bytes : most);
+}
+
+}  // namespace netmesh::platform

@@ -1,0 +1,376 @@
+#!/usr/bin/env python3
+"""Checks on what the build made and on who includes whom. Each prints what it found and exits 1 on a fault.
+
+  check.py archive  --archive libnetmesh.a [--plain]     symbols, data, instructions of the archive
+  check.py includes --engine engine                      headers by allow-list, rooms by floor
+  check.py stack    --records DIR [--bytes N] [--bytes-low-dim N] [--recursion-only]
+                                                         worst call chain of every public function
+
+--plain: inner symbols may be global (an archive that could not be finished).
+"""
+import argparse
+import os
+import re
+import subprocess
+import sys
+
+PUBLIC = "netmesh_"
+UNDEFINED_ALLOWED = {"memcpy", "memmove", "memset", "memcmp"}
+
+
+def run(*command):
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
+
+
+# ---------------------------------------------------------------------------------------------------- the archive
+
+
+def undefined_symbols(archive, tools):
+    """Names that the archive wants from outside and does not define itself."""
+    wanted, defined = set(), set()
+    for line in run(tools.nm, "-P", archive).splitlines():
+        field = line.split()
+        if len(field) < 2 or line.endswith(":"):
+            continue
+        (wanted if field[1] in "Uwv" else defined).add(field[0])
+    # The compiler's mark for position-independent code, made by the linker itself.
+    return sorted(wanted - defined - UNDEFINED_ALLOWED - {"_GLOBAL_OFFSET_TABLE_"})
+
+
+def global_symbols(archive, tools):
+    names = set()
+    for line in run(tools.nm, "-P", "-g", "--defined-only", archive).splitlines():
+        field = line.split()
+        if len(field) >= 2 and not field[0].startswith(PUBLIC):
+            names.add(field[0])
+    return sorted(names)
+
+
+def mutable_sections(archive, tools):
+    """Sections that are writable at run time and not empty. Constants with relocations (.data.rel.ro) are not: the
+    loader protects them once they are filled in."""
+    found = []
+    line_of = re.compile(r"\[ *\d+\] (\S+) +(\S+) +[0-9a-f]+ [0-9a-f]+ ([0-9a-f]+) [0-9a-f]+ +([A-Za-z]*) ")
+    for line in run(tools.readelf, "-SW", archive).splitlines():
+        m = line_of.search(line)
+        if not m:
+            continue
+        name, size, flags = m.group(1), int(m.group(3), 16), m.group(4)
+        if "W" in flags and "A" in flags and size > 0 and not name.startswith(".data.rel.ro"):
+            found.append("%s (%d bytes)" % (name, size))
+    return found
+
+
+# Fused multiply-add of x86 and of Arm; x87 on x86-64, where nothing but long double brings it in.
+FUSED = re.compile(r"\t(vf[n]?m(?:add|sub|addsub|subadd)\w*|f[n]?m(?:add|sub)|fml[as]|vfm[as]|vfnm[as])\b")
+X87 = re.compile(r"\t(f(?:ld|ild|st|ist|add|iadd|mul|imul|sub|isub|div|idiv|sqrt|xch|chs|abs|com|ucom)\w*)\b")
+
+
+def forbidden_instructions(archive, tools):
+    text = run(tools.objdump, "-d", "--no-show-raw-insn", archive)
+    patterns = [FUSED, X87] if "x86-64" in text else [FUSED]
+    function, found, lines = "?", {}, 0
+    for line in text.splitlines():
+        if line.endswith(">:"):
+            function = line[line.index("<") + 1:-2]
+            continue
+        lines += 1
+        for pattern in patterns:
+            m = pattern.search(line)
+            if m:
+                found.setdefault(function, set()).add(m.group(1))
+    if lines == 0:
+        return ["nothing was disassembled"]
+    return ["%s in %s" % (" ".join(sorted(v)), k) for k, v in sorted(found.items())]
+
+
+def check_archive(tools):
+    parts = [("undefined symbols beyond " + " ".join(sorted(UNDEFINED_ALLOWED)), undefined_symbols),
+             ("mutable data", mutable_sections), ("fused or x87 instructions", forbidden_instructions)]
+    if not tools.plain:
+        parts.append(("global symbols that are not " + PUBLIC + "*", global_symbols))
+    public = [s for s in run(tools.nm, "-P", "-g", "--defined-only", tools.archive).split("\n") if s.startswith(PUBLIC)]
+    print("%s: %d public symbols" % (tools.archive, len(public)))
+    if not public:
+        print("FAULT no public symbol at all")
+    faults = 0 if public else 1
+    for title, part in parts:
+        found = part(tools.archive, tools)
+        print("%-5s %s: %s" % ("FAULT" if found else "ok", title, ", ".join(found) if found else "none"))
+        faults += len(found)
+    return faults
+
+
+# ------------------------------------------------------------------------------------------------------- includes
+
+SYSTEM_ALLOWED = {"cstddef", "cstdint", "climits", "limits", "type_traits", "utility", "new", "array"}
+SYSTEM_PUBLIC = {"stddef.h", "stdint.h"}
+# A room sees its own files, the files of these rooms and single files named here.
+SEES = {
+    "include": set(),
+    "memory": {"include"},
+    "numerics": {"memory"},
+    "predicates": {"numerics", "memory"},
+    "delaunay": {"predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
+    "mesh": {"delaunay", "predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
+    "complex": {"memory", "numerics"},
+    "homology": {"complex", "memory", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
+    "diagram": {"homology", "complex", "memory", "numerics", "include"},
+    "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "include"},
+    "api": {"filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory",
+            "include"},
+}
+INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
+
+
+def check_includes(engine):
+    faults, files = [], 0
+    for folder, _, names in sorted(os.walk(engine)):
+        for name in sorted(names):
+            if not name.endswith((".hpp", ".cpp", ".h", ".c", ".inc")):
+                continue
+            path = os.path.relpath(os.path.join(folder, name), engine)
+            room = path.split(os.sep)[0]
+            files += 1
+            if room not in SEES:
+                faults.append("%s: no such room" % path)
+                continue
+            system = SYSTEM_PUBLIC if path.startswith("include") and name.endswith(".h") else SYSTEM_ALLOWED
+            with open(os.path.join(folder, name), encoding="utf-8") as f:
+                text = f.read()
+            for m in INCLUDE.finditer(text):
+                what = m.group(1).strip()
+                where = "%s:%d" % (path, text.count("\n", 0, m.start()) + 1)
+                if what.startswith("<"):
+                    if what[1:what.find(">")] not in system:
+                        faults.append("%s: %s is not on the allow-list" % (where, what))
+                    continue
+                if not what.startswith('"'):
+                    faults.append("%s: include by macro" % where)
+                    continue
+                target = what[1:what.find('"', 1)]
+                for base in (folder, engine, os.path.join(engine, "include")):
+                    full = os.path.normpath(os.path.join(base, target))
+                    if os.path.isfile(full):
+                        break
+                else:
+                    faults.append('%s: "%s" is not a file of the engine' % (where, target))
+                    continue
+                seen = os.path.relpath(full, engine)
+                their_room = seen.split(os.sep)[0]
+                if their_room != room and their_room not in SEES[room] and seen.replace(os.sep, "/") not in SEES[room]:
+                    faults.append("%s: %s does not see %s" % (where, room, seen))
+    print("%d files" % files)
+    for fault in faults:
+        print("FAULT " + fault)
+    if files == 0:
+        print("FAULT no files under %s" % engine)
+        return 1
+    if not faults:
+        print("ok    headers on the allow-list, rooms include only their own or lower floors")
+    return len(faults)
+
+
+# ---------------------------------------------------------------------------------------------------------- stack
+
+NODE = re.compile(r'^node: \{ title: "([^"]*)" label: "([^"]*)"(.*)\}')
+EDGE = re.compile(r'^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"(?: label: "([^"]*)")?')
+OUTSIDE_BYTES = 128   # what memcpy and its like may take, with their return address
+RED_ZONE_BYTES = 128  # used below the frame by functions that call nothing; the compiler's figure leaves it out
+INDIRECT = "__indirect_call"
+INDIRECT_ALLOWED = "memory/monitor.hpp"  # the poll: its stack is the caller's affair
+
+
+class Graph:
+    def __init__(self):
+        self.frame, self.label, self.calls, self.faults, self.files = {}, {}, {}, [], 0
+
+    def read(self, records):
+        """All .ci files below a folder. A template instantiated in several files counts with its largest frame."""
+        for folder, _, names in sorted(os.walk(records)):
+            for name in sorted(names):
+                if name.endswith(".ci"):
+                    self.files += 1
+                    with open(os.path.join(folder, name), encoding="utf-8") as f:
+                        for line in f:
+                            self.read_line(line)
+
+    def read_line(self, line):
+        m = NODE.match(line)
+        if m:
+            title, label, rest = m.groups()
+            if "shape" in rest:  # declared here, defined elsewhere
+                return
+            size = re.search(r"(\d+) bytes \(([a-z,]+)\)", label)
+            if not size:
+                self.faults.append("no frame size for %s" % title)
+                return
+            self.frame[title] = max(self.frame.get(title, 0), int(size.group(1)))
+            self.label[title] = label.split("\\n")[0]
+            self.calls.setdefault(title, set())
+            # "dynamic,bounded": arguments pushed around a call; the figure is the most that it gets.
+            if size.group(2) not in ("static", "dynamic,bounded"):
+                self.faults.append("frame of %s is %s" % (self.label[title], size.group(2)))
+            return
+        m = EDGE.match(line)
+        if m:
+            caller, callee, where = m.groups()
+            if callee == INDIRECT:
+                if INDIRECT_ALLOWED not in (where or ""):
+                    self.faults.append("indirect call in %s at %s" % (self.label.get(caller, caller), where))
+                return
+            self.calls.setdefault(caller, set()).add(callee)
+
+    def link(self):
+        """Calls across files name the bare symbol; an instantiation's own record has its file in front."""
+        definitions = {}
+        for title in self.frame:
+            symbol = title.rsplit(":", 1)[-1]
+            if symbol not in definitions or self.frame[title] > self.frame[definitions[symbol]]:
+                definitions[symbol] = title
+        for caller, callees in self.calls.items():
+            self.calls[caller] = {c if c in self.frame else definitions.get(c, c) for c in callees}
+
+    def cycles(self):
+        """Strongly connected sets of more than one function, or functions that call themselves (Tarjan, iterative)."""
+        index, low, on, stack, found, count = {}, {}, set(), [], [], 0
+        for root in sorted(self.frame):
+            if root in index:
+                continue
+            work = [(root, iter(sorted(self.calls[root])))]
+            index[root] = low[root] = count = count + 1
+            stack.append(root)
+            on.add(root)
+            while work:
+                node, rest = work[-1]
+                for callee in rest:
+                    if callee not in self.frame:
+                        continue
+                    if callee not in index:
+                        index[callee] = low[callee] = count = count + 1
+                        stack.append(callee)
+                        on.add(callee)
+                        work.append((callee, iter(sorted(self.calls[callee]))))
+                        break
+                    if callee in on:
+                        low[node] = min(low[node], index[callee])
+                else:
+                    work.pop()
+                    if work:
+                        low[work[-1][0]] = min(low[work[-1][0]], low[node])
+                    if low[node] == index[node]:
+                        part = []
+                        while True:
+                            top = stack.pop()
+                            on.discard(top)
+                            part.append(top)
+                            if top == node:
+                                break
+                        if len(part) > 1 or node in self.calls[node]:
+                            found.append(part)
+        return found
+
+    def worst(self, root, dim=None):
+        """Bytes of the deepest chain from root, and the chain. With dim, instantiations for other dimensions are left
+        out. Only for graphs without cycles."""
+        memo, work = {}, [root]
+        while work:
+            node = work[-1]
+            if node in memo:
+                work.pop()
+                continue
+            callees = [c for c in sorted(self.calls.get(node, ())) if dim is None or dimension_of(c) in (None, dim)]
+            todo = [c for c in callees if c not in memo and c in self.frame]
+            if todo:
+                work.extend(todo)
+                continue
+            best, through = (0, None) if callees else (RED_ZONE_BYTES, None)
+            for c in callees:
+                bytes_c = memo[c][0] if c in self.frame else OUTSIDE_BYTES
+                if bytes_c > best:
+                    best, through = bytes_c, c
+            memo[node] = (self.frame[node] + best, through)
+            work.pop()
+        chain, node = [], root
+        while node is not None and node in self.frame:
+            chain.append(node)
+            node = memo[node][1]
+        return memo[root][0], chain
+
+
+def dimension_of(title):
+    """D of an instantiation on a dimension: the first template argument, an int of 2..6."""
+    m = re.search(r"ILi([2-6])E", title)
+    return int(m.group(1)) if m else None
+
+
+def check_stack(records, limit, limit_low, recursion_only):
+    graph = Graph()
+    graph.read(records)
+    graph.link()
+    if not graph.frame:
+        print("FAULT no call graphs (.ci) under %s" % records)
+        return 1
+    faults = sorted(set(graph.faults))
+    cycles = graph.cycles()
+    for part in cycles:
+        faults.append("recursion: " + ", ".join(graph.label[t] for t in sorted(part)))
+    roots = sorted(t for t in graph.frame if t.startswith(PUBLIC))
+    print("%d functions in %d files, %d of them public" % (len(graph.frame), graph.files, len(roots)))
+    if not roots:
+        faults.append("no public function")
+    if not cycles and not recursion_only:
+        deepest, deepest_chain = 0, []
+        print("%-28s %8s   %s" % ("worst chain, bytes", "any D", "  ".join("D = %d " % d for d in range(2, 7))))
+        for root in roots:
+            total, chain = graph.worst(root)
+            by_dim = {d: graph.worst(root, d)[0] for d in range(2, 7)}
+            print("%-28s %8d   %s" % (root, total, "  ".join("%6d" % by_dim[d] for d in range(2, 7))))
+            if total > limit:
+                faults.append("%s needs %d bytes of stack, %d are the limit" % (root, total, limit))
+            for d in (2, 3, 4):
+                if by_dim[d] > limit_low:
+                    faults.append("%s needs %d bytes of stack at D = %d, %d are the limit" % (root, by_dim[d], d, limit_low))
+            if total > deepest:
+                deepest, deepest_chain = total, chain
+        print("the deepest:")
+        for node in deepest_chain:
+            print("  %6d  %s" % (graph.frame[node], graph.label[node]))
+        outside = set(c for s in graph.calls.values() for c in s if c not in graph.frame)
+        print("called but not seen: " + " ".join(sorted(outside)))
+        faults += ["%s is called but not seen" % c for c in sorted(outside - UNDEFINED_ALLOWED)]
+    for fault in faults:
+        print("FAULT " + fault)
+    if not faults:
+        print("ok    no recursion, no dynamic frame, no indirect call but the poll" +
+              ("" if recursion_only else "; at most %d bytes, %d for D <= 4" % (limit, limit_low)))
+    return len(faults)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    sub = parser.add_subparsers(dest="check", required=True)
+    archive = sub.add_parser("archive")
+    archive.add_argument("--archive", required=True)
+    archive.add_argument("--plain", action="store_true")
+    for tool in ("nm", "objdump", "readelf"):
+        archive.add_argument("--" + tool, default=tool)
+    includes = sub.add_parser("includes")
+    includes.add_argument("--engine", required=True)
+    stack = sub.add_parser("stack")
+    stack.add_argument("--records", required=True)
+    stack.add_argument("--bytes", type=int, default=32768)
+    stack.add_argument("--bytes-low-dim", type=int, default=16384)
+    stack.add_argument("--recursion-only", action="store_true")
+    options = parser.parse_args()
+    if options.check == "archive":
+        faults = check_archive(options)
+    elif options.check == "includes":
+        faults = check_includes(options.engine)
+    else:
+        faults = check_stack(options.records, options.bytes, options.bytes_low_dim, options.recursion_only)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

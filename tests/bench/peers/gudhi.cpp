@@ -1,0 +1,59 @@
+#include <cmath>
+
+#include <CGAL/Epick_d.h>
+#include <gudhi/Alpha_complex.h>
+#include <gudhi/Alpha_complex_3d.h>
+#include <gudhi/Persistent_cohomology.h>
+#include <gudhi/Simplex_tree.h>
+
+#include "contestants.hpp"
+
+namespace bench {
+namespace {
+
+// The fast options with double values.
+struct Options : Gudhi::Simplex_tree_options_full_featured {
+    static const bool contiguous_vertices = true;
+};
+using Tree = Gudhi::Simplex_tree<Options>;
+using Cohomology = Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp>;
+
+// make(tree) builds the alpha complex; its values are squared radii.
+template <class Make> void persist(Trial& trial, Make make) {
+    trial.start();
+    Tree tree;
+    make(tree);
+    tree.initialize_filtration();
+    Cohomology cohomology(tree, true);
+    cohomology.init_coefficients(2);
+    cohomology.compute_persistent_cohomology(0);
+    trial.stop();
+    trial.figure(simplices, static_cast<double>(tree.num_simplices()));
+    for (const auto& pair : cohomology.get_persistent_pairs()) {
+        const auto birth = std::get<0>(pair), death = std::get<1>(pair);
+        trial.outcome.diagram.push_back({static_cast<std::uint32_t>(tree.dimension(birth)), std::sqrt(tree.filtration(birth)),
+                                         death == tree.null_simplex() ? INFINITY : std::sqrt(tree.filtration(death))});
+    }
+}
+
+template <int D> void persist_d(Trial& trial, const inputs::Points& points) {
+    using Kernel = CGAL::Epick_d<CGAL::Dimension_tag<D>>;
+    std::vector<typename Kernel::Point_d> rows;
+    for (std::size_t i = 0; i < points.size(); i += D) rows.emplace_back(&points[i], &points[i] + D);
+    persist(trial, [&](Tree& tree) { Gudhi::alpha_complex::Alpha_complex<Kernel>(rows).create_complex(tree); });
+}
+
+}  // namespace
+
+void gudhi_alpha(Trial& trial, int dim, const inputs::Points& points) {
+    if (dim == 2) persist_d<2>(trial, points);
+    if (dim == 4) persist_d<4>(trial, points);
+    if (dim == 3) {
+        using Alpha = Gudhi::alpha_complex::Alpha_complex_3d<Gudhi::alpha_complex::complexity::FAST>;
+        std::vector<Alpha::Bare_point_3> rows;
+        for (std::size_t i = 0; i < points.size(); i += 3) rows.emplace_back(points[i], points[i + 1], points[i + 2]);
+        persist(trial, [&](Tree& tree) { Alpha(rows).create_complex(tree); });
+    }
+}
+
+}  // namespace bench

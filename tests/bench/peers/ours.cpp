@@ -1,0 +1,80 @@
+#include <cstdio>
+#include <cstdlib>
+
+#include "common/session.hpp"
+#include "contestants.hpp"
+
+namespace bench {
+namespace {
+
+void demand(netmesh_status status, const Session& session) {
+    if (status == NETMESH_OK) return;
+    std::fprintf(stderr, "netmesh: %s; %s\n", netmesh_status_text(status), netmesh_get_detail(session.context).message);
+    std::exit(1);
+}
+
+// More than any case here needs; pages that are not touched cost nothing.
+constexpr std::size_t block_bytes = std::size_t(12) << 30;
+
+}  // namespace
+
+void ours_delaunay(Trial& trial, int dim, const inputs::Points& points) {
+    Session session(dim);
+    trial.start();
+    session.reserve(block_bytes);
+    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim), &session.options), session);
+    trial.stop();
+    trial.figure(cells, static_cast<double>(session.report().cells));
+    trial.figure(arena_bytes, static_cast<double>(session.report().peak_bytes));
+}
+
+void ours_mesh(Trial& trial, const inputs::Points& points, double tau) {
+    Session session(3);
+    session.options.tau = tau;
+    trial.start();
+    session.reserve(block_bytes);
+    demand(netmesh_mesh(session.context, points.data(), points.size() / 3, NETMESH_JOB_MESH, &session.options), session);
+    trial.stop();
+    const netmesh_report report = session.report();
+    trial.figure(vertices, static_cast<double>(report.vertices));
+    trial.figure(cells, static_cast<double>(report.cells));
+    std::vector<double> coordinates;
+    netmesh_vertex vertex;
+    for (std::uint64_t v = 0; netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK; ++v)
+        coordinates.insert(coordinates.end(), vertex.coordinates, vertex.coordinates + 3);
+    measure_aspect(trial, coordinates, session.cells<4>(), report.domain);
+    trial.figure(aspect_clipped, report.aspect_ratio_max);
+}
+
+void ours_persist(Trial& trial, int dim, const inputs::Points& points, double tau) {
+    Session session(dim);
+    session.options.tau = tau;
+    session.reserve(block_bytes);
+    demand(netmesh_mesh(session.context, points.data(), points.size() / static_cast<std::size_t>(dim), NETMESH_JOB_PERSIST,
+                        &session.options), session);
+    const double mesh_bytes = static_cast<double>(session.report().used_bytes);
+    trial.start();
+    demand(netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &session.options),
+           session);
+    trial.stop();
+    const netmesh_report report = session.report();
+    trial.figure(simplices, static_cast<double>(report.simplices));
+    trial.figure(vertices, static_cast<double>(report.vertices));
+    trial.figure(cells, static_cast<double>(report.cells));
+    trial.figure(arena_bytes, static_cast<double>(report.peak_bytes) - mesh_bytes);
+    trial.outcome.diagram = session.pairs();
+}
+
+void ours_alpha(Trial& trial, int dim, const inputs::Points& points) {
+    Session session(dim);
+    trial.start();
+    session.reserve(block_bytes);
+    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim), &session.options), session);
+    demand(netmesh_persist(session.context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &session.options), session);
+    trial.stop();
+    trial.figure(simplices, static_cast<double>(session.report().simplices));
+    trial.figure(arena_bytes, static_cast<double>(session.report().peak_bytes));
+    trial.outcome.diagram = session.pairs();
+}
+
+}  // namespace bench

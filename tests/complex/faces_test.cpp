@@ -1,0 +1,237 @@
+#include "complex/faces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+#include "complex/triangulations.hpp"
+
+using namespace netmesh;
+using namespace netmesh_test;
+
+namespace {
+
+using Simplex = std::vector<std::uint32_t>;
+
+template <int D> Simplex vertices_of(const Faces<D>& faces, int k, std::uint32_t i) {
+    Simplex s(static_cast<std::size_t>(k + 1));
+    faces.vertices(k, i, s.data());
+    return s;
+}
+
+// Every face once, in lexicographic order, against a set; every facet where it says it is.
+template <int D> void compare_with_sets(const Cells<D>& cells, int dimension_max) {
+    std::vector<std::set<Simplex>> expected(D + 1);
+    for (const auto& cell : cells.list) {
+        Simplex sorted(cell.begin(), cell.end());
+        std::sort(sorted.begin(), sorted.end());
+        for (unsigned mask = 1; mask < 2u << D; ++mask) {
+            Simplex face;
+            for (int i = 0; i <= D; ++i)
+                if ((mask >> i & 1u) != 0) face.push_back(sorted[static_cast<std::size_t>(i)]);
+            expected[face.size() - 1].insert(face);
+        }
+    }
+    Block block(std::size_t{1} << 26);
+    Monitor monitor;
+    Faces<D> faces;
+    REQUIRE(enumerate_faces<D>(cells.view(), dimension_max, block.arena, monitor, &faces) == Status::ok);
+    CHECK(faces.dimension_max == dimension_max);
+    for (int k = 0; k <= D; ++k) {
+        if (k > dimension_max) {
+            CHECK(faces.count[k] == 0);
+            continue;
+        }
+        REQUIRE(faces.count[k] == expected[static_cast<std::size_t>(k)].size());
+        std::uint32_t i = 0;
+        std::size_t differ = 0;
+        for (const Simplex& face : expected[static_cast<std::size_t>(k)]) {
+            if (vertices_of(faces, k, i) != face) ++differ;
+            for (int j = 0; j <= k && k > 0; ++j) {
+                Simplex facet = face;
+                facet.erase(facet.begin() + j);
+                if (vertices_of(faces, k - 1, faces.facets_of(k, i)[j]) != facet) ++differ;
+            }
+            ++i;
+        }
+        CHECK(differ == 0);
+    }
+}
+
+// All of the boundaries, for comparisons.
+template <int D> std::vector<std::uint32_t> contents(const Faces<D>& faces) {
+    std::vector<std::uint32_t> all(faces.count, faces.count + D + 1);
+    for (int k = 0; k <= faces.dimension_max; ++k) {
+        all.insert(all.end(), faces.last_vertex[k], faces.last_vertex[k] + faces.count[k]);
+        if (k > 0) all.insert(all.end(), faces.facets_of(k, 0), faces.facets_of(k, faces.count[k]));
+    }
+    return all;
+}
+
+// k-faces of a Freudenthal grid: an origin, and an ordered partition of s of the axes into k blocks.
+std::uint64_t freudenthal_faces(int dim, std::uint64_t side, int k) {
+    std::uint64_t onto[8][8] = {};  // ordered partitions of s things into b blocks
+    onto[0][0] = 1;
+    for (int s = 1; s <= dim; ++s)
+        for (int b = 1; b <= s; ++b) onto[s][b] = static_cast<std::uint64_t>(b) * (onto[s - 1][b] + onto[s - 1][b - 1]);
+    std::uint64_t total = 0, choose = 1;
+    for (int s = 0; s <= dim; ++s) {
+        std::uint64_t origins = 1;
+        for (int d = 0; d < dim; ++d) origins *= d < s ? side : side + 1;
+        total += choose * onto[s][k] * origins;
+        choose = choose * static_cast<std::uint64_t>(dim - s) / static_cast<std::uint64_t>(s + 1);
+    }
+    return total;
+}
+
+template <int D> void check_grid(std::uint32_t side) {
+    CAPTURE(D);
+    Block block(std::size_t{1} << 27);
+    Monitor monitor;
+    Faces<D> faces;
+    const Cells<D> cells = freudenthal<D>(side);
+    REQUIRE(enumerate_faces<D>(cells.view(), D, block.arena, monitor, &faces) == Status::ok);
+    std::int64_t euler = 0;
+    for (int k = 0; k <= D; ++k) {
+        CHECK(faces.count[k] == freudenthal_faces(D, side, k));
+        euler += k % 2 == 0 ? faces.count[k] : -static_cast<std::int64_t>(faces.count[k]);
+    }
+    CHECK(euler == 1);
+    std::size_t open = 0;
+    for (int k = 2; k <= D; ++k)
+        for (std::uint32_t i = 0; i < faces.count[k]; ++i) {
+            std::map<std::uint32_t, int> times;
+            for (int j = 0; j <= k; ++j)
+                for (int l = 0; l < k; ++l) ++times[faces.facets_of(k - 1, faces.facets_of(k, i)[j])[l]];
+            for (const auto& entry : times) open += entry.second % 2;
+        }
+    CHECK(open == 0);  // the boundary of a boundary
+}
+
+template <int D> void check_against_sets(std::uint32_t side) {
+    CAPTURE(D);
+    Cells<D> cells = freudenthal<D>(side);
+    Random random;
+    std::vector<std::uint32_t> name(cells.vertex_count);
+    std::iota(name.begin(), name.end(), 0u);
+    for (std::size_t i = name.size(); i > 1; --i)
+        std::swap(name[i - 1], name[random.below(static_cast<std::uint32_t>(i))]);
+    for (auto& cell : cells.list)
+        for (auto& v : cell) v = name[v];
+    for (int k = 0; k <= D; ++k) compare_with_sets(cells, k);
+}
+
+// Triangles around a vertex named `hub`.
+Cells<2> fan(std::uint32_t petals, std::uint32_t hub) {
+    Cells<2> cells;
+    cells.vertex_count = petals + 2;
+    const auto rim = [hub](std::uint32_t i) { return i < hub ? i : i + 1; };
+    for (std::uint32_t i = 0; i < petals; ++i) cells.list.push_back({hub, rim(i), rim(i + 1)});
+    return cells;
+}
+
+}  // namespace
+
+TEST_CASE("grids have the face counts of the formula, Euler characteristic 1, boundaries without boundary") {
+    check_grid<2>(9);
+    check_grid<3>(5);
+    check_grid<4>(3);
+    check_grid<5>(2);
+    check_grid<6>(1);
+}
+
+TEST_CASE("each face is listed once, at its place, with its facets") {
+    check_against_sets<2>(6);
+    check_against_sets<3>(3);
+    check_against_sets<4>(2);
+    check_against_sets<5>(1);
+    check_against_sets<6>(1);
+}
+
+TEST_CASE("one cell has all subsets of its vertices as faces") {
+    Cells<6> cells;
+    cells.vertex_count = 7;
+    cells.list.push_back({3, 1, 6, 0, 2, 5, 4});
+    compare_with_sets(cells, 6);
+}
+
+TEST_CASE("vertices of very high degree") {
+    for (std::uint32_t hub : {0u, 1500u, 3001u}) {
+        compare_with_sets(fan(3000, hub), 2);
+    }
+}
+
+TEST_CASE("a vertex in no cell is no face") {
+    Cells<2> cells;
+    cells.vertex_count = 9;
+    cells.list = {{7, 2, 4}, {4, 2, 5}};
+    compare_with_sets(cells, 2);
+    Block block(1 << 20);
+    Monitor monitor;
+    Faces<2> faces;
+    REQUIRE(enumerate_faces<2>(cells.view(), 2, block.arena, monitor, &faces) == Status::ok);
+    CHECK(faces.count[0] == 4);
+}
+
+TEST_CASE("the order in which cells and their vertices are stored does not matter") {
+    Cells<4> cells = freudenthal<4>(2);
+    Block block(std::size_t{1} << 24);
+    Monitor monitor;
+    Faces<4> faces;
+    REQUIRE(enumerate_faces<4>(cells.view(), 4, block.arena, monitor, &faces) == Status::ok);
+    const std::vector<std::uint32_t> expected = contents(faces);
+    Random random;
+    for (std::size_t i = cells.list.size(); i > 1; --i)
+        std::swap(cells.list[i - 1], cells.list[random.below(static_cast<std::uint32_t>(i))]);
+    for (auto& cell : cells.list) std::reverse(cell.begin(), cell.end());
+    Block other(std::size_t{1} << 23);
+    REQUIRE(enumerate_faces<4>(cells.view(), 4, other.arena, monitor, &faces) == Status::ok);
+    CHECK(contents(faces) == expected);
+}
+
+TEST_CASE("any amount of memory gives the faces or says that it is too little, and leaves the arena as it was") {
+    const Cells<3> cells = freudenthal<3>(2);
+    Block whole(1 << 20);
+    Monitor monitor;
+    Faces<3> faces;
+    REQUIRE(enumerate_faces<3>(cells.view(), 3, whole.arena, monitor, &faces) == Status::ok);
+    const std::vector<std::uint32_t> expected = contents(faces);
+    bool succeeded = false;
+    for (std::size_t bytes = 0; bytes <= whole.arena.bytes_peak() + 64; bytes += 48) {
+        Block block(bytes);
+        const Status status = enumerate_faces<3>(cells.view(), 3, block.arena, monitor, &faces);
+        if (status == Status::ok) {
+            succeeded = true;
+            CHECK(contents(faces) == expected);
+        } else {
+            CHECK(status == Status::out_of_memory);
+            CHECK(!succeeded);
+            CHECK(block.arena.bytes_used() == 0);
+            CHECK(block.arena.bytes_wanted() > bytes - bytes % 16);
+        }
+    }
+    CHECK(succeeded);
+}
+
+TEST_CASE("dimensions that do not exist are refused") {
+    const Cells<2> cells = freudenthal<2>(1);
+    Block block(1 << 16);
+    Monitor monitor;
+    Faces<2> faces;
+    CHECK(enumerate_faces<2>(cells.view(), -1, block.arena, monitor, &faces) == Status::invalid_argument);
+    CHECK(enumerate_faces<2>(cells.view(), 3, block.arena, monitor, &faces) == Status::invalid_argument);
+}
+
+TEST_CASE("the caller can stop the enumeration") {
+    const Cells<3> cells = freudenthal<3>(24);
+    Block block(std::size_t{1} << 26);
+    int polls = 0;
+    const auto stop = [](void* user, const netmesh_progress*) { return ++*static_cast<int*>(user) == 2 ? 1 : 0; };
+    Monitor monitor(stop, &polls);
+    Faces<3> faces;
+    monitor.begin(NETMESH_STAGE_FILTER, 0);
+    CHECK(enumerate_faces<3>(cells.view(), 3, block.arena, monitor, &faces) == Status::cancelled);
+    CHECK(polls == 2);
+    CHECK(block.arena.bytes_used() == 0);
+}

@@ -1,0 +1,39 @@
+// A C++ client: two contexts, one of them moved to another address by copying its bytes, give the same diagram.
+#include <netmesh.hpp>
+
+#include <cstdio>
+#include <cstring>
+#include <initializer_list>
+
+namespace {
+
+constexpr std::size_t block_bytes = std::size_t{1} << 20;
+alignas(16) unsigned char first[block_bytes], second[block_bytes], moved[block_bytes];
+
+}  // namespace
+
+int main() {
+    const double points[] = {0, 0, 2, 0, 2, 2, 0, 2, 1, -0.5, 2.5, 1, 1, 2.5, -0.5, 1};
+    netmesh::Options options(2);
+    std::memset(second, 0xAA, sizeof second);
+    netmesh::Engine a(first, sizeof first), b(second, sizeof second);
+    for (netmesh::Engine* engine : {&a, &b}) {
+        if (engine->mesh(points, 8, options, NETMESH_JOB_PERSIST) != NETMESH_OK) return 1;
+        if (engine->check(options) != NETMESH_OK) return 2;
+    }
+    std::memcpy(moved, second, sizeof second);
+    std::memset(second, 0, sizeof second);
+    netmesh_context* context = nullptr;
+    if (netmesh_adopt(moved, &context) != NETMESH_OK) return 3;
+    if (netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0, &options) != NETMESH_OK)
+        return 4;
+    if (a.persist(NETMESH_FILTER_COMPLETE, options, NETMESH_VALUES_CERTIFIED, 1) != NETMESH_OK) return 5;
+    netmesh_report report = {};
+    report.struct_bytes = sizeof report;
+    if (netmesh_get_report(context, &report) != NETMESH_OK) return 6;
+    if (report.fingerprint != a.report().fingerprint) return 7;
+    int loops = 0;
+    a.for_each_pair([&](const netmesh_pair& pair) { loops += pair.degree == 1 && pair.death > 1.2 * pair.birth; });
+    std::printf("%d loop\n", loops);
+    return loops == 1 ? 0 : 8;
+}

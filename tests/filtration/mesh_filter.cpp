@@ -1,0 +1,104 @@
+#include "filtration/mesh_filter.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+#include "mesh/refine.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+template <int D> double distance(const double* a, const double* b) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) d2 += (a[k] - b[k]) * (a[k] - b[k]);
+    return std::sqrt(d2);
+}
+
+// Samples the inclusions that the certificate claims: at a point x of v's cell the cover enters at
+// t(v), or at |x - v| in an input's ball before, and that must be within a factor c of F(x) = min(d_P(x), rho).
+template <int D> void sample_inclusions(const inputs::Points& points, double tau, int samples) {
+    Block block(std::size_t{1} << 27);
+    StoreState state = {};
+    Store<D> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    Domain<D> domain = {};
+    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
+            Status::ok);
+    const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
+    std::vector<double> value(state.vertex_count);
+    for (const FilterValues kind : {FilterValues::certified, FilterValues::thesis}) {
+        MeshCertificate certificate;
+        REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, kind, block.arena, value.data(),
+                                      &certificate) == Status::ok);
+        const double c = certificate.ratio, rho = domain.enclosing_radius;
+        if (kind == FilterValues::certified) {
+            CHECK(c <= std::sqrt(2 + tau));
+            CHECK(c == doctest::Approx(certificate.ratio_best));
+        } else {
+            CHECK(c <= tau);
+        }
+        CHECK(c >= certificate.ratio_best * (1 - 1e-9));
+        inputs::Random random(8);
+        for (int s = 0; s < samples; ++s) {
+            // Everywhere at first, then near vertices where cells are small.
+            double x[D];
+            const std::uint32_t near = static_cast<std::uint32_t>(random.below(state.vertex_count));
+            const double scale = s % 2 == 0 ? 2.5 * rho : std::sqrt(store.vertex(near).nearest2);
+            for (int k = 0; k < D; ++k)
+                x[k] = (s % 2 == 0 ? domain.centre[k] : store.point(near)[k]) + scale * (2 * random.uniform() - 1);
+            std::uint32_t v = 0;
+            double best = infinity, offset = infinity;
+            for (std::uint32_t w = 0; w < state.vertex_count; ++w) {
+                const double d = distance<D>(x, store.point(w));
+                if (d < best) {
+                    best = d;
+                    v = w;
+                }
+                if (w < inputs) offset = std::min(offset, d);
+            }
+            const double f = std::min(offset, rho);
+            const double enters = v < inputs ? std::min(best, value[v]) : value[v];
+            CHECK(enters <= f * c * (1 + 1e-12));
+            if (!(v < inputs && best < value[v])) CHECK(f <= value[v] * c * (1 + 1e-12));
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the cover and the offsets are interleaved by the certified ratio") {
+    sample_inclusions<2>(inputs::uniform(2, 60), 2.5, 20000);
+    sample_inclusions<2>(inputs::clusters(2, 40), 3.08, 20000);
+    sample_inclusions<3>(inputs::uniform(3, 40), 3.08, 10000);
+    sample_inclusions<4>(inputs::uniform(4, 10), 4, 4000);
+}
+
+TEST_CASE("the basic filter gives inputs zero and says from where its ratio holds") {
+    Block block(std::size_t{1} << 25);
+    StoreState state = {};
+    Store<2> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    Domain<2> domain = {};
+    const inputs::Points points = inputs::uniform(2, 100);
+    REQUIRE(refine<2>(store, points.data(), 100, {2.5, 1, true, 1}, monitor, &input, &domain) == Status::ok);
+    std::vector<double> value(state.vertex_count);
+    MeshCertificate certificate;
+    REQUIRE(mesh_filter_values<2>(store, domain, MeshFilter::basic, FilterValues::thesis, block.arena, value.data(),
+                                  &certificate) == Status::ok);
+    for (std::uint32_t v = 0; v < 100; ++v) CHECK(value[v] == 0);
+    for (std::uint32_t v = 100; v < state.vertex_count; ++v) {
+        double d = infinity;
+        for (std::uint32_t p = 0; p < 100; ++p) d = std::min(d, distance<2>(store.point(v), store.point(p)));
+        CHECK(value[v] == doctest::Approx(std::min(d, domain.enclosing_radius * (1 + 0x1p-40))));
+    }
+    CHECK(certificate.from > 0);
+    CHECK(certificate.from < domain.enclosing_radius * (1 + 1e-9));
+}

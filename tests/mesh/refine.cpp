@@ -1,0 +1,191 @@
+#include "mesh/refine.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+#include "delaunay/check.hpp"
+#include "mesh/input_tree.hpp"
+#include "mesh/quality.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+template <int D> struct Meshed {
+    Meshed(const inputs::Points& points, double tau, bool certify = false, std::size_t bytes = std::size_t{1} << 27)
+        : block(bytes), store(block.arena, state) {
+        status = refine<D>(store, points.data(), points.size() / D, {tau, 1, certify, 1}, monitor, &input, &domain);
+    }
+    double worst() {
+        double ratio;
+        std::uint32_t v;
+        REQUIRE(recomputed_aspect_ratio<D>(store, domain, block.arena, &ratio, &v) == Status::ok);
+        return ratio;
+    }
+    Block block;
+    StoreState state = {};
+    Store<D> store;
+    Monitor monitor;
+    InputReport input;
+    Domain<D> domain = {};
+    Status status;
+};
+
+template <int D> const char* violation(const Store<D>& store) {
+    CheckResult r = check_combinatorial<D>(store);
+    if (r.violation == nullptr) r = check_geometric<D>(store);
+    if (r.violation == nullptr) r = check_delaunay<D>(store);
+    return r.violation;
+}
+
+inputs::Points grid(int dim, int side) {
+    inputs::Points points;
+    int n = 1;
+    for (int k = 0; k < dim; ++k) n *= side;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0, j = i; k < dim; ++k, j /= side) points.push_back(j % side);
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE_DEFINE("meshes are Delaunay, of quality tau, and hold their inputs bit for bit", T, quality) {
+    constexpr int D = T::value;
+    constexpr std::size_t sizes[] = {0, 0, 500, 200, 40, 12, 5};
+    constexpr double taus[] = {0, 0, 2.2, 2.5, 3.08, 4, 4};
+    for (const inputs::Points& points :
+         {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D] / 2), grid(D, D < 4 ? 5 : 2)}) {
+        Meshed<D> m(points, taus[D]);
+        REQUIRE(m.status == Status::ok);
+        CHECK(violation<D>(m.store) == nullptr);
+        const double worst = m.worst();
+        if (points.size() > 6 * D) CHECK(worst > 1);  // two points have no Voronoi edge that meets the domain
+        CHECK(worst <= taus[D]);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            REQUIRE(m.store.vertex(static_cast<std::uint32_t>(i / D)).x[i % D] == points[i]);
+        // nearest2 and origin against brute force
+        const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
+        for (std::uint32_t v = 0; v < m.state.vertex_count; v += 7) {
+            double nearest2 = infinity, input2 = infinity;
+            for (std::uint32_t w = 0; w < m.state.vertex_count; ++w) {
+                double d2 = 0;
+                for (int k = 0; k < D; ++k) d2 += std::pow(m.store.point(v)[k] - m.store.point(w)[k], 2);
+                if (w != v) nearest2 = std::min(nearest2, d2);
+                if (w < inputs) input2 = std::min(input2, d2);
+            }
+            CHECK(m.store.vertex(v).nearest2 == doctest::Approx(nearest2).epsilon(1e-12));
+            if (v < inputs) continue;
+            double origin2 = 0;
+            for (int k = 0; k < D; ++k)
+                origin2 += std::pow(m.store.point(v)[k] - m.store.point(m.store.vertex(v).origin)[k], 2);
+            CHECK(origin2 == doctest::Approx(input2).epsilon(1e-12));
+        }
+    }
+}
+TEST_CASE_TEMPLATE_INVOKE(quality, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                          std::integral_constant<int, 6>);
+
+TEST_CASE("clipped cells sampled at random keep the bound") {
+    const inputs::Points points = inputs::uniform(2, 100, 9);
+    Meshed<2> m(points, 2.2);
+    REQUIRE(m.status == Status::ok);
+    inputs::Random random(3);
+    std::vector<double> reach(m.state.vertex_count, 0);
+    for (int sample = 0; sample < 200000; ++sample) {
+        double x[2];
+        do
+            for (int k = 0; k < 2; ++k)
+                x[k] = m.domain.centre[k] + m.domain.radius * (2 * random.uniform() - 1);
+        while (!m.domain.contains(x));
+        std::uint32_t nearest = 0;
+        double best = infinity;
+        for (std::uint32_t v = 0; v < m.state.vertex_count; ++v) {
+            const double d = std::hypot(x[0] - m.store.point(v)[0], x[1] - m.store.point(v)[1]);
+            if (d < best) {
+                best = d;
+                nearest = v;
+            }
+        }
+        reach[nearest] = std::max(reach[nearest], best);
+    }
+    for (std::uint32_t v = 0; v < m.state.vertex_count; ++v)
+        if (m.store.vertex(v).marker != Marker::exempt)
+            CHECK(2 * reach[v] <= 2.2 * std::sqrt(m.store.vertex(v).nearest2));
+}
+
+TEST_CASE("flat inputs, a pair and a single point are meshed") {
+    for (const inputs::Points& points :
+         {inputs::Points{3, -1, 2}, inputs::Points{0, 0, 0, 1, 1, 1}, inputs::Points{0, 0, 0, 1, 0, 0, 5, 0, 0, 5.5, 0, 0}}) {
+        Meshed<3> m(points, 3);
+        REQUIRE(m.status == Status::ok);
+        CHECK(violation<3>(m.store) == nullptr);
+        CHECK(m.worst() <= 3);
+    }
+}
+
+TEST_CASE("points below the resolution and outside the range are refused by row") {
+    inputs::Points points = inputs::uniform(2, 50);
+    SUBCASE("one unit in the last place apart") {
+        points[20] = points[60];
+        points[21] = std::nextafter(points[61], 2);
+        Meshed<2> m(points, 3);
+        CHECK(m.status == Status::too_close);
+        CHECK(m.input.row_a == 10);
+        CHECK(m.input.row_b == 30);
+    }
+    SUBCASE("too large") {
+        points[33] = 0x1p501;
+        Meshed<2> m(points, 3);
+        CHECK(m.status == Status::out_of_range);
+        CHECK(m.input.row_a == 16);
+    }
+    SUBCASE("too near each other at the origin") {
+        points = {0, 0, 1, 1, 0, 0x1p-510};
+        Meshed<2> m(points, 3);
+        CHECK(m.status == Status::out_of_range);
+    }
+}
+
+TEST_CASE("any arena size leaves a Delaunay mesh of what was inserted") {
+    const inputs::Points points = inputs::uniform(2, 40);
+    std::uint32_t partial = 0, whole = 0;
+    for (std::size_t bytes = 0; bytes < 90000; bytes += 208) {
+        Meshed<2> m(points, 2.5, true, bytes);
+        REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
+        if (m.state.cell_slots == 0) continue;
+        CHECK(violation<2>(m.store) == nullptr);
+        ++(m.status == Status::ok ? whole : partial);
+    }
+    CHECK(partial > 20);
+    CHECK(whole > 20);
+}
+
+TEST_CASE_TEMPLATE_DEFINE("smallest enclosing balls", T, enclosing_balls) {
+    constexpr int D = T::value;
+    const inputs::Points points = inputs::uniform(D, 300, 4);
+    Meshed<D> m(points, 6);
+    REQUIRE(m.status == Status::ok);
+    // Contains all, and no smaller ball does: the centre is in the convex hull of the points on its boundary, so that
+    // moving it in any direction leaves one of them farther away.
+    double far2 = 0;
+    for (std::uint32_t v = 0; v < 300; ++v) far2 = std::max(far2, m.domain.distance2(m.store.point(v)));
+    CHECK(std::sqrt(far2) <= m.domain.enclosing_radius);
+    CHECK(std::sqrt(far2) >= m.domain.enclosing_radius * (1 - 1e-12));
+    inputs::Random random(1);
+    for (int trial = 0; trial < 200; ++trial) {
+        double moved[D], shifted2 = 0;
+        for (int k = 0; k < D; ++k) moved[k] = m.domain.centre[k] + 1e-3 * (random.uniform() - 0.5);
+        for (std::uint32_t v = 0; v < 300; ++v) {
+            double d2 = 0;
+            for (int k = 0; k < D; ++k) d2 += std::pow(moved[k] - m.store.point(v)[k], 2);
+            shifted2 = std::max(shifted2, d2);
+        }
+        CHECK(shifted2 >= far2 * (1 - 1e-9));
+    }
+}
+TEST_CASE_TEMPLATE_INVOKE(enclosing_balls, std::integral_constant<int, 2>, std::integral_constant<int, 3>);

@@ -1,0 +1,69 @@
+#include "numerics/value_order.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "complex/triangulations.hpp"
+
+using namespace netmesh;
+using namespace netmesh_test;
+
+namespace {
+
+void check_sort(const std::vector<double>& value) {
+    Block block(1 << 16);
+    std::vector<std::uint32_t> expected(value.size()), position(value.size());
+    std::iota(expected.begin(), expected.end(), 0u);
+    std::stable_sort(expected.begin(), expected.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return value[a] < value[b]; });
+    std::vector<double> sorted = value;
+    REQUIRE(sort_values(sorted.data(), position.data(), static_cast<std::uint32_t>(value.size()), block.arena));
+    CHECK(position == expected);
+    CHECK(std::is_sorted(sorted.begin(), sorted.end()));
+    CHECK(block.arena.bytes_used() == 0);
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < value.size(); ++i) differ += sorted[i] != value[expected[i]];
+    CHECK(differ == 0);
+}
+
+template <class F> std::vector<double> values(std::size_t n, F f) {
+    std::vector<double> v(n);
+    for (double& x : v) x = f();
+    return v;
+}
+
+}  // namespace
+
+TEST_CASE("values are sorted as by a stable sort") {
+    Random random;
+    for (std::size_t n : {0u, 1u, 2u, 39u, 40u, 41u, 257u, 5000u, 200000u}) {
+        CAPTURE(n);
+        check_sort(values(n, [&] { return random.unit(); }));
+        check_sort(values(n, [&] { return 0.0; }));
+        check_sort(values(n, [&] { return static_cast<double>(random.below(3)); }));
+        check_sort(values(n, [&] { return std::ldexp(random.unit(), static_cast<int>(random.below(2000)) - 1000); }));
+        check_sort(values(n, [&] { return 1 + random.below(1000) * 0x1p-52; }));
+        check_sort(values(n, [&] { return random.below(2) == 0 ? 0x1p-1074 * random.below(9) : 1e300; }));
+    }
+    check_sort({1, std::numeric_limits<double>::infinity(), 0, std::numeric_limits<double>::infinity()});
+}
+
+TEST_CASE("sorted and reversed sequences") {
+    std::vector<double> up(10000);
+    for (std::size_t i = 0; i < up.size(); ++i) up[i] = std::sqrt(static_cast<double>(i));
+    check_sort(up);
+    std::reverse(up.begin(), up.end());
+    check_sort(up);
+}
+
+TEST_CASE("without scratch nothing happens") {
+    Block block(4096);
+    std::vector<double> value = {3, 2, 1};
+    std::vector<std::uint32_t> position = {7, 7, 7};
+    CHECK(!sort_values(value.data(), position.data(), 3, block.arena));
+    CHECK(value == std::vector<double>{3, 2, 1});
+    CHECK(position == std::vector<std::uint32_t>{7, 7, 7});
+    CHECK(block.arena.bytes_used() == 0);
+}

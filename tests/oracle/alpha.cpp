@@ -1,0 +1,248 @@
+// The alpha filter against GUDHI, whose values are exact squares of ours rounded to double.
+#include <gudhi/Alpha_complex.h>
+#include <gudhi/Persistent_cohomology.h>
+#include <gudhi/Simplex_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/inputs.hpp"
+#include "common/session.hpp"
+#include "complex/triangulations.hpp"
+#include "filtration/alpha.hpp"
+
+namespace {
+
+using Kernel = CGAL::Epeck_d<CGAL::Dynamic_dimension_tag>;
+using Tree = Gudhi::Simplex_tree<>;
+using Field = Gudhi::persistent_cohomology::Field_Zp;
+using Simplex = std::vector<std::uint32_t>;
+
+struct Bar {
+    double birth, death;
+};
+using Diagram = std::vector<std::vector<Bar>>;  // by degree
+
+struct Peer {
+    std::map<Simplex, double> value;  // radii
+    Diagram bars;
+};
+
+Peer peer_of(int dim, const inputs::Points& points) {
+    std::vector<Kernel::Point_d> rows;
+    for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim))
+        rows.emplace_back(points.begin() + static_cast<std::ptrdiff_t>(i),
+                          points.begin() + static_cast<std::ptrdiff_t>(i) + dim);
+    Gudhi::alpha_complex::Alpha_complex<Kernel> complex(rows);
+    Tree tree;
+    REQUIRE(complex.create_complex(tree, std::numeric_limits<double>::infinity(), true));
+    Peer peer;
+    for (auto handle : tree.complex_simplex_range()) {
+        Simplex simplex;
+        for (auto v : tree.simplex_vertex_range(handle)) simplex.push_back(static_cast<std::uint32_t>(v));
+        std::sort(simplex.begin(), simplex.end());
+        peer.value[simplex] = std::sqrt(tree.filtration(handle));
+    }
+    tree.initialize_filtration();
+    Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Field> cohomology(tree);
+    cohomology.init_coefficients(2);
+    cohomology.compute_persistent_cohomology(-1);
+    peer.bars.resize(static_cast<std::size_t>(dim));
+    for (const auto& pair : cohomology.get_persistent_pairs()) {
+        const auto birth = std::get<0>(pair), death = std::get<1>(pair);
+        const std::size_t degree = static_cast<std::size_t>(tree.dimension(birth));
+        REQUIRE(degree < static_cast<std::size_t>(dim));
+        peer.bars[degree].push_back({std::sqrt(tree.filtration(birth)), std::sqrt(tree.filtration(death))});
+    }
+    return peer;
+}
+
+bool near(double a, double b, double slack) { return a == b || std::fabs(a - b) <= slack; }
+
+// How many bars of `from` that are longer than the tolerance have no partner of their own in `to`.
+std::size_t unmatched(const std::vector<Bar>& from, const std::vector<Bar>& to, double tolerance) {
+    std::vector<Bar> sorted = to;
+    std::sort(sorted.begin(), sorted.end(), [](const Bar& a, const Bar& b) { return a.birth < b.birth; });
+    std::vector<bool> taken(sorted.size(), false);
+    std::size_t count = 0;
+    for (const Bar& bar : from) {
+        const double slack = tolerance * (bar.death < HUGE_VAL ? bar.death : bar.birth);
+        if (bar.death - bar.birth <= 4 * slack) continue;
+        auto it = std::lower_bound(sorted.begin(), sorted.end(), bar.birth - slack,
+                                   [](const Bar& a, double b) { return a.birth < b; });
+        // The nearest one that is free: bars of a jittered grid lie closer together than the tolerance.
+        std::size_t best = sorted.size();
+        double best_distance = HUGE_VAL;
+        for (; it != sorted.end() && it->birth <= bar.birth + slack; ++it) {
+            const auto i = static_cast<std::size_t>(it - sorted.begin());
+            if (taken[i] || !near(it->death, bar.death, slack)) continue;
+            const double distance =
+                std::fabs(it->birth - bar.birth) + (it->death == bar.death ? 0 : std::fabs(it->death - bar.death));
+            if (distance < best_distance) {
+                best_distance = distance;
+                best = i;
+            }
+        }
+        if (best < sorted.size()) {
+            taken[best] = true;
+        } else {
+            ++count;
+        }
+    }
+    return count;
+}
+
+constexpr double tolerance = 1e-9;
+
+void compare_diagrams(const Diagram& ours, const Diagram& theirs) {
+    for (std::size_t k = 0; k < theirs.size(); ++k) {
+        CAPTURE(k);
+        const std::vector<Bar> mine = k < ours.size() ? ours[k] : std::vector<Bar>();
+        CHECK(unmatched(mine, theirs[k], tolerance) == 0);
+        CHECK(unmatched(theirs[k], mine, tolerance) == 0);
+    }
+}
+
+// Values on GUDHI's own triangulation, simplex by simplex. Radii of slivers on the hull that are 10^12 times as large
+// as the point set are only known to be large: there 106 bits run out.
+template <int D> void compare_values(const inputs::Points& points, const Peer& peer) {
+    using namespace netmesh;
+    netmesh_test::Cells<D> cells;
+    cells.vertex_count = static_cast<std::uint32_t>(points.size() / D);
+    for (const auto& entry : peer.value) {
+        if (entry.first.size() != D + 1) continue;
+        std::array<std::uint32_t, D + 1> cell;
+        std::copy(entry.first.begin(), entry.first.end(), cell.begin());
+        cells.list.push_back(cell);
+    }
+    netmesh_test::Block block(std::size_t(1) << 25);
+    Monitor monitor;
+    Faces<D> faces;
+    REQUIRE(enumerate_faces<D>(cells.view(), D, block.arena, monitor, &faces) == Status::ok);
+    double* value[D + 1];
+    for (int k = 0; k <= D; ++k) value[k] = block.arena.template take_low<double>(faces.count[k]);
+    REQUIRE(alpha_values<D>(faces, points.data(), sizeof(double) * D, monitor, value) == Status::ok);
+    std::size_t compared = 0, differ = 0;
+    for (int k = 0; k <= D; ++k)
+        for (std::uint32_t i = 0; i < faces.count[k]; ++i) {
+            Simplex simplex(static_cast<std::size_t>(k) + 1);
+            faces.vertices(k, i, simplex.data());
+            const double theirs = peer.value.at(simplex);
+            ++compared;
+            differ += theirs < 1e12 ? !near(value[k][i], theirs, tolerance * theirs) : !(value[k][i] > 1e11);
+        }
+    CHECK(differ == 0);
+    CHECK(compared == peer.value.size());
+}
+
+template <int D> void compare(const std::string& name, const inputs::Points& points) {
+    CAPTURE(D);
+    CAPTURE(name);
+    const Peer peer = peer_of(D, points);
+    compare_values<D>(points, peer);
+    Session session(D);
+    REQUIRE(session.alpha(points) == NETMESH_OK);
+    Diagram ours(D);
+    std::size_t zero_length = 0, essential = 0;
+    for (const netmesh_pair& pair : session.pairs()) {
+        ours[pair.degree].push_back({pair.birth, pair.death});
+        zero_length += !(pair.birth < pair.death);
+        essential += pair.death == HUGE_VAL;
+    }
+    CHECK(zero_length == 0);
+    CHECK(essential == 1);
+    compare_diagrams(ours, peer.bars);
+}
+
+inputs::Points jittered(int dim, int side, double size, std::uint64_t seed) {
+    inputs::Points p = inputs::grid(dim, side);
+    inputs::Random random(seed);
+    for (double& x : p) x += size * random.uniform();
+    return p;
+}
+
+// Directions spread evenly by rejection, radii in [low, high].
+inputs::Points shell(int dim, std::size_t n, double low, double high, std::uint64_t seed) {
+    inputs::Random random(seed);
+    inputs::Points p;
+    while (p.size() < n * static_cast<std::size_t>(dim)) {
+        std::vector<double> x;
+        double squared = 0;
+        for (int d = 0; d < dim; ++d) {
+            x.push_back(2 * random.uniform() - 1);
+            squared += x.back() * x.back();
+        }
+        if (squared > 1 || squared < 0.01) continue;
+        const double radius = (low + (high - low) * random.uniform()) / std::sqrt(squared);
+        for (double c : x) p.push_back(c * radius);
+    }
+    return p;
+}
+
+inputs::Points torus(std::size_t n, std::uint64_t seed) {
+    inputs::Random random(seed);
+    inputs::Points p;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto [a, b] = inputs::turn(random.below(1u << 20), 1u << 20);
+        const auto [c, d] = inputs::turn(random.below(1u << 20), 1u << 20);
+        p.insert(p.end(), {(2 + a) * c, (2 + a) * d, b});
+    }
+    return p;
+}
+
+inputs::Points eight(std::size_t n, double noise, std::uint64_t seed) {
+    inputs::Random random(seed);
+    inputs::Points p;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto [c, s] = inputs::turn(i, n);
+        p.push_back((i % 2 == 0 ? 1 : -1) * (1 + c) + noise * random.uniform());
+        p.push_back(s + noise * random.uniform());
+    }
+    return p;
+}
+
+}  // namespace
+
+TEST_CASE("plane") {
+    compare<2>("uniform", inputs::uniform(2, 600));
+    compare<2>("noisy circle", shell(2, 300, 1, 1.05, 11));
+    compare<2>("circle", inputs::circle(101));
+    compare<2>("clusters", inputs::clusters(2, 400));
+    compare<2>("grid", inputs::grid(2, 16));
+    compare<2>("grid, jitter 0.1", jittered(2, 16, 0.1, 12));
+    compare<2>("grid, jitter 1e-9", jittered(2, 16, 1e-9, 13));
+    compare<2>("grid, jitter 1e-15", jittered(2, 16, 1e-15, 14));
+    compare<2>("annulus", shell(2, 400, 0.6, 1, 15));
+    compare<2>("figure eight", eight(200, 0.05, 16));
+    compare<2>("on one circle", inputs::cospherical(2, 5 * 5 * 13 * 17));
+    compare<2>("zoom", inputs::zoom(2, 60, 1));
+}
+
+TEST_CASE("space") {
+    compare<3>("uniform", inputs::uniform(3, 300));
+    compare<3>("noisy sphere", shell(3, 200, 1, 1.02, 21));
+    compare<3>("sphere", shell(3, 150, 1, 1, 22));
+    compare<3>("clusters", inputs::clusters(3, 200));
+    compare<3>("grid", inputs::grid(3, 5));
+    compare<3>("grid, jitter 0.1", jittered(3, 6, 0.1, 23));
+    compare<3>("grid, jitter 1e-9", jittered(3, 5, 1e-9, 24));
+    compare<3>("grid, jitter 1e-15", jittered(3, 5, 1e-15, 25));
+    compare<3>("shell", shell(3, 250, 0.6, 1, 26));
+    compare<3>("torus", torus(300, 27));
+    compare<3>("on one sphere", inputs::cospherical(3, 14));
+    compare<3>("zoom", inputs::zoom(3, 60, 1));
+}
+
+TEST_CASE("higher dimensions") {
+    compare<4>("uniform", inputs::uniform(4, 60));
+    compare<4>("grid", inputs::grid(4, 3));
+    compare<4>("Clifford helix", inputs::clifford(80));
+    compare<5>("uniform", inputs::uniform(5, 30));
+    compare<6>("uniform", inputs::uniform(6, 18));
+}

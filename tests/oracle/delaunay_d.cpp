@@ -1,0 +1,30 @@
+#include <CGAL/Delaunay_triangulation.h>
+#include <CGAL/Epick_d.h>
+
+#include "delaunay.hpp"
+
+namespace {
+
+template <int D> Cells<D> cgal_cells(const inputs::Points& points) {
+    using Kernel = CGAL::Epick_d<CGAL::Dimension_tag<D>>;
+    using Structure = CGAL::Triangulation_data_structure<CGAL::Dimension_tag<D>, CGAL::Triangulation_vertex<Kernel, std::uint32_t>,
+                                                         CGAL::Triangulation_full_cell<Kernel>>;
+    CGAL::Delaunay_triangulation<Kernel, Structure> triangulation(D);
+    for (std::size_t i = 0; i < points.size() / D; ++i)
+        triangulation.insert(typename Kernel::Point_d(&points[i * D], &points[i * D] + D))->data() =
+            static_cast<std::uint32_t>(i);
+    Cells<D> cells;
+    for (auto c = triangulation.finite_full_cells_begin(); c != triangulation.finite_full_cells_end(); ++c) {
+        cells.emplace_back();
+        for (int v = 0; v <= D; ++v) cells.back()[static_cast<std::size_t>(v)] = c->vertex(v)->data();
+        std::sort(cells.back().begin(), cells.back().end());
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+}
+
+}  // namespace
+
+TEST_CASE("4D: the same cells as CGAL") { compare_with_cgal<4>(300, cgal_cells<4>); }
+TEST_CASE("5D: the same cells as CGAL") { compare_with_cgal<5>(150, cgal_cells<5>); }
+TEST_CASE("6D: the same cells as CGAL") { compare_with_cgal<6>(60, cgal_cells<6>); }

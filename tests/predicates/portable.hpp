@@ -1,0 +1,5 @@
+// The predicates as targets without 128-bit integers compile them.
+#pragma once
+
+int portable_orient(int dim, const double* const* points);
+int portable_in_ball(int dim, const double* const* points);  // the last of dim + 2 points is the query

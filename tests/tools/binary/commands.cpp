@@ -1,0 +1,258 @@
+// What each command prints, writes and exits with.
+#include "run.hpp"
+
+#include <doctest/doctest.h>
+
+using Names = std::vector<std::string>;
+
+namespace {
+
+// Value of a number behind "key": in JSON text; -1 when it is not there.
+double number_in(const std::string& json, const std::string& key) {
+    const std::size_t at = json.find("\"" + key + "\": ");
+    return at == std::string::npos ? -1 : std::strtod(json.c_str() + at + key.size() + 4, nullptr);
+}
+
+std::string text_in(const std::string& json, const std::string& key) {
+    const std::size_t at = json.rfind("\"" + key + "\": \"");
+    if (at == std::string::npos) return "";
+    const std::size_t start = at + key.size() + 5;
+    return json.substr(start, json.find('"', start) - start);
+}
+
+}  // namespace
+
+TEST_CASE("version and help go to stdout") {
+    const Folder folder;
+    Result result = folder.run("--version");
+    CHECK(result.exit == 0);
+    CHECK(result.out == "netmesh 0.1.0\n");
+    CHECK(result.err == "");
+    for (const char* command : {"", "mesh", "delaunay", "persist", "size", "check", "sample"}) {
+        result = folder.run(std::string(command) + " --help");
+        CHECK(result.exit == 0);
+        CHECK(result.out.rfind("netmesh", 0) == 0);
+        CHECK(result.err == "");
+    }
+}
+
+TEST_CASE("usage errors: exit 2, the argument named, nothing on stdout, no file") {
+    const Folder folder;
+    folder.write("p.txt", "0 0\n1 0\n0 1\n");
+    const char* const lines[][2] = {{"", "no command"},
+                                    {"frob", "frob"},
+                                    {"mesh", "POINTS"},
+                                    {"mesh p.txt --frob", "--frob"},
+                                    {"mesh p.txt --tau 2", "--tau 2"},
+                                    {"mesh p.txt -o m.xyz", "m.xyz"},
+                                    {"mesh p.txt -o m", "m: "},
+                                    {"persist p.txt -o d.txt", "d.txt"},
+                                    {"persist p.txt --filter rips", "complete, basic and alpha"},
+                                    {"persist p.txt --memory 0", "--memory 0"},
+                                    {"size --dim 3", "--points"},
+                                    {"size --points 3", "--dim"},
+                                    {"check p.txt", "p.txt"},
+                                    {"check m.node --mesh m.node", "--mesh"},
+                                    {"sample ball", "-n"},
+                                    {"sample frob -n 3", "frob"},
+                                    {"sample ball -n 3 -o p.frob", "p.frob"}};
+    for (const auto& line : lines) {
+        const Result result = folder.run(line[0]);
+        CAPTURE(line[0]);
+        CHECK(result.exit == 2);
+        CHECK(result.says(line[1]));
+        CHECK(result.out == "");
+    }
+    folder.write("p4.txt", "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
+    CHECK(folder.run("mesh p4.txt -o m.vtu").says("m.vtu"));
+    CHECK(folder.run("mesh p4.txt -o m.vtu").exit == 2);
+    CHECK(folder.run("mesh p4.txt -o m.off --svg m.svg").exit == 2);
+    CHECK(folder.names() == Names{"p.txt", "p4.txt"});
+}
+
+TEST_CASE("bad data: exit 3 with file and physical line, no file") {
+    const Folder folder;
+    folder.write("bad.txt", "x,y\r\n0,0\r\n\r\n1,nan\r\n");
+    folder.write("empty.txt", "");
+    folder.write("wide.csv", "1,2,3,4,5,6,7\n");
+    folder.write("bad.npy", "nothing");
+    const char* const lines[][2] = {{"bad.txt", "bad.txt:4: \"nan\""},
+                                    {"empty.txt", "empty.txt:1: "},
+                                    {"wide.csv", "wide.csv:1: 7 columns"},
+                                    {"bad.npy", "bad.npy: not a NumPy array"},
+                                    {"missing.txt", "missing.txt: no such file"},
+                                    {".", ".: is a directory"}};
+    for (const char* command : {"mesh", "delaunay", "persist"}) {
+        for (const auto& line : lines) {
+            const Result result = folder.run(std::string(command) + " " + line[0] + " --json");
+            CAPTURE(line[0]);
+            CHECK(result.exit == 3);
+            CHECK(result.says(line[1]));
+            CHECK(result.out == "");
+        }
+    }
+    const Result result = folder.run("mesh -", "1 2\n1 2 3\n");
+    CHECK(result.exit == 3);
+    CHECK(result.says("<stdin>:2: 3 columns where line 1 has 2"));
+    CHECK(folder.names().size() == 4);
+}
+
+TEST_CASE("points that the engine refuses are named by their lines") {
+    const Folder folder;
+    Result result = folder.run("mesh -", "# two in one place, nearly\n0 0\n1 1\n\n1.0000000000000002 1\n");
+    CHECK(result.exit == 5);
+    CHECK(result.says("<stdin>:5: this point and the one of line 3"));
+    result = folder.run("persist -", "0 0\n\n1e200 0\n");
+    CHECK(result.exit == 3);
+    CHECK(result.says("<stdin>:3: outside the range"));
+    CHECK(result.says("2^500"));
+    result = folder.run("delaunay -", "0 0\n1 1\n2 2\n3 3\n");
+    CHECK(result.exit == 5);
+    CHECK(result.says("flat"));
+    CHECK(folder.run("delaunay - --quiet", "0 0\n1e300 0\n0 1e300\n").exit == 0);
+    CHECK(folder.run("mesh - --quiet", "0 0\n1 1\n2 2\n3 3\n").exit == 0);
+    CHECK(folder.run("mesh - --quiet", "5 5\n").exit == 0);
+}
+
+TEST_CASE("a triangulation of four points, as text") {
+    const Folder folder;
+    const Result result = folder.run("delaunay - -o t.node --json", "0 0\n4 0\n0 4\n1 1\n4 0\n-0.0 0\n");
+    CHECK(result.exit == 0);
+    CHECK(result.err == "");
+    CHECK(number_in(result.out, "points") == 6);
+    CHECK(number_in(result.out, "duplicates") == 2);
+    CHECK(number_in(result.out, "cells") == 3);
+    CHECK(folder.names() == Names{"t.ele", "t.neigh", "t.node"});
+    CHECK(folder.read("t.node") == "4 2 0 1\n0 0 0 0\n1 4 0 0\n2 0 4 0\n3 1 1 0\n");
+    CHECK(folder.read("t.ele").rfind("3 3 0\n", 0) == 0);
+    CHECK(folder.read("t.neigh").rfind("3 3\n", 0) == 0);
+    CHECK(folder.run("check t.node").exit == 0);
+    CHECK(folder.run("delaunay t.node -o u.off").exit == 0);
+    CHECK(folder.read("u.off").rfind("nOFF\n2\n4 3 0\n0 0\n", 0) == 0);
+    CHECK(folder.run("delaunay t.node", "").out == folder.read("u.off"));
+}
+
+TEST_CASE("mesh: every format, checked from its files, tampering found") {
+    const Folder folder;
+    CHECK(folder.run("sample ball -n 60 --dim 3 -o p.txt").exit == 0);
+    const Result result = folder.run("mesh p.txt -o m.node --tau 3 --check --json");
+    CHECK(result.exit == 0);
+    CHECK(number_in(result.out, "aspect_ratio_max") > 1);
+    CHECK(number_in(result.out, "aspect_ratio_max") <= 3);
+    CHECK(folder.run("mesh p.txt -o m.vtu --quiet").err == "");
+    CHECK(folder.run("mesh p.txt -o m.off --quiet").exit == 0);
+    CHECK(folder.read("m.off").rfind("OFF\n", 0) == 0);
+
+    Result check = folder.run("check m.node --points p.txt");
+    CHECK(check.exit == 0);
+    CHECK(check.out.find("(tau 3)") != std::string::npos);
+    CHECK(check.out.find("bit for bit") != std::string::npos);
+    CHECK(folder.run("check m.node --tau 2.1").exit == 7);
+    CHECK(folder.run("sample ball -n 60 --dim 3 --seed 2 -o q.txt").exit == 0);
+    check = folder.run("check m.node --points q.txt");
+    CHECK(check.exit == 7);
+    CHECK(check.says("q.txt:1"));
+
+    const std::string cells = folder.read("m.ele"), neighbours = folder.read("m.neigh"), nodes = folder.read("m.node");
+    folder.write("m.neigh", neighbours.substr(0, neighbours.find('\n')) + "\n0 -1 -1 -1 -1" +
+                                neighbours.substr(neighbours.find('\n', neighbours.find('\n') + 1)));
+    CHECK(folder.run("check m.node").exit == 7);
+    folder.write("m.neigh", neighbours);
+    folder.write("m.ele", "1 4 0\n0 0 1 2 99999\n");
+    check = folder.run("check m.node");
+    CHECK(check.exit == 3);
+    CHECK(check.says("m.ele:2: index 99999"));
+    folder.write("m.ele", cells);
+    std::size_t line = nodes.find("\n0 ") + 1;
+    folder.write("m.node", nodes.substr(0, line) + "0 0.9 0 0.9 0" + nodes.substr(nodes.find('\n', line)));
+    CHECK(folder.run("check m.node").exit == 7);
+    folder.write("m.node", nodes);
+    CHECK(folder.run("check m.node --quiet").out == "");
+    CHECK(folder.run("check m.node --quiet").exit == 0);
+}
+
+TEST_CASE("persist: diagrams that are checked, tampering found") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 80 -o p.csv").exit == 0);
+    for (const std::string filter : {"complete", "basic", "alpha"}) {
+        CAPTURE(filter);
+        const Result result = folder.run("persist p.csv -o d.pers --json --check --svg d.svg --filter " + filter);
+        CHECK(result.exit == 0);
+        CHECK(result.err == "");
+        CHECK(text_in(result.out, "units") == "radius");
+        CHECK(number_in(result.out, "certified_ratio") >= 1);
+        CHECK(number_in(result.out, "certified_ratio") < 2.6);
+        CHECK(folder.read("d.svg").rfind("<svg ", 0) == 0);
+        const std::string bars = folder.read("d.pers");
+        CHECK(bars.rfind("0 0 ", 0) == 0);
+        CHECK(bars.find("0 0 inf\n") != std::string::npos);
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter).out == bars);
+        const Result check = folder.run("check d.pers --points p.csv");
+        CHECK(check.exit == 0);
+        CHECK(check.out.find("filter " + filter) != std::string::npos);
+        CHECK(folder.run("check d.pers").exit == 0);
+        folder.write("d.pers", bars.substr(0, bars.rfind('\n', bars.size() - 2) + 1));  // the last bar is gone
+        CHECK(folder.run("check d.pers --points p.csv").exit == 7);
+        folder.write("d.pers", "1 0 1\n" + bars);
+        CHECK(folder.run("check d.pers").exit == 7);
+        folder.write("d.pers", bars + "1 2 x\n");
+        CHECK(folder.run("check d.pers").exit == 3);
+    }
+}
+
+TEST_CASE("persist: the mesh that was filtered vouches for the diagram") {
+    const Folder folder;
+    CHECK(folder.run("sample torus -n 60 -o p.txt").exit == 0);
+    CHECK(folder.run("persist p.txt -o d.pers --mesh m.node --values thesis --tau 3").exit == 0);
+    CHECK(folder.names() == Names{"d.pers", "m.ele", "m.neigh", "m.node", "p.txt"});
+    const Result check = folder.run("check d.pers --mesh m.node");
+    CHECK(check.err == "");
+    CHECK(check.exit == 0);
+    CHECK(check.out.find("vertex values are those of filter complete, thesis values") != std::string::npos);
+    CHECK(check.out.find("d.pers is the diagram of m.node for filter complete, thesis values") != std::string::npos);
+    CHECK(folder.run("check d.pers --mesh m.node --filter basic").exit == 7);
+}
+
+TEST_CASE("JSON without -o carries the bars") {
+    const Folder folder;
+    const Result result = folder.run("persist - --filter alpha --json", "0 0\n1 0\n0 1\n1 1\n");
+    CHECK(result.exit == 0);
+    CHECK(result.err == "");
+    CHECK(result.out.find("\"bars\": [[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0.5], [0, 0, null], [1, 0.5, 0.7071067811865") !=
+          std::string::npos);
+}
+
+TEST_CASE("fingerprints: the same for every format and every memory") {
+    const Folder folder;
+    CHECK(folder.run("sample sphere -n 100 -o p.txt").exit == 0);
+    CHECK(folder.run("sample sphere -n 100 -o p.npy").exit == 0);
+    CHECK(folder.run("sample sphere -n 100 -o p.csv").exit == 0);
+    const std::string json = folder.run("persist p.txt --json -o d.pers").out;
+    const std::string print = text_in(json, "fingerprint");
+    CHECK(print.size() == 16);
+    for (const char* line : {"p.npy", "p.csv", "p.txt --memory 64M", "p.txt --memory 100000000"}) {
+        CAPTURE(line);
+        CHECK(text_in(folder.run(std::string("persist --json -o d.pers ") + line).out, "fingerprint") == print);
+    }
+    CHECK(text_in(folder.run("persist p.txt --seed 2 --json -o d.pers").out, "fingerprint").size() == 16);
+}
+
+TEST_CASE("size: one integer, enough for uniform points") {
+    const Folder folder;
+    for (const char* dim : {"2", "3", "4"}) {
+        const Result size = folder.run(std::string("size --points 300 --dim ") + dim);
+        CHECK(size.exit == 0);
+        CHECK(size.err == "");
+        const std::string bytes = size.out.substr(0, size.out.size() - 1);
+        CHECK(std::to_string(std::strtoull(bytes.c_str(), nullptr, 10)) == bytes);
+        CHECK(folder.run(std::string("sample ball -n 300 -o p.txt --dim ") + dim).exit == 0);
+        for (const char* command : {"mesh", "delaunay", "persist"}) {
+            const Result result = folder.run(std::string(command) + " p.txt --quiet --memory " + bytes);
+            CHECK(result.err == "");
+            CHECK(result.exit == 0);
+        }
+        const Result alpha = folder.run(std::string("size --points 300 --filter alpha --dim ") + dim);
+        CHECK(folder.run("persist p.txt --quiet --filter alpha --memory " + alpha.out.substr(0, alpha.out.size() - 1))
+                  .exit == 0);
+    }
+}

@@ -1,0 +1,213 @@
+// .npy, .off, .ply and .node as points.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "tools/io/points.hpp"
+
+using namespace netmesh::tool;
+
+namespace {
+
+using Parser = Outcome (*)(std::string_view, PointCloud*);
+using Numbers = std::vector<double>;
+using Lines = std::vector<std::uint64_t>;
+
+PointCloud good(Parser parser, const std::string& content) {
+    PointCloud cloud;
+    cloud.name = "p";
+    const Outcome outcome = parser(content, &cloud);
+    CAPTURE(content);
+    CHECK(outcome.message == "");
+    return cloud;
+}
+
+std::string fault(Parser parser, const std::string& content) {
+    PointCloud cloud;
+    cloud.name = "p";
+    const Outcome outcome = parser(content, &cloud);
+    CAPTURE(content);
+    CHECK(outcome.exit == Exit::data);
+    return outcome.message;
+}
+
+template <class T> std::string raw(std::initializer_list<T> values, bool big = false) {
+    std::string bytes;
+    for (const T value : values) {
+        char item[sizeof(T)];
+        std::memcpy(item, &value, sizeof(T));
+        std::uint16_t probe = 1;
+        char low;
+        std::memcpy(&low, &probe, 1);
+        if ((low == 1) == big) {
+            for (std::size_t i = 0; i < sizeof(T) / 2; i++) std::swap(item[i], item[sizeof(T) - 1 - i]);
+        }
+        bytes.append(item, sizeof(T));
+    }
+    return bytes;
+}
+
+std::string npy(const std::string& descr, const std::string& shape, const std::string& data,
+                const std::string& order = "False", char version = 1) {
+    std::string header = "{'descr': '" + descr + "', 'fortran_order': " + order + ", 'shape': " + shape + ", }";
+    while ((10 + header.size() + 1) % 64 != 0) header += ' ';
+    header += '\n';
+    std::string content = "\x93NUMPY";
+    content += version;
+    content += '\0';
+    content += static_cast<char>(header.size() & 255);
+    content += static_cast<char>(header.size() >> 8);
+    if (version > 1) content += std::string(2, '\0');
+    return content + header + data;
+}
+
+}  // namespace
+
+TEST_CASE("npy: every type and byte order gives the same points") {
+    const Numbers points = {1, 2, 3, 4, 5, 100};
+    CHECK(good(parse_npy_points, npy("<f8", "(3, 2)", raw<double>({1, 2, 3, 4, 5, 100}))).coordinates == points);
+    CHECK(good(parse_npy_points, npy(">f8", "(3, 2)", raw<double>({1, 2, 3, 4, 5, 100}, true))).coordinates == points);
+    CHECK(good(parse_npy_points, npy("<f4", "(3, 2)", raw<float>({1, 2, 3, 4, 5, 100}))).coordinates == points);
+    CHECK(good(parse_npy_points, npy(">f4", "(3, 2)", raw<float>({1, 2, 3, 4, 5, 100}, true))).coordinates == points);
+    CHECK(good(parse_npy_points, npy("|i1", "(3, 2)", raw<std::int8_t>({1, 2, 3, 4, 5, 100}))).coordinates == points);
+    CHECK(good(parse_npy_points, npy("|u1", "(3, 2)", raw<std::uint8_t>({1, 2, 3, 4, 5, 100}))).coordinates == points);
+    CHECK(good(parse_npy_points, npy("<u2", "(3, 2)", raw<std::uint16_t>({1, 2, 3, 4, 5, 100}))).coordinates == points);
+    CHECK(good(parse_npy_points, npy(">i4", "(3, 2)", raw<std::int32_t>({1, 2, 3, 4, 5, 100}, true))).coordinates ==
+          points);
+    const PointCloud wide = good(parse_npy_points, npy("<i8", "(2, 3)", raw<std::int64_t>({1, 2, 3, 4, 5, 100})));
+    CHECK(wide.dim == 3);
+    CHECK(wide.coordinates == points);
+    CHECK(good(parse_npy_points, npy("<i8", "(1, 2)", raw<std::int64_t>({-1, -2}))).coordinates == Numbers{-1, -2});
+    CHECK(good(parse_npy_points, npy("<f8", "(1, 2)", raw<double>({7, 8}), "False", 2)).coordinates == Numbers{7, 8});
+}
+
+TEST_CASE("npy: what is not two axes of real numbers in C order is refused") {
+    const std::string two = raw<double>({1, 2});
+    CHECK(fault(parse_npy_points, npy("<f8", "(2,)", two)) == "p: an array of 1 axes; points need two");
+    CHECK(fault(parse_npy_points, npy("<f8", "(1, 1, 2)", two)) == "p: an array of 3 axes; points need two");
+    CHECK(fault(parse_npy_points, npy("<f8", "(1, 2)", two, "True")).find("Fortran") != std::string::npos);
+    CHECK(fault(parse_npy_points, npy("<c16", "(1, 2)", two)).find("type") != std::string::npos);
+    CHECK(fault(parse_npy_points, npy("|b1", "(1, 2)", "ab")).find("type") != std::string::npos);
+    CHECK(fault(parse_npy_points, npy("<f2", "(1, 2)", "abcd")).find("type") != std::string::npos);
+    CHECK(fault(parse_npy_points, npy("<f8", "(2, 1)", two)) == "p: 1 columns; points have 2 to 6 coordinates");
+    CHECK(fault(parse_npy_points, npy("<f8", "(0, 2)", "")) == "p: the array has no rows: no point");
+    CHECK(fault(parse_npy_points, npy("<f8", "(2, 2)", raw<double>({1, 2, 3}))) ==
+          "p: ends at byte 152, inside row 2 of 2");
+    CHECK(fault(parse_npy_points, npy("<f8", "(1, 2)", raw<double>({1, 2, 3}))) ==
+          "p: 8 bytes behind the array (byte 144)");
+    CHECK(fault(parse_npy_points, npy("<f8", "(99999999999999999, 2)", two)).find("inside row 2") != std::string::npos);
+    CHECK(fault(parse_npy_points, "") == "p: not a NumPy array (bytes 0 to 5)");
+    CHECK(fault(parse_npy_points, std::string("\x93NUMPY\x01\x00\xff\x00{'descr", 17)).find("ends inside") !=
+          std::string::npos);
+    CHECK(fault(parse_npy_points,
+                npy("<f8", "(2, 2)", raw<double>({1, 2, 3, std::numeric_limits<double>::quiet_NaN()}))) ==
+          "p: row 2 (byte 152): \"nan\" is not a finite double");
+    CHECK(fault(parse_npy_points, npy("<f4", "(1, 2)", raw<float>({std::numeric_limits<float>::infinity(), 1}))) ==
+          "p: row 1 (byte 128): \"inf\" is not a finite double");
+}
+
+TEST_CASE("off: three dimensions unless it says otherwise") {
+    const PointCloud cloud = good(parse_off_points, "OFF\n# a triangle\n3 1 0\n0 0 0\n1 0 0\n\n0 1 .5\n3 0 1 2\n");
+    CHECK(cloud.dim == 3);
+    CHECK(cloud.coordinates == Numbers{0, 0, 0, 1, 0, 0, 0, 1, .5});
+    CHECK(cloud.lines == Lines{4, 5, 7});
+    CHECK(good(parse_off_points, "OFF 1 0 0\n1 2 3\n").coordinates == Numbers{1, 2, 3});
+    CHECK(good(parse_off_points, "nOFF\n4\n1 0 0\n1 2 3 4\n").dim == 4);
+    CHECK(good(parse_off_points, "nOFF 2 2 0 0\n1 2\n3 4\n").coordinates == Numbers{1, 2, 3, 4});
+    CHECK(good(parse_off_points, "COFF\n1 0 0\n1 2 3 255 0 0 255\n").coordinates == Numbers{1, 2, 3});
+}
+
+TEST_CASE("off: faults and their lines") {
+    CHECK(fault(parse_off_points, "") == "p:1: the input ends without a point");
+    CHECK(fault(parse_off_points, "PLY\n") == "p:1: an OFF file starts with OFF or nOFF, not \"PLY\"");
+    CHECK(fault(parse_off_points, "OFF\n") == "p:1: the file ends before its number of vertices");
+    CHECK(fault(parse_off_points, "OFF\n0 0 0\n") == "p:2: no vertices: no point");
+    CHECK(fault(parse_off_points, "OFF\n-1 0 0\n") == "p:2: the header holds a number that is not a count");
+    CHECK(fault(parse_off_points, "OFF\n2 0 0\n1 2 3\n") == "p:3: the file ends after 1 of 2 vertices");
+    CHECK(fault(parse_off_points, "OFF\n2 0 0\n1 2 3\n1 2\n") == "p:4: a vertex of 2 numbers where 3 are due");
+    CHECK(fault(parse_off_points, "OFF\n2 0 0\n1 2 3\n1 2 3 4\n") == "p:4: a vertex of 4 numbers where 3 are due");
+    CHECK(fault(parse_off_points, "OFF\n2 0 0\n1 2 3\n1 2 z\n") == "p:4: \"z\" is not a number");
+    CHECK(fault(parse_off_points, "OFF\n1 0 0\n1 2 inf\n") == "p:3: \"inf\" is not a finite double");
+    CHECK(fault(parse_off_points, "nOFF 7 1 0 0\n") == "p:1: dimension 7; points have 2 to 6 coordinates");
+    CHECK(fault(parse_off_points, "OFF BINARY\n").find("binary") != std::string::npos);
+}
+
+namespace {
+
+const std::string ply_head = "ply\nformat ascii 1.0\ncomment hand made\nelement vertex 2\n";
+
+}  // namespace
+
+TEST_CASE("ply: ASCII, with and without z, other properties and elements around") {
+    const PointCloud cloud =
+        good(parse_ply_points, ply_head + "property float x\nproperty float y\nproperty double z\nproperty uchar red\n"
+                                          "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                                          "1 2 3 255\n4 5 6 0\n3 0 1 0\n");
+    CHECK(cloud.dim == 3);
+    CHECK(cloud.coordinates == Numbers{1, 2, 3, 4, 5, 6});
+    CHECK(cloud.lines == Lines{12, 13});
+    const PointCloud flat =
+        good(parse_ply_points, ply_head + "property float y\nproperty float x\nend_header\r\n1 2\n3 4\n");
+    CHECK(flat.dim == 2);
+    CHECK(flat.coordinates == Numbers{2, 1, 4, 3});
+}
+
+TEST_CASE("ply: binary little-endian, lists before the vertices stepped over") {
+    const std::string header = "ply\nformat binary_little_endian 1.0\nelement face 2\n"
+                               "property list uchar int vertex_indices\nelement vertex 2\nproperty short x\n"
+                               "property double y\nproperty uchar flag\nproperty float z\nend_header\n";
+    const std::string faces = raw<std::uint8_t>({3}) + raw<std::int32_t>({0, 1, 0}) + raw<std::uint8_t>({0});
+    const std::string first = raw<std::int16_t>({-7}) + raw<double>({.5}) + "\x01" + raw<float>({2});
+    const std::string second = raw<std::int16_t>({8}) + raw<double>({1e300}) + "\x01" + raw<float>({-3});
+    const PointCloud cloud = good(parse_ply_points, header + faces + first + second);
+    CHECK(cloud.coordinates == Numbers{-7, .5, 2, 8, 1e300, -3});
+    CHECK(cloud.place(1) == "row 2");
+    CHECK(fault(parse_ply_points, header + faces + first + second.substr(0, 5)).find("inside vertex 2 of 2") !=
+          std::string::npos);
+    const std::string nan = raw<std::int16_t>({8}) + raw<double>({NAN}) + "\x01" + raw<float>({-3});
+    CHECK(fault(parse_ply_points, header + faces + first + nan).find("p: row 2 (byte ") == 0);
+}
+
+TEST_CASE("ply: faults and their lines") {
+    const std::string xy = "property float x\nproperty float y\n";
+    CHECK(fault(parse_ply_points, "") == "p:1: a PLY file starts with a line that says ply");
+    CHECK(fault(parse_ply_points, "ply\nformat ascii 1.0\n") == "p:2: the file ends inside its header");
+    CHECK(fault(parse_ply_points, "ply\nelement vertex 1\n" + xy + "end_header\n1 2\n") ==
+          "p:5: no format line in the header");
+    CHECK(fault(parse_ply_points, "ply\nformat binary_big_endian 1.0\n").find("p:2: format") == 0);
+    CHECK(fault(parse_ply_points, ply_head + "property float x\nend_header\n") ==
+          "p:6: element vertex has no property x or y");
+    CHECK(fault(parse_ply_points, ply_head + "property quad x\n") == "p:5: no such type: \"quad\"");
+    CHECK(fault(parse_ply_points, ply_head + "property list uchar int x\nproperty float y\nend_header\n") ==
+          "p:7: property x is a list");
+    CHECK(fault(parse_ply_points, "ply\nformat ascii 1.0\nelement vertex -3\n") == "p:3: \"-3\" is not a count");
+    CHECK(fault(parse_ply_points, "ply\nformat ascii 1.0\nelement vertex 0\n" + xy + "end_header\n") ==
+          "p:6: no vertices: no point");
+    CHECK(fault(parse_ply_points, ply_head + xy + "end_header\n1 2\n3\n") ==
+          "p:9: a vertex of 1 numbers where 2 are due");
+    CHECK(fault(parse_ply_points, ply_head + xy + "end_header\n1 2\n3 nan\n") == "p:9: \"nan\" is not a finite double");
+    CHECK(fault(parse_ply_points, ply_head + xy + "end_header\n1 2\n") ==
+          "p:8: the file ends after 1 of 2 lines of element vertex");
+}
+
+TEST_CASE("node: ids from 0 or 1, attributes and markers left aside") {
+    CHECK(good(parse_node_points, "2 2 0 0\n0 1 2\n1 3 4\n").coordinates == Numbers{1, 2, 3, 4});
+    const PointCloud cloud = good(parse_node_points, "# c\n2 3 1 1\n1 1 2 3 .5 0\n\n2 4 5 6 .25 1 # last\n");
+    CHECK(cloud.dim == 3);
+    CHECK(cloud.coordinates == Numbers{1, 2, 3, 4, 5, 6});
+    CHECK(cloud.lines == Lines{3, 5});
+}
+
+TEST_CASE("node: faults and their lines") {
+    CHECK(fault(parse_node_points, "") == "p:1: the input ends without a point");
+    CHECK(fault(parse_node_points, "2\n") == "p:1: the header is: count D attributes marker");
+    CHECK(fault(parse_node_points, "0 2\n") == "p:1: no vertices: no point");
+    CHECK(fault(parse_node_points, "1 9\n") == "p:1: dimension 9; points have 2 to 6 coordinates");
+    CHECK(fault(parse_node_points, "2 2\n0 1 2\n") == "p:2: the file ends after 1 of 2 vertices");
+    CHECK(fault(parse_node_points, "1 2\n0 1 2\n1 3 4\n") == "p:3: more than the 1 vertices of the header");
+    CHECK(fault(parse_node_points, "2 2\n0 1 2\n2 3 4\n") == "p:3: id 2 where 1 is due");
+    CHECK(fault(parse_node_points, "2 2\n0 1 2\n1 3\n") == "p:3: 2 numbers where 3 are due");
+    CHECK(fault(parse_node_points, "1 2\n0 1 1e999\n") == "p:2: \"1e999\" is not a finite double");
+}

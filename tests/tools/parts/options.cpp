@@ -1,0 +1,147 @@
+#include "tools/options.hpp"
+
+#include <doctest/doctest.h>
+
+#include "tools/session.hpp"
+
+using namespace netmesh::tool;
+
+namespace {
+
+Options good(const std::vector<std::string>& arguments) {
+    Options options;
+    const Outcome outcome = parse_options(arguments, &options);
+    CHECK(outcome.message == "");
+    return options;
+}
+
+std::string fault(const std::vector<std::string>& arguments) {
+    Options options;
+    const Outcome outcome = parse_options(arguments, &options);
+    std::string line;
+    for (const std::string& argument : arguments) line += argument + " ";
+    CAPTURE(line);
+    CHECK(outcome.exit == Exit::usage);
+    CHECK(outcome.message.rfind("netmesh: ", 0) == 0);
+    return outcome.message;
+}
+
+bool names(const std::string& message, const std::string& argument) {
+    return message.find(argument) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("options before and behind positionals, with = and without") {
+    for (const auto& line : std::vector<std::vector<std::string>>{
+             {"persist", "p.txt", "--tau", "3.08", "-o", "p.pers", "--filter=alpha", "--json"},
+             {"persist", "--tau=3.08", "--json", "-o", "p.pers", "p.txt", "--filter", "alpha"},
+             {"--json", "--tau=3.08", "persist", "--filter=alpha", "-o", "p.pers", "--", "p.txt"}}) {
+        const Options options = good(line);
+        CHECK(options.command == Command::persist);
+        CHECK(options.positionals == std::vector<std::string>{"p.txt"});
+        CHECK(*options.tau == 3.08);
+        CHECK(options.out == "p.pers");
+        CHECK(*options.filter == NETMESH_FILTER_ALPHA);
+        CHECK(options.json);
+        CHECK(options.seed == 1);
+    }
+}
+
+TEST_CASE("stdin and names that look like options") {
+    CHECK(good({"mesh", "-"}).positionals[0] == "-");
+    CHECK(good({"mesh", "--", "-p.txt"}).positionals[0] == "-p.txt");
+    CHECK(good({"persist", "p", "-o", "-"}).out == "");
+}
+
+TEST_CASE("the same option name may belong to two commands") {
+    CHECK(good({"size", "--dim", "3", "--points", "1000"}).point_count == 1000);
+    CHECK(good({"check", "m.node", "--points", "1000"}).points_path == "1000");
+    CHECK(good({"persist", "p", "--mesh", "m.node"}).mesh_out == "m.node");
+    CHECK(good({"check", "d.pers", "--mesh", "m.node"}).mesh_path == "m.node");
+}
+
+TEST_CASE("sizes of memory") {
+    CHECK(good({"mesh", "p", "--memory", "65536"}).memory_bytes == 65536);
+    CHECK(good({"mesh", "p", "--memory", "64K"}).memory_bytes == 65536);
+    CHECK(good({"mesh", "p", "--memory", "3m"}).memory_bytes == 3u << 20);
+    CHECK(good({"mesh", "p", "--memory=1G"}).memory_bytes == std::size_t{1} << 30);
+    for (const char* size : {"0", "0G", "", "K", "1.5M", "-1", "12X", "1KB", "99999999999999999999", "99999999999T"}) {
+        CHECK(names(fault({"mesh", "p", "--memory", size}), "--memory"));
+    }
+}
+
+TEST_CASE("numbers out of range name their argument") {
+    for (const char* tau : {"2", "1.9", "-3", "0", "inf", "nan", "1e400", "x", "", "3x"}) {
+        CHECK(names(fault({"mesh", "p", "--tau", tau}), "--tau"));
+    }
+    for (const char* seed : {"-1", "1.5", "x", "", "18446744073709551616"}) {
+        CHECK(names(fault({"mesh", "p", "--seed", seed}), "--seed"));
+    }
+    CHECK(good({"mesh", "p", "--seed", "18446744073709551615"}).seed == UINT64_MAX);
+    for (const char* degree : {"-1", "x", "1.0", ""}) {
+        CHECK(names(fault({"persist", "p", "--max-degree", degree}), "--max-degree"));
+    }
+    for (const char* dim : {"1", "7", "x", ""}) {
+        CHECK(names(fault({"size", "--dim", dim, "--points", "5"}), "--dim"));
+    }
+    for (const char* count : {"0", "-5", "x", "4294967296"}) {
+        CHECK(names(fault({"size", "--dim", "3", "--points", count}), "--points"));
+        CHECK(names(fault({"sample", "ball", "-n", count}), "-n"));
+    }
+    CHECK(names(fault({"sample", "ball", "-n", "5", "--noise", "-1"}), "--noise"));
+    for (const char* turns : {"1", "1,", ",1", "1,x", "1 10"}) {
+        CHECK(names(fault({"sample", "clifford", "-n", "5", "--turns", turns}), "--turns"));
+    }
+}
+
+TEST_CASE("methods, filters and values that this version has not") {
+    good({"mesh", "p", "--method", "svr"});
+    CHECK(names(fault({"mesh", "p", "--method", "netmesh"}), "svr only"));
+    CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
+    for (const char* filter : {"tight", "scales", "rips", "cech", "knn", "kdistance", "barycentric-cech", "frob"}) {
+        CHECK(names(fault({"persist", "p", "--filter", filter}), "complete, basic and alpha"));
+    }
+    CHECK(names(fault({"persist", "p", "--values", "frob"}), "--values frob"));
+}
+
+TEST_CASE("commands, options and arguments that are not") {
+    CHECK(names(fault({}), "no command"));
+    CHECK(names(fault({"frob"}), "'frob'"));
+    CHECK(names(fault({"frob", "mesh"}), "'frob'"));
+    CHECK(names(fault({"--frob"}), "--frob"));
+    CHECK(names(fault({"mesh"}), "POINTS"));
+    CHECK(names(fault({"mesh", ""}), "POINTS"));
+    CHECK(names(fault({"mesh", "p", "q"}), "q"));
+    CHECK(names(fault({"mesh", "p", "--frob"}), "--frob"));
+    CHECK(names(fault({"mesh", "p", "-x"}), "-x"));
+    CHECK(names(fault({"mesh", "p", "--tau"}), "--tau needs a value"));
+    CHECK(names(fault({"mesh", "p", "--json=1"}), "--json takes no value"));
+    CHECK(names(fault({"mesh", "p", "--filter", "alpha"}), "--filter does not apply to mesh"));
+    CHECK(names(fault({"mesh", "p", "-o", ""}), "-o"));
+    CHECK(names(fault({"size", "3"}), "3"));
+}
+
+TEST_CASE("help and version") {
+    CHECK(good({"--version"}).version);
+    CHECK(good({"--help"}).help);
+    CHECK(good({"mesh", "--help"}).command == Command::mesh);
+    CHECK(good({"mesh", "p", "-h"}).help);
+    CHECK(names(fault({"frob", "--help"}), "'frob'"));
+    for (const Command command : {Command::none, Command::mesh, Command::delaunay, Command::persist, Command::size,
+                                  Command::check, Command::sample}) {
+        CHECK(help_text(command).find("netmesh") != std::string::npos);
+    }
+    CHECK(help_text(Command::persist).find("--filter F") != std::string::npos);
+    CHECK(help_text(Command::mesh).find("--filter") == std::string::npos);
+    CHECK(help_text(Command::sample).find("clifford") != std::string::npos);
+    CHECK(version_text() == "netmesh 0.1.0\n");
+}
+
+TEST_CASE("memory to reserve when none is named") {
+    constexpr std::size_t gib = std::size_t{1} << 30;
+    CHECK(lazy_bytes(1000, 8 * gib) == gib);
+    CHECK(lazy_bytes(gib / 32, 8 * gib) == 2 * gib);
+    CHECK(lazy_bytes(gib, 8 * gib) == 8 * gib);
+    CHECK(lazy_bytes(SIZE_MAX, 8 * gib) == 8 * gib);
+}

@@ -1,0 +1,161 @@
+#include <algorithm>
+
+#include "tools/commands/check_parts.hpp"
+#include "tools/commands/diagram_checks.hpp"
+#include "tools/commands/output.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+struct DiagramFile {
+    std::string name;
+    std::vector<Bar> bars;
+    std::vector<std::uint64_t> lines;
+    bool has_zero_bars = false;
+    std::uint32_t top_degree = 0;
+};
+
+Outcome read_diagram(const std::string& path, DiagramFile* file) {
+    std::string content;
+    file->name = shown_name(path);
+    Outcome outcome = read_content(path, &content);
+    if (outcome.good()) outcome = parse_diagram(content, file->name, &file->bars, &file->lines);
+    if (!outcome.good()) return outcome;
+    for (const Bar& bar : file->bars) {
+        file->has_zero_bars = file->has_zero_bars || bar.birth == bar.death;
+        file->top_degree = std::max(file->top_degree, bar.degree);
+    }
+    std::size_t at = 0;
+    const std::string complaint = diagram_complaint(file->bars, &at);
+    if (complaint.empty()) return {};
+    const std::uint64_t line = at < file->lines.size() ? file->lines[at] : file->lines.empty() ? 1 : file->lines.back();
+    return {Exit::check, file->name + ":" + std::to_string(line) + ": check failed: " + complaint};
+}
+
+// The best that the candidates tried so far came to.
+struct Comparison {
+    bool equal = false;
+    std::size_t common = 0;  // bars before the first difference
+    std::string closest;     // what the sentence about the closest candidate says
+};
+
+void compare(const DiagramFile& file, const std::vector<Bar>& recomputed, const Candidate& candidate,
+             Comparison* best) {
+    const std::size_t at = first_difference(file.bars, recomputed);
+    best->equal = at == SIZE_MAX;
+    if (best->equal || (at < best->common && !best->closest.empty())) return;
+    best->common = at;
+    best->closest = candidate_text(candidate) + ": ";
+    std::vector<Bar> low;
+    for (const Bar& bar : recomputed) {
+        if (bar.degree <= file.top_degree) low.push_back(bar);
+    }
+    if (first_difference(file.bars, low) == SIZE_MAX) {
+        best->closest += "equal up to degree " + std::to_string(file.top_degree) + ", nothing above (--max-degree " +
+                         std::to_string(file.top_degree) + " leaves the rest out)";
+        return;
+    }
+    best->closest += at < file.lines.size() ? "line " + std::to_string(file.lines[at]) : "the end";
+    best->closest += " has " + bar_text(file.bars, at) + " where " + bar_text(recomputed, at) + " is due";
+}
+
+using Prepare = std::function<netmesh_status(Session&)>;
+
+// Runs `prepare` (mesh, triangulation or load) and each candidate on it until one equals the file.
+Outcome recompute(const Options& options, const DiagramFile& file, const std::vector<Candidate>& list,
+                  const PointCloud& cloud, netmesh_job job, const Prepare& prepare, Session& session, Comparison* best,
+                  Candidate* found) {
+    if (list.empty() || best->equal) return {};
+    return session.run(job, cloud, [&](Session& s) {
+        netmesh_status status = prepare(s);
+        for (std::size_t i = 0; i < list.size() && status == NETMESH_OK; i++) {
+            status = s.call(NETMESH_STAGE_REDUCE, [&] {
+                return netmesh_persist(s.context(), list[i].filter, list[i].values,
+                                       options.max_degree.value_or(cloud.dim - 1),
+                                       options.all || file.has_zero_bars ? 1 : 0, &s.engine_options());
+            });
+            if (status != NETMESH_OK) break;
+            compare(file, bars_of(s.context()), list[i], best);
+            *found = list[i];
+            if (best->equal) break;
+        }
+        return status;
+    });
+}
+
+Outcome conclude(const DiagramFile& file, const Comparison& best, const Candidate& found, const std::string& source,
+                 const Session& session, RunReport* run) {
+    if (!best.equal) {
+        return mismatch(file.name + " is not the diagram of " + source + "; closest is " + best.closest);
+    }
+    run->engine = session.report();
+    run->clock = session.clock();
+    std::string text = file.name + " is the diagram of " + source + " for " + candidate_text(found) +
+                       "; certified ratio " + rounded_text(run->engine->certified_ratio, 6);
+    if (run->engine->certified_from > 0) text += " from radius " + rounded_text(run->engine->certified_from, 6);
+    if (run->engine->is_mesh != 0) text += "; aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6);
+    run->checked->push_back(text);
+    return {};
+}
+
+Outcome check_diagram_with_points(const Options& options, const DiagramFile& file, RunReport* run) {
+    PointCloud points;
+    Outcome outcome = read_points(options.points_path, &points);
+    if (!outcome.good()) return outcome;
+    Session session(options, points.dim);
+    Comparison best;
+    Candidate found = {};
+    const double* const x = points.coordinates.data();
+    outcome = recompute(
+        options, file, candidates(options, true, false), points, NETMESH_JOB_PERSIST,
+        [&](Session& s) {
+            return s.call(NETMESH_STAGE_REFINE, [&] {
+                return netmesh_mesh(s.context(), x, points.rows(), NETMESH_JOB_PERSIST, &s.engine_options());
+            });
+        },
+        session, &best, &found);
+    if (!outcome.good()) return outcome;
+    outcome = recompute(
+        options, file, candidates(options, false, true), points, NETMESH_JOB_PERSIST_ALPHA,
+        [&](Session& s) {
+            return s.call(NETMESH_STAGE_DELAUNAY,
+                          [&] { return netmesh_delaunay(s.context(), x, points.rows(), &s.engine_options()); });
+        },
+        session, &best, &found);
+    // Flat points have no triangulation: then only the mesh filters could have made the diagram.
+    if (!outcome.good() && outcome.exit != Exit::degenerate) return outcome;
+    return conclude(file, best, found, points.name, session, run);
+}
+
+Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file, RunReport* run) {
+    MeshFiles files;
+    Outcome outcome = read_mesh_files(options.mesh_path, &files);
+    if (!outcome.good()) return outcome;
+    Session session(options, files.node.cloud.dim);
+    outcome = check_mesh(options, files, run, session);
+    if (!outcome.good()) return outcome;
+    const bool is_mesh = !files.node.domain.empty();
+    Comparison best;
+    Candidate found = {};
+    outcome = recompute(
+        options, file, candidates(options, is_mesh, !is_mesh), files.node.cloud,
+        is_mesh ? NETMESH_JOB_PERSIST : NETMESH_JOB_PERSIST_ALPHA, [&](Session& s) { return load_mesh(s, files); },
+        session, &best, &found);
+    return outcome.good() ? conclude(file, best, found, files.node.cloud.name, session, run) : outcome;
+}
+
+}  // namespace
+
+Outcome check_diagram(const Options& options, RunReport* run) {
+    DiagramFile file;
+    Outcome outcome = read_diagram(options.positionals[0], &file);
+    if (!outcome.good()) return outcome;
+    run->checked->push_back(file.name + " has " + grouped_text(file.bars.size()) +
+                            " bars, sorted, with one essential class");
+    if (!options.mesh_path.empty()) return check_diagram_with_mesh(options, file, run);
+    if (!options.points_path.empty()) return check_diagram_with_points(options, file, run);
+    return {};
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,40 @@
+#include "tools/commands/diagram_checks.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+namespace netmesh::tool {
+
+std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at) {
+    std::size_t essential = 0;
+    for (std::size_t i = 0; i < bars.size(); i++) {
+        const Bar& bar = bars[i];
+        if (at != nullptr) *at = i;
+        if (!(std::isfinite(bar.birth) && bar.birth >= 0)) return "a birth that is not a finite radius";
+        if (!(bar.death >= bar.birth)) return "a death before the birth";
+        if (i > 0 && comes_before(bar, bars[i - 1])) return "bars that are not sorted by degree, birth, death";
+        if (std::isfinite(bar.death)) continue;
+        essential++;
+        if (bar.degree != 0 || bar.birth != 0) return "an essential class that is not of degree 0, born at 0";
+        if (essential > 1) return "more than one essential class";
+    }
+    if (at != nullptr) *at = bars.size();
+    return essential == 1 ? "" : "no essential class";
+}
+
+std::size_t first_difference(const std::vector<Bar>& a, const std::vector<Bar>& b) {
+    std::size_t i = 0;
+    while (i < a.size() && i < b.size() && a[i] == b[i]) i++;
+    return i == a.size() && i == b.size() ? SIZE_MAX : i;
+}
+
+std::string bar_text(const std::vector<Bar>& bars, std::size_t index) {
+    if (index >= bars.size()) return "nothing";
+    std::string text = std::to_string(bars[index].degree) + " ";
+    append_number(text, bars[index].birth);
+    text += ' ';
+    append_number(text, bars[index].death);
+    return text;
+}
+
+}  // namespace netmesh::tool

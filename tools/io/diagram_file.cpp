@@ -1,0 +1,56 @@
+#include "tools/io/diagram_file.hpp"
+
+#include <cmath>
+
+#include "tools/io/lines.hpp"
+
+namespace netmesh::tool {
+
+bool comes_before(const Bar& a, const Bar& b) {
+    if (a.degree != b.degree) return a.degree < b.degree;
+    if (a.birth != b.birth) return a.birth < b.birth;
+    return a.death < b.death;
+}
+
+void write_diagram(const std::vector<Bar>& bars, TextWriter& out) {
+    for (const Bar& bar : bars) out << bar.degree << ' ' << bar.birth << ' ' << bar.death << '\n';
+}
+
+namespace {
+
+Complaint parse_bar(std::string_view line, Bar* bar) {
+    const std::vector<std::string_view> words = split_blanks(line);
+    if (words.size() != 3) return std::to_string(words.size()) + " fields; a line is: degree birth death";
+    std::uint64_t degree;
+    if (!parse_unsigned(std::string(words[0]), &degree) || degree > 1000) {
+        return quoted(words[0]) + " is not a degree";
+    }
+    bar->degree = static_cast<std::uint32_t>(degree);
+    if (!parse_finite(std::string(words[1]), &bar->birth) || bar->birth < 0) {
+        return quoted(words[1]) + " is not a birth: finite and not below 0";
+    }
+    if (words[2] == "inf") {
+        bar->death = HUGE_VAL;
+    } else if (!parse_finite(std::string(words[2]), &bar->death) || bar->death < bar->birth) {
+        return quoted(words[2]) + " is not a death: inf, or finite and not before the birth";
+    }
+    return {};
+}
+
+}  // namespace
+
+Outcome parse_diagram(std::string_view content, const std::string& name, std::vector<Bar>* bars,
+                      std::vector<std::uint64_t>* lines) {
+    LineReader reader(content);
+    std::string_view line;
+    while (reader.next_content(&line)) {
+        Bar bar;
+        const Complaint complaint = parse_bar(line, &bar);
+        if (!complaint.empty()) return line_error(name, reader.number(), complaint);
+        bars->push_back(bar);
+        if (lines != nullptr) lines->push_back(reader.number());
+    }
+    return {};
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,32 @@
+// Persistence diagrams in files: lines `degree birth death`.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/io/text_writer.hpp"
+#include "tools/outcome.hpp"
+
+namespace netmesh::tool {
+
+// A point of a diagram. Radii; death is infinite for an essential class.
+struct Bar {
+    std::uint32_t degree;
+    double birth, death;
+};
+
+inline bool operator==(const Bar& a, const Bar& b) {
+    return a.degree == b.degree && a.birth == b.birth && a.death == b.death;
+}
+// The order of .pers files: degree, birth, death.
+bool comes_before(const Bar& a, const Bar& b);
+
+void write_diagram(const std::vector<Bar>& bars, TextWriter& out);
+
+// Comments and blank lines are skipped; births are finite and >= 0, deaths >= births. Any order. lines[i], when asked
+// for, is the physical line of bar i. Faults are Exit::data with file and line.
+Outcome parse_diagram(std::string_view content, const std::string& name, std::vector<Bar>* bars,
+                      std::vector<std::uint64_t>* lines = nullptr);
+
+}  // namespace netmesh::tool

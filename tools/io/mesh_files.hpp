@@ -1,0 +1,73 @@
+// Meshes in files: TetGen's .node/.ele/.neigh for any dimension (both ways), .off and .vtu (out).
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "netmesh.h"
+#include "tools/io/points.hpp"
+#include "tools/io/text_writer.hpp"
+#include "tools/outcome.hpp"
+
+namespace netmesh::tool {
+
+// A mesh that writers and plots read one item at a time, so that it need not be copied out of the engine's block.
+class MeshSource {
+public:
+    virtual ~MeshSource() = default;
+    virtual netmesh_vertex vertex(std::uint64_t index) const = 0;
+    virtual netmesh_cell cell(std::uint64_t index) const = 0;
+
+    std::uint32_t dim = 0;
+    std::uint64_t vertex_count = 0, cell_count = 0;
+    double tau = 0;                           // bound asked for; 0 for a Delaunay triangulation
+    double domain[NETMESH_DIM_MAX + 1] = {};  // centre, radius at index dim; radius 0 for a Delaunay triangulation
+    bool has_values = false;                  // vertices carry filter values
+};
+
+// Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
+// `# domain c1 .. cD r` and `# tau T`, for a mesh.
+void write_node(const MeshSource& mesh, TextWriter& out);
+void write_ele(const MeshSource& mesh, TextWriter& out);
+// -1 outside; neighbour i is opposite vertex i.
+void write_neigh(const MeshSource& mesh, TextWriter& out);
+// OFF for D = 3, nOFF otherwise; a face for each cell, of its D+1 vertices.
+void write_off(const MeshSource& mesh, TextWriter& out);
+// VTK's unstructured grid, D = 2 and 3, with point data `marker` and `value`.
+void write_vtu(const MeshSource& mesh, TextWriter& out);
+
+// A .node file as it stands.
+struct NodeFile {
+    PointCloud cloud;  // all vertices
+    std::uint32_t attribute_count = 0;
+    std::vector<double> attributes;  // [rows][attribute_count]
+    bool has_markers = false;
+    std::vector<std::uint8_t> markers;  // [rows]; 0 where the file has none
+    std::uint64_t first_id = 0;         // 0 or 1
+    std::vector<double> domain;         // dim + 1 numbers, or empty
+    double tau = 0;                     // 0 when the file does not say
+};
+
+// Every fault is Exit::data with file and line. node->cloud.name is used for messages.
+Outcome parse_node(std::string_view content, NodeFile* node);
+
+// Rows of `columns` integers with consecutive ids: .ele (vertices of cells) and .neigh. Entries are given counted from
+// 0, -1 (outside, admitted only with allow_outside) as NETMESH_NONE. Entries are below `limit`.
+struct CellTable {
+    std::string name;  // for messages
+    std::uint32_t columns = 0;
+    std::vector<std::uint32_t> entries;
+    std::vector<std::uint64_t> lines;
+};
+Outcome parse_cell_table(std::string_view content, std::uint64_t first_id, std::uint64_t limit, bool allow_outside,
+                         CellTable* table);
+
+// The three files of a mesh; `path` names the .node.
+struct MeshFiles {
+    NodeFile node;
+    CellTable cells, neighbours;
+};
+Outcome read_mesh_files(const std::string& path, MeshFiles* files);
+
+}  // namespace netmesh::tool

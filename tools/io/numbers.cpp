@@ -1,0 +1,84 @@
+#include "tools/io/numbers.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace netmesh::tool {
+
+NumberKind parse_double(const char*& at, const char* end, double* value) {
+    const char* start = at;
+    if (start != end && *start == '+' && start + 1 != end && start[1] != '-' && start[1] != '+') ++start;
+    double number = 0;
+    const std::from_chars_result result = std::from_chars(start, end, number);
+    if (result.ec == std::errc::invalid_argument) return NumberKind::not_a_number;
+    at = result.ptr;
+    if (result.ec == std::errc::result_out_of_range) {
+        // Too large or too small: from_chars does not say which. The program never leaves the C locale.
+        number = std::strtod(std::string(start, result.ptr).c_str(), nullptr);
+    }
+    if (!std::isfinite(number)) return NumberKind::not_finite;
+    *value = number + 0.0;  // -0.0 becomes 0.0
+    return NumberKind::finite;
+}
+
+bool parse_unsigned(const std::string& text, std::uint64_t* value) {
+    const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), *value);
+    return result.ec == std::errc() && result.ptr == text.data() + text.size();
+}
+
+bool parse_finite(const std::string& text, double* value) {
+    const char* at = text.data();
+    const char* end = at + text.size();
+    return parse_double(at, end, value) == NumberKind::finite && at == end;
+}
+
+bool is_count(double value) {
+    return value >= 0 && value < 9007199254740992.0 && value == static_cast<double>(static_cast<std::uint64_t>(value));
+}
+
+void append_number(std::string& text, double value) {
+    char digits[40];
+    const std::to_chars_result result = std::to_chars(digits, digits + sizeof digits, value + 0.0);
+    text.append(digits, result.ptr);
+}
+
+void append_number(std::string& text, std::uint64_t value) {
+    char digits[24];
+    const std::to_chars_result result = std::to_chars(digits, digits + sizeof digits, value);
+    text.append(digits, result.ptr);
+}
+
+std::string number_text(double value) {
+    std::string text;
+    append_number(text, value);
+    return text;
+}
+
+std::string rounded_text(double value, int digits) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+std::string grouped_text(std::uint64_t value) {
+    std::string text = std::to_string(value);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+    return text;
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+    const char* const units[] = {"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+    double amount = static_cast<double>(bytes);
+    int unit = 0;
+    while (amount >= 1024 && unit < 6) {
+        amount /= 1024;
+        unit++;
+    }
+    char text[40];
+    std::snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.1f %s", amount, units[unit]);
+    return text;
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,256 @@
+// Stanford PLY, ASCII and binary little-endian: properties x, y and z of element vertex.
+#include <cmath>
+#include <cstring>
+
+#include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
+#include "tools/io/points.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+enum class Scalar { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+struct Property {
+    std::string name;
+    Scalar type = Scalar::f32;
+    bool is_list = false;
+    Scalar count_type = Scalar::u8;
+};
+
+struct Element {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<Property> properties;
+};
+
+struct PlyHeader {
+    bool binary = false;
+    std::vector<Element> elements;
+    std::size_t vertex_element = SIZE_MAX;
+    int columns[3] = {-1, -1, -1};  // positions of x, y, z among the properties
+    std::uint32_t dim = 0;
+};
+
+bool scalar_of(std::string_view name, Scalar* type) {
+    static constexpr struct {
+        const char* name;
+        Scalar type;
+    } names[] = {{"char", Scalar::i8},   {"int8", Scalar::i8},     {"uchar", Scalar::u8},   {"uint8", Scalar::u8},
+                 {"short", Scalar::i16}, {"int16", Scalar::i16},   {"ushort", Scalar::u16}, {"uint16", Scalar::u16},
+                 {"int", Scalar::i32},   {"int32", Scalar::i32},   {"uint", Scalar::u32},   {"uint32", Scalar::u32},
+                 {"float", Scalar::f32}, {"float32", Scalar::f32}, {"double", Scalar::f64}, {"float64", Scalar::f64}};
+    for (const auto& entry : names) {
+        if (name != entry.name) continue;
+        *type = entry.type;
+        return true;
+    }
+    return false;
+}
+
+unsigned bytes_of(Scalar type) {
+    switch (type) {
+    case Scalar::i8:
+    case Scalar::u8:
+        return 1;
+    case Scalar::i16:
+    case Scalar::u16:
+        return 2;
+    case Scalar::f64:
+        return 8;
+    default:
+        return 4;
+    }
+}
+
+double read_scalar(Scalar type, const char* source) {
+    std::uint64_t bits = 0;
+    for (unsigned i = 0; i < bytes_of(type); i++) {
+        bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(source[i])) << (8 * i);
+    }
+    float narrow;
+    double wide;
+    const std::uint32_t low = static_cast<std::uint32_t>(bits);
+    switch (type) {
+    case Scalar::i8:
+        return static_cast<std::int8_t>(bits);
+    case Scalar::i16:
+        return static_cast<std::int16_t>(bits);
+    case Scalar::i32:
+        return static_cast<std::int32_t>(bits);
+    case Scalar::f32:
+        std::memcpy(&narrow, &low, sizeof narrow);
+        return narrow;
+    case Scalar::f64:
+        std::memcpy(&wide, &bits, sizeof wide);
+        return wide;
+    default:
+        return static_cast<double>(bits);
+    }
+}
+
+Complaint parse_property(const std::vector<std::string_view>& words, PlyHeader* header) {
+    if (header->elements.empty()) return "a property before the first element";
+    Property property;
+    property.is_list = words.size() > 1 && words[1] == "list";
+    if (words.size() != (property.is_list ? 5u : 3u)) return "a property line that is not understood";
+    const std::string_view type = words[property.is_list ? 3 : 1];
+    if (property.is_list && !scalar_of(words[2], &property.count_type)) return "no such type: " + quoted(words[2]);
+    if (!scalar_of(type, &property.type)) return "no such type: " + quoted(type);
+    property.name = std::string(words.back());
+    header->elements.back().properties.push_back(property);
+    return {};
+}
+
+Complaint parse_header_line(std::string_view line, bool* format_seen, PlyHeader* header) {
+    const std::vector<std::string_view> words = split_blanks(line);
+    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") return {};
+    if (words[0] == "format" && words.size() == 3) {
+        if (words[1] != "ascii" && words[1] != "binary_little_endian") {
+            return "format " + quoted(words[1]) + "; ascii and binary_little_endian are read";
+        }
+        header->binary = words[1] != "ascii";
+        *format_seen = true;
+        return {};
+    }
+    if (words[0] == "element" && words.size() == 3) {
+        Element element;
+        element.name = std::string(words[1]);
+        if (!parse_unsigned(std::string(words[2]), &element.count)) return quoted(words[2]) + " is not a count";
+        header->elements.push_back(element);
+        return {};
+    }
+    if (words[0] == "property") return parse_property(words, header);
+    return "a header line that is not understood: " + quoted(line);
+}
+
+Complaint find_columns(PlyHeader* header) {
+    for (std::size_t e = 0; e < header->elements.size(); e++) {
+        if (header->elements[e].name != "vertex" || header->vertex_element != SIZE_MAX) continue;
+        header->vertex_element = e;
+        const std::vector<Property>& properties = header->elements[e].properties;
+        for (std::size_t i = 0; i < properties.size(); i++) {
+            const std::string& name = properties[i].name;
+            if (name.size() != 1 || name[0] < 'x' || name[0] > 'z') continue;
+            if (properties[i].is_list) return "property " + name + " is a list";
+            header->columns[name[0] - 'x'] = static_cast<int>(i);
+        }
+    }
+    if (header->vertex_element == SIZE_MAX) return "no element vertex";
+    if (header->columns[0] < 0 || header->columns[1] < 0) return "element vertex has no property x or y";
+    header->dim = header->columns[2] < 0 ? 2 : 3;
+    if (header->elements[header->vertex_element].count == 0) return "no vertices: no point";
+    return {};
+}
+
+Outcome parse_ply_header(LineReader& reader, const PointCloud& cloud, PlyHeader* header) {
+    std::string_view line;
+    if (!reader.next(&line) || line != "ply") {
+        return line_error(cloud.name, 1, "a PLY file starts with a line that says ply");
+    }
+    bool format_seen = false;
+    for (;;) {
+        if (!reader.next(&line)) return line_error(cloud.name, reader.number(), "the file ends inside its header");
+        if (line == "end_header") break;
+        const Complaint complaint = parse_header_line(line, &format_seen, header);
+        if (!complaint.empty()) return line_error(cloud.name, reader.number(), complaint);
+    }
+    if (!format_seen) return line_error(cloud.name, reader.number(), "no format line in the header");
+    const Complaint complaint = find_columns(header);
+    if (!complaint.empty()) return line_error(cloud.name, reader.number(), complaint);
+    return {};
+}
+
+// The bytes of one element at content[*offset], stepped over; starts[i] is the offset of property i.
+bool walk_element(const Element& element, std::string_view content, std::size_t* offset,
+                  std::vector<std::size_t>* starts) {
+    starts->clear();
+    for (const Property& property : element.properties) {
+        starts->push_back(*offset);
+        std::uint64_t bytes = bytes_of(property.type);
+        if (property.is_list) {
+            const unsigned count_bytes = bytes_of(property.count_type);
+            if (content.size() - *offset < count_bytes) return false;
+            const double count = read_scalar(property.count_type, content.data() + *offset);
+            if (!(count >= 0 && count <= 4294967295.0)) return false;
+            *offset += count_bytes;
+            bytes *= static_cast<std::uint64_t>(count);
+        }
+        if (content.size() - *offset < bytes) return false;
+        *offset += bytes;
+    }
+    return true;
+}
+
+Outcome parse_ply_binary(std::string_view content, std::size_t offset, const PlyHeader& header, PointCloud* cloud) {
+    std::vector<std::size_t> starts;
+    for (std::size_t e = 0; e <= header.vertex_element; e++) {
+        const Element& element = header.elements[e];
+        if (element.properties.empty()) continue;
+        for (std::uint64_t row = 0; row < element.count; row++) {
+            if (!walk_element(element, content, &offset, &starts)) {
+                return data_error(cloud->name + ": ends at byte " + std::to_string(content.size()) + ", inside " +
+                                  element.name + " " + std::to_string(row + 1) + " of " +
+                                  std::to_string(element.count));
+            }
+            if (e != header.vertex_element) continue;
+            for (std::uint32_t k = 0; k < header.dim; k++) {
+                const std::size_t column = static_cast<std::size_t>(header.columns[k]);
+                const double value = read_scalar(element.properties[column].type, content.data() + starts[column]);
+                if (!std::isfinite(value)) {
+                    return data_error(cloud->where(row) + " (byte " + std::to_string(starts[column]) +
+                                      "): " + not_finite(std::isnan(value) ? "nan" : "inf"));
+                }
+                cloud->coordinates.push_back(value + 0.0);  // -0.0 becomes 0.0
+            }
+        }
+    }
+    return {};
+}
+
+Outcome parse_ply_ascii(LineReader& reader, const PlyHeader& header, PointCloud* cloud) {
+    std::string_view line;
+    std::vector<double> row;
+    for (std::size_t e = 0; e <= header.vertex_element; e++) {
+        const Element& element = header.elements[e];
+        for (std::uint64_t i = 0; i < element.count; i++) {
+            if (!reader.next_content(&line)) {
+                return line_error(cloud->name, reader.number(),
+                                  "the file ends after " + std::to_string(i) + " of " + std::to_string(element.count) +
+                                      " lines of element " + element.name);
+            }
+            if (e != header.vertex_element) continue;
+            const Complaint complaint = parse_numbers(line, &row);
+            if (!complaint.empty()) return line_error(cloud->name, reader.number(), complaint);
+            bool lists = false;
+            for (const Property& property : element.properties) lists = lists || property.is_list;
+            const std::size_t due = element.properties.size();
+            if (lists || row.size() != due) {
+                return line_error(cloud->name, reader.number(),
+                                  lists ? "vertices with lists are read from binary files only"
+                                        : "a vertex of " + std::to_string(row.size()) + " numbers where " +
+                                              std::to_string(due) + " are due");
+            }
+            for (std::uint32_t k = 0; k < header.dim; k++) {
+                cloud->coordinates.push_back(row[static_cast<std::size_t>(header.columns[k])]);
+            }
+            cloud->lines.push_back(reader.number());
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Outcome parse_ply_points(std::string_view content, PointCloud* cloud) {
+    LineReader reader(content, false);
+    PlyHeader header;
+    const Outcome outcome = parse_ply_header(reader, *cloud, &header);
+    if (!outcome.good()) return outcome;
+    cloud->dim = header.dim;
+    if (header.binary) return parse_ply_binary(content, reader.offset(), header, cloud);
+    return parse_ply_ascii(reader, header, cloud);
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,49 @@
+// netmesh, the command-line tool.
+#include <cstdio>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "platform/interrupt.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/output.hpp"
+
+namespace {
+
+using namespace netmesh::tool;
+
+Outcome run(const Options& options) {
+    if (options.version || options.help) {
+        const std::string text = options.version ? version_text() : help_text(options.command);
+        return write_files({{"", [&](TextWriter& out) { out << text; }}});
+    }
+    switch (options.command) {
+    case Command::size:
+        return run_size(options);
+    case Command::check:
+        return run_check(options);
+    case Command::sample:
+        return run_sample(options);
+    default:
+        return run_engine_command(options);
+    }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    Outcome outcome;
+    try {
+        Options options;
+        outcome = parse_options(std::vector<std::string>(arguments + (count > 0), arguments + count), &options);
+        if (outcome.good()) {
+            netmesh::platform::catch_interrupts();
+            outcome = run(options);
+        }
+    } catch (const std::bad_alloc&) {
+        // Not the engine, which has its own block: the tool's copy of the input or of the diagram.
+        outcome = {Exit::memory, "netmesh: no memory left to hold the input"};
+    }
+    if (!outcome.message.empty()) std::fprintf(stderr, "%s\n", outcome.message.c_str());
+    return static_cast<int>(outcome.exit);
+}

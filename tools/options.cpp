@@ -1,0 +1,373 @@
+#include "tools/options.hpp"
+
+#include <cmath>
+
+#include "tools/io/numbers.hpp"
+#include "tools/io/points.hpp"
+#include "tools/sample/shapes.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
+constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
+constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
+constexpr unsigned engine = mesh | delaunay | persist;
+
+struct CommandEntry {
+    Command command;
+    const char* name;
+    const char* positional;
+    const char* summary;
+    const char* details;
+};
+
+constexpr CommandEntry commands[] = {
+    {Command::mesh, "mesh", "POINTS", "quality mesh",
+     "Every vertex but the boundary's gets a Voronoi cell whose aspect ratio, clipped to the domain, is at most "
+     "tau.\n"},
+    {Command::delaunay, "delaunay", "POINTS", "Delaunay triangulation", ""},
+    {Command::persist, "persist", "POINTS", "persistence diagram",
+     "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
+    {Command::size, "size", nullptr, "bytes of memory to plan for",
+     "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
+     "persist.\n"},
+    {Command::check, "check", "MESH.node | DIAGRAM.pers", "recompute every certificate from the files alone",
+     "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram is recomputed "
+     "from\n"
+     "--points or --mesh; alone, it is only looked at for what every diagram must satisfy.\n"},
+    {Command::sample, "sample", "SHAPE", "point sets by formula", nullptr},
+};
+
+using Apply = std::string (*)(Options&, const std::string&);  // a complaint, or empty
+
+std::string apply_tau(Options& options, const std::string& text) {
+    double tau;
+    if (!parse_finite(text, &tau) || !(tau > 2)) return "must be a finite number above 2";
+    options.tau = tau;
+    return {};
+}
+
+std::string apply_method(Options&, const std::string& text) {
+    if (text == "svr") return {};
+    if (text == "netmesh" || text == "refine") return "this version meshes with svr only";
+    return "there is svr";
+}
+
+std::string apply_filter(Options& options, const std::string& text) {
+    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA}) {
+        if (text != filter_name(filter)) continue;
+        options.filter = filter;
+        return {};
+    }
+    return "this version has the filters complete, basic and alpha";
+}
+
+std::string apply_values(Options& options, const std::string& text) {
+    if (text != "certified" && text != "thesis") return "there are certified and thesis";
+    options.values = text == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
+    return {};
+}
+
+std::string apply_max_degree(Options& options, const std::string& text) {
+    std::uint64_t degree;
+    if (!parse_unsigned(text, &degree) || degree > 1000) return "must be a degree: 0, 1, 2, ...";
+    options.max_degree = static_cast<std::uint32_t>(degree);
+    return {};
+}
+
+std::string apply_memory(Options& options, const std::string& text) {
+    const std::string complaint = "must be a size above 0: 65536, 64K, 512M, 2G";
+    std::string digits = text;
+    int shift = 0;
+    if (!digits.empty()) {
+        const std::string units = "KMGT";
+        const char last = digits.back();
+        const std::size_t unit = units.find(last >= 'a' && last <= 'z' ? static_cast<char>(last - 'a' + 'A') : last);
+        if (unit != std::string::npos) {
+            shift = 10 * (static_cast<int>(unit) + 1);
+            digits.pop_back();
+        }
+    }
+    std::uint64_t number;
+    if (!parse_unsigned(digits, &number) || number == 0 || number > (SIZE_MAX >> shift)) return complaint;
+    options.memory_bytes = static_cast<std::size_t>(number << shift);
+    return {};
+}
+
+std::string apply_seed(Options& options, const std::string& text) {
+    return parse_unsigned(text, &options.seed) ? "" : "must be a whole number from 0 to 2^64 - 1";
+}
+
+std::string apply_dim(Options& options, const std::string& text) {
+    std::uint64_t dim;
+    if (!parse_unsigned(text, &dim) || dim < dim_min || dim > dim_max) return "must be a dimension from 2 to 6";
+    options.dim = static_cast<std::uint32_t>(dim);
+    return {};
+}
+
+std::string apply_count(Options& options, const std::string& text) {
+    if (parse_unsigned(text, &options.point_count) && options.point_count > 0 && options.point_count < 4294967296u) {
+        return {};
+    }
+    return "must be a number of points, 1 or more";
+}
+
+std::string apply_noise(Options& options, const std::string& text) {
+    if (parse_finite(text, &options.noise) && options.noise >= 0) return {};
+    return "must be a finite number, 0 or more";
+}
+
+std::string apply_turns(Options& options, const std::string& text) {
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos && parse_unsigned(text.substr(0, comma), &options.turns[0]) &&
+        parse_unsigned(text.substr(comma + 1), &options.turns[1]) && options.turns[0] <= 1000000 &&
+        options.turns[1] <= 1000000) {
+        return {};
+    }
+    return "must be two whole numbers: 1,10";
+}
+
+std::string apply_out(Options& options, const std::string& text) {
+    options.out = text == "-" ? "" : text;
+    return text.empty() ? "must be a file name" : "";
+}
+std::string apply_svg(Options& options, const std::string& text) {
+    options.svg = text;
+    return text.empty() ? "must be a file name" : "";
+}
+std::string apply_mesh_out(Options& options, const std::string& text) {
+    options.mesh_out = text;
+    return text.empty() ? "must be a file name" : "";
+}
+std::string apply_points_path(Options& options, const std::string& text) {
+    options.points_path = text;
+    return text.empty() ? "must be a file name" : "";
+}
+std::string apply_mesh_path(Options& options, const std::string& text) {
+    options.mesh_path = text;
+    return text.empty() ? "must be a file name" : "";
+}
+std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
+std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
+std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
+std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
+
+struct OptionEntry {
+    const char* name;
+    unsigned commands;
+    const char* value;  // how the help calls the value; null for a switch
+    Apply apply;
+    const char* help;
+};
+
+constexpr OptionEntry option_entries[] = {
+    {"-o", mesh | delaunay, "OUT", apply_out,
+     ".node (with .ele and .neigh), .vtu (D = 2, 3) or .off; without it OFF on stdout"},
+    {"-o", persist, "OUT.pers", apply_out, "the diagram; without it on stdout"},
+    {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
+    {"-n", sample, "N", apply_count, "number of points"},
+    {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
+    {"--points", size, "N", apply_count, "number of points"},
+    {"--points", check, "FILE", apply_points_path, "the points that the mesh or diagram was made of"},
+    {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram was made of"},
+    {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
+    {"--tau", mesh | persist | size | check, "T", apply_tau,
+     "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
+    {"--method", mesh | persist | size, "M", apply_method, "svr"},
+    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic or alpha"},
+    {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
+    {"--max-degree", persist | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
+    {"--memory", engine | size | check, "SIZE", apply_memory,
+     "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
+    {"--seed", engine | size | check | sample, "S", apply_seed, "of every random choice (1)"},
+    {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
+    {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
+    {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
+    {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
+    {"--check", engine, nullptr, apply_check, "run the independent checkers on the result"},
+    {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
+    {"--json", engine | size | check, nullptr, apply_json,
+     "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
+    {"--quiet", engine | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
+};
+
+const CommandEntry* find_command(const std::string& name) {
+    for (const CommandEntry& entry : commands) {
+        if (name == entry.name) return &entry;
+    }
+    return nullptr;
+}
+
+const CommandEntry& entry_of(Command command) {
+    for (const CommandEntry& entry : commands) {
+        if (entry.command == command) return entry;
+    }
+    return commands[0];
+}
+
+Outcome find_option(const std::string& name, Command command, const OptionEntry** found) {
+    bool elsewhere = false;
+    for (const OptionEntry& entry : option_entries) {
+        if (name != entry.name) continue;
+        elsewhere = true;
+        if ((entry.commands & bit(command)) == 0) continue;
+        *found = &entry;
+        return {};
+    }
+    if (elsewhere) return usage_error("option " + name + " does not apply to " + command_name(command));
+    return usage_error("unknown option " + name + "; `netmesh " + command_name(command) + " --help` lists them");
+}
+
+// One option with its value, at arguments[*at]; steps *at over both.
+Outcome parse_option(const std::vector<std::string>& arguments, std::size_t* at, Options* options) {
+    std::string name = arguments[(*at)++], value;
+    const std::size_t equals = name.rfind("--", 0) == 0 ? name.find('=') : std::string::npos;
+    const bool attached = equals != std::string::npos;
+    if (attached) {
+        value = name.substr(equals + 1);
+        name.resize(equals);
+    }
+    const OptionEntry* entry = nullptr;
+    const Outcome outcome = find_option(name, options->command, &entry);
+    if (!outcome.good()) return outcome;
+    if (entry->value == nullptr) {
+        if (attached) return usage_error("option " + name + " takes no value");
+    } else if (!attached) {
+        if (*at == arguments.size()) return usage_error("option " + name + " needs a value: " + entry->value);
+        value = arguments[(*at)++];
+    }
+    const std::string complaint = entry->apply(*options, value);
+    if (complaint.empty()) return {};
+    return usage_error(name + " " + value + ": " + complaint);
+}
+
+// Finds the command, --help and --version; the other arguments go to *rest. The command is the first argument, or, when
+// options come before it, the first one that is the name of a command.
+Outcome take_command(const std::vector<std::string>& arguments, Options* options, std::vector<std::string>* rest) {
+    const CommandEntry* command = nullptr;
+    bool only_positionals = false;
+    for (const std::string& argument : arguments) {
+        only_positionals = only_positionals || argument == "--";
+        const bool may_be_command = command == nullptr && !only_positionals;
+        const CommandEntry* const found = may_be_command ? find_command(argument) : nullptr;
+        if (found != nullptr) {
+            command = found;
+        } else if (rest->empty() && may_be_command && argument.rfind('-', 0) != 0) {
+            return usage_error("unknown command '" + argument + "'; `netmesh --help` lists them");
+        } else if (!only_positionals && (argument == "--help" || argument == "-h")) {
+            options->help = true;
+        } else if (may_be_command && rest->empty() && argument == "--version") {
+            options->version = true;
+            return {};
+        } else {
+            rest->push_back(argument);
+        }
+    }
+    if (command != nullptr) options->command = command->command;
+    if (options->help || command != nullptr) return {};
+    if (rest->empty()) return usage_error("no command; `netmesh --help` lists them");
+    return usage_error("unknown option " + rest->front() + " and no command; `netmesh --help` lists them");
+}
+
+}  // namespace
+
+Outcome parse_options(const std::vector<std::string>& arguments, Options* options) {
+    *options = {};
+    std::vector<std::string> rest;
+    const Outcome outcome = take_command(arguments, options, &rest);
+    if (!outcome.good() || options->help || options->version) return outcome;
+    std::size_t at = 0;
+    bool only_positionals = false;
+    while (at < rest.size()) {
+        const std::string& argument = rest[at];
+        if (!only_positionals && argument == "--") {
+            only_positionals = true;
+            at++;
+        } else if (only_positionals || argument.size() < 2 || argument[0] != '-') {
+            options->positionals.push_back(rest[at++]);
+        } else {
+            const Outcome parsed = parse_option(rest, &at, options);
+            if (!parsed.good()) return parsed;
+        }
+    }
+    const CommandEntry& command = entry_of(options->command);
+    const std::size_t due = command.positional == nullptr ? 0 : 1;
+    if (options->positionals.size() < due || (due == 1 && options->positionals[0].empty())) {
+        return usage_error(std::string(command.name) + " needs " + command.positional);
+    }
+    if (options->positionals.size() > due) {
+        return usage_error("unexpected argument " + options->positionals[due] + " after " + command.name);
+    }
+    return {};
+}
+
+const char* command_name(Command command) { return command == Command::none ? "" : entry_of(command).name; }
+
+const char* filter_name(netmesh_filter filter) {
+    switch (filter) {
+    case NETMESH_FILTER_COMPLETE:
+        return "complete";
+    case NETMESH_FILTER_BASIC:
+        return "basic";
+    case NETMESH_FILTER_ALPHA:
+        return "alpha";
+    default:
+        return "none";
+    }
+}
+
+const char* values_name(netmesh_values values) { return values == NETMESH_VALUES_THESIS ? "thesis" : "certified"; }
+
+std::string version_text() {
+    return "netmesh " + std::to_string(NETMESH_VERSION_MAJOR) + "." + std::to_string(NETMESH_VERSION_MINOR) + "." +
+           std::to_string(NETMESH_VERSION_PATCH) + "\n";
+}
+
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(text.size() + 2 > width ? text.size() + 2 : width, ' ');
+    return text;
+}
+
+std::string program_help() {
+    std::string text = "netmesh: quality meshes and certified persistent homology of point clouds in R^2 .. R^6\n\n";
+    for (const CommandEntry& entry : commands) {
+        std::string usage = std::string("  netmesh ") + entry.name + " ";
+        usage += entry.positional == nullptr ? "--dim D --points N" : entry.positional;
+        if (entry.command == Command::sample) usage += " -n N";
+        text += padded(usage, 43) + entry.summary + "\n";
+    }
+    text +=
+        "  netmesh COMMAND --help\n  netmesh --version\n\n"
+        "POINTS is a text file with one point a line (blanks, tabs, commas or semicolons between coordinates, # for\n"
+        "comments, - for stdin), or a .npy, .off, .ply or .node file. Data goes to stdout or to the file of -o, "
+        "messages\n"
+        "to stderr. Files appear whole or not at all.\n\n"
+        "Exit: 0 done, 1 internal error, 2 usage, 3 bad data or file, 4 memory too small, 5 degenerate input refused,\n"
+        "6 cancelled, 7 check failed.\n";
+    return text;
+}
+
+}  // namespace
+
+std::string help_text(Command command) {
+    if (command == Command::none) return program_help();
+    const CommandEntry& entry = entry_of(command);
+    std::string text = std::string("netmesh ") + entry.name;
+    if (entry.positional != nullptr) text += std::string(" ") + entry.positional;
+    text += std::string(" [OPTION]...\n\n") + entry.summary + "\n";
+    text += command == Command::sample ? "\nshapes:\n" + shapes_help() : std::string(entry.details);
+    text += "\noptions:\n";
+    for (const OptionEntry& option : option_entries) {
+        if ((option.commands & bit(command)) == 0) continue;
+        std::string usage = std::string("  ") + option.name;
+        if (option.value != nullptr) usage += std::string(" ") + option.value;
+        text += padded(usage, 20) + option.help + "\n";
+    }
+    return text + padded("  --help", 20) + "this text\n";
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,52 @@
+// The command line as the commands see it. The table in options.cpp is the one place where an option is declared: the
+// parser and the help text both come from it.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "netmesh.h"
+#include "tools/outcome.hpp"
+
+namespace netmesh::tool {
+
+enum class Command { none, mesh, delaunay, persist, size, check, sample };
+
+struct Options {
+    Command command = Command::none;
+    std::vector<std::string> positionals;
+    bool help = false, version = false;
+
+    std::string out;  // empty: stdout
+    std::string svg;
+    std::string mesh_out;  // persist: where the filtered mesh goes
+    bool json = false, check = false, all = false, quiet = false;
+
+    std::optional<double> tau;
+    std::optional<netmesh_filter> filter;
+    std::optional<netmesh_values> values;
+    std::optional<std::uint32_t> max_degree;
+    std::size_t memory_bytes = 0;  // 0: reserved lazily
+    std::uint64_t seed = 1;
+
+    std::uint32_t dim = 0;               // size, sample
+    std::uint64_t point_count = 0;       // size: --points, sample: -n
+    std::string points_path, mesh_path;  // check
+    double noise = 0;
+    std::uint64_t turns[2] = {1, 10};
+};
+
+// Fills *options from the arguments behind the program's name. Exit::usage with a sentence that names the argument at
+// fault. Positionals are counted; whether required options are there is for the command to say.
+Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
+
+const char* command_name(Command command);
+const char* filter_name(netmesh_filter filter);
+const char* values_name(netmesh_values values);
+
+// What --help prints, for the program (Command::none) or one command.
+std::string help_text(Command command);
+std::string version_text();
+
+}  // namespace netmesh::tool

@@ -1,0 +1,171 @@
+#include "tools/plot/barcode.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netmesh::tool {
+
+namespace {
+
+constexpr double zero_width = 44;    // of the column for births at 0, left of the scale
+constexpr double arrow_width = 22;   // for heads of essential bars, right of the scale
+constexpr double label_width = 104;  // of degree and count, left of the panel
+constexpr double group_gap = 12;
+constexpr double gap_stretch = 48;
+constexpr double group_least = 32;   // so that the labels of a degree fit
+constexpr double group_share = 1.4;  // at most this many times an equal share of the panel goes to one degree
+constexpr double row_most = 9;
+constexpr double least_ratio = 1.002;  // death / birth of a bar that is worth a row when there are too many
+
+struct Horizontal {
+    const Panel& panel;
+    const LogScale& scale;
+    double left() const { return panel.x + (scale.has_zero ? zero_width : 0); }
+    double right() const { return panel.x + panel.width - arrow_width; }
+    double zero() const { return panel.x + 10; }
+    double at(double radius) const {
+        if (radius == 0) return zero();
+        return left() + scale.share(radius) * (right() - left());
+    }
+};
+
+double persistence(const Bar& bar) {
+    if (!std::isfinite(bar.death)) return HUGE_VAL;
+    return bar.birth == 0 ? 1e300 * (bar.death > 0) : bar.death / bar.birth;
+}
+
+void draw_axis(Svg& svg, const Panel& panel, const Horizontal& x, const LogScale& scale) {
+    const double bottom = panel.y + panel.height;
+    for (const double tick : scale.ticks()) {
+        const double at = x.at(std::exp(tick));
+        svg.line(at, panel.y, at, bottom, rule, 1);
+        if (scale.has_zero && at < x.left() + 6) continue;  // its label would touch that of 0
+        svg.line(at, bottom, at, bottom + 5, ink, 1);
+        svg.text(at, bottom + 19, logarithm_label(tick), 12, ink, Anchor::middle);
+        svg.text(at, bottom + 34, radius_label(tick), 11, faint_ink, Anchor::middle);
+    }
+    svg.line(x.left(), bottom, panel.x + panel.width, bottom, ink, 1);
+    if (scale.has_zero) {
+        svg.line(x.zero(), panel.y, x.zero(), bottom, rule, 1);
+        svg.line(panel.x, bottom, x.left() - 9, bottom, ink, 1);
+        for (const double shift : {-9.0, -4.0}) {  // the axis is broken here
+            svg.line(x.left() + shift - 2, bottom + 4, x.left() + shift + 2, bottom - 4, ink, 1);
+        }
+        svg.line(x.zero(), bottom, x.zero(), bottom + 5, ink, 1);
+        svg.text(x.zero(), bottom + 19, "\xE2\x88\x92\xE2\x88\x9E", 12, ink, Anchor::middle);
+        svg.text(x.zero(), bottom + 34, "0", 11, faint_ink, Anchor::middle);
+    }
+    const double label = panel.x - 12;
+    svg.text(label, bottom + 19, "ln r", 12, ink, Anchor::end);
+    svg.text(label, bottom + 34, "radius r", 11, faint_ink, Anchor::end);
+}
+
+void draw_bar(Svg& svg, const Horizontal& x, const Bar& bar, double y, double thickness, bool certain) {
+    const char* const colour = degree_colour(bar.degree);
+    const double opacity = certain ? 1 : 0.5;
+    const bool essential = !std::isfinite(bar.death);
+    const double start = x.at(bar.birth);
+    const double end = essential ? x.right() + arrow_width - 8 : std::max(x.at(bar.death), start + 0.75);
+    const double half = thickness / 2;
+    const double box[] = {start, y - half, end, y - half, end, y + half, start, y + half};
+    svg.polygon(box, 4, colour, opacity);
+    if (!essential) return;
+    const double wing = std::max(4.0, thickness);
+    const double head[] = {end, y - wing, end + 9, y, end, y + wing};
+    svg.polygon(head, 3, colour, opacity);
+}
+
+double group_height(const BarGroup& group, double row, double most) {
+    return std::clamp(row * static_cast<double>(group.shown.size()), group_least, most);
+}
+
+// Rows as high as the panel bears; groups are never lower than their labels.
+double row_height(const std::vector<BarGroup>& groups, double height, double most) {
+    double row = row_most;
+    for (; row > 0.5; row *= 0.98) {
+        double total = -group_gap;
+        for (const BarGroup& group : groups) {
+            total += group_height(group, row, most) + group_gap;
+        }
+        if (total <= height - 6) break;
+    }
+    return row;
+}
+
+std::string count_label(const BarGroup& group) {
+    if (group.total == 0) return "none";
+    return grouped_text(group.total) + (group.total == 1 ? " bar" : " bars");
+}
+
+void draw_labels(Svg& svg, const Panel& panel, double y, const BarGroup& group) {
+    svg.text(panel.x - label_width, y + 16, homology_label(group.degree), 18, degree_colour(group.degree),
+             Anchor::start, true);
+    svg.text(panel.x - 14, y + 13, count_label(group), 11, faint_ink, Anchor::end);
+    if (group.shown.size() < group.total) {
+        const std::string label = group.shown.empty() ? "all short" : "longest " + std::to_string(group.shown.size());
+        svg.text(panel.x - 14, y + 27, label, 11, faint_ink, Anchor::end);
+    }
+}
+
+}  // namespace
+
+bool BarStyle::certain(const Bar& bar) const {
+    const double start = std::max(bar.birth, from);
+    return bar.birth == 0 ? bar.death > from : bar.death > ratio * ratio * start;
+}
+
+std::string homology_label(std::uint32_t degree) {
+    static constexpr const char* digits[] = {"\xE2\x82\x80", "\xE2\x82\x81", "\xE2\x82\x82",
+                                             "\xE2\x82\x83", "\xE2\x82\x84", "\xE2\x82\x85"};
+    return std::string("H") + digits[degree % 6];
+}
+
+std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max_degree, std::size_t rows_max) {
+    std::vector<BarGroup> groups(max_degree + 1);
+    for (std::uint32_t degree = 0; degree <= max_degree; degree++) groups[degree].degree = degree;
+    for (const Bar& bar : bars) {
+        if (bar.degree <= max_degree) groups[bar.degree].shown.push_back(bar);
+    }
+    for (BarGroup& group : groups) {
+        group.total = group.shown.size();
+        if (group.total > rows_max) {
+            std::stable_sort(group.shown.begin(), group.shown.end(), [](const Bar& a, const Bar& b) {
+                const double pa = persistence(a), pb = persistence(b);
+                return pa != pb ? pa > pb : a.death > b.death;
+            });
+            group.shown.resize(rows_max);
+            while (!group.shown.empty() && persistence(group.shown.back()) < least_ratio) group.shown.pop_back();
+        }
+        std::stable_sort(group.shown.begin(), group.shown.end(), comes_before);
+    }
+    return groups;
+}
+
+void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& groups, const LogScale& scale,
+                  const BarStyle& style) {
+    const Horizontal x{panel, scale};
+    draw_axis(svg, panel, x, scale);
+    const double most = group_share * panel.height / static_cast<double>(groups.size());
+    const double row = row_height(groups, panel.height, most);
+    double left = panel.height;  // what no group needs stretches the gaps
+    for (const BarGroup& group : groups) left -= group_height(group, row, most) + group_gap;
+    const double gap = group_gap + std::clamp(left / static_cast<double>(groups.size()), 0.0, gap_stretch);
+    double y = panel.y;
+    for (const BarGroup& group : groups) {
+        const double count = static_cast<double>(std::max<std::size_t>(group.shown.size(), 1));
+        const double height = group_height(group, row, most);
+        if (group.degree > 0) {
+            svg.line(panel.x - label_width, y - gap / 2, panel.x + panel.width, y - gap / 2, rule, 1);
+        }
+        draw_labels(svg, panel, y, group);
+        const double own_row = std::min(height / count, row_most);
+        double at = y + (height - own_row * count) / 2 + own_row / 2;
+        for (const Bar& bar : group.shown) {
+            draw_bar(svg, x, bar, at, std::min(own_row * 0.7, 4.5), style.certain(bar));
+            at += own_row;
+        }
+        y += height + gap;
+    }
+}
+
+}  // namespace netmesh::tool

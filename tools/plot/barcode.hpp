@@ -1,0 +1,41 @@
+// The two panels of a diagram's picture.
+#pragma once
+#include <vector>
+
+#include "netmesh.h"
+#include "tools/plot/axis.hpp"
+#include "tools/plot/svg.hpp"
+
+namespace netmesh::tool {
+
+struct Panel {
+    double x, y, width, height;  // of the plotting area, labels outside
+};
+
+struct BarStyle {
+    double ratio;  // certified ratio c
+    double from;   // radius from which it holds
+    // True when the exact diagram surely has a class for this bar.
+    bool certain(const Bar& bar) const;
+};
+
+// Bars of one degree as the barcode shows them.
+struct BarGroup {
+    std::uint32_t degree;
+    std::uint64_t total;
+    std::vector<Bar> shown;  // sorted by birth, then death
+};
+
+// The groups for degrees 0..max_degree. Of more than `rows_max` bars those with the largest death / birth are taken,
+// and of these only the ones that would be seen.
+std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max_degree, std::size_t rows_max);
+
+void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& groups, const LogScale& scale,
+                  const BarStyle& style);
+void draw_scatter(Svg& svg, const Panel& panel, const std::vector<Bar>& bars, const LogScale& scale,
+                  const BarStyle& style);
+
+// "H" and the degree as a subscript.
+std::string homology_label(std::uint32_t degree);
+
+}  // namespace netmesh::tool

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tools/io/numbers.hpp"
+#include "tools/options.hpp"
+#include "tools/plot/barcode.hpp"
+#include "tools/plot/plots.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+constexpr double page_width = 1280, page_height = 730;
+constexpr std::size_t rows_max = 40;  // bars shown of one degree
+
+std::string superscript(std::uint32_t dim) {
+    static constexpr const char* digits[] = {
+        "", "", "\xC2\xB2", "\xC2\xB3", "\xE2\x81\xB4", "\xE2\x81\xB5", "\xE2\x81\xB6"};
+    return digits[dim <= 6 ? dim : 0];
+}
+
+constexpr const char* separator = "  \xC2\xB7  ";
+
+std::string subtitle(const netmesh_report& report) {
+    std::string text = std::string("filter ") + filter_name(report.filter);
+    if (report.filter != NETMESH_FILTER_ALPHA) text += std::string(", ") + values_name(report.values) + " values";
+    text += separator + grouped_text(report.vertices) + " vertices, " + grouped_text(report.cells) + " cells";
+    if (report.is_mesh != 0) {
+        text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(report.aspect_ratio_max, 4) +
+                " (\xCF\x84 = " + rounded_text(report.tau, 4) + ")";
+    }
+    return text;
+}
+
+std::string certificate(const netmesh_report& report) {
+    const double c = report.certified_ratio;
+    if (c == 1 && report.certified_from == 0) return "certified ratio c = 1: the exact diagram of the offsets";
+    std::string text = "certified ratio c = " + rounded_text(c, 4);
+    if (report.certified_from > 0) text += " from radius " + rounded_text(report.certified_from, 4);
+    return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the offsets";
+}
+
+void draw_key(Svg& svg, double x, double y, const netmesh_report& report, std::uint32_t max_degree) {
+    for (std::uint32_t degree = 0; degree <= max_degree; degree++) {
+        svg.circle(x, y - 4, 4, degree_colour(degree));
+        svg.text(x + 9, y, homology_label(degree), 13, ink, Anchor::start);
+        x += 44;
+    }
+    if (report.certified_ratio <= 1) return;
+    const double square = report.certified_ratio * report.certified_ratio;
+    svg.rect(x + 8, y - 11, 22, 13, "#fbf3dc");
+    svg.text(x + 38, y,
+             "death / birth \xE2\x89\xA4 c\xC2\xB2 = " + rounded_text(square, 3) +
+                 ": drawn faint, may be an artefact; every solid class is real",
+             12, faint_ink, Anchor::start);
+}
+
+}  // namespace
+
+std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report) {
+    TextWriter out;
+    Svg svg(out, page_width, page_height);
+    const BarStyle style{report.certified_ratio, report.certified_from};
+    const LogScale scale = scale_for(bars);
+    svg.text(48, 40, "Persistent homology of " + grouped_text(report.points) + " points in R" + superscript(report.dim),
+             20, ink, Anchor::start, true);
+    svg.text(48, 62, subtitle(report), 13, faint_ink, Anchor::start);
+    svg.text(page_width - 40, 62, certificate(report), 13, ink, Anchor::end);
+    const Panel barcode{152, 92, 572, 520};
+    draw_barcode(svg, barcode, group_bars(bars, report.max_degree, rows_max), scale, style);
+    const Panel scatter{800, 92, 440, 520};
+    draw_scatter(svg, scatter, bars, scale, style);
+    draw_key(svg, 52, page_height - 26, report, report.max_degree);
+    svg.finish();
+    return out.text();
+}
+
+}  // namespace netmesh::tool

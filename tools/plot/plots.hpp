@@ -1,0 +1,20 @@
+// Pictures: a diagram as barcode and scatter plot side by side, a mesh in the plane.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "netmesh.h"
+#include "tools/io/diagram_file.hpp"
+#include "tools/io/mesh_files.hpp"
+
+namespace netmesh::tool {
+
+// A whole SVG document. Radii on a natural-log scale, births at 0 in a column of their own, essential classes as
+// arrows; of a degree with many bars the barcode shows the longest (ratio death / birth) and says so, the diagram shows
+// all. Bars that the certified ratio c vouches for (death > c^2 birth) are drawn solid, others faint.
+std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report);
+
+// A whole SVG document: cells, inputs, Steiner points, domain. D = 2.
+void write_mesh_picture(const MeshSource& mesh, TextWriter& out);
+
+}  // namespace netmesh::tool

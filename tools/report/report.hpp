@@ -1,0 +1,29 @@
+// What a run has to say about itself: as JSON for programs, as a few lines for people.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "netmesh.h"
+#include "tools/io/diagram_file.hpp"
+#include "tools/options.hpp"
+#include "tools/report/progress.hpp"
+
+namespace netmesh::tool {
+
+struct RunReport {
+    const Options* options = nullptr;
+    std::optional<netmesh_report> engine;  // without it, everything the engine would say is null
+    std::uint32_t dim = 0;                 // of the input; 0: none
+    double read_seconds = 0, write_seconds = 0, total_seconds = 0;
+    std::optional<StageClock> clock;
+    const std::vector<Bar>* bars = nullptr;           // diagram.bars, when the data has no other way out
+    std::optional<std::uint64_t> plan_bytes;          // size
+    std::optional<std::vector<std::string>> checked;  // check: what was found to hold
+};
+
+// Keys that do not apply are null. Nothing in `fingerprint` depends on time, memory or platform.
+std::string json_report(const RunReport& run);
+std::string text_report(const RunReport& run);
+
+}  // namespace netmesh::tool
