@@ -31,6 +31,7 @@ void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
             CHECK(count == simplices.size());
             REQUIRE(oracle::same(expected, out));
             CHECK(block.arena.high_mark() == high);
+            CHECK(out.count > 0);
             CHECK(block.arena.low_mark() == block.arena.offset_of(out.pairs + out.count));
             block.arena.release_low(low);
         }
