@@ -13,42 +13,34 @@ namespace netmesh {
 class PairWriter {
 public:
     PairWriter(Arena& arena, std::uint32_t max_degree, bool keep_zero)
-        : arena_(arena), begin_(arena.low_mark()), max_degree_(max_degree), keep_zero_(keep_zero) {}
+        : arena_(arena), begin_((arena.low_mark() + Arena::alignment - 1) & ~(Arena::alignment - 1)),
+          max_degree_(max_degree), keep_zero_(keep_zero) {}
 
     // Notes a pair unless its degree or its zero length leaves it out. False: out of memory.
     bool add(double birth, double death, std::uint32_t degree) {
         if (degree > max_degree_ || (birth == death && !keep_zero_)) return true;
-        if (count_ == capacity_ && !grow()) return false;
+        if (!grow()) return false;
         pairs()[count_++] = Pair{birth + 0.0, death + 0.0, degree, 0};  // no negative zeros
         return true;
     }
     bool add_essential(double birth, std::uint32_t degree) { return add(birth, __builtin_inf(), degree); }
     bool keeps_zero() const { return keep_zero_; }
 
-    // Gives an unused place back and sorts.
     PairList finish() {
-        arena_.release_low(begin_);
-        arena_.take_low<Pair>(count_);  // was ours until now
         sort_pairs(pairs(), count_);
         return PairList{pairs(), count_};
     }
 
 private:
     Pair* pairs() const { return reinterpret_cast<Pair*>(arena_.at(begin_)); }
-    // Two pairs fill the arena's alignment, so the pieces are adjacent; nothing is taken ahead, so a larger block never
-    // does worse.
-    bool grow() {
-        static_assert(2 * sizeof(Pair) % Arena::alignment == 0, "pieces must be adjacent");
-        if (arena_.take_low<Pair>(2) == nullptr) return false;
-        capacity_ += 2;
-        return true;
-    }
+    // Nothing is taken ahead, so a larger block never does worse.
+    bool grow() { return count_ == 0 ? arena_.take_low<Pair>(1) != nullptr : arena_.extend_low(sizeof(Pair)); }
 
     Arena& arena_;
     std::size_t begin_;
     std::uint32_t max_degree_;
     bool keep_zero_;
-    std::uint64_t count_ = 0, capacity_ = 0;
+    std::uint64_t count_ = 0;
 };
 
 }  // namespace netmesh

@@ -96,16 +96,14 @@ template <int D> bool Star<D>::reserve(const Ball<D>& ball, std::uint64_t simpli
     seen_capacity_ = ball.degree_max + 2 * D + 2;
     table_bits_max_ = 6;
     while ((std::uint64_t{1} << table_bits_max_) < 2 * simplices_max) ++table_bits_max_;
-    std::uint32_t* words = arena.take_high<std::uint32_t>(std::size_t{capacity_} * (D + 8));
+    facets_ = arena.take_high<std::uint32_t>(std::size_t{capacity_} * D);
     seen_ = arena.take_high<std::uint32_t>(seen_capacity_);
     table_ = arena.take_high<std::uint32_t>(std::size_t{1} << table_bits_max_);
-    if (words == nullptr || seen_ == nullptr || table_ == nullptr) return false;
-    facets_ = words;
-    words += std::size_t{capacity_} * D;
+    if (facets_ == nullptr || seen_ == nullptr || table_ == nullptr) return false;
     std::uint32_t** const arrays[] = {&form_, &origin_, &cofaces_, &sum_, &partner_, &position_, &at_, &queue_};
     for (std::uint32_t** array : arrays) {
-        *array = words;
-        words += capacity_;
+        *array = arena.take_high<std::uint32_t>(capacity_);
+        if (*array == nullptr) return false;
     }
     return true;
 }

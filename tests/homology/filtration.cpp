@@ -134,6 +134,7 @@ TEST_CASE("random filtrations equal the textbook reduction") {
                 REQUIRE(persist_filtration(e.complex, degree, keep, block.arena, monitor, &out) == Status::ok);
                 CHECK(oracle::same(oracle::diagram(f, degree, keep), out));
                 CHECK(block.arena.high_mark() == high);
+                CHECK(out.count > 0);
                 CHECK(block.arena.low_mark() == block.arena.offset_of(out.pairs + out.count));
                 block.arena.release_low(low);
             }

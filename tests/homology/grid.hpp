@@ -37,16 +37,14 @@ template <int D> Ball<D> link(const std::vector<std::array<std::uint32_t, D + 1>
     Ball<D> ball;
     ball.vertex_count = vertex_count;
     ball.records.assign(cells.size() * Ball<D>::words, 0xABABABABu);
-    std::map<std::array<std::uint32_t, D>, std::size_t> open;
+    std::map<oracle::Simplex, std::size_t> open;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         for (std::size_t i = 0; i <= D; ++i) {
             ball.records[c * Ball<D>::words + i] = cells[c][i];
             std::uint32_t& word = ball.records[c * Ball<D>::words + D + 1 + i];
             word = netmesh::none;
-            std::array<std::uint32_t, D> facet;
-            for (std::size_t j = 0, n = 0; j <= D; ++j) {
-                if (j != i) facet[n++] = cells[c][j];
-            }
+            oracle::Simplex facet(cells[c].begin(), cells[c].end());
+            facet.erase(facet.begin() + std::ptrdiff_t(i));
             std::sort(facet.begin(), facet.end());
             const auto [at, fresh] = open.insert({facet, 8 * c + i});
             if (fresh) continue;
@@ -92,6 +90,55 @@ template <int D> Ball<D> freudenthal(const std::array<std::uint32_t, D>& cubes, 
     }
     std::shuffle(cells.begin(), cells.end(), random);
     return link<D>(cells, vertex_count);
+}
+
+// A ball with vertices of very different degrees: cells are glued to the hull, and random faces are starred from a new
+// vertex, `steps` times.
+template <int D> Ball<D> irregular(std::uint32_t steps, std::mt19937& random) {
+    using Cell = std::array<std::uint32_t, D + 1>;
+    std::vector<Cell> cells(1);
+    std::iota(cells[0].begin(), cells[0].end(), 0u);
+    std::uint32_t next = D + 1;
+    for (std::uint32_t step = 0; step < steps; ++step, ++next) {
+        const std::uint32_t c = std::uint32_t(random() % cells.size());
+        if (random() % 4 == 0) {
+            const auto view = link<D>(cells, next);
+            const int i = int(random() % (D + 1));
+            if (view.view().neighbour(c, i) == netmesh::none) {
+                cells.push_back(cells[c]);
+                cells.back()[std::size_t(i)] = next;
+                continue;
+            }
+        }
+        Cell shuffled = cells[c];
+        std::shuffle(shuffled.begin(), shuffled.end(), random);
+        const std::vector<std::uint32_t> face(shuffled.begin(), shuffled.begin() + 2 + std::ptrdiff_t(random() % D));
+        std::vector<Cell> starred;
+        for (const Cell& cell : cells) {
+            std::vector<std::size_t> at;
+            for (const std::uint32_t v : face) {
+                const auto found = std::find(cell.begin(), cell.end(), v);
+                if (found != cell.end()) at.push_back(std::size_t(found - cell.begin()));
+            }
+            if (at.size() < face.size()) {
+                starred.push_back(cell);
+                continue;
+            }
+            for (const std::size_t i : at) {
+                starred.push_back(cell);
+                starred.back()[i] = next;
+            }
+        }
+        cells.swap(starred);
+    }
+    std::vector<std::uint32_t> name(next);
+    std::iota(name.begin(), name.end(), 0u);
+    std::shuffle(name.begin(), name.end(), random);
+    for (Cell& cell : cells) {
+        for (std::uint32_t& v : cell) v = name[v];
+        std::shuffle(cell.begin(), cell.end(), random);
+    }
+    return link<D>(cells, next);
 }
 
 }  // namespace grid

@@ -31,6 +31,7 @@ void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
             CHECK(count == simplices.size());
             REQUIRE(oracle::same(expected, out));
             CHECK(block.arena.high_mark() == high);
+            CHECK(out.count > 0);
             CHECK(block.arena.low_mark() == block.arena.offset_of(out.pairs + out.count));
             block.arena.release_low(low);
         }
@@ -116,6 +117,16 @@ TEST_CASE("grids in five and six dimensions") {
     check_values<5>(grid::freudenthal<5>({2, 1, 1, 1, 2}, random), random);
     check_values<6>(grid::freudenthal<6>({1, 1, 1, 1, 1, 1}, random), random);
 }
+TEST_CASE("balls with vertices of very different degrees") {
+    std::mt19937 random(9);
+    for (int round = 0; round < 6; ++round) {
+        check_values<2>(grid::irregular<2>(80, random), random);
+        check_values<3>(grid::irregular<3>(60, random), random);
+        check_values<4>(grid::irregular<4>(25, random), random);
+        check_values<5>(grid::irregular<5>(12, random), random);
+        check_values<6>(grid::irregular<6>(6, random), random);
+    }
+}
 TEST_CASE("links of more than 63 vertices") {
     std::mt19937 random(6);
     check_values<3>(cone_over_stack<3>(90), random);
@@ -148,4 +159,33 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
     }
     CHECK(fitted);
     CHECK(records == ball.records);
+}
+
+TEST_CASE("stopping at any poll leaves the arena as it was") {
+    std::mt19937 random(10);
+    const auto ball = grid::freudenthal<4>({9, 8, 7, 7}, random);
+    std::vector<double> value(ball.vertex_count);
+    for (double& t : value) t = double(random());
+    struct Countdown {
+        int left;
+    };
+    const auto poll = [](void* user, const netmesh_progress* progress) {
+        auto* countdown = static_cast<Countdown*>(user);
+        CHECK(progress->done <= progress->total);
+        return countdown->left-- == 0 ? 1 : 0;
+    };
+    Block block(std::size_t{32} << 20);
+    int polls = 0;
+    for (bool finished = false; !finished; ++polls) {
+        Countdown countdown = {polls};
+        Monitor monitor(poll, &countdown);
+        PairList out;
+        const Status status =
+            persist_lower_star<4>(ball.view(), value.data(), 0, 3, false, block.arena, monitor, &out, nullptr);
+        finished = status == Status::ok;
+        if (finished) break;
+        REQUIRE(status == Status::cancelled);
+        REQUIRE(block.arena.bytes_used() == 0);
+    }
+    CHECK(polls > 1);
 }

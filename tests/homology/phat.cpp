@@ -1,10 +1,10 @@
 // Complexes too large for the textbook reduction, against PHAT where it is installed.
-#if __has_include(<phat/compute_persistence_pairs.h>)
+#if __has_include(<phat/representations/default_representations.h>)
 #include <doctest/doctest.h>
 
 #include <phat/algorithms/twist_reduction.h>
 #include <phat/compute_persistence_pairs.h>
-#include <phat/representations/bit_tree_pivot_column.h>
+#include <phat/representations/default_representations.h>
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ namespace {
 
 std::vector<Pair> phat_diagram(const oracle::Filtered& f, std::uint32_t max_degree) {
     std::map<oracle::Simplex, phat::index> index;
-    phat::boundary_matrix<phat::bit_tree_pivot_column> matrix;
+    phat::boundary_matrix<phat::vector_vector> matrix;
     matrix.set_num_cols(phat::index(f.simplices.size()));
     for (std::size_t j = 0; j < f.simplices.size(); ++j) {
         const oracle::Simplex& s = f.simplices[j];
