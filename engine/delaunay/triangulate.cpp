@@ -7,7 +7,7 @@ namespace netmesh {
 namespace {
 
 // Here balls only answer whether a point is inside, so their bounds may grow: one question in thousands turns exact.
-constexpr double ball_error_max = 0x1p-14;
+constexpr double ball_error_max = 0x1p-7;
 
 constexpr std::size_t points_max = std::size_t{1} << 28;
 
