@@ -44,7 +44,8 @@ template <int D> void Store<D>::compact(std::size_t offset) {
     for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
         const std::uint32_t to = cells_[c].mark;
         if (to == none) continue;
-        __builtin_memmove(&target[to], &cells_[c], sizeof(CellT));
+        const CellT moved = cells_[c];  // the two places may overlap
+        target[to] = moved;
         target[to].mark = 0;
         for (const std::uint32_t v : target[to].vertex) vertex(v).cell = to;
     }
