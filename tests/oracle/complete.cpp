@@ -85,7 +85,7 @@ template <int D> void within_certificate(const std::string& name, const inputs::
         const double ratio = std::exp(distance);
         CHECK(ratio <= r.certified_ratio);
         CHECK(ratio >= 1);
-        MESSAGE(name << " D=" << D << (values == NETMESH_VALUES_THESIS ? " thesis" : " certified") << " values: true ratio "
+        MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified") << " values: true ratio "
                      << ratio << ", certified " << r.certified_ratio << ", tau " << r.tau);
     }
 }
