@@ -23,10 +23,6 @@ fi
 build=$root/build
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DNETMESH_BUILD_TESTS=OFF >&2
 cmake --build "$build" --target netmesh_tool -- -j2 >&2
-netmesh=$(find "$build" -name netmesh -type f -perm -u+x | head -n 1)
 
-points=$(mktemp)
-trap 'rm -f "$points"' EXIT
-"$netmesh" sample clifford -n 2000 -o "$points"
-"$netmesh" persist "$points" --tau 3.08 -o clifford.pers --svg clifford.svg
+"$build/netmesh" sample clifford -n 2000 | "$build/netmesh" persist - --tau 3.08 -o clifford.pers --svg clifford.svg
 echo "wrote clifford.pers and clifford.svg"

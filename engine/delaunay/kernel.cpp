@@ -3,6 +3,13 @@
 namespace netmesh {
 namespace {
 
+// Position of a vertex that the cell has. A sum instead of a search, as the exit of a search is hard to predict.
+template <int D> std::uint32_t position_in(const Cell<D>& cell, std::uint32_t v) {
+    std::uint32_t position = 0;
+    for (std::uint32_t j = 1; j <= D; ++j) position += cell.vertex[j] == v ? j : 0;
+    return position;
+}
+
 template <int D> void make_ghost(Cell<D>& cell) {
     for (int k = 0; k < D; ++k) cell.centre[k] = 0;
     cell.radius2 = infinity;
@@ -164,14 +171,15 @@ bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, std::uint32_t fir
         store_.arena.refuse(4);
         return false;
     }
+    Cell<D>* const cells = &store_.cell(0);
     list[-1] = first;
-    store_.cell(first).mark = stamp;
+    cells[first].mark = stamp;
     std::uint32_t count = 1, facets = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
-        const Cell<D>& cell = store_.cell(list[-1 - static_cast<std::ptrdiff_t>(k)]);
+        const Cell<D>& cell = cells[list[-1 - static_cast<std::ptrdiff_t>(k)]];
         for (int i = 0; i <= D; ++i) {
             const std::uint32_t n = cell.neighbour[i] >> 3;
-            Cell<D>& other = store_.cell(n);
+            Cell<D>& other = cells[n];
             if (other.mark == stamp) continue;
             if (other.mark == stamp + 1) {
                 ++facets;
@@ -197,9 +205,8 @@ bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, std::uint32_t fir
 }
 
 template <int D>
-void Kernel<D>::make_sphere(std::uint32_t made, std::uint32_t inside, std::uint32_t outside, const double* q) {
-    Cell<D>& cell = store_.cell(made);
-    if (pencil_sphere<D>(store_.cell(inside), store_.cell(outside), q, error_max_, cell)) return;
+void Kernel<D>::make_sphere(Cell<D>& cell, const Cell<D>& inside, const Cell<D>& outside, const double* q) {
+    if (pencil_sphere<D>(inside, outside, q, error_max_, cell)) return;
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
     solve_sphere<D>(p, cell);
@@ -208,67 +215,73 @@ void Kernel<D>::make_sphere(std::uint32_t made, std::uint32_t inside, std::uint3
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
 // keeps the orientation. The word towards the outside is left, in the old cell, pointing at the new cell instead.
 template <int D> void Kernel<D>::fill(const Cavity& cavity, std::uint32_t id) {
+    Cell<D>* const cells = &store_.cell(0);
     const double* const q = store_.point(id);
     std::uint32_t* const list = store_.list_top();
-    std::uint32_t made = cavity.cells;
+    std::uint32_t* made = list - cavity.cells;
+    const std::uint32_t outside = cavity.stamp + 1;
     for (std::uint32_t k = 0; k < cavity.cells; ++k) {
         const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
-        for (int i = 0; i <= D; ++i) {
-            const std::uint32_t word = store_.cell(c).neighbour[i];
-            if (store_.cell(word >> 3).mark != cavity.stamp + 1) continue;
+        Cell<D>& old = cells[c];
+        for (std::uint32_t i = 0; i <= D; ++i) {
+            const std::uint32_t word = old.neighbour[i];
+            Cell<D>& beyond = cells[word >> 3];
+            if (beyond.mark != outside) continue;
             const std::uint32_t n = store_.new_cell();
-            Cell<D>& fresh = store_.cell(n);
-            Cell<D>& old = store_.cell(c);
+            Cell<D>& fresh = cells[n];
             bool ghost = false;
-            for (int j = 0; j <= D; ++j) {
-                const std::uint32_t v = j == i ? id : old.vertex[j];
-                ghost |= v == none;
+            for (std::uint32_t j = 0; j <= D; ++j) {
+                const std::uint32_t v = old.vertex[j];
+                ghost |= v == none && j != i;
                 fresh.vertex[j] = v;
                 fresh.neighbour[j] = none;
             }
+            fresh.vertex[i] = id;
             fresh.neighbour[i] = word;
             fresh.mark = 0;
             if (ghost)
                 make_ghost<D>(fresh);
             else
-                make_sphere(n, c, word >> 3, q);
-            old.neighbour[i] = n << 3 | static_cast<std::uint32_t>(i);
-            store_.cell(word >> 3).neighbour[word & 7u] = n << 3 | static_cast<std::uint32_t>(i);
-            list[-1 - static_cast<std::ptrdiff_t>(made++)] = n;
+                make_sphere(fresh, old, beyond, q);
+            old.neighbour[i] = n << 3 | i;
+            beyond.neighbour[word & 7u] = n << 3 | i;
+            *--made = n;
+            *--made = c << 3 | i;
         }
     }
-    for (std::uint32_t k = 0; k < cavity.cells; ++k) {
-        const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
-        for (int i = 0; i <= D; ++i)
-            if (store_.cell(store_.cell(c).neighbour[i] >> 3).mark != cavity.stamp) link(cavity, c, i);
+    made = list - cavity.cells;
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
+        const std::uint32_t n = *--made, origin = *--made;
+        link(cavity.stamp, n, origin);
     }
     for (std::uint32_t k = 0; k < cavity.cells; ++k) store_.free_cell(list[-1 - static_cast<std::ptrdiff_t>(k)]);
-    store_.state.last_cell = list[-static_cast<std::ptrdiff_t>(made)];
+    store_.state.last_cell = made[1];
 }
 
-// Links the new cell behind facet i of old cell c to its neighbours at the new vertex: turns around each ridge of the
-// facet through old cells until the next facet of the cavity's boundary.
-template <int D> void Kernel<D>::link(const Cavity& cavity, std::uint32_t c, int i) {
-    const std::uint32_t made = store_.cell(c).neighbour[i] >> 3;
-    Cell<D>& fresh = store_.cell(made);
-    for (int j = 0; j <= D; ++j) {
+// Links new cell `made` to its neighbours at the new vertex. `origin`: the old cell and facet (8 * cell + position) that it
+// was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
+template <int D> void Kernel<D>::link(std::uint32_t stamp, std::uint32_t made, std::uint32_t origin) {
+    Cell<D>* const cells = &store_.cell(0);
+    Cell<D>& fresh = cells[made];
+    const Cell<D>* const start = &cells[origin >> 3];
+    const std::uint32_t i = origin & 7u;
+    for (std::uint32_t j = 0; j <= D; ++j) {
         const std::uint32_t v = fresh.vertex[j];
         if (v != none) store_.vertex(v).cell = made;
         if (j == i || fresh.neighbour[j] != none) continue;
-        const Cell<D>* current = &store_.cell(c);
-        int enter = i, leave = j;
-        std::uint32_t word = current->neighbour[leave];
-        while (store_.cell(word >> 3).mark == cavity.stamp) {
+        const Cell<D>* current = start;
+        std::uint32_t enter = i, word = current->neighbour[j];
+        const Cell<D>* next = &cells[word >> 3];
+        while (next->mark == stamp) {
             const std::uint32_t pivot = current->vertex[enter];
-            current = &store_.cell(word >> 3);
-            enter = static_cast<int>(word & 7u);
-            leave = 0;
-            while (current->vertex[leave] != pivot) ++leave;
-            word = current->neighbour[leave];
+            current = next;
+            enter = word & 7u;
+            word = current->neighbour[position_in<D>(*current, pivot)];
+            next = &cells[word >> 3];
         }
         const std::uint32_t other = word >> 3;
-        fresh.neighbour[j] = other << 3 | static_cast<std::uint32_t>(enter);
-        store_.cell(other).neighbour[enter] = made << 3 | static_cast<std::uint32_t>(j);
+        fresh.neighbour[j] = other << 3 | enter;
+        cells[other].neighbour[enter] = made << 3 | j;
     }
 }
 

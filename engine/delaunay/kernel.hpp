@@ -38,13 +38,13 @@ public:
     std::uint32_t cavity_cell(std::uint32_t k) const { return store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]; }
     // Is there room to fill this cavity (and for `vertices` new vertices)?
     bool can_fill(const Cavity& cavity, std::uint32_t vertices) {
-        return store_.has_room(cavity.facets, vertices, (std::size_t{cavity.cells} + cavity.facets + 8) * 4);
+        return store_.has_room(cavity.facets, vertices, (std::size_t{cavity.cells} + 2 * std::size_t{cavity.facets} + 8) * 4);
     }
 
     // Replaces the cavity by the star of vertex id. Needs can_fill. The new cells are then listed in the gap behind the
     // cavity's: new_cell(k), k < cavity.facets, until the next search.
     void fill(const Cavity& cavity, std::uint32_t id);
-    std::uint32_t new_cell(const Cavity& cavity, std::uint32_t k) const { return cavity_cell(cavity.cells + k); }
+    std::uint32_t new_cell(const Cavity& cavity, std::uint32_t k) const { return cavity_cell(cavity.cells + 2 * k); }
 
     // Calls visit(cell) for each cell at vertex v, ghosts included; stops early, returning false, when the gap is too small.
     template <class Visit> bool visit_star(std::uint32_t v, Visit&& visit);
@@ -53,8 +53,8 @@ private:
     std::uint32_t walk(const double* q, std::uint32_t from);
     bool ghost_in_conflict(std::uint32_t c, int infinite, const double* q, std::uint32_t id);
     bool exact_conflict(std::uint32_t c, const double* q, std::uint32_t id);
-    void make_sphere(std::uint32_t made, std::uint32_t inside, std::uint32_t outside, const double* q);
-    void link(const Cavity& cavity, std::uint32_t inside, int facet);
+    void make_sphere(Cell<D>& cell, const Cell<D>& inside, const Cell<D>& outside, const double* q);
+    void link(std::uint32_t stamp, std::uint32_t made, std::uint32_t origin);
 
     Store<D>& store_;
     double error_max_;
