@@ -3,6 +3,13 @@
 namespace netmesh {
 namespace {
 
+// Position of a vertex that the cell has. A sum instead of a search, as the exit of a search is hard to predict.
+template <int D> std::uint32_t position_in(const Cell<D>& cell, std::uint32_t v) {
+    std::uint32_t position = 0;
+    for (std::uint32_t j = 1; j <= D; ++j) position += cell.vertex[j] == v ? j : 0;
+    return position;
+}
+
 template <int D> void make_ghost(Cell<D>& cell) {
     for (int k = 0; k < D; ++k) cell.centre[k] = 0;
     cell.radius2 = infinity;
@@ -269,9 +276,7 @@ template <int D> void Kernel<D>::link(std::uint32_t stamp, std::uint32_t made, s
             const std::uint32_t pivot = current->vertex[enter];
             current = next;
             enter = word & 7u;
-            int leave = 0;
-            while (current->vertex[leave] != pivot) ++leave;
-            word = current->neighbour[leave];
+            word = current->neighbour[position_in<D>(*current, pivot)];
             next = &cells[word >> 3];
         }
         const std::uint32_t other = word >> 3;

@@ -8,11 +8,18 @@ namespace netmesh {
 namespace {
 
 template <int D> struct Curve {
-    static constexpr int bits = 60 / D < 30 ? 60 / D : 30;
+    static constexpr int bits_max = 60 / D < 30 ? 60 / D : 30;
+
+    // Bits a coordinate for `count` points: a few more than would tell evenly spread points apart.
+    static int bits_for(std::size_t count) {
+        int bits = 3;
+        for (std::size_t left = count; left > 1; left >>= D) ++bits;
+        return bits < bits_max ? bits : bits_max;
+    }
 
     // Position along the D-dimensional Hilbert curve of the grid point x, each x[i] < 2^bits (J. Skilling, Programming
     // the Hilbert curve, 2004: undo the rotations bit plane by bit plane, then Gray decode and interleave).
-    static std::uint64_t position(std::uint32_t* x) {
+    static std::uint64_t position(std::uint32_t* x, int bits) {
         for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1) {
             const std::uint32_t p = q - 1;
             for (int i = 0; i < D; ++i) {
@@ -23,9 +30,8 @@ template <int D> struct Curve {
             }
         }
         for (int i = 1; i < D; ++i) x[i] ^= x[i - 1];
-        std::uint32_t t = 0;
-        for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1)
-            if (x[D - 1] & q) t ^= q - 1;
+        std::uint32_t t = x[D - 1] >> 1;  // bit by bit the parity of the bits above
+        for (int shift = 1; shift < bits_max; shift *= 2) t ^= t >> shift;
         std::uint64_t key = 0;
         for (int i = 0; i < D; ++i) x[i] ^= t;
         for (int b = bits - 1; b >= 0; --b)
@@ -73,13 +79,14 @@ template <int D> struct Sorter {
         double widest = 0;
         for (int k = 0; k < D; ++k)
             if (scale[k] > widest) widest = scale[k];
-        const double cells = static_cast<double>((std::uint32_t{1} << Curve<D>::bits) - 1);
+        const int bits = Curve<D>::bits_for(end - begin);
+        const double cells = static_cast<double>((std::uint32_t{1} << bits) - 1);
         for (std::size_t i = begin; i < end; ++i) {
             const double* x = point(order[i]);
             std::uint32_t g[D];
             for (int k = 0; k < D; ++k)
                 g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
-            keys[i] = Curve<D>::position(g);
+            keys[i] = Curve<D>::position(g, bits);
         }
     }
     void sort_range(std::size_t begin, std::size_t end) {

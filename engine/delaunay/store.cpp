@@ -29,31 +29,45 @@ template <int D> void Store<D>::truncate_vertices(std::uint32_t vertex_count) {
     arena.release_high(state.vertices_end - vertex_count * sizeof(VertexT));
 }
 
+// A ghost's finite neighbour has all of its vertices but infinity.
+template <int D> void Store<D>::drop_ghosts() {
+    for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
+        const int infinite = ghost_position(c);
+        if (infinite < 0 || !is_live(c)) continue;
+        const std::uint32_t word = cells_[c].neighbour[infinite];
+        cells_[word >> 3].neighbour[word & 7u] = none;
+        for (const std::uint32_t v : cells_[c].vertex)
+            if (v != none && vertex(v).cell == c) vertex(v).cell = word >> 3;
+        cells_[c].vertex[0] = freed;
+    }
+}
+
+template <int D> void Store<D>::move_cell(std::uint32_t from, std::uint32_t to) {
+    cells_[to] = cells_[from];
+    for (std::uint32_t i = 0; i <= D; ++i) {
+        const std::uint32_t word = cells_[to].neighbour[i], v = cells_[to].vertex[i];
+        if (word != none) cells_[word >> 3].neighbour[word & 7u] = to << 3 | i;
+        if (vertex(v).cell == from) vertex(v).cell = to;
+    }
+}
+
 template <int D> void Store<D>::compact(std::size_t offset) {
-    std::uint32_t kept = 0;
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c)
-        cells_[c].mark = is_live(c) && !is_ghost(c) ? kept++ : none;
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
-        if (cells_[c].mark == none) continue;
-        for (std::uint32_t& word : cells_[c].neighbour) {
-            const std::uint32_t n = cells_[word >> 3].mark;
-            word = n == none ? none : n << 3 | (word & 7u);
-        }
+    drop_ghosts();
+    std::uint32_t hole = 0, end = state.cell_slots;
+    for (;;) {
+        while (hole < end && is_live(hole)) ++hole;
+        while (hole < end && !is_live(end - 1)) --end;
+        if (hole >= end) break;
+        move_cell(--end, hole);
     }
-    CellT* const target = reinterpret_cast<CellT*>(arena.at(offset));
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
-        const std::uint32_t to = cells_[c].mark;
-        if (to == none) continue;
-        __builtin_memmove(&target[to], &cells_[c], sizeof(CellT));
-        target[to].mark = 0;
-        for (const std::uint32_t v : target[to].vertex) vertex(v).cell = to;
-    }
+    const std::size_t bytes = end * sizeof(CellT);
+    if (offset != state.cells_offset) __builtin_memmove(arena.at(offset), cells_, bytes);
     state.cells_offset = offset;
-    state.cell_slots = kept;
+    state.cell_slots = end;
     state.cells_free = 0;
     state.free_head = none;
-    state.last_cell = kept > 0 ? 0 : none;
-    arena.release_low(offset + kept * sizeof(CellT));
+    state.last_cell = end > 0 ? 0 : none;
+    arena.release_low(offset + bytes);
     locate_arrays();
 }
 

@@ -69,8 +69,8 @@ public:
     Status open_cells();
     // Forgets all vertices from vertex_count on; there is nothing else at the high end.
     void truncate_vertices(std::uint32_t vertex_count);
-    // Ends the job: drops ghosts and free slots, moves the cells down to `offset` in their order and gives what is free to
-    // the gap. Hull facets then have neighbour `none`. O(cells), needs no memory.
+    // Ends the job: drops ghosts, fills free slots from the end, moves the cells down to `offset` and gives what is free to the
+    // gap. Hull facets then have neighbour `none`. O(cells), needs no memory.
     void compact(std::size_t offset);
 
     CellT& cell(std::uint32_t i) const { return cells_[i]; }
@@ -127,6 +127,8 @@ public:
     StoreState& state;
 
 private:
+    void drop_ghosts();
+    void move_cell(std::uint32_t from, std::uint32_t to);
     void locate_arrays() {
         cells_ = reinterpret_cast<CellT*>(arena.at(state.cells_offset));
         vertices_end_ = reinterpret_cast<VertexT*>(arena.at(state.vertices_end));

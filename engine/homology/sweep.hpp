@@ -38,12 +38,14 @@ private:
     std::uint64_t age_of(std::uint32_t node, std::uint32_t v) const;
     bool add_zero_pairs(double value);
 
-    std::uint32_t sorted_columns(std::uint32_t arrived);
+    std::uint32_t sorted(std::uint32_t columns);
     bool start_columns(std::uint32_t k, std::uint32_t v);
-    bool gather(std::uint32_t c);
+    bool gather(std::uint32_t c, std::uint32_t r);
     std::uint32_t simplex_of(std::uint32_t* labels, std::uint32_t n) const;
     bool reduce(std::uint32_t c, std::uint32_t v);
-    bool add_outer_facet(std::uint32_t c, std::uint32_t i);
+    void add_outer_facet(std::uint32_t i);
+    template <std::uint32_t N> bool add_outer_facets(std::uint32_t c);
+    bool flush(std::uint32_t c);
     bool take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v);
     bool before(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t ka = front_.dimension(a), kb = front_.dimension(b);
@@ -59,6 +61,8 @@ private:
     Front<D> front_;
     BitTree column_;  // of the star at work, by position
     std::uint64_t* column_words_ = nullptr;
+    std::uint32_t* outer_ = nullptr;  // ranks of facets in other stars, for the column at work
+    std::uint32_t outer_count_ = 0;
     std::uint32_t done_columns_ = none;  // took a pivot in the star at work
     std::uint32_t next_age_ = 0;
     std::uint32_t critical_ = 0;  // simplices of the star at work
@@ -68,7 +72,9 @@ private:
 
 template <int D> Status Sweep<D>::run(Arena& arena) {
     column_words_ = arena.take_high<std::uint64_t>(BitTree::words_needed(star_.capacity()));
-    if (column_words_ == nullptr || !front_.reserve(ball_.vertex_count, arena)) return Status::out_of_memory;
+    outer_ = arena.take_high<std::uint32_t>(std::size_t{star_.capacity()} * (D - 1));
+    if (column_words_ == nullptr || outer_ == nullptr || !front_.reserve(ball_.vertex_count, arena))
+        return Status::out_of_memory;
     for (std::uint32_t r = 0; r < ball_.vertex_count; ++r) {
         if ((ball_.flags[ball_.order[r]] & Ball<D>::irregular) != 0) front_.waiting().insert(r);
     }
@@ -95,12 +101,12 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     column_.adopt(column_words_, star_.count());
     for (std::uint32_t i = 0; i < star_.count(); ++i) star_.note(i) = none;
     bool fits = add_zero_pairs(ball_.value[v]) && (critical_ == 0 || unite_critical_facets(v));
-    std::uint32_t c = sorted_columns(arrived);
+    std::uint32_t c = sorted(arrived);
     for (std::uint32_t k = D - 1; k >= 2; --k) {
         fits = fits && (critical_ == 0 || start_columns(k, v));
         while (fits && c != none && front_.dimension(c) == k) {
             const std::uint32_t following = front_.next(c);
-            if (!gather(c)) return Status::internal;
+            if (!gather(c, r)) return Status::internal;
             fits = reduce(c, v);
             c = following;
         }
@@ -132,22 +138,11 @@ template <int D> bool Sweep<D>::add_zero_pairs(double value) {
     return true;
 }
 
-// The columns of the arrived entries, each with its entries as local list; larger dimensions first, then older columns.
-template <int D> std::uint32_t Sweep<D>::sorted_columns(std::uint32_t arrived) {
+// The list of columns by dimension of their creators, larger ones first, then older columns first.
+template <int D> std::uint32_t Sweep<D>::sorted(std::uint32_t columns) {
     std::uint32_t runs[32];  // sorted lists of 2^i columns
     int run_count = 0;
     std::uint32_t taken = 0;
-    std::uint32_t columns = none;
-    while (arrived != none) {
-        const std::uint32_t e = arrived, c = front_.column_of(e);
-        arrived = front_.next(e);
-        if (front_.local(c) == none) {
-            front_.next(c) = columns;
-            columns = c;
-        }
-        front_.next(e) = front_.local(c);
-        front_.local(c) = e;
-    }
     while (columns != none) {
         std::uint32_t run = columns;
         columns = front_.next(run);
@@ -175,20 +170,16 @@ template <int D> std::uint32_t Sweep<D>::merge(std::uint32_t a, std::uint32_t b)
     return first;
 }
 
-// Moves the local entries of a column into column_, where equal ones cancel. False: not simplices of the star.
-template <int D> bool Sweep<D>::gather(std::uint32_t c) {
+// Moves what a column has in the star of rank r into column_, where equal simplices cancel. False: not in the star.
+template <int D> bool Sweep<D>::gather(std::uint32_t c, std::uint32_t r) {
     const std::uint32_t n = front_.dimension(c) - 1;
-    for (std::uint32_t e = front_.local(c); e != none;) {
-        std::uint32_t labels[D] = {};
-        for (std::uint32_t j = 0; j < n; ++j) labels[j] = ball_.slot[ball_.order[front_.ranks(e)[j + 1]]];
-        const std::uint32_t i = simplex_of(labels, n);
+    std::uint32_t ranks[D] = {};
+    while (front_.take_entry(c, r, ranks)) {
+        for (std::uint32_t j = 0; j < n; ++j) ranks[j] = ball_.slot[ball_.order[ranks[j + 1]]];
+        const std::uint32_t i = simplex_of(ranks, n);
         if (i == none) return false;
         column_.toggle(star_.position(i));
-        const std::uint32_t following = front_.next(e);
-        front_.give_back(e);
-        e = following;
     }
-    front_.local(c) = none;
     return true;
 }
 
@@ -210,20 +201,53 @@ template <int D> bool Sweep<D>::start_columns(std::uint32_t k, std::uint32_t v) 
         if (star_.dimension(i) != k || star_.partner(i) != none || star_.note(i) != none) continue;
         --left;
         const std::uint32_t c = front_.new_column(age--, ball_.rank[v], k);
-        if (c == none || !add_outer_facet(c, i)) return false;
+        if (c == none) return false;
+        add_outer_facet(i);
         for (std::uint32_t f = 0; f < k; ++f) column_.toggle(star_.position(star_.facets(i)[f]));
         if (!reduce(c, v)) return false;
     }
     return true;
 }
 
-// Adds the facet of i opposite the vertex of the star to column c.
-template <int D> bool Sweep<D>::add_outer_facet(std::uint32_t c, std::uint32_t i) {
-    std::uint32_t ranks[D] = {};
+// Notes the facet of i opposite the vertex of the star for the column at work.
+template <int D> void Sweep<D>::add_outer_facet(std::uint32_t i) {
     const std::uint32_t n = star_.dimension(i);
+    std::uint32_t* ranks = outer_ + std::size_t{outer_count_++} * n;
     for (std::uint32_t j = 0; j < n; ++j, i = star_.parent(i)) ranks[j] = ball_.rank[star_.vertex(star_.label(i))];
     insertion_sort(ranks, n, [](std::uint32_t a, std::uint32_t b) { return a > b; });
-    return front_.add(c, ranks, n);
+}
+
+// Adds the facets noted to column c, whose entries have N ranks.
+template <int D> template <std::uint32_t N> bool Sweep<D>::add_outer_facets(std::uint32_t c) {
+    struct Ranks {
+        std::uint32_t rank[N];
+    };
+    Ranks* const outer = reinterpret_cast<Ranks*>(outer_);
+    sort(outer, outer_count_, [](const Ranks& a, const Ranks& b) {
+        for (std::uint32_t j = 0; j + 1 < N; ++j) {
+            if (a.rank[j] != b.rank[j]) return a.rank[j] > b.rank[j];
+        }
+        return a.rank[N - 1] > b.rank[N - 1];
+    });
+    Run run = no_run;
+    for (std::uint32_t i = 0; i < outer_count_; ++i) {
+        if (!front_.append(&run, outer[i].rank, N)) return false;
+    }
+    outer_count_ = 0;
+    return front_.add_run(c, run);
+}
+
+template <int D> bool Sweep<D>::flush(std::uint32_t c) {
+    switch (front_.dimension(c)) {
+    case 2:
+        return add_outer_facets<2>(c);
+    case 3:
+        return add_outer_facets<3>(c);
+    case 4:
+        return add_outer_facets<4>(c);
+    default:
+        return add_outer_facets<5>(c);
+    }
 }
 
 // Reduces column_, the part of column c in this star, until it takes a pivot or nothing is left here.
@@ -236,29 +260,39 @@ template <int D> bool Sweep<D>::reduce(std::uint32_t c, std::uint32_t v) {
             for (std::uint32_t f = 0; f < star_.dimension(coface); ++f) {
                 column_.toggle(star_.position(star_.facets(coface)[f]));
             }
-            if (!add_outer_facet(c, coface)) return false;
+            add_outer_facet(coface);
         } else if (star_.partner(i) != none) {
             column_.toggle(p);  // it ends a class, so it is no pivot
         } else if (star_.note(i) == none) {
             return take_pivot(c, i, v);
         } else {
             const std::uint32_t older = star_.note(i);
-            for (std::uint32_t e = front_.local(older); e != none; e = front_.next(e)) column_.toggle(front_.place(e));
+            const Run positions = front_.local(older);
+            work_ += positions.count / 64;
+            for (auto at = front_.begin(positions); at.left > 0; front_.advance(&at)) {
+                column_.toggle(*front_.entry(at, 1));
+            }
             if (!front_.add_column(c, older)) return false;
         }
     }
+    if (!flush(c)) return false;
+    front_.wait(c);
     return true;
 }
 
 template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v) {
+    if (!flush(c) || !front_.unite_runs(c)) return false;
     star_.note(i) = c;
     front_.next(c) = done_columns_;
     done_columns_ = c;
+    Run positions = no_run;
     for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
         column_.toggle(p);
         const std::uint32_t row = star_.at(p);
-        if ((star_.partner(row) == none || star_.pairs_up(row)) && !front_.add_local(c, p)) return false;
+        if (star_.partner(row) != none && !star_.pairs_up(row)) continue;
+        if (!front_.append(&positions, &p, 1)) return false;
     }
+    front_.put_local(c, positions);
     const std::uint32_t r = front_.creator_rank(c);
     if (r == ball_.rank[v] && !irregular_) return true;  // counted with the regular star
     return writer_.add(ball_.value[v], ball_.value[ball_.order[r]], star_.dimension(i));

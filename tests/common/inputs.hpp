@@ -159,4 +159,54 @@ inline Points repeated(int dim, const Points& points, int copies, std::uint64_t 
     return p;
 }
 
+// A grid of unit cells, each coordinate moved by less than size.
+inline Points jittered(int dim, int side, double size, std::uint64_t seed) {
+    Points p = grid(dim, side);
+    Random random(seed);
+    for (double& x : p) x += size * random.uniform();
+    return p;
+}
+
+// Directions spread evenly by rejection, radii in [low, high].
+inline Points shell(int dim, std::size_t n, double low, double high, std::uint64_t seed) {
+    Random random(seed);
+    Points p;
+    while (p.size() < n * static_cast<std::size_t>(dim)) {
+        std::vector<double> x;
+        double squared = 0;
+        for (int d = 0; d < dim; ++d) {
+            x.push_back(2 * random.uniform() - 1);
+            squared += x.back() * x.back();
+        }
+        if (squared > 1 || squared < 0.01) continue;
+        const double radius = (low + (high - low) * random.uniform()) / std::sqrt(squared);
+        for (double c : x) p.push_back(c * radius);
+    }
+    return p;
+}
+
+// On the torus of radii 2 and 1.
+inline Points torus(std::size_t n, std::uint64_t seed) {
+    Random random(seed);
+    Points p;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto [a, b] = turn(random.below(1u << 20), 1u << 20);
+        const auto [c, d] = turn(random.below(1u << 20), 1u << 20);
+        p.insert(p.end(), {(2 + a) * c, (2 + a) * d, b});
+    }
+    return p;
+}
+
+// Two circles that touch.
+inline Points eight(std::size_t n, double noise, std::uint64_t seed) {
+    Random random(seed);
+    Points p;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto [c, s] = turn(i, n);
+        p.push_back((i % 2 == 0 ? 1 : -1) * (1 + c) + noise * random.uniform());
+        p.push_back(s + noise * random.uniform());
+    }
+    return p;
+}
+
 }  // namespace inputs

@@ -160,81 +160,34 @@ template <int D> void compare(const std::string& name, const inputs::Points& poi
     compare_diagrams(ours, peer.bars);
 }
 
-inputs::Points jittered(int dim, int side, double size, std::uint64_t seed) {
-    inputs::Points p = inputs::grid(dim, side);
-    inputs::Random random(seed);
-    for (double& x : p) x += size * random.uniform();
-    return p;
-}
-
-// Directions spread evenly by rejection, radii in [low, high].
-inputs::Points shell(int dim, std::size_t n, double low, double high, std::uint64_t seed) {
-    inputs::Random random(seed);
-    inputs::Points p;
-    while (p.size() < n * static_cast<std::size_t>(dim)) {
-        std::vector<double> x;
-        double squared = 0;
-        for (int d = 0; d < dim; ++d) {
-            x.push_back(2 * random.uniform() - 1);
-            squared += x.back() * x.back();
-        }
-        if (squared > 1 || squared < 0.01) continue;
-        const double radius = (low + (high - low) * random.uniform()) / std::sqrt(squared);
-        for (double c : x) p.push_back(c * radius);
-    }
-    return p;
-}
-
-inputs::Points torus(std::size_t n, std::uint64_t seed) {
-    inputs::Random random(seed);
-    inputs::Points p;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto [a, b] = inputs::turn(random.below(1u << 20), 1u << 20);
-        const auto [c, d] = inputs::turn(random.below(1u << 20), 1u << 20);
-        p.insert(p.end(), {(2 + a) * c, (2 + a) * d, b});
-    }
-    return p;
-}
-
-inputs::Points eight(std::size_t n, double noise, std::uint64_t seed) {
-    inputs::Random random(seed);
-    inputs::Points p;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto [c, s] = inputs::turn(i, n);
-        p.push_back((i % 2 == 0 ? 1 : -1) * (1 + c) + noise * random.uniform());
-        p.push_back(s + noise * random.uniform());
-    }
-    return p;
-}
-
 }  // namespace
 
 TEST_CASE("plane") {
     compare<2>("uniform", inputs::uniform(2, 600));
-    compare<2>("noisy circle", shell(2, 300, 1, 1.05, 11));
+    compare<2>("noisy circle", inputs::shell(2, 300, 1, 1.05, 11));
     compare<2>("circle", inputs::circle(101));
     compare<2>("clusters", inputs::clusters(2, 400));
     compare<2>("grid", inputs::grid(2, 16));
-    compare<2>("grid, jitter 0.1", jittered(2, 16, 0.1, 12));
-    compare<2>("grid, jitter 1e-9", jittered(2, 16, 1e-9, 13));
-    compare<2>("grid, jitter 1e-15", jittered(2, 16, 1e-15, 14));
-    compare<2>("annulus", shell(2, 400, 0.6, 1, 15));
-    compare<2>("figure eight", eight(200, 0.05, 16));
+    compare<2>("grid, jitter 0.1", inputs::jittered(2, 16, 0.1, 12));
+    compare<2>("grid, jitter 1e-9", inputs::jittered(2, 16, 1e-9, 13));
+    compare<2>("grid, jitter 1e-15", inputs::jittered(2, 16, 1e-15, 14));
+    compare<2>("annulus", inputs::shell(2, 400, 0.6, 1, 15));
+    compare<2>("figure eight", inputs::eight(200, 0.05, 16));
     compare<2>("on one circle", inputs::cospherical(2, 5 * 5 * 13 * 17));
     compare<2>("zoom", inputs::zoom(2, 60, 1));
 }
 
 TEST_CASE("space") {
     compare<3>("uniform", inputs::uniform(3, 300));
-    compare<3>("noisy sphere", shell(3, 200, 1, 1.02, 21));
-    compare<3>("sphere", shell(3, 150, 1, 1, 22));
+    compare<3>("noisy sphere", inputs::shell(3, 200, 1, 1.02, 21));
+    compare<3>("sphere", inputs::shell(3, 150, 1, 1, 22));
     compare<3>("clusters", inputs::clusters(3, 200));
     compare<3>("grid", inputs::grid(3, 5));
-    compare<3>("grid, jitter 0.1", jittered(3, 6, 0.1, 23));
-    compare<3>("grid, jitter 1e-9", jittered(3, 5, 1e-9, 24));
-    compare<3>("grid, jitter 1e-15", jittered(3, 5, 1e-15, 25));
-    compare<3>("shell", shell(3, 250, 0.6, 1, 26));
-    compare<3>("torus", torus(300, 27));
+    compare<3>("grid, jitter 0.1", inputs::jittered(3, 6, 0.1, 23));
+    compare<3>("grid, jitter 1e-9", inputs::jittered(3, 5, 1e-9, 24));
+    compare<3>("grid, jitter 1e-15", inputs::jittered(3, 5, 1e-15, 25));
+    compare<3>("shell", inputs::shell(3, 250, 0.6, 1, 26));
+    compare<3>("torus", inputs::torus(300, 27));
     compare<3>("on one sphere", inputs::cospherical(3, 14));
     compare<3>("zoom", inputs::zoom(3, 60, 1));
 }
