@@ -1,6 +1,7 @@
 // From a dimension known at run time to one known at compile time.
 #pragma once
 #include <cstdint>
+#include <type_traits>
 
 #include "api/context.hpp"
 
@@ -22,6 +23,15 @@ template <class F> auto with_dimension(std::uint32_t dim, F&& f) {
 }
 
 inline Monitor monitor_of(const netmesh_options& options) { return Monitor(options.poll, options.user); }
+
+// Whether an enumeration that came from outside has a value in [least, most]. Callers in C may pass any int, which C++
+// must not even read as an enumeration.
+template <class E> bool in_range(const E& e, E least, E most) {
+    using Value = std::underlying_type_t<E>;
+    Value value;
+    __builtin_memcpy(&value, &e, sizeof value);
+    return value >= static_cast<Value>(least) && value <= static_cast<Value>(most);
+}
 
 // Records a failure (or success) for netmesh_get_detail and translates it.
 inline netmesh_status finish(netmesh_context* context, Status status, const char* message, std::uint64_t a = 0,

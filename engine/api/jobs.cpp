@@ -74,7 +74,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     const netmesh_status checked = check_arguments(context, points, n, options, 5);
     if (checked != NETMESH_OK) return checked;
-    if (for_job != NETMESH_JOB_MESH && for_job != NETMESH_JOB_PERSIST)
+    if (!in_range(for_job, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST))
         return finish(context, Status::invalid_argument, "the job is neither a mesh nor persistence", 4);
     const double tau = tau_of(*options);
     if (!is_valid_tau(tau))
@@ -112,9 +112,9 @@ netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, 
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 6);
-    if (filter != NETMESH_FILTER_COMPLETE && filter != NETMESH_FILTER_BASIC && filter != NETMESH_FILTER_ALPHA)
+    if (!in_range(filter, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_ALPHA))
         return finish(context, Status::invalid_argument, "unknown filter", 2);
-    if (values != NETMESH_VALUES_CERTIFIED && values != NETMESH_VALUES_THESIS)
+    if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS))
         return finish(context, Status::invalid_argument, "unknown kind of values", 3);
     if (context->dim == 0 || !context->complete)
         return finish(context, Status::no_result, "there is no complete triangulation or mesh");
