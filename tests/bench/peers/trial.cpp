@@ -80,8 +80,8 @@ struct Message {
 }  // namespace
 
 void Trial::start() {
+    resident_ = resident_bytes();  // what was freed earlier is given back first, so that its reuse counts
     forget_peak();
-    resident_ = status_bytes("VmRSS");
     cpu_ = cpu_seconds();
 }
 
