@@ -12,8 +12,9 @@ constexpr double pull_back = 1.15;
 // An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
 // ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
 constexpr double yield_radius = 0.9;
-// Frame distance over domain radius. The frame's hull must contain the domain: more than sqrt(6).
-constexpr double frame_factor = 4;
+// Frame distance over domain radius: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in which
+// everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
+constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
 // Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;
 
@@ -116,7 +117,7 @@ template <int D> Status Refinement<D>::check_input(InputReport* input) {
 template <int D> Status Refinement<D>::open(const RefineOptions& options) {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     domain_.radius = domain_.enclosing_radius * options.domain_factor;
-    const double reach = frame_factor * domain_.radius;
+    const double reach = frame_factor[D] * domain_.radius;
     if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
     if (store_.open_cells() != Status::ok || !store_.has_room(0, 2 * D, 0)) return Status::out_of_memory;
     std::uint32_t frame[2 * D];
