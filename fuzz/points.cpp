@@ -67,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         netmesh_report report;
         report.struct_bytes = sizeof report;
         require(netmesh_get_report(context, &report) == NETMESH_OK);
-        if (status == NETMESH_OK) require(report.certified_ratio <= std::sqrt(2 + options.tau));
+        if (status == NETMESH_OK) require(report.certified_ratio >= 1 && report.aspect_ratio_max <= options.tau);
     }
     std::free(block);
     return 0;
