@@ -34,26 +34,28 @@ template <int D> constexpr double shape_factor() {
 constexpr double edge_square_min = 0x1p-150;
 constexpr double edge_square_max = 0x1p150;
 
-// Divides the edges by a power of two so that the largest entry is in [1, 2). False when an edge is too short beside it.
-template <int D> bool rescale(double (&a)[D + 1][D + 1], double* unit) {
-    double largest = 0;
-    for (int j = 0; j < D; ++j)
-        for (int i = 0; i < D; ++i)
-            if (absolute(a[j][i]) > largest) largest = absolute(a[j][i]);
-    if (!(largest > 0x1p-1000 && largest < 0x1p1000)) return false;
-    const int exponent = exponent_of(largest);
-    const double inverse = power_of_two(-exponent);
-    *unit = power_of_two(exponent);
+// Divides each edge, and with it its equation, by a power of two of its own, so that lengths of any ratio do not meet in
+// one product. False when an edge vanishes or all are too short for their squares.
+template <int D> bool rescale(double (&a)[D + 1][D + 1], double* lengths2) {
+    double longest = 0;
+    *lengths2 = 1;
     for (int i = 0; i < D; ++i) {
+        double largest = 0;
+        for (int j = 0; j < D; ++j)
+            if (absolute(a[j][i]) > largest) largest = absolute(a[j][i]);
+        if (!(largest > 0x1p-1000 && largest < 0x1p1000)) return false;
+        const int exponent = exponent_of(largest);
+        const double inverse = power_of_two(-exponent);
         double square = 0;
         for (int j = 0; j < D; ++j) {
             a[j][i] *= inverse;
             square += a[j][i] * a[j][i];
         }
-        a[D][i] = 0.5 * square;
-        if (!(a[D][i] > edge_square_min)) return false;
+        a[D][i] = 0.5 * square * power_of_two(exponent);
+        *lengths2 *= square;
+        if (largest > longest) longest = largest;
     }
-    return true;
+    return longest > 0x1p-900;
 }
 
 // Says that nothing is known: every question about this ball goes to the exact predicates.
@@ -71,7 +73,7 @@ template <int D> void forget_sphere(const double* const* p, Cell<D>& cell) {
 template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
     double a[D + 1][D + 1], minors[D + 1];
     bool plain = true;
-    double unit = 1, lengths2 = 1;
+    double lengths2 = 1;
     for (int i = 0; i < D; ++i) {
         double square = 0;
         for (int j = 0; j < D; ++j) {
@@ -80,17 +82,17 @@ template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
         }
         a[D][i] = 0.5 * square;
         plain = plain && a[D][i] > edge_square_min && a[D][i] < edge_square_max;
+        lengths2 *= 2 * a[D][i];
     }
-    if (!plain && !rescale<D>(a, &unit)) return forget_sphere<D>(p, cell);
+    if (!plain && !rescale<D>(a, &lengths2)) return forget_sphere<D>(p, cell);
     double first[D + 1];
     for (int j = 0; j <= D; ++j) first[j] = a[j][0];
-    for (int i = 0; i < D; ++i) lengths2 *= 2 * a[D][i];
     minors_from<D, 2>(a, first, minors);  // minors[D - j] is the one without row j
 
     const double inverse = 1 / minors[0];
     double radius2 = 0, size2 = 0;
     for (int j = 0; j < D; ++j) {
-        const double x = minors[D - j] * ((D - 1 - j) % 2 == 0 ? inverse : -inverse) * unit;
+        const double x = minors[D - j] * ((D - 1 - j) % 2 == 0 ? inverse : -inverse);
         cell.centre[j] = p[0][j] + x;
         const double d = p[0][j] - cell.centre[j];
         radius2 += d * d;

@@ -14,15 +14,15 @@ template <int D> void raise(const Store<D>& store, const double* corner, std::ui
     if (d2 > out2[v]) out2[v] = d2;
 }
 
-// Corner of a cell as the mesh has it, or computed anew.
+// Corner of a cell as the mesh has it, or computed anew; null when the cell is too flat for doubles to know it.
 template <int D> const double* kept_corner(const Store<D>& store, std::uint32_t c, Cell<D>&) {
-    return store.cell(c).centre;
+    return store.cell(c).radius2 < infinity ? store.cell(c).centre : nullptr;
 }
 template <int D> const double* fresh_corner(const Store<D>& store, std::uint32_t c, Cell<D>& scratch) {
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
     solve_sphere<D>(p, scratch);
-    return scratch.centre;
+    return scratch.radius2 < infinity ? scratch.centre : nullptr;
 }
 
 // out2[v] := squared out-radius of v's clipped cell, corners from corner_of.
@@ -33,6 +33,7 @@ void clipped_out_radii(const Store<D>& store, const Domain<D>& domain, CornerOf&
         const Cell<D>& cell = store.cell(c);
         Cell<D> here, there;
         const double* const corner = corner_of(c, here);
+        if (corner == nullptr) continue;
         if (domain.contains(corner)) {
             for (const std::uint32_t v : cell.vertex) raise<D>(store, corner, v, out2);
             continue;
@@ -41,6 +42,7 @@ void clipped_out_radii(const Store<D>& store, const Domain<D>& domain, CornerOf&
             if (cell.neighbour[i] == none) continue;
             const std::uint32_t n = cell.neighbour[i] >> 3;
             const double* const other = corner_of(n, there);
+            if (other == nullptr) continue;
             if (n < c && !domain.contains(other)) continue;
             double z[2][D];
             const int crossings = sphere_crossings<D>(domain, corner, other, z);

@@ -12,8 +12,9 @@ constexpr double pull_back = 1.15;
 // An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
 // ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
 constexpr double yield_radius = 0.9;
-// Frame distance over domain radius. The frame's hull must contain the domain: more than sqrt(6).
-constexpr double frame_factor = 4;
+// Frame distance over domain radius: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in which
+// everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
+constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
 // Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;
 
@@ -115,8 +116,9 @@ template <int D> Status Refinement<D>::check_input(InputReport* input) {
 // The frame: vertices on both sides of the domain along each axis.
 template <int D> Status Refinement<D>::open(const RefineOptions& options) {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
-    domain_.radius = domain_.enclosing_radius * options.domain_factor;
-    const double reach = frame_factor * domain_.radius;
+    // A hair larger than what is promised, so that no corner on the sphere itself depends on roundings.
+    domain_.radius = domain_.enclosing_radius * options.domain_factor * (1 + tau_margin);
+    const double reach = frame_factor[D] * domain_.radius;
     if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
     if (store_.open_cells() != Status::ok || !store_.has_room(0, 2 * D, 0)) return Status::out_of_memory;
     std::uint32_t frame[2 * D];
@@ -185,7 +187,7 @@ template <int D> void Refinement<D>::update_star(const Cavity& cavity, std::uint
 // the edge has only become shorter.
 template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
     const Cell<D>& cell = store_.cell(c);
-    if (!(cell.radius2 < infinity) && store_.is_ghost(c)) return;
+    if (!(cell.radius2 < infinity)) return;
     unsigned far = 0;  // positions of the vertices for which this corner is far
     for (int i = 0; i <= D; ++i) {
         const Vertex<D>& vertex = store_.vertex(cell.vertex[i]);
@@ -207,7 +209,7 @@ template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
         const unsigned others = far & ~(1u << i);
         if (others == 0 || cell.neighbour[i] == none) continue;
         const std::uint32_t n = cell.neighbour[i] >> 3;
-        if (store_.is_ghost(n)) continue;
+        if (!(store_.cell(n).radius2 < infinity)) continue;
         double z[2][D];
         const int crossings = sphere_crossings<D>(domain_, cell.centre, store_.cell(n).centre, z);
         for (int j = 0; j < crossings; ++j)
@@ -237,7 +239,7 @@ void Refinement<D>::corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* 
         if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
         const std::uint32_t n = cell.neighbour[i] >> 3;
         const Cell<D>& other = store_.cell(n);
-        if (!(other.radius2 < infinity) && store_.is_ghost(n)) continue;
+        if (!(other.radius2 < infinity)) continue;
         // A crossing is no farther from v than the farther end; one that is not bad does not matter.
         const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
         if (!(bound2 > corner->distance2) || !is_bad(bound2 * (1 + 0x1p-20), store_.vertex(v).nearest2)) continue;
@@ -256,7 +258,7 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
     const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](std::uint32_t c) {
         const Cell<D>& cell = store_.cell(c);
-        if (store_.is_ghost(c)) return;
+        if (!(cell.radius2 < infinity)) return;  // a ghost, or so flat that its corner is not known
         const double d2 = distance2<D>(cell.centre, p);
         if (domain_.contains(cell.centre))
             offer(cell.centre, d2, c, &view->clipped);
@@ -365,6 +367,7 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
     if (status == Status::ok) status = refinement.run(order);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
     settle_spheres<D>(store);
+    domain->radius = domain->enclosing_radius * options.domain_factor;
     return status;
 }
 

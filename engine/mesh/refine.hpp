@@ -22,7 +22,7 @@ struct RefineOptions {
 // crosses its sphere. Each Steiner point lies in the cell of some vertex v, at a distance of at least (tau/2) times
 // the distance from v to its nearest neighbour, which is all that the size and termination proof of 3.3 asks for
 // (every vertex stays in the domain, so 3.6's packing argument applies with Omega the domain). The frame of 2 D exempt
-// vertices at four times the domain's radius is farther from every input than any other input, as 3.3.2 requires.
+// vertices at four or more times the domain's radius is farther from every input than any other input, as 3.3.2 requires.
 //
 // With `certify` a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners outside the
 // domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an input, else d_P(v). Either
