@@ -23,15 +23,6 @@ template <int D> inline double power(const Cell<D>& cell, const double* q, doubl
     return d2 - cell.radius2;
 }
 
-template <int D> inline double power_value(const Cell<D>& cell, const double* q) {
-    double d2 = 0;
-    for (int i = 0; i < D; ++i) {
-        const double d = q[i] - cell.centre[i];
-        d2 += d * d;
-    }
-    return d2 - cell.radius2;
-}
-
 // The ball through D+1 points by solving for its centre; error is +infinity when no bound could be proven.
 template <int D> void solve_sphere(const double* const* p, Cell<D>& cell);
 
