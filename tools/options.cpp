@@ -56,17 +56,25 @@ std::string apply_method(Options&, const std::string& text) {
 }
 
 std::string apply_filter(Options& options, const std::string& text) {
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA}) {
+    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA,
+                                        NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
         if (text != filter_name(filter)) continue;
         options.filter = filter;
         return {};
     }
-    return "this version has the filters complete, basic and alpha";
+    return "this version has the filters complete, basic, alpha, knn and kdistance";
 }
 
 std::string apply_values(Options& options, const std::string& text) {
     if (text != "certified" && text != "thesis") return "there are certified and thesis";
     options.values = text == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
+    return {};
+}
+
+std::string apply_k(Options& options, const std::string& text) {
+    std::uint64_t k;
+    if (!parse_unsigned(text, &k) || k == 0 || k >= 4294967296u) return "must be a number of neighbours, 1 or more";
+    options.k = static_cast<std::uint32_t>(k);
     return {};
 }
 
@@ -176,7 +184,9 @@ constexpr OptionEntry option_entries[] = {
     {"--tau", mesh | persist | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
     {"--method", mesh | persist | size, "M", apply_method, "svr"},
-    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic or alpha"},
+    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic, alpha, knn or kdistance"},
+    {"--k", persist | check, "K", apply_k,
+     "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square"},
     {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
     {"--max-degree", persist | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
     {"--memory", engine | size | check, "SIZE", apply_memory,
@@ -313,9 +323,20 @@ const char* filter_name(netmesh_filter filter) {
         return "basic";
     case NETMESH_FILTER_ALPHA:
         return "alpha";
+    case NETMESH_FILTER_KNN:
+        return "knn";
+    case NETMESH_FILTER_KDISTANCE:
+        return "kdistance";
     default:
         return "none";
     }
+}
+
+std::string reference_name(const netmesh_report& report) {
+    const std::string space = " in R^" + std::to_string(report.dim), k = std::to_string(report.k);
+    if (report.filter == NETMESH_FILTER_KNN) return "sublevel sets of d_" + k + space;
+    if (report.filter == NETMESH_FILTER_KDISTANCE) return "sublevel sets of the k-distance, k = " + k + "," + space;
+    return "closed offsets of the points" + space;
 }
 
 const char* values_name(netmesh_values values) { return values == NETMESH_VALUES_THESIS ? "thesis" : "certified"; }

@@ -27,6 +27,7 @@ struct Options {
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
+    std::optional<std::uint32_t> k;  // knn, kdistance
     std::size_t memory_bytes = 0;  // 0: reserved lazily
     std::uint64_t seed = 1;
 
@@ -44,6 +45,8 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
 const char* command_name(Command command);
 const char* filter_name(netmesh_filter filter);
 const char* values_name(netmesh_values values);
+// The function that a certified ratio is about: "closed offsets of the points in R^3", "sublevel sets of d_5 in R^3", ...
+std::string reference_name(const netmesh_report& report);
 
 // What --help prints, for the program (Command::none) or one command.
 std::string help_text(Command command);

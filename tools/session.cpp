@@ -8,6 +8,7 @@ namespace netmesh::tool {
 namespace {
 
 constexpr std::uint64_t argument_point_count = 3;  // of netmesh_delaunay and netmesh_mesh: the one a user can get wrong
+constexpr std::uint64_t argument_options = 6;      // of netmesh_persist: k
 constexpr std::size_t least_lazy_bytes = std::size_t{1} << 30;
 
 }  // namespace
@@ -23,6 +24,7 @@ Session::Session(const Options& options, std::uint32_t dim)
     netmesh_options_init(&engine_options_, dim);
     if (options.tau) engine_options_.tau = *options.tau;
     engine_options_.seed = options.seed;
+    engine_options_.k = options.k.value_or(1);
     engine_options_.poll = poll;
     engine_options_.user = this;
 }
@@ -116,7 +118,8 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
                           ": outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
                           "2^-500 (3.1e-151)");
     case NETMESH_INVALID_ARGUMENT:
-        if (detail.index_a == argument_point_count) return data_error(cloud.name + ": " + said);
+        if (detail.index_a == argument_point_count || detail.index_a == argument_options)
+            return data_error(cloud.name + ": " + said);
         return {Exit::internal, "netmesh: internal error: " + said};
     case NETMESH_FLAT:
         return {Exit::degenerate, cloud.name + ": flat: fewer than " + std::to_string(dim_ + 1) +

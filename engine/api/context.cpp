@@ -39,7 +39,7 @@ double tau_of(const netmesh_options& options) {
 }
 
 void clear_diagram(netmesh_context* context) {
-    context->has_values = context->has_diagram = false;
+    context->has_values = context->has_diagram = context->has_vineyard = false;
     context->pair_count = context->simplices = 0;
     context->certified_ratio = context->certified_ratio_best = context->certified_from = 0;
     context->filter = NETMESH_FILTER_NONE;

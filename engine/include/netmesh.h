@@ -82,6 +82,7 @@ typedef struct netmesh_options {
     double domain_factor;   /* radius of the ball in which quality is promised over the radius of the smallest enclosing
                                ball, in [1, 8]; 0: 1 */
     uint64_t seed;          /* of every random choice */
+    uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
 } netmesh_options;
@@ -102,7 +103,10 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_NONE = 0,
     NETMESH_FILTER_COMPLETE = 1, /* 7.4.2, on a mesh */
     NETMESH_FILTER_BASIC = 2,    /* 7.4.1, on a mesh */
-    NETMESH_FILTER_ALPHA = 3     /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_ALPHA = 3,    /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_KNN = 4,      /* d_k, the distance to the k-th nearest point (8.6), on a mesh; k = 1: complete */
+    NETMESH_FILTER_KDISTANCE = 5,/* root mean square of the distances to the k nearest points (8.6), on a mesh */
+    NETMESH_FILTER_FUNCTION = 6  /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
 } netmesh_filter;
 
 typedef enum netmesh_values {
@@ -150,12 +154,43 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
                             const netmesh_options* options);
 
 /* Persistent homology over Z/2 of the filtration `filter` on what the context holds, in degrees 0..max_degree
- * (at most D-1; larger is clamped). Values are radii, not squared radii. COMPLETE and BASIC need a mesh, ALPHA a
- * Delaunay triangulation. Zero-length pairs are dropped unless keep_zero_pairs is not 0.
- * Memory above the mesh: below 8 bytes a simplex (complete, basic), about 24 bytes a simplex plus fill (alpha).
- * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+ * (at most D-1; larger is clamped). Values are radii, not squared radii. ALPHA needs a Delaunay triangulation, the others a
+ * mesh; one mesh serves every k. KNN and KDISTANCE take options.k. Zero-length pairs are dropped unless keep_zero_pairs is
+ * not 0. Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
+ * INVALID_ARGUMENT (6: more neighbours than different points), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole
+ * on failure. */
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
+
+/* A function f >= 0 of the caller's with |f(x) - f(y)| <= lipschitz |x - y|. Homology beyond the mesh is what the caller answers for:
+ * 7.4.4's clipping argument is proven for distances to points, for a general f it is an assumption. */
+typedef struct netmesh_function {
+    double (*evaluate)(void* user, const double* x); /* f at x[D], finite; called once for each vertex, in their order; must
+                                                        not call into the context */
+    void* user;              /* handed to evaluate */
+    double lipschitz;        /* finite, >= 0 */
+    double distance_factor;  /* a c with f >= d_2 / c, d_2 the distance to the second nearest point (8.6.3), or 0: unknown */
+    double cut;              /* finite, >= 0: f >= cut outside the domain ball (report.domain), and the sublevel sets from cut
+                                on are contractible; values are cut there */
+} netmesh_function;
+
+/* The same for the sublevel sets of a function (8.6), on a mesh. certified_ratio is infinite where f is too small for its change
+ * across a Voronoi cell; a distance_factor keeps it finite.
+ * INVALID_ARGUMENT (2: null, or a number that is not what it has to be), NOT_FINITE (index_a: the vertex at which f is not finite
+ * or negative), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_function* function,
+                                        netmesh_values values, uint32_t max_degree, int keep_zero_pairs,
+                                        const netmesh_options* options);
+
+/* One mesh for all k: the diagrams of the filter (KNN or KDISTANCE) for k = k_first..k_last, and the vines that connect them (6.3,
+ * 8.6), by transpositions on R = D V while every simplex's value moves on a straight line from one k to the next. The diagram at
+ * each k is that of netmesh_persist. Replaces the diagram.
+ * Memory above the mesh: about 130 bytes a simplex of dimension up to max_degree + 1, and the columns. Time: O(log n) for each two
+ * simplices of a dimension that change their order between two k; that is millions for small meshes already.
+ * INVALID_ARGUMENT (2: filter, 3, 4: not 1 <= k_first <= k_last <= different points, 5: values), NO_RESULT, OUT_OF_MEMORY,
+ * CANCELLED. The mesh stays whole on failure. */
+netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_filter filter, uint32_t k_first, uint32_t k_last,
+                                netmesh_values values, uint32_t max_degree, const netmesh_options* options);
 
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
@@ -197,11 +232,17 @@ typedef struct netmesh_report {
     netmesh_filter filter;
     netmesh_values values;
     uint32_t max_degree;
+    uint32_t k;                 /* of the filters KNN and KDISTANCE, else 0 */
     uint64_t pairs[NETMESH_DIM_MAX]; /* per degree, essential ones included */
     uint64_t simplices;         /* of the filtered complex */
-    double certified_ratio;     /* c >= 1: log-bottleneck distance to the offsets' diagram is at most ln c */
+    double certified_ratio;     /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
+                                   the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best;/* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;      /* scale from which the ratio holds: 0, or r_P for the basic filter */
+    /* vineyard; filter, values, max_degree and simplices are its, certified_ratio is the largest */
+    uint32_t has_vineyard;
+    uint32_t k_first, k_last;
+    uint64_t vines, vine_points, transpositions;
     /* cost */
     uint64_t block_bytes, peak_bytes, used_bytes;
     uint64_t predicate_calls[NETMESH_PREDICATE_STAGES]; /* in-ball decisions ended in each stage */
@@ -236,6 +277,16 @@ typedef struct netmesh_pair {
     double birth, death;
 } netmesh_pair;
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair);
+
+/* Where a vine is at one k: a pair of that k's diagram. Sorted by vine, then k; vines are numbered from 0 by degree, the first k at
+ * which they have a length, birth and death there. A vine that loses its length and gets it again keeps its number. */
+typedef struct netmesh_vine_point {
+    uint32_t vine, degree, k;
+    double birth, death; /* death is +infinity for an essential class */
+} netmesh_vine_point;
+netmesh_status netmesh_get_vine_point(const netmesh_context* context, uint64_t index, netmesh_vine_point* point);
+/* The certified ratio of the diagram at one k of the vineyard. */
+netmesh_status netmesh_get_vine_ratio(const netmesh_context* context, uint32_t k, double* ratio);
 
 #ifdef __cplusplus
 }

@@ -1,10 +1,17 @@
-// Nearest input point, exactly: a k-d tree over the inputs, 5 bytes a point.
+// Nearest input points, exactly: a k-d tree over the inputs, 5 bytes a point.
 #pragma once
 #include <cstdint>
 
 #include "delaunay/store.hpp"
 
 namespace netmesh {
+
+// One of several nearest inputs.
+struct Neighbour {
+    double distance2;  // as computed
+    std::uint32_t input;
+    std::uint32_t unused;
+};
 
 template <int D> class InputTree {
 public:
@@ -15,9 +22,24 @@ public:
     // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
     std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
 
+    // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index: unique,
+    // whatever the tree. Expected O(k log k + log n).
+    void nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const;
+
 private:
     static constexpr std::uint32_t leaf = 8;
     void split(std::uint32_t begin, std::uint32_t end);
+    double squared_distance(const double* x, std::uint32_t v) const {
+        const double* const p = store_->point(v);
+        double d2 = 0;
+        for (int k = 0; k < D; ++k) {
+            const double d = x[k] - p[k];
+            d2 += d * d;
+        }
+        return d2;
+    }
+    // Calls consider(input) for every input that can be nearer than bound2() or as near, near parts first.
+    template <class Consider, class Bound> void visit(const double* x, Consider&& consider, Bound&& bound2) const;
 
     const Store<D>* store_;
     std::uint32_t* items_;

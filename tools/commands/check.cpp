@@ -15,8 +15,10 @@ std::string candidate_text(const Candidate& candidate) {
 // The filters that a diagram or a vertex value may come from, by the options.
 std::vector<Candidate> candidates(const Options& options, bool on_mesh, bool on_delaunay) {
     std::vector<Candidate> list;
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA}) {
-        if (options.filter && *options.filter != filter) continue;
+    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA,
+                                        NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
+        const bool counts = filter == NETMESH_FILTER_KNN || filter == NETMESH_FILTER_KDISTANCE;
+        if (options.filter ? *options.filter != filter : counts && !options.k) continue;  // no k is tried by itself
         if (!(filter == NETMESH_FILTER_ALPHA ? on_delaunay : on_mesh)) continue;
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
             if (options.values && *options.values != values && filter != NETMESH_FILTER_ALPHA) continue;

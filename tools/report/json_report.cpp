@@ -28,6 +28,8 @@ void write_options(Json& json, const RunReport& run) {
     persists&& run.engine ? json.value(values_name(run.engine->values)) : json.null();
     json.key("max_degree");
     persists&& run.engine ? json.value(run.engine->max_degree) : json.null();
+    json.key("k");
+    persists&& run.engine && run.engine->k > 0 ? json.value(run.engine->k) : json.null();
     json.key("memory");
     options.memory_bytes != 0 ? json.value(static_cast<std::uint64_t>(options.memory_bytes)) : json.null();
     json.entry("seed", options.seed);
@@ -104,7 +106,7 @@ void write_diagram(Json& json, const RunReport& run) {
     for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) json.value(engine.pairs[degree]);
     json.close(']');
     json.entry("certified_ratio", engine.certified_ratio);
-    json.entry("reference", "closed offsets of the points in R^" + std::to_string(engine.dim));
+    json.entry("reference", reference_name(engine));
     json.entry("from", engine.certified_from);
     json.entry("units", "radius");
     json.entry("field", "Z/2");

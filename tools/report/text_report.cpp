@@ -41,7 +41,7 @@ std::string diagram_lines(const netmesh_report& engine) {
     if (engine.filter != NETMESH_FILTER_ALPHA) text += std::string(", ") + values_name(engine.values) + " values";
     text += "\ncertified ratio " + rounded_text(engine.certified_ratio, 6);
     if (engine.certified_from > 0) text += " from radius " + rounded_text(engine.certified_from, 6);
-    return text + " to the offsets of the points\n";
+    return text + " to the " + reference_name(engine) + "\n";
 }
 
 std::string cost_lines(const RunReport& run) {

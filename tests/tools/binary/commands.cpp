@@ -47,7 +47,7 @@ TEST_CASE("usage errors: exit 2, the argument named, nothing on stdout, no file"
                                     {"mesh p.txt -o m.xyz", "m.xyz"},
                                     {"mesh p.txt -o m", "m: "},
                                     {"persist p.txt -o d.txt", "d.txt"},
-                                    {"persist p.txt --filter rips", "complete, basic and alpha"},
+                                    {"persist p.txt --filter rips", "complete, basic, alpha"},
                                     {"persist p.txt --memory 0", "--memory 0"},
                                     {"size --dim 3", "--points"},
                                     {"size --points 3", "--dim"},
@@ -197,6 +197,35 @@ TEST_CASE("persist: diagrams that are checked, tampering found") {
         CHECK(folder.run("check d.pers").exit == 7);
         folder.write("d.pers", bars + "1 2 x\n");
         CHECK(folder.run("check d.pers").exit == 3);
+    }
+}
+
+TEST_CASE("persist: d_k and the k-distance") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 80 -o p.csv").exit == 0);
+    for (const std::string filter : {"knn", "kdistance"}) {
+        CAPTURE(filter);
+        const std::string k = " --k 4 --filter " + filter;
+        const Result result = folder.run("persist p.csv -o d.pers --json --check --svg d.svg --mesh m.node" + k);
+        CHECK(result.exit == 0);
+        CHECK(result.err == "");
+        CHECK(number_in(result.out, "k") == 4);
+        CHECK(text_in(result.out, "reference").find("sublevel sets of") == 0);
+        CHECK(number_in(result.out, "certified_ratio") < 2.6);
+        CHECK(folder.read("d.pers").rfind("0 0 ", 0) == std::string::npos);  // nothing is born at 0
+        for (const std::string source : {"--points p.csv", "--mesh m.node"}) {
+            const Result check = folder.run("check d.pers " + source + k);
+            CHECK(check.err == "");
+            CHECK(check.exit == 0);
+            CHECK(check.out.find("filter " + filter + ", certified values") != std::string::npos);
+            CHECK(folder.run("check d.pers " + source + " --k 4").exit == 0);
+            CHECK(folder.run("check d.pers " + source + " --k 5").exit == 7);
+        }
+        CHECK(folder.run("persist p.csv --k 0 --filter " + filter).exit == 2);
+        const Result many = folder.run("persist p.csv --k 81 --filter " + filter);
+        CHECK(many.exit == 3);
+        CHECK(many.says("more than the number of different points"));
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter).out == folder.run("persist p.csv --quiet").out);
     }
 }
 
