@@ -49,6 +49,10 @@ std::string apply_tau(Options& options, const std::string& text) {
     return {};
 }
 
+std::string apply_eps(Options& options, const std::string& text) {
+    return parse_finite(text, &options.eps) && options.eps > 0 ? "" : "must be a finite number above 0";
+}
+
 std::string apply_method(Options&, const std::string& text) {
     if (text == "svr") return {};
     if (text == "netmesh" || text == "refine") return "this version meshes with svr only";
@@ -183,6 +187,8 @@ constexpr OptionEntry option_entries[] = {
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
     {"--tau", mesh | persist | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
+    {"--eps", mesh | size | check, "E", apply_eps,
+     "also refine until no cell reaches farther than E times the distance to the second nearest input"},
     {"--method", mesh | persist | size, "M", apply_method, "svr"},
     {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic, alpha, knn or kdistance"},
     {"--k", persist | check, "K", apply_k,

@@ -24,6 +24,7 @@ struct Options {
     bool json = false, check = false, all = false, quiet = false;
 
     std::optional<double> tau;
+    double eps = 0;  // over-refinement; 0: none
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;

@@ -135,7 +135,7 @@ netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, 
     const bool counts = filter == NETMESH_FILTER_KNN || filter == NETMESH_FILTER_KDISTANCE;
     const std::uint32_t k = !counts ? 0 : options->k > 1 ? options->k : 1;
     if (k > context->inputs)
-        return finish(context, Status::invalid_argument, "k is more than the number of different points", 6);
+        return finish(context, Status::invalid_argument, "k is more than the number of different points", 7);
     const Request request = {filter, values, max_degree < context->dim ? max_degree : context->dim - 1,
                              keep_zero_pairs != 0};
     clear_diagram(context);

@@ -10,7 +10,7 @@ extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_fil
     const auto refuse = [&](const char* message, std::uint64_t position) {
         return finish(context, Status::invalid_argument, message, position);
     };
-    if (!usable(options)) return refuse("options are not initialised", 7);
+    if (!usable(options)) return refuse("options are not initialised", 8);
     if (!in_range(filter, NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE)) return refuse("the filter has no k", 2);
     if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS))
         return refuse("unknown kind of values", 5);
@@ -18,7 +18,7 @@ extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_fil
         return finish(context, Status::no_result, "there is no complete mesh");
     if (k_first < 1) return refuse("k begins at 1", 3);
     if (k_last < k_first) return refuse("the last k is below the first", 4);
-    if (k_last > context->inputs) return refuse("k is more than the number of different points", 4);
+    if (k_last > context->inputs) return refuse("k is more than the number of different points", 7);
     clear_diagram(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(context->dim, [&](auto dimension) {

@@ -75,6 +75,13 @@ typedef struct netmesh_progress {
  * NETMESH_CANCELLED. Must not call into the context. */
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
+/* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone (results
+ * are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre, positive,
+ * and nowhere below 64 units in the last place of the coordinates: other values end the job with INVALID_ARGUMENT.
+ * Termination needs no more; the size bounds of 3.7.1 need it to be Lipschitz with a moderate constant. +infinity asks
+ * for nothing. Called a few times a vertex. Must not call into the context. */
+typedef double (*netmesh_size)(void* user, const double* x);
+
 typedef struct netmesh_options {
     uint32_t struct_bytes;  /* sizeof(netmesh_options); set by netmesh_options_init */
     uint32_t dim;           /* D, 2..6 */
@@ -85,6 +92,12 @@ typedef struct netmesh_options {
     uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
+    /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most f(v) = min(over_refine_eps *
+     * f_P(v), size(size_user, v)), f_P the distance to the second nearest input, the point itself counted. R_v is taken, as everywhere, over corners
+     * inside the domain and points where Voronoi edges cross its sphere: a cell with none has R_v = 0. */
+    double over_refine_eps; /* > 0; 0: not asked for. The mesh has about over_refine_eps^-D times as many vertices */
+    netmesh_size size;      /* null: not asked for */
+    void* size_user;        /* handed to size */
 } netmesh_options;
 
 /* Defaults for dimension dim (clamped to 2..6): tau 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6); seed 1; no poll. */
@@ -121,7 +134,7 @@ typedef enum netmesh_job {
     NETMESH_JOB_PERSIST_ALPHA = 4    /* netmesh_delaunay, then netmesh_persist with the alpha filter */
 } netmesh_job;
 
-/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others. SIZE_MAX when it does not
+/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted. SIZE_MAX when it does not
  * fit a size_t, 0 on an invalid argument. */
 size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points);
 
@@ -140,7 +153,7 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
  * `for_job`: NETMESH_JOB_MESH, or NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
  * ratio of sqrt(2 + tau) needs it.
- * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
+ * INVALID_ARGUMENT (6: the sizing function's values), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
  * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
                             const netmesh_options* options);
@@ -157,7 +170,7 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
  * (at most D-1; larger is clamped). Values are radii, not squared radii. ALPHA needs a Delaunay triangulation, the others a
  * mesh; one mesh serves every k. KNN and KDISTANCE take options.k. Zero-length pairs are dropped unless keep_zero_pairs is
  * not 0. Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
- * INVALID_ARGUMENT (6: more neighbours than different points), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole
+ * INVALID_ARGUMENT (7: options.k is more than the number of different points), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole
  * on failure. */
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
@@ -187,7 +200,8 @@ netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_
  * each k is that of netmesh_persist. Replaces the diagram.
  * Memory above the mesh: about 130 bytes a simplex of dimension up to max_degree + 1, and the columns. Time: O(log n) for each two
  * simplices of a dimension that change their order between two k; that is millions for small meshes already.
- * INVALID_ARGUMENT (2: filter, 3, 4: not 1 <= k_first <= k_last <= different points, 5: values), NO_RESULT, OUT_OF_MEMORY,
+ * INVALID_ARGUMENT (2: filter, 3, 4: not 1 <= k_first <= k_last, 5: values, 7: k_last is more than the number of
+ * different points), NO_RESULT, OUT_OF_MEMORY,
  * CANCELLED. The mesh stays whole on failure. */
 netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_filter filter, uint32_t k_first, uint32_t k_last,
                                 netmesh_values values, uint32_t max_degree, const netmesh_options* options);
@@ -196,12 +210,12 @@ typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
     NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
-    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau (meshes only) */
+    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau; sizes likewise (meshes only) */
     NETMESH_CHECK_ALL = 15
 } netmesh_check_what;
 
 /* Independent checkers: nothing that they read was cached by the code that made the result. O(cells).
- * `what`: a union of netmesh_check_what; tau is taken from options. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
+ * `what`: a union of netmesh_check_what; tau and sizes are taken from options. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
 netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netmesh_options* options);
 
 typedef enum netmesh_predicate_stage {
@@ -248,6 +262,8 @@ typedef struct netmesh_report {
     uint64_t predicate_calls[NETMESH_PREDICATE_STAGES]; /* in-ball decisions ended in each stage */
     uint64_t orient_calls[NETMESH_PREDICATE_STAGES];
     uint64_t fingerprint;       /* of mesh and diagram; equal on every platform and for every block size */
+    double over_refine_eps;     /* asked for */
+    double size_ratio_max;      /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
 } netmesh_report;
 
 netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);

@@ -21,4 +21,9 @@ template <int D>
 Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
                                std::uint32_t* vertex);
 
+// out2[v], for every vertex: squared out-radius of v's clipped cell, corners as the mesh has them or solved for anew.
+// O(cells), no scratch.
+enum class Corners { kept, recomputed };
+template <int D> void clipped_out_radii(const Store<D>& store, const Domain<D>& domain, Corners corners, double* out2);
+
 }  // namespace netmesh

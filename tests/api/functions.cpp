@@ -78,7 +78,7 @@ TEST_CASE("k: one mesh for all, as many neighbours as there are points") {
     session.options.k = 41;
     CHECK(netmesh_persist(session.context, NETMESH_FILTER_KDISTANCE, NETMESH_VALUES_THESIS, 2, 0, &session.options) ==
           NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_get_detail(session.context).index_a == 6);
+    CHECK(netmesh_get_detail(session.context).index_a == 7);
     CHECK(netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_THESIS, 2, 0, &session.options) ==
           NETMESH_OK);
 }

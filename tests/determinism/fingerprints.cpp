@@ -39,6 +39,9 @@ void dimension(int dim) {
     print("delaunay", "repeated", session, session.delaunay(inputs::repeated(dim, inputs::uniform(dim, points[d] / 2), 2)));
     print("mesh", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d])));
     print("mesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
+    session.options.over_refine_eps = dim < 4 ? 0.5 : 1;
+    print("mesh-eps", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4 + 3)));
+    session.options.over_refine_eps = 0;
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));

@@ -101,7 +101,7 @@ void within_certificate(const std::string& name, int dim, const inputs::Points& 
             distance = std::max(distance, Gudhi::persistence_diagram::bottleneck_distance(logarithms(truth[degree]),
                                                                                            logarithms(ours[degree]), 0));
         const double slack = std::log(1 + doubt / (least - doubt));
-        REQUIRE(slack < 0.6);
+        REQUIRE(slack < 0.7);
         CHECK(distance <= std::log(report.certified_ratio) + slack);
         MESSAGE(name << std::string(mean ? " k-distance" : " d_k") << ", k = " << k << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
                      << " values: true ratio " << std::exp(distance) << " (grid " << std::exp(slack) << "), certified "
@@ -122,8 +122,8 @@ TEST_CASE("plane") {
 
 TEST_CASE("space") {
     for (const bool mean : {false, true}) {
-        within_certificate("sphere", 3, inputs::shell(3, 50, 1, 1, 22), mean ? 10 : 4, mean, 44);
-        within_certificate("uniform", 3, inputs::uniform(3, 30), mean ? 8 : 5, mean, 44);
+        within_certificate("sphere", 3, inputs::shell(3, 50, 1, 1, 22), mean ? 10 : 4, mean, 60);
+        within_certificate("uniform", 3, inputs::uniform(3, 30), mean ? 8 : 5, mean, 50);
     }
 }
 

@@ -20,6 +20,8 @@ void write_options(Json& json, const RunReport& run) {
     } else {
         json.null();
     }
+    json.key("eps");
+    options.eps > 0 ? json.value(options.eps) : json.null();
     json.key("method");
     meshes ? json.value("svr") : json.null();
     json.key("filter");
@@ -68,6 +70,7 @@ void write_mesh(Json& json, const RunReport& run) {
     if (engine.is_mesh != 0) {
         json.entry("aspect_ratio_max", engine.aspect_ratio_max);
         json.entry("tau", engine.tau);
+        if (engine.size_ratio_max > 0) json.entry("size_ratio_max", engine.size_ratio_max);
         json.key("domain");
         json.open('[');
         for (std::uint32_t k = 0; k <= engine.dim; k++) json.value(engine.domain[k]);

@@ -27,6 +27,8 @@ std::string mesh_lines(const netmesh_report& engine) {
     if (engine.is_mesh != 0) {
         text += "quality  aspect ratio at most " + rounded_text(engine.aspect_ratio_max, 5) + " (tau " +
                 rounded_text(engine.tau, 5) + ")\n";
+        if (engine.size_ratio_max > 0)
+            text += "size     cells reach " + rounded_text(engine.size_ratio_max, 5) + " of the size asked for\n";
     }
     return text;
 }

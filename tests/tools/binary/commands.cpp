@@ -148,6 +148,10 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(check.out.find("(tau 3)") != std::string::npos);
     CHECK(check.out.find("bit for bit") != std::string::npos);
     CHECK(folder.run("check m.node --tau 2.1").exit == 7);
+    CHECK(folder.run("check m.node --eps 0.01").exit == 7);
+    CHECK(folder.run("mesh p.txt -o fine.node --eps 0.4 --check").exit == 0);
+    CHECK(folder.run("check fine.node").out.find("of the size asked for (eps 0.4)") != std::string::npos);
+    CHECK(folder.run("mesh p.txt -o none.node --eps 1e-18").exit == 3);
     CHECK(folder.run("sample ball -n 60 --dim 3 --seed 2 -o q.txt").exit == 0);
     check = folder.run("check m.node --points q.txt");
     CHECK(check.exit == 7);
