@@ -13,6 +13,7 @@ namespace {
 constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
 constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
 constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
+constexpr unsigned vineyard = bit(Command::vineyard);
 constexpr unsigned engine = mesh | delaunay | persist;
 
 struct CommandEntry {
@@ -30,6 +31,9 @@ constexpr CommandEntry commands[] = {
     {Command::delaunay, "delaunay", "POINTS", "Delaunay triangulation", ""},
     {Command::persist, "persist", "POINTS", "persistence diagram",
      "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
+    {Command::vineyard, "vineyard", "POINTS", "diagrams of d_k for a range of k, and their vines",
+     "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of each k; a "
+     "vine\nfollows one class from k to k.\n"},
     {Command::size, "size", nullptr, "bytes of memory to plan for",
      "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
      "persist.\n"},
@@ -76,9 +80,17 @@ std::string apply_values(Options& options, const std::string& text) {
 }
 
 std::string apply_k(Options& options, const std::string& text) {
-    std::uint64_t k;
-    if (!parse_unsigned(text, &k) || k == 0 || k >= 4294967296u) return "must be a number of neighbours, 1 or more";
-    options.k = static_cast<std::uint32_t>(k);
+    const std::size_t dots = options.command == Command::vineyard ? text.find("..") : std::string::npos;
+    std::uint64_t first, last;
+    const bool good = parse_unsigned(text.substr(0, dots), &first) &&
+                      (dots == std::string::npos || parse_unsigned(text.substr(dots + 2), &last));
+    if (dots == std::string::npos) last = first;
+    if (!good || first == 0 || last < first || last >= 4294967295u) {
+        return options.command == Command::vineyard ? "must be a range of numbers of neighbours from 1 on: 1..20"
+                                                    : "must be a number of neighbours, 1 or more";
+    }
+    options.k = static_cast<std::uint32_t>(first);
+    if (options.command == Command::vineyard) options.k_last = static_cast<std::uint32_t>(last);
     return {};
 }
 
@@ -178,6 +190,7 @@ constexpr OptionEntry option_entries[] = {
     {"-o", mesh | delaunay, "OUT", apply_out,
      ".node (with .ele and .neigh), .vtu (D = 2, 3) or .off; without it OFF on stdout"},
     {"-o", persist, "OUT.pers", apply_out, "the diagram; without it on stdout"},
+    {"-o", vineyard, "OUT.vines", apply_out, "the vines; without it on stdout"},
     {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
     {"-n", sample, "N", apply_count, "number of points"},
     {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
@@ -185,28 +198,31 @@ constexpr OptionEntry option_entries[] = {
     {"--points", check, "FILE", apply_points_path, "the points that the mesh or diagram was made of"},
     {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram was made of"},
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
-    {"--tau", mesh | persist | size | check, "T", apply_tau,
+    {"--tau", mesh | persist | vineyard | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
     {"--eps", mesh | size | check, "E", apply_eps,
      "also refine until no cell reaches farther than E times the distance to the second nearest input"},
     {"--method", mesh | persist | size, "M", apply_method, "svr"},
+    {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
     {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic, alpha, knn or kdistance"},
     {"--k", persist | check, "K", apply_k,
      "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square"},
-    {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
-    {"--max-degree", persist | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
-    {"--memory", engine | size | check, "SIZE", apply_memory,
+    {"--values", persist | vineyard | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
+    {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
+    {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
+    {"--memory", engine | vineyard | size | check, "SIZE", apply_memory,
      "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
-    {"--seed", engine | size | check | sample, "S", apply_seed, "of every random choice (1)"},
+    {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},
     {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
     {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
     {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
-    {"--check", engine, nullptr, apply_check, "run the independent checkers on the result"},
+    {"--svg", vineyard, "FILE", apply_svg, "picture of the vines, k against radius"},
+    {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
     {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
-    {"--json", engine | size | check, nullptr, apply_json,
+    {"--json", engine | vineyard | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
-    {"--quiet", engine | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
+    {"--quiet", engine | vineyard | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
 };
 
 const CommandEntry* find_command(const std::string& name) {

@@ -11,7 +11,7 @@
 
 namespace netmesh::tool {
 
-enum class Command { none, mesh, delaunay, persist, size, check, sample };
+enum class Command { none, mesh, delaunay, persist, size, check, sample, vineyard };
 
 struct Options {
     Command command = Command::none;
@@ -28,7 +28,7 @@ struct Options {
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
-    std::optional<std::uint32_t> k;  // knn, kdistance
+    std::optional<std::uint32_t> k, k_last;  // knn, kdistance; of a vineyard the first and the last
     std::size_t memory_bytes = 0;  // 0: reserved lazily
     std::uint64_t seed = 1;
 

@@ -32,9 +32,8 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
         d.slot = slots_;
         slots_ += n > 0 ? n - 1 : 0;
     }
-    time_ = arena.take_high<double>(slots_);
-    winner_ = arena.take_high<std::uint32_t>(2 * std::size_t{slots_} + 2);
-    if (time_ == nullptr || winner_ == nullptr) return Status::out_of_memory;
+    tree_ = arena.take_high<Meeting>(2 * std::size_t{slots_} + 2);
+    if (tree_ == nullptr) return Status::out_of_memory;
     for (std::uint32_t k = 0; k <= top_; ++k) {
         if (!rank_vertices(value[k], complex.count[k], arena, of_[k].order, of_[k].position))
             return Status::out_of_memory;
@@ -109,9 +108,8 @@ std::uint32_t Vineyard::dimension_of(std::uint32_t slot) const {
     return k;
 }
 
-// When the simplices of a slot meet; infinity when they stay in this order.
-double Vineyard::time_of(std::uint32_t slot) const {
-    const std::uint32_t k = dimension_of(slot), i = slot - of_[k].slot;
+// When the simplices at positions i and i + 1 meet; infinity when they stay in this order.
+double Vineyard::time_of(std::uint32_t k, std::uint32_t i) const {
     const std::uint32_t a = of_[k].order[i], b = of_[k].order[i + 1];
     if (of_[k].target[a] < of_[k].target[b]) return infinity;
     const double before = from_[k][b] - from_[k][a], after = to_[k][a] - to_[k][b];
@@ -119,13 +117,19 @@ double Vineyard::time_of(std::uint32_t slot) const {
 }
 
 void Vineyard::play(std::uint32_t node) {
-    const std::uint32_t a = winner_[2 * node], b = winner_[2 * node + 1];
-    winner_[node] = time_[b] < time_[a] || (time_[b] == time_[a] && b < a) ? b : a;
+    tree_[node] = tree_[2 * node + 1].before(tree_[2 * node]) ? tree_[2 * node + 1] : tree_[2 * node];
 }
 
-void Vineyard::update(std::uint32_t slot) {
-    time_[slot] = time_of(slot);
-    for (std::uint32_t node = (slots_ + slot) / 2; node >= 1; node /= 2) play(node);
+// Positions first..last of dimension k have changed: all nodes above them are played again, level by level.
+void Vineyard::update(std::uint32_t k, std::uint32_t first, std::uint32_t last) {
+    const std::uint32_t shift = slots_ + of_[k].slot;
+    for (std::uint32_t i = first; i <= last; ++i) tree_[shift + i].time = time_of(k, i);
+    std::uint32_t low = shift + first, high = shift + last;
+    while (high > 1) {  // leaves may lie at two depths, so that the lower end can arrive at the root first
+        low = low > 1 ? low / 2 : 1;
+        high /= 2;
+        for (std::uint32_t node = high; node >= low; --node) play(node);
+    }
 }
 
 Status Vineyard::advance(const double* const* from, const double* const* to, Monitor& monitor) {
@@ -138,28 +142,24 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
             return Status::out_of_memory;
     }
     if (slots_ == 0) return Status::ok;
-    for (std::uint32_t s = 0; s < slots_; ++s) {
-        time_[s] = time_of(s);
-        winner_[slots_ + s] = s;
-    }
+    for (std::uint32_t k = 0; k <= top_; ++k)
+        for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i)
+            tree_[slots_ + of_[k].slot + i] = {time_of(k, i), of_[k].slot + i, 0};
     for (std::uint32_t node = slots_ - 1; node >= 1; --node) play(node);
     monitor.begin(NETMESH_STAGE_REDUCE, 0);
-    for (;;) {
-        const std::uint32_t slot = winner_[1];
-        if (!(time_[slot] < infinity)) return Status::ok;
-        const std::uint32_t k = dimension_of(slot), i = slot - of_[k].slot;
+    while (tree_[1].time < infinity) {
+        const std::uint32_t slot = tree_[1].slot, k = dimension_of(slot), i = slot - of_[k].slot;
         const std::uint32_t a = of_[k].order[i], b = of_[k].order[i + 1];
         if (!transpose(k, a, b)) return Status::out_of_memory;
         of_[k].order[i] = b;
         of_[k].order[i + 1] = a;
         of_[k].position[a] = i + 1;
         of_[k].position[b] = i;
-        if (i > 0) update(slot - 1);
-        update(slot);
-        if (i + 2 < complex_.count[k]) update(slot + 1);
+        update(k, i > 0 ? i - 1 : 0, i + 2 < complex_.count[k] ? i + 1 : i);
         ++transpositions_;
         if (monitor.advance(transpositions_, 2)) return Status::cancelled;
     }
+    return Status::ok;
 }
 
 // a stands just before b, both of dimension k. R and V become those of the order in which they are exchanged. False: out of

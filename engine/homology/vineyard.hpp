@@ -28,7 +28,7 @@ public:
     };
 
     // Reduces the filtration value[k][count[k]] (no NaN, faces no later than cofaces, magnitudes up to 2^1000), ties by number.
-    // Degrees 0..max_degree. Takes 48 bytes a simplex and the columns at the arena's high end, where nothing else may be taken
+    // Degrees 0..max_degree. Takes 72 bytes a simplex and the columns at the arena's high end, where nothing else may be taken
     // until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
     Status open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, Arena& arena,
                 Monitor& monitor);
@@ -60,9 +60,17 @@ private:
     bool is_positive(std::uint32_t k, std::uint32_t s) const { return k == 0 || of_[k].low[s] == none; }
     Status reduce(std::uint32_t k, Monitor& monitor);
     std::uint32_t pivot_of(std::uint32_t k, const SparseColumn& column) const;
-    double time_of(std::uint32_t slot) const;
+    // A slot: two adjacent positions of a dimension.
+    struct Meeting {
+        double time;
+        std::uint32_t slot, unused;
+        bool before(const Meeting& other) const {
+            return time < other.time || (time == other.time && slot < other.slot);
+        }
+    };
+    double time_of(std::uint32_t k, std::uint32_t i) const;
     void play(std::uint32_t node);
-    void update(std::uint32_t slot);
+    void update(std::uint32_t k, std::uint32_t first, std::uint32_t last);
     std::uint32_t dimension_of(std::uint32_t slot) const;
 
     bool transpose(std::uint32_t k, std::uint32_t a, std::uint32_t b);
@@ -76,9 +84,7 @@ private:
     Arena* arena_ = nullptr;
     Dimension of_[ComplexView::dimension_max + 1] = {};
     ColumnPool pool_;
-    // The next meeting: a tournament of the slots, adjacent positions, by time.
-    double* time_ = nullptr;
-    std::uint32_t* winner_ = nullptr;
+    Meeting* tree_ = nullptr;  // a tournament: the earlier of nodes 2 i and 2 i + 1 stands in node i, slot s in node slots_ + s
     std::uint32_t slots_ = 0;
     const double* const* from_ = nullptr;
     const double* const* to_ = nullptr;

@@ -50,6 +50,16 @@ void dimension(int dim) {
         print(filter == NETMESH_FILTER_KNN ? "persist-knn" : "persist-kdistance", "uniform", session,
               session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
     }
+    if (dim <= 3) {
+        const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
+        print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            const netmesh_status status =
+                netmesh_mesh(session.context, few.data(), few.size() / d, NETMESH_JOB_PERSIST, &session.options);
+            return status != NETMESH_OK ? status
+                                        : netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, 5,
+                                                           NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, &session.options);
+        }));
+    }
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, points[d] / 2)));
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? side[d] : 3)));
 }

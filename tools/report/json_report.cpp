@@ -8,7 +8,7 @@ namespace {
 
 void write_options(Json& json, const RunReport& run) {
     const Options& options = *run.options;
-    const bool persists = options.command == Command::persist;
+    const bool persists = options.command == Command::persist || options.command == Command::vineyard;
     json.key("options");
     json.open('{');
     const bool meshes = run.engine && run.engine->is_mesh != 0;
@@ -118,6 +118,25 @@ void write_diagram(Json& json, const RunReport& run) {
     json.close('}');
 }
 
+void write_vineyard(Json& json, const RunReport& run) {
+    const netmesh_report& engine = *run.engine;
+    json.key("vineyard");
+    json.open('{');
+    json.entry("k_first", engine.k_first);
+    json.entry("k_last", engine.k_last);
+    json.entry("vines", engine.vines);
+    json.entry("points", engine.vine_points);
+    json.entry("transpositions", engine.transpositions);
+    json.key("certified_ratios");
+    json.open('[');
+    for (const double ratio : run.vines->ratios) json.value(ratio);
+    json.close(']');
+    json.entry("units", "radius");
+    json.entry("field", "Z/2");
+    json.entry("simplices", engine.simplices);
+    json.close('}');
+}
+
 void write_predicates(Json& json, const char* name, const std::uint64_t* calls) {
     static constexpr const char* stages[] = {"cached", "float", "integer", "exact", "tie"};
     json.key(name);
@@ -176,6 +195,7 @@ std::string json_report(const RunReport& run) {
     write_input(json, run);
     write_mesh(json, run);
     write_diagram(json, run);
+    if (run.vines != nullptr) write_vineyard(json, run);
     if (run.checked) {
         json.key("checked");
         json.open('[');

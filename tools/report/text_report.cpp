@@ -46,6 +46,14 @@ std::string diagram_lines(const netmesh_report& engine) {
     return text + " to the " + reference_name(engine) + "\n";
 }
 
+std::string vineyard_lines(const netmesh_report& engine) {
+    return "vineyard k = " + std::to_string(engine.k_first) + " to " + std::to_string(engine.k_last) + ": " +
+           counted(engine.vines, "vine", "vines") + ", " + counted(engine.transpositions, "transposition", "transpositions") +
+           " of " + grouped_text(engine.simplices) + " simplices; filter " + filter_name(engine.filter) + ", " +
+           values_name(engine.values) + " values\ncertified ratio at most " + rounded_text(engine.certified_ratio, 6) +
+           "\n";
+}
+
 std::string cost_lines(const RunReport& run) {
     const netmesh_report& engine = *run.engine;
     std::string text = "memory   peak " + bytes_text(engine.peak_bytes) + " of " + bytes_text(engine.block_bytes) +
@@ -73,6 +81,7 @@ std::string text_report(const RunReport& run) {
         if (engine.duplicates > 0) text += ", " + counted(engine.duplicates, "duplicate", "duplicates") + " merged";
         text += "\n" + mesh_lines(engine);
         if (engine.has_diagram != 0) text += diagram_lines(engine);
+        if (engine.has_vineyard != 0) text += vineyard_lines(engine);
     }
     if (run.checked) {
         for (const std::string& item : *run.checked) text += "checked  " + item + "\n";

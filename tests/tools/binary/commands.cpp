@@ -233,6 +233,42 @@ TEST_CASE("persist: d_k and the k-distance") {
     }
 }
 
+TEST_CASE("vineyard: diagrams of all k, each equal to its own run") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 30 -o p.csv").exit == 0);
+    const Result result = folder.run("vineyard p.csv --k 1..4 -o v.vines --svg v.svg --check --json");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(number_in(result.out, "k_last") == 4);
+    CHECK(number_in(result.out, "transpositions") > 0);
+    CHECK(folder.read("v.svg").rfind("<svg ", 0) == 0);
+    const std::string vines = folder.read("v.vines");
+    CHECK(vines.rfind("# netmesh vineyard 1: vine degree k birth death\n# filter knn, certified values\n# k 1 certified", 0) == 0);
+    CHECK(folder.run("vineyard p.csv --k 1..4 --quiet").out == vines);
+    // The lines of k = 3, without vine and k, are the diagram.
+    std::istringstream lines(vines);
+    std::vector<std::string> bars, due;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string vine, degree, k, birth, death;
+        if (line[0] != '#' && words >> vine >> degree >> k >> birth >> death && k == "3") {
+            bars.push_back(degree + " " + birth + " " + death);
+        }
+    }
+    std::istringstream diagram(folder.run("persist p.csv --filter knn --k 3 --quiet").out);
+    for (std::string line; std::getline(diagram, line);) due.push_back(line);
+    std::sort(bars.begin(), bars.end());
+    std::sort(due.begin(), due.end());
+    CHECK(!due.empty());
+    CHECK(bars == due);
+    CHECK(folder.run("vineyard p.csv").says("--k FIRST..LAST"));
+    for (const char* line : {"--k 0..3", "--k 3..1", "--k 1..x", "--k 1..3 --filter alpha", "--k 1..3 -o v.pers"}) {
+        CAPTURE(line);
+        CHECK(folder.run(std::string("vineyard p.csv ") + line).exit == 2);
+    }
+    CHECK(folder.run("vineyard p.csv --k 1..31").exit == 3);
+}
+
 TEST_CASE("persist: the mesh that was filtered vouches for the diagram") {
     const Folder folder;
     CHECK(folder.run("sample torus -n 60 -o p.txt").exit == 0);
