@@ -38,6 +38,8 @@ double tau_of(const netmesh_options& options) {
     return options.tau != 0 ? options.tau : defaults[options.dim];
 }
 
+double eps_of(const netmesh_options& options) { return options.eps != 0 ? options.eps : 0.5; }
+
 void clear_diagram(netmesh_context* context) {
     context->has_values = context->has_diagram = context->has_vineyard = false;
     context->pair_count = context->simplices = 0;

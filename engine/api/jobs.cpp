@@ -1,4 +1,5 @@
 #include "api/dispatch.hpp"
+#include "filtration/tight_filter.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/refine.hpp"
 
@@ -73,16 +74,23 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     const netmesh_status checked = check_arguments(context, points, n, options, 5);
     if (checked != NETMESH_OK) return checked;
-    if (!in_range(for_job, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST))
+    if (!in_range(for_job, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST_TIGHT) || for_job == NETMESH_JOB_PERSIST_ALPHA)
         return finish(context, Status::invalid_argument, "the job is neither a mesh nor persistence", 4);
     const double tau = tau_of(*options);
     if (!is_valid_tau(tau))
         return finish(context, Status::invalid_argument, "tau is not a finite number above 2", 5);
     if (!(options->over_refine_eps >= 0) || !is_finite(options->over_refine_eps))
         return finish(context, Status::invalid_argument, "over_refine_eps is neither 0 nor a finite number above", 5);
-    const double factor = options->domain_factor != 0 ? options->domain_factor : 1;
+    double factor = options->domain_factor != 0 ? options->domain_factor : 1;
     if (!(factor >= 1 && factor <= 8))
         return finish(context, Status::invalid_argument, "domain_factor is not between 1 and 8", 5);
+    SizeRule rule = size_rule_of(*options);
+    if (for_job == NETMESH_JOB_PERSIST_TIGHT) {
+        const double eps = eps_of(*options);
+        if (!is_valid_eps(eps)) return finish(context, Status::invalid_argument, "eps is not in (0, 1/2]", 5);
+        if (!(rule.eps > 0 && rule.eps < tight_size(eps))) rule.eps = tight_size(eps);
+        if (factor < tight_domain_factor(eps)) factor = tight_domain_factor(eps);
+    }
     clear(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(options->dim, [&](auto dimension) {
@@ -91,7 +99,6 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         Store<D> store(context->arena, context->store);
         context->store = StoreState{};
         Domain<D> domain = {};
-        const SizeRule rule = size_rule_of(*options);
         Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed, rule}, monitor,
                                   &input, &domain);
         keep_store<D>(context, input, status);
@@ -100,7 +107,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         for (int k = 0; k < D; ++k) context->domain_centre[k] = domain.centre[k];
         context->domain_radius = domain.radius;
         context->enclosing_radius = domain.enclosing_radius;
-        context->over_refine_eps = options->over_refine_eps;
+        context->over_refine_eps = rule.eps;
         context->aspect_ratio_max = context->size_ratio_max = 0;
         if (context->store.cell_slots > 0) {
             std::uint32_t worst;

@@ -1,6 +1,7 @@
 #include "api/dispatch.hpp"
 #include "filtration/alpha.hpp"
 #include "filtration/function_filter.hpp"
+#include "filtration/tight_filter.hpp"
 #include "memory/callback.hpp"
 
 namespace netmesh {
@@ -25,7 +26,7 @@ netmesh_status check_request(netmesh_context* context, const netmesh_filter& fil
                              std::uint64_t options_position) {
     if (!usable(options))
         return finish(context, Status::invalid_argument, "options are not initialised", options_position);
-    if (!in_range(filter, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_FUNCTION))
+    if (!in_range(filter, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_TIGHT))
         return finish(context, Status::invalid_argument, "unknown filter", 2);
     if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS))
         return finish(context, Status::invalid_argument, "unknown kind of values", values_position);
@@ -94,6 +95,11 @@ Status persist_mesh(netmesh_context* context, const Store<D>& store, const Reque
             request.filter == NETMESH_FILTER_KNN ? InputDistance::kth : InputDistance::root_mean_square;
         status = distance_filter_values<D>(store, domain, context->inputs, distance, k, kind, context->arena, monitor,
                                            value, &outcome->certificate);
+    } else if (request.filter == NETMESH_FILTER_TIGHT) {
+        zero_born = context->inputs;
+        monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
+        status = tight_filter_values<D>(store, domain, context->inputs, kind, context->arena, value,
+                                        &outcome->certificate);
     } else {
         const bool basic = request.filter == NETMESH_FILTER_BASIC;
         if (!basic) zero_born = context->inputs;

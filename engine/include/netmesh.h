@@ -89,6 +89,7 @@ typedef struct netmesh_options {
     double domain_factor;   /* radius of the ball in which quality is promised over the radius of the smallest enclosing
                                ball, in [1, 8]; 0: 1 */
     uint64_t seed;          /* of every random choice */
+    double eps;             /* what the tight filter promises: a certified ratio of at most 1 + eps; in (0, 1/2]; 0: 1/2 */
     uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
@@ -119,7 +120,8 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_ALPHA = 3,    /* exact alpha complex, on a Delaunay triangulation of the points */
     NETMESH_FILTER_KNN = 4,      /* d_k, the distance to the k-th nearest point (8.6), on a mesh; k = 1: complete */
     NETMESH_FILTER_KDISTANCE = 5,/* root mean square of the distances to the k nearest points (8.6), on a mesh */
-    NETMESH_FILTER_FUNCTION = 6  /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
+    NETMESH_FILTER_FUNCTION = 6, /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
+    NETMESH_FILTER_TIGHT = 7     /* 7.5, on a mesh made for NETMESH_JOB_PERSIST_TIGHT (or any other, with a weaker ratio) */
 } netmesh_filter;
 
 typedef enum netmesh_values {
@@ -131,7 +133,8 @@ typedef enum netmesh_job {
     NETMESH_JOB_DELAUNAY = 1,        /* netmesh_delaunay */
     NETMESH_JOB_MESH = 2,            /* netmesh_mesh alone */
     NETMESH_JOB_PERSIST = 3,         /* netmesh_mesh for persistence, then netmesh_persist */
-    NETMESH_JOB_PERSIST_ALPHA = 4    /* netmesh_delaunay, then netmesh_persist with the alpha filter */
+    NETMESH_JOB_PERSIST_ALPHA = 4,   /* netmesh_delaunay, then netmesh_persist with the alpha filter */
+    NETMESH_JOB_PERSIST_TIGHT = 5    /* netmesh_mesh for the tight filter and options.eps, then netmesh_persist with it */
 } netmesh_job;
 
 /* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted. SIZE_MAX when it does not
@@ -151,8 +154,9 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * Steiner points in which each vertex that is not exempt has a Voronoi cell that, clipped to the domain ball, has
  * aspect ratio at most tau. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
- * `for_job`: NETMESH_JOB_MESH, or NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
- * ratio of sqrt(2 + tau) needs it.
+ * `for_job`: NETMESH_JOB_MESH; NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
+ * ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of at
+ * least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a point.
  * INVALID_ARGUMENT (6: the sizing function's values), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
  * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
