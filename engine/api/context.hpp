@@ -39,6 +39,10 @@ struct Context {
     std::uint32_t max_degree, k;
     double certified_ratio, certified_ratio_best, certified_from;
 
+    std::uint32_t scales, scale_points_max, scale_vertices_max;  // scales 0: another filter
+    std::uint64_t scale_vertices;
+    double separation;
+
     bool has_vineyard;
     std::uint32_t k_first, k_last, vines;
     std::uint64_t vine_ratios_offset, vine_points_offset, vine_points, transpositions;

@@ -32,6 +32,8 @@ netmesh_status check_request(netmesh_context* context, const netmesh_filter& fil
         return finish(context, Status::invalid_argument, "unknown kind of values", values_position);
     if (context->dim == 0 || !context->complete)
         return finish(context, Status::no_result, "there is no complete triangulation or mesh");
+    if (context->store.cell_slots == 0)
+        return finish(context, Status::no_result, "there is no triangulation or mesh");
     const bool alpha = filter == NETMESH_FILTER_ALPHA;
     if (alpha == context->is_mesh)
         return finish(context, Status::no_result,

@@ -28,7 +28,7 @@ double power_in_eighths(double x, int k) {
 }
 
 template <int D> double planned_bytes(netmesh_job job, double tau, double eps, double points) {
-    const bool tight = job == NETMESH_JOB_PERSIST_TIGHT;
+    const bool tight = job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES;
     const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST || tight;
     double vertices = points, cells = points * delaunay_cells_per_point[D];
     if (meshes) {
@@ -42,6 +42,7 @@ template <int D> double planned_bytes(netmesh_job job, double tau, double eps, d
     const double simplices = cells * simplices_per_cell[D];
     if (job == NETMESH_JOB_PERSIST || tight) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
+    if (job == NETMESH_JOB_PERSIST_SCALES) bytes += points * (sizeof(Vertex<D>) + 32);
     const double sorting = points * (sizeof(Vertex<D>) + sort_bytes_per_point);
     if (bytes < sorting) bytes = sorting;
     // Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
@@ -55,12 +56,12 @@ using namespace netmesh;
 
 extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points) {
     if (!usable(options) || points == 0 || points > (uint64_t{1} << 28)) return 0;
-    if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_TIGHT)) return 0;
+    if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_SCALES)) return 0;
     const double tau = tau_of(*options);
     if (!(tau > 2) || !is_finite(tau)) return 0;
     if (!(options->over_refine_eps >= 0)) return 0;
     double size = options->over_refine_eps;
-    if (job == NETMESH_JOB_PERSIST_TIGHT) {
+    if (job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES) {
         if (!is_valid_eps(eps_of(*options))) return 0;
         const double tight = tight_size(eps_of(*options));
         if (!(size > 0 && size < tight)) size = tight;

@@ -112,6 +112,13 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
     }
     report->has_diagram = context->has_diagram;
     report->has_vineyard = context->has_vineyard;
+    if (context->scales > 0) {
+        report->scales = context->scales;
+        report->separation = context->separation;
+        report->scale_points_max = context->scale_points_max;
+        report->scale_vertices_max = context->scale_vertices_max;
+        report->scale_vertices = context->scale_vertices;
+    }
     if (context->has_vineyard) {
         report->k_first = context->k_first;
         report->k_last = context->k_last;

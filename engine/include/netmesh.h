@@ -90,6 +90,7 @@ typedef struct netmesh_options {
                                ball, in [1, 8]; 0: 1 */
     uint64_t seed;          /* of every random choice */
     double eps;             /* what the tight filter promises: a certified ratio of at most 1 + eps; in (0, 1/2]; 0: 1/2 */
+    double theta;           /* mediality that keeps points in one scale (7.6), in (0, 1/9]; 0: 1/9 */
     uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
@@ -121,7 +122,8 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_KNN = 4,      /* d_k, the distance to the k-th nearest point (8.6), on a mesh; k = 1: complete */
     NETMESH_FILTER_KDISTANCE = 5,/* root mean square of the distances to the k nearest points (8.6), on a mesh */
     NETMESH_FILTER_FUNCTION = 6, /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
-    NETMESH_FILTER_TIGHT = 7     /* 7.5, on a mesh made for NETMESH_JOB_PERSIST_TIGHT (or any other, with a weaker ratio) */
+    NETMESH_FILTER_TIGHT = 7,    /* 7.5, on a mesh made for NETMESH_JOB_PERSIST_TIGHT (or any other, with a weaker ratio) */
+    NETMESH_FILTER_SCALES = 8    /* 7.6, from points; by netmesh_persist_scales only */
 } netmesh_filter;
 
 typedef enum netmesh_values {
@@ -134,7 +136,8 @@ typedef enum netmesh_job {
     NETMESH_JOB_MESH = 2,            /* netmesh_mesh alone */
     NETMESH_JOB_PERSIST = 3,         /* netmesh_mesh for persistence, then netmesh_persist */
     NETMESH_JOB_PERSIST_ALPHA = 4,   /* netmesh_delaunay, then netmesh_persist with the alpha filter */
-    NETMESH_JOB_PERSIST_TIGHT = 5    /* netmesh_mesh for the tight filter and options.eps, then netmesh_persist with it */
+    NETMESH_JOB_PERSIST_TIGHT = 5,   /* netmesh_mesh for the tight filter and options.eps, then netmesh_persist with it */
+    NETMESH_JOB_PERSIST_SCALES = 6   /* netmesh_persist_scales, all points of one scale */
 } netmesh_job;
 
 /* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted. SIZE_MAX when it does not
@@ -178,6 +181,17 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
  * on failure. */
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
+
+/* Persistent homology of points[n][D] scale by scale (7.6): recursively well-paced subsets, one mesh for each in the same memory with
+ * the tight filter of options.eps, their diagrams joined. certified_ratio is at most (1 + 3 theta) (1 + eps), at log distance
+ * 3 theta + eps from the offsets of all points; usually far less, as it is computed from how far the scales found are apart
+ * (report.separation). Peak memory is that of the largest scale and some 100 bytes a point, whatever the spread; distances are
+ * resolved relative to each scale. Cost besides the meshes: points times points of their scale.
+ * Replaces what the context held, also on failure; the context then holds a diagram and no mesh.
+ * INVALID_ARGUMENT (7: options; 8: coordinates near point index_b do not resolve the size asked for), NOT_FINITE, OUT_OF_RANGE,
+ * TOO_CLOSE, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_persist_scales(netmesh_context* context, const double* points, size_t n, netmesh_values values,
+                                      uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
 
 /* A function f >= 0 of the caller's with |f(x) - f(y)| <= lipschitz |x - y|. Homology beyond the mesh is what the caller answers for:
  * 7.4.4's clipping argument is proven for distances to points, for a general f it is an assumption. */
@@ -257,6 +271,12 @@ typedef struct netmesh_report {
                                    the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best;/* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;      /* scale from which the ratio holds: 0, or r_P for the basic filter */
+    /* scales: how many, the least E = (distance from a scale's representative to the next point of the scale above) / (twice the
+     * radius of the scale), at least (1 - theta) / (2 theta), infinity for one scale; offsets are within E / (E - 1). Points and
+     * vertices of the largest scale; `simplices` counts those of all. */
+    uint64_t scales;
+    double separation;
+    uint64_t scale_points_max, scale_vertices_max, scale_vertices;
     /* vineyard; filter, values, max_degree and simplices are its, certified_ratio is the largest */
     uint32_t has_vineyard;
     uint32_t k_first, k_last;
