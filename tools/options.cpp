@@ -57,6 +57,11 @@ std::string apply_eps(Options& options, const std::string& text) {
     return parse_finite(text, &options.eps) && options.eps > 0 ? "" : "must be a finite number above 0";
 }
 
+std::string apply_theta(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
+    return good ? "" : "must be a number above 0 and at most 1/9";
+}
+
 std::string apply_method(Options&, const std::string& text) {
     if (text == "svr") return {};
     if (text == "netmesh" || text == "refine") return "this version meshes with svr only";
@@ -65,12 +70,13 @@ std::string apply_method(Options&, const std::string& text) {
 
 std::string apply_filter(Options& options, const std::string& text) {
     for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA,
-                                        NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
+                                        NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT,
+                                        NETMESH_FILTER_SCALES}) {
         if (text != filter_name(filter)) continue;
         options.filter = filter;
         return {};
     }
-    return "this version has the filters complete, basic, alpha, knn and kdistance";
+    return "this version has the filters complete, basic, alpha, knn, kdistance, tight and scales";
 }
 
 std::string apply_values(Options& options, const std::string& text) {
@@ -202,9 +208,11 @@ constexpr OptionEntry option_entries[] = {
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
     {"--eps", mesh | size | check, "E", apply_eps,
      "also refine until no cell reaches farther than E times the distance to the second nearest input"},
+    {"--eps", persist, "E", apply_eps, "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
+    {"--theta", persist | size | check, "T", apply_theta, "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
     {"--method", mesh | persist | size, "M", apply_method, "svr"},
     {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
-    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic, alpha, knn or kdistance"},
+    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic, tight, scales, alpha, knn or kdistance"},
     {"--k", persist | check, "K", apply_k,
      "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square"},
     {"--values", persist | vineyard | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
@@ -337,6 +345,21 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
 
 const char* command_name(Command command) { return command == Command::none ? "" : entry_of(command).name; }
 
+bool promises_accuracy(const Options& options) {
+    return options.filter == NETMESH_FILTER_TIGHT || options.filter == NETMESH_FILTER_SCALES;
+}
+
+Outcome check_accuracy(const Options& options) {
+    if (options.theta > 0 && options.filter != NETMESH_FILTER_SCALES) return usage_error("--theta goes with --filter scales");
+    if (promises_accuracy(options)) {
+        return options.eps <= 0.5 ? Outcome{} : usage_error("--eps must be at most 1/2 for tight and scales");
+    }
+    if (options.eps > 0 && options.command == Command::persist) {
+        return usage_error("--eps goes with --filter tight or scales");
+    }
+    return {};
+}
+
 const char* filter_name(netmesh_filter filter) {
     switch (filter) {
     case NETMESH_FILTER_COMPLETE:
@@ -349,6 +372,10 @@ const char* filter_name(netmesh_filter filter) {
         return "knn";
     case NETMESH_FILTER_KDISTANCE:
         return "kdistance";
+    case NETMESH_FILTER_TIGHT:
+        return "tight";
+    case NETMESH_FILTER_SCALES:
+        return "scales";
     default:
         return "none";
     }

@@ -24,7 +24,8 @@ struct Options {
     bool json = false, check = false, all = false, quiet = false;
 
     std::optional<double> tau;
-    double eps = 0;  // over-refinement; 0: none
+    double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
+    double theta = 0;  // scales; 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
@@ -42,6 +43,11 @@ struct Options {
 // Fills *options from the arguments behind the program's name. Exit::usage with a sentence that names the argument at
 // fault. Positionals are counted; whether required options are there is for the command to say.
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
+
+// Whether --eps is a promise about the diagram (tight, scales) and not a size of cells; and what is wrong with --eps and
+// --theta for the filter asked for.
+bool promises_accuracy(const Options& options);
+Outcome check_accuracy(const Options& options);
 
 const char* command_name(Command command);
 const char* filter_name(netmesh_filter filter);

@@ -51,6 +51,19 @@ void dimension(int dim) {
               session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
     }
     if (dim <= 3) {
+        const inputs::Points zoom = inputs::zoom(dim, 40, dim == 2 ? 4 : 10);
+        print("persist-scales", "zoom", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            return netmesh_persist_scales(session.context, zoom.data(), zoom.size() / d, NETMESH_VALUES_CERTIFIED,
+                                          NETMESH_DIM_MAX, 0, &session.options);
+        }));
+        const inputs::Points sparse = inputs::uniform(dim, dim == 2 ? 20 : 5);
+        print("persist-tight", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            const netmesh_status status =
+                netmesh_mesh(session.context, sparse.data(), sparse.size() / d, NETMESH_JOB_PERSIST_TIGHT, &session.options);
+            return status != NETMESH_OK ? status
+                                        : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, NETMESH_VALUES_CERTIFIED,
+                                                          NETMESH_DIM_MAX, 0, &session.options);
+        }));
         const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
         print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
             const netmesh_status status =

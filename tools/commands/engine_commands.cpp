@@ -20,10 +20,14 @@ bool triangulates_only(const Options& options) {
            (options.command == Command::persist && filter_of(options) == NETMESH_FILTER_ALPHA);
 }
 
+bool goes_by_scales(const Options& options) {
+    return options.command == Command::persist && filter_of(options) == NETMESH_FILTER_SCALES;
+}
+
 netmesh_job job_of(const Options& options) {
     if (options.command == Command::delaunay) return NETMESH_JOB_DELAUNAY;
     if (options.command == Command::mesh) return NETMESH_JOB_MESH;
-    return triangulates_only(options) ? NETMESH_JOB_PERSIST_ALPHA : NETMESH_JOB_PERSIST;
+    return tool::job_of(filter_of(options));
 }
 
 // Once before the points are read, with dim 0, and once behind.
@@ -32,6 +36,9 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
     if (options.command == Command::persist) {
         if (!options.out.empty() && ending_of(options.out) != ".pers") {
             return usage_error(options.out + ": a diagram is written to .pers");
+        }
+        if (goes_by_scales(options) && !options.mesh_out.empty()) {
+            return usage_error("--mesh " + options.mesh_out + ": scales has one mesh after the other and keeps none");
         }
         outcome = check_mesh_ending(options.mesh_out, dim);
     } else {
@@ -48,6 +55,13 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
 netmesh_status work(Session& session, const Options& options, const PointCloud& cloud) {
     netmesh_context* const context = session.context();
     const netmesh_options* const engine_options = &session.engine_options();
+    if (goes_by_scales(options)) {
+        return session.call(NETMESH_STAGE_REDUCE, [&] {
+            return netmesh_persist_scales(context, cloud.coordinates.data(), cloud.rows(),
+                                          options.values.value_or(NETMESH_VALUES_CERTIFIED),
+                                          options.max_degree.value_or(cloud.dim - 1), options.all ? 1 : 0, engine_options);
+        });
+    }
     const bool triangulate = triangulates_only(options);
     netmesh_status status = session.call(triangulate ? NETMESH_STAGE_DELAUNAY : NETMESH_STAGE_REFINE, [&] {
         const double* const points = cloud.coordinates.data();
@@ -89,9 +103,23 @@ std::vector<FileJob> result_jobs(const Options& options, const ContextMesh& mesh
 
 }  // namespace
 
+netmesh_job job_of(netmesh_filter filter) {
+    switch (filter) {
+    case NETMESH_FILTER_ALPHA:
+        return NETMESH_JOB_PERSIST_ALPHA;
+    case NETMESH_FILTER_TIGHT:
+        return NETMESH_JOB_PERSIST_TIGHT;
+    case NETMESH_FILTER_SCALES:
+        return NETMESH_JOB_PERSIST_SCALES;
+    default:
+        return NETMESH_JOB_PERSIST;
+    }
+}
+
 Outcome run_engine_command(const Options& options) {
     const double start = platform::seconds_now();
-    Outcome outcome = check_outputs(options, 0);
+    Outcome outcome = check_accuracy(options);
+    if (outcome.good()) outcome = check_outputs(options, 0);
     PointCloud cloud;
     if (outcome.good()) outcome = read_points(options.positionals[0], &cloud);
     if (outcome.good()) outcome = check_outputs(options, cloud.dim);
@@ -120,7 +148,11 @@ Outcome run_engine_command(const Options& options) {
     run.write_seconds = platform::seconds_now() - computed;
     run.total_seconds = platform::seconds_now() - start;
     if (options.json && options.out.empty() && options.command == Command::persist) run.bars = &bars;
-    if (options.check) run.checked = std::vector<std::string>{"combinatorics, orientation, Delaunay property, quality"};
+    if (options.check) {
+        run.checked = std::vector<std::string>{goes_by_scales(options)
+                                                   ? "bars sorted, with one essential class"
+                                                   : "combinatorics, orientation, Delaunay property, quality"};
+    }
     if (!options.quiet && !options.json) std::fputs(text_report(run).c_str(), stderr);
     if (!options.json) return {};
     return write_files({{"", [&](TextWriter& out) { out << json_report(run); }}});

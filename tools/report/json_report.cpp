@@ -20,6 +20,8 @@ void write_options(Json& json, const RunReport& run) {
     } else {
         json.null();
     }
+    json.key("theta");
+    options.theta > 0 ? json.value(options.theta) : json.null();
     json.key("eps");
     options.eps > 0 ? json.value(options.eps) : json.null();
     json.key("method");
@@ -96,6 +98,20 @@ void write_bars(Json& json, const std::vector<Bar>& bars) {
     json.close(']');
 }
 
+// `extended_ball`: the least radius of a ball that belongs to a scale alone, in radii of the scale (7.6: at least
+// (1 - theta) / (2 theta)); the joined diagram needs `extended_ball_needed`.
+void write_scales(Json& json, const netmesh_report& engine) {
+    json.key("scales");
+    json.open('{');
+    json.entry("count", engine.scales);
+    json.entry("extended_ball", engine.separation);
+    json.entry("extended_ball_needed", 2.0);
+    json.entry("largest_points", engine.scale_points_max);
+    json.entry("largest_vertices", engine.scale_vertices_max);
+    json.entry("vertices", engine.scale_vertices);
+    json.close('}');
+}
+
 void write_diagram(Json& json, const RunReport& run) {
     json.key("diagram");
     if (!run.engine || run.engine->has_diagram == 0) {
@@ -114,6 +130,7 @@ void write_diagram(Json& json, const RunReport& run) {
     json.entry("units", "radius");
     json.entry("field", "Z/2");
     json.entry("simplices", engine.simplices);
+    if (engine.scales > 0) write_scales(json, engine);
     if (run.bars != nullptr) write_bars(json, *run.bars);
     json.close('}');
 }

@@ -33,6 +33,17 @@ std::string mesh_lines(const netmesh_report& engine) {
     return text;
 }
 
+std::string scales_lines(const netmesh_report& engine) {
+    std::string text = "scales   " + counted(engine.scales, "scale", "scales") + ", " +
+                       counted(engine.scale_vertices, "vertex", "vertices") + " in all, the largest of " +
+                       counted(engine.scale_points_max, "point", "points") + " and " +
+                       counted(engine.scale_vertices_max, "vertex", "vertices") + "\n";
+    if (engine.scales > 1) {
+        text += "apart    each scale has a ball of " + rounded_text(engine.separation, 5) + " of its radii to itself (2 are needed)\n";
+    }
+    return text;
+}
+
 std::string diagram_lines(const netmesh_report& engine) {
     std::string text = "diagram ";
     for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) {
@@ -79,7 +90,7 @@ std::string text_report(const RunReport& run) {
         const netmesh_report& engine = *run.engine;
         text += "input    " + counted(engine.points, "point", "points") + " in R^" + std::to_string(engine.dim);
         if (engine.duplicates > 0) text += ", " + counted(engine.duplicates, "duplicate", "duplicates") + " merged";
-        text += "\n" + mesh_lines(engine);
+        text += "\n" + (engine.scales > 0 ? scales_lines(engine) : mesh_lines(engine));
         if (engine.has_diagram != 0) text += diagram_lines(engine);
         if (engine.has_vineyard != 0) text += vineyard_lines(engine);
     }

@@ -204,6 +204,37 @@ TEST_CASE("persist: diagrams that are checked, tampering found") {
     }
 }
 
+TEST_CASE("persist: tight, and scale by scale") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 25 -o p.csv").exit == 0);
+    Result result = folder.run("persist p.csv --filter tight --eps .5 -o d.pers --json --check --svg d.svg --mesh m.node");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(number_in(result.out, "certified_ratio") > 1);
+    CHECK(number_in(result.out, "certified_ratio") <= 1.5);
+    CHECK(folder.run("check d.pers --points p.csv --filter tight --eps .5").exit == 0);
+    CHECK(folder.run("check d.pers --points p.csv --filter tight").exit == 0);  // 1/2 is the default
+    CHECK(folder.run("check d.pers --points p.csv --filter tight --eps .4").exit == 7);
+    result = folder.run("check d.pers --mesh m.node");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(result.out.find("for filter tight, certified values") != std::string::npos);
+
+    CHECK(folder.run("sample zoom -n 30 --dim 2 -o q.csv").exit == 0);
+    result = folder.run("persist q.csv --filter scales --theta .1 --eps .5 -o s.pers --json --check");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(number_in(result.out, "certified_ratio") <= 1.3 * 1.5);
+    CHECK(number_in(result.out, "extended_ball_needed") == 2);
+    CHECK(folder.run("check s.pers --points q.csv --filter scales --theta .1").exit == 0);
+    CHECK(folder.run("check s.pers --points p.csv --filter scales --theta .1").exit == 7);
+    for (const char* line : {"--filter tight --eps 0", "--filter tight --eps .6", "--eps .5", "--theta .1", "--filter scales --theta .2",
+                             "--filter scales --mesh m.node"}) {
+        CAPTURE(line);
+        CHECK(folder.run(std::string("persist p.csv ") + line).exit == 2);
+    }
+}
+
 TEST_CASE("persist: d_k and the k-distance") {
     const Folder folder;
     CHECK(folder.run("sample annulus -n 80 -o p.csv").exit == 0);
