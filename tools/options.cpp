@@ -182,6 +182,7 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
+std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
 std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
 
 struct OptionEntry {
@@ -227,6 +228,8 @@ constexpr OptionEntry option_entries[] = {
     {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
     {"--svg", vineyard, "FILE", apply_svg, "picture of the vines, k against radius"},
     {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
+    {"--bounds", persist, nullptr, apply_bounds,
+     "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},
     {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
     {"--json", engine | vineyard | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},

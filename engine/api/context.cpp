@@ -43,7 +43,7 @@ double theta_of(const netmesh_options& options) { return options.theta != 0 ? op
 double eps_of(const netmesh_options& options) { return options.eps != 0 ? options.eps : 0.5; }
 
 void clear_diagram(netmesh_context* context) {
-    context->has_values = context->has_diagram = context->has_vineyard = false;
+    context->has_values = context->has_diagram = context->has_vineyard = context->has_bounds = false;
     context->pair_count = context->simplices = 0;
     context->certified_ratio = context->certified_ratio_best = context->certified_from = 0;
     context->filter = NETMESH_FILTER_NONE;

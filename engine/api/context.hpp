@@ -43,6 +43,9 @@ struct Context {
     std::uint64_t scale_vertices;
     double separation;
 
+    bool has_bounds;
+    std::uint64_t bounds_offset;
+
     bool has_vineyard;
     std::uint32_t k_first, k_last, vines;
     std::uint64_t vine_ratios_offset, vine_points_offset, vine_points, transpositions;

@@ -17,11 +17,6 @@ template <int D> double distance(const double* a, const double* b) {
     return square_root(d2);
 }
 
-// Surely contains a function's values on a cell.
-struct Interval {
-    double lo, hi;
-};
-
 template <int D> std::uint32_t nearest_input(const Store<D>& store, std::uint32_t v) {
     return store.vertex(v).marker == Marker::input ? v : store.vertex(v).origin;
 }

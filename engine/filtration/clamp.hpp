@@ -5,10 +5,10 @@
 
 namespace netmesh {
 
-// The clamp that makes the certificate best, for intervals and own values cut at `cut`. interval(v) is called twice.
+// The clamp that makes the certificate best, for intervals and own values cut at `cut`. interval(v) is called twice; intervals[v], when asked for.
 template <class IntervalOf>
 void clamp_values(std::uint32_t count, double cut, FilterValues values, IntervalOf&& interval, double* value,
-                  MeshCertificate* certificate) {
+                  MeshCertificate* certificate, Interval* intervals) {
     double best2 = 1;
     for (std::uint32_t v = 0; v < count; ++v) {
         const Interval i = interval(v);
@@ -18,6 +18,7 @@ void clamp_values(std::uint32_t count, double cut, FilterValues values, Interval
     double ratio = 1;
     for (std::uint32_t v = 0; v < count; ++v) {
         const Interval i = interval(v);
+        if (intervals != nullptr) intervals[v] = i;
         double t = value[v] < cut ? value[v] : cut;
         if (values == FilterValues::certified && is_finite(best)) {
             const double least = i.hi / best, most = i.lo * best;

@@ -16,7 +16,7 @@ double input_distance(const InputTree<D>& tree, InputDistance kind, const double
 template <int D>
 Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, InputDistance kind,
                               std::uint32_t k, FilterValues values, Arena& arena, Monitor& monitor, double* value,
-                              MeshCertificate* certificate) {
+                              MeshCertificate* certificate, Interval* intervals) {
     ArenaScope scope(arena);
     const std::uint32_t count = store.state.vertex_count;
     double* const out_radius = arena.take_high<double>(count);
@@ -42,7 +42,7 @@ Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, st
         if (i.lo > rho) i.lo = rho;
         return i;
     };
-    clamp_values(count, rho, values, interval, value, certificate);
+    clamp_values(count, rho, values, interval, value, certificate, intervals);
     return Status::ok;
 }
 
@@ -76,7 +76,7 @@ Status function_filter_values(const Store<D>& store, const Domain<D>& domain, co
         if (i.lo > cut) i.lo = cut;
         return i;
     };
-    clamp_values(count, cut, values, interval, value, certificate);
+    clamp_values(count, cut, values, interval, value, certificate, nullptr);
     return Status::ok;
 }
 
@@ -84,7 +84,7 @@ Status function_filter_values(const Store<D>& store, const Domain<D>& domain, co
     template double input_distance<D>(const InputTree<D>&, InputDistance, const double*, std::uint32_t, Neighbour*);   \
     template Status distance_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, InputDistance,         \
                                               std::uint32_t, FilterValues, Arena&, Monitor&, double*,                  \
-                                              MeshCertificate*);                                                       \
+                                              MeshCertificate*, Interval*);                                                     \
     template Status function_filter_values<D>(const Store<D>&, const Domain<D>&, const LipschitzBounds&, FilterValues, \
                                               Arena&, double*, MeshCertificate*);
 NETMESH_INSTANTIATE(2)

@@ -42,11 +42,11 @@ template <int D>
 double input_distance(const InputTree<D>& tree, InputDistance kind, const double* x, std::uint32_t k, Neighbour* scratch);
 
 // value[v] for every vertex of a compact, complete mesh: d_k or D_k at v, clamped for certified values, cut at rho.
-// 2 <= k <= number of inputs. Scratch: 8 bytes a vertex, 5 an input, 16 k. out_of_memory, cancelled.
+// 2 <= k <= number of inputs. intervals[v], when asked for: lo_v and hi_v. Scratch: 8 bytes a vertex, 5 an input, 16 k. out_of_memory, cancelled.
 template <int D>
 Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, InputDistance kind,
                               std::uint32_t k, FilterValues values, Arena& arena, Monitor& monitor, double* value,
-                              MeshCertificate* certificate);
+                              MeshCertificate* certificate, Interval* intervals = nullptr);
 
 // The same for any function with such bounds. value[v]: f(v) >= 0 at first, the filter's value then.
 // Scratch: 8 bytes a vertex. out_of_memory.

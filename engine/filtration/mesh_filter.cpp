@@ -42,7 +42,7 @@ template <int D> struct Bounds {
 
 template <int D>
 Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFilter filter, FilterValues values,
-                          Arena& arena, double* value, MeshCertificate* certificate) {
+                          Arena& arena, double* value, MeshCertificate* certificate, Interval* intervals) {
     ArenaScope scope(arena);
     const std::uint32_t count = store.state.vertex_count;
     Bounds<D> bounds{store, domain.enclosing_radius * up, arena.take_high<double>(count),
@@ -70,6 +70,7 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
             continue;
         }
         const Interval i = bounds.interval(v);
+        if (intervals != nullptr) intervals[v] = i;
         double t = bounds.own_value(v);
         if (values == FilterValues::certified) {
             const double least = i.hi / best, most = i.lo * best;
@@ -87,7 +88,7 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status mesh_filter_values<D>(const Store<D>&, const Domain<D>&, MeshFilter, FilterValues, Arena&,         \
-                                          double*, MeshCertificate*);
+                                          double*, MeshCertificate*, Interval*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

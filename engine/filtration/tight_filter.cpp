@@ -111,7 +111,7 @@ template <int D> void Clumps<D>::look_outside() {
 
 template <int D>
 Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, FilterValues values,
-                           Arena& arena, double* value, MeshCertificate* certificate) {
+                           Arena& arena, double* value, MeshCertificate* certificate, Interval* intervals) {
     ArenaScope scope(arena);
     const double rho = domain.enclosing_radius * up;
     Clumps<D> clumps(store, rho, inputs);
@@ -119,13 +119,13 @@ Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::
     if (status != Status::ok) return status;
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) value[v] = clumps.own_value(v);
     clamp_values(store.state.vertex_count, rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, value,
-                 certificate);
+                 certificate, intervals);
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                              \
     template Status tight_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, FilterValues, \
-                                           Arena&, double*, MeshCertificate*);
+                                           Arena&, double*, MeshCertificate*, Interval*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

@@ -30,10 +30,11 @@ namespace netmesh {
 inline double tight_size(double eps) { return eps / (3 * (1 + eps)); }
 inline double tight_domain_factor(double eps) { return 3.0625 + 4 * tight_size(eps); }
 
-// value[v] for every vertex: t(v), cut at rho, clamped for certified values; inputs are vertices 0..inputs-1. Needs a compact,
+// value[v] for every vertex: t(v), cut at rho, clamped for certified values; inputs are vertices 0..inputs-1. intervals[v], when asked
+// for: lo and hi, r_p and hi(W) in clumps. Needs a compact,
 // complete mesh, over-refined or not. O(cells + vertices log n). Scratch: 20 bytes a vertex, 29 an input. out_of_memory.
 template <int D>
 Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, FilterValues values,
-                           Arena& arena, double* value, MeshCertificate* certificate);
+                           Arena& arena, double* value, MeshCertificate* certificate, Interval* intervals = nullptr);
 
 }  // namespace netmesh

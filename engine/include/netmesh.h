@@ -318,6 +318,18 @@ typedef struct netmesh_pair {
 } netmesh_pair;
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair);
 
+/* For each bar where the true one surely is, from the bounds of every cell instead of one ratio, and whether the bar surely stands for
+ * a class of the true diagram. Filters COMPLETE, TIGHT, KNN and KDISTANCE: by scale; ALPHA, SCALES, FUNCTION: by the certified
+ * ratio. The numbers stay with the diagram: 40 bytes a bar. The diagram stays whole on failure.
+ * NO_RESULT (no diagram, or the basic filter's), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_options* options);
+typedef struct netmesh_bar_bounds {
+    double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched */
+    double certain_after; /* psi(phi(birth)), certificates hold near the scale `birth` within sqrt(certain_after / birth) */
+    uint32_t certain;     /* 1: death > certain_after, so the bar is surely real */
+} netmesh_bar_bounds;
+netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds);
+
 /* Where a vine is at one k: a pair of that k's diagram. Sorted by vine, then k; vines are numbered from 0 by degree, the first k at
  * which they have a length, birth and death there. A vine that loses its length and gets it again keeps its number. */
 typedef struct netmesh_vine_point {

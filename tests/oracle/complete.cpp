@@ -26,8 +26,11 @@ template <int D> void within_certificate(const std::string& name, const inputs::
         const double ratio = std::exp(distance);
         CHECK(ratio <= r.certified_ratio);
         CHECK(ratio >= 1);
+        std::size_t certain = 0;
+        CHECK(bounds_hold(session, truth, &certain));
+        CHECK(certain > 0);
         MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified") << " values: true ratio "
-                     << ratio << ", certified " << r.certified_ratio << ", tau " << r.tau);
+                     << ratio << ", certified " << r.certified_ratio << ", tau " << r.tau << ", " << certain << " bars surely real");
     }
 }
 

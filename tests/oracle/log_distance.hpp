@@ -73,3 +73,62 @@ inline double log_distance(Diagram ours, Diagram truth, std::uint32_t dim) {
     }
     return distance;
 }
+
+// Do the bounds of the session's bars hold? The bars that are said to be real can be matched to true bars within their bounds, all
+// of them at once; *certain: how many there are.
+inline bool bounds_hold(Session& session, const Diagram& truth, std::size_t* certain) {
+    REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
+    struct Claim {
+        std::uint32_t degree;
+        netmesh_bar_bounds bounds;
+    };
+    std::vector<Claim> claims;
+    netmesh_pair pair;
+    for (std::uint64_t i = 0; netmesh_get_pair(session.context, i, &pair) == NETMESH_OK; ++i) {
+        Claim claim = {pair.degree, {}};
+        REQUIRE(netmesh_get_bar_bounds(session.context, i, &claim.bounds) == NETMESH_OK);
+        CHECK(claim.bounds.birth_low <= pair.birth);
+        CHECK(claim.bounds.birth_high >= pair.birth);
+        CHECK(claim.bounds.death_low <= pair.death);
+        CHECK(claim.bounds.death_high >= pair.death);
+        if (claim.bounds.certain) claims.push_back(claim);
+    }
+    *certain = claims.size();
+    // Augmenting paths. The alpha complex's values are exact to about 1e-12.
+    std::map<std::uint32_t, std::vector<std::size_t>> taken;
+    for (const auto& [degree, bars] : truth) taken[degree].assign(bars.size(), claims.size());
+    const auto fits = [](const netmesh_bar_bounds& b, const std::pair<double, double>& bar) {
+        const double more = 1 + 1e-9;
+        return b.birth_low <= bar.first * more && bar.first <= b.birth_high * more && b.death_low <= bar.second * more &&
+               bar.second <= b.death_high * more;
+    };
+    for (std::size_t start = 0; start < claims.size(); ++start) {
+        const std::uint32_t degree = claims[start].degree;
+        if (truth.count(degree) == 0) return false;
+        const Bars& bars = truth.at(degree);
+        std::vector<std::size_t> queue = {start}, reached_by(bars.size(), claims.size());
+        bool done = false;
+        for (std::size_t q = 0; q < queue.size() && !done; ++q)
+            for (std::size_t j = 0; j < bars.size() && !done; ++j) {
+                if (reached_by[j] != claims.size() || !fits(claims[queue[q]].bounds, bars[j])) continue;
+                reached_by[j] = queue[q];
+                if (taken[degree][j] != claims.size()) {
+                    queue.push_back(taken[degree][j]);
+                    continue;
+                }
+                // Turn the path round.
+                for (std::size_t at = j;;) {
+                    const std::size_t claim = reached_by[at];
+                    std::size_t before = bars.size();
+                    for (std::size_t m = 0; m < bars.size(); ++m)
+                        if (taken[degree][m] == claim) before = m;
+                    taken[degree][at] = claim;
+                    if (claim == start) break;
+                    at = before;
+                }
+                done = true;
+            }
+        if (!done) return false;
+    }
+    return true;
+}

@@ -58,6 +58,9 @@ template <int D> void within_promise(const std::string& name, const inputs::Poin
         CHECK(distance <= 3 * theta + eps);
         CHECK(distance <= std::log(r.certified_ratio));
         CHECK(std::log(r.certified_ratio) <= 3 * theta + eps);
+        std::size_t certain = 0;
+        CHECK(bounds_hold(session, truth, &certain));
+        CHECK(certain > 0);
         MESSAGE(name << " D=" << D << ", theta " << theta << ", eps " << eps << ": " << r.scales << " scales, separation " << r.separation
                      << ", log distance " << distance << ", certified ratio " << r.certified_ratio << ", largest mesh "
                      << r.scale_vertices_max << " vertices, peak " << r.peak_bytes << " bytes");

@@ -32,9 +32,12 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
         CHECK(r.certified_ratio <= (1 + eps) * (1 + 1e-9));
         CHECK(distance <= std::log(r.certified_ratio));
         CHECK(distance <= eps);
+        std::size_t certain = 0;
+        CHECK(bounds_hold(session, truth, &certain));
+        CHECK(certain > 0);
         MESSAGE(name << " D=" << D << ", eps " << eps << std::string(values == NETMESH_VALUES_THESIS ? ", thesis" : ", certified")
                      << " values: log distance " << distance << ", certified ratio " << r.certified_ratio << ", "
-                     << r.vertices << " vertices");
+                     << r.vertices << " vertices, " << certain << " bars surely real");
     }
 }
 

@@ -55,12 +55,16 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
 netmesh_status work(Session& session, const Options& options, const PointCloud& cloud) {
     netmesh_context* const context = session.context();
     const netmesh_options* const engine_options = &session.engine_options();
+    const auto bound = [&](netmesh_status status) {
+        if (status != NETMESH_OK || !options.bounds) return status;
+        return session.call(NETMESH_STAGE_CERTIFY, [&] { return netmesh_bound_bars(context, engine_options); });
+    };
     if (goes_by_scales(options)) {
-        return session.call(NETMESH_STAGE_REDUCE, [&] {
+        return bound(session.call(NETMESH_STAGE_REDUCE, [&] {
             return netmesh_persist_scales(context, cloud.coordinates.data(), cloud.rows(),
                                           options.values.value_or(NETMESH_VALUES_CERTIFIED),
                                           options.max_degree.value_or(cloud.dim - 1), options.all ? 1 : 0, engine_options);
-        });
+        }));
     }
     const bool triangulate = triangulates_only(options);
     netmesh_status status = session.call(triangulate ? NETMESH_STAGE_DELAUNAY : NETMESH_STAGE_REFINE, [&] {
@@ -69,10 +73,10 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
                            : netmesh_mesh(context, points, cloud.rows(), job_of(options), engine_options);
     });
     if (status == NETMESH_OK && options.command == Command::persist) {
-        status = session.call(NETMESH_STAGE_REDUCE, [&] {
+        status = bound(session.call(NETMESH_STAGE_REDUCE, [&] {
             return netmesh_persist(context, filter_of(options), options.values.value_or(NETMESH_VALUES_CERTIFIED),
                                    options.max_degree.value_or(cloud.dim - 1), options.all ? 1 : 0, engine_options);
-        });
+        }));
     }
     if (status == NETMESH_OK && options.check) {
         status = session.call(NETMESH_STAGE_CHECK,
@@ -83,7 +87,7 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
 
 // What the result is made of, by the options: files, pictures, data on stdout.
 std::vector<FileJob> result_jobs(const Options& options, const ContextMesh& mesh, const std::vector<Bar>& bars,
-                                 const netmesh_report& report) {
+                                 const std::vector<netmesh_bar_bounds>& bounds, const netmesh_report& report) {
     std::vector<FileJob> jobs;
     const bool data_on_stdout = options.out.empty() && !options.json;
     if (options.command == Command::persist) {
@@ -92,7 +96,7 @@ std::vector<FileJob> result_jobs(const Options& options, const ContextMesh& mesh
             jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, report); }});
         }
         if (!options.out.empty() || data_on_stdout) {
-            jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, out); }});
+            jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, bounds, out); }});
         }
         return jobs;
     }
@@ -119,6 +123,9 @@ netmesh_job job_of(netmesh_filter filter) {
 Outcome run_engine_command(const Options& options) {
     const double start = platform::seconds_now();
     Outcome outcome = check_accuracy(options);
+    if (outcome.good() && options.bounds && filter_of(options) == NETMESH_FILTER_BASIC) {
+        outcome = usage_error("--bounds: the basic filter's certificate begins at a scale and has no bounds for single bars");
+    }
     if (outcome.good()) outcome = check_outputs(options, 0);
     PointCloud cloud;
     if (outcome.good()) outcome = read_points(options.positionals[0], &cloud);
@@ -137,16 +144,25 @@ Outcome run_engine_command(const Options& options) {
 
     const double computed = platform::seconds_now();
     std::vector<Bar> bars;
-    if (options.command == Command::persist) bars = bars_of(session.context());
+    std::vector<netmesh_bar_bounds> bounds;
+    if (options.command == Command::persist) {
+        bars = bars_of(session.context());
+        bounds = bounds_of(session.context());
+    }
     if (options.check && options.command == Command::persist) {
         const std::string complaint = diagram_complaint(bars);
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: diagram: " + complaint};
     }
     const ContextMesh mesh(session.context());
-    outcome = write_files(result_jobs(options, mesh, bars, *run.engine));
+    outcome = write_files(result_jobs(options, mesh, bars, bounds, *run.engine));
     if (!outcome.good()) return outcome;
     run.write_seconds = platform::seconds_now() - computed;
     run.total_seconds = platform::seconds_now() - start;
+    if (options.bounds) {
+        run.certain.resize(run.engine->max_degree + 1);
+        for (std::size_t i = 0; i < bounds.size(); i++) run.certain[bars[i].degree] += bounds[i].certain;
+        run.bounds = &bounds;
+    }
     if (options.json && options.out.empty() && options.command == Command::persist) run.bars = &bars;
     if (options.check) {
         run.checked = std::vector<std::string>{goes_by_scales(options)

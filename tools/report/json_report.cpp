@@ -85,6 +85,24 @@ void write_mesh(Json& json, const RunReport& run) {
     json.close('}');
 }
 
+// Next to the bars, in their order: birth from, to, death from, to, and whether the bar is surely real.
+void write_bounds(Json& json, const RunReport& run) {
+    json.key("certain");
+    json.open('[');
+    for (const std::uint64_t count : run.certain) json.value(count);
+    json.close(']');
+    if (run.bars == nullptr) return;
+    json.key("bounds");
+    json.open('[');
+    for (const netmesh_bar_bounds& b : *run.bounds) {
+        json.open('[');
+        for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high}) json.value(x);
+        json.value(b.certain != 0);
+        json.close(']');
+    }
+    json.close(']');
+}
+
 void write_bars(Json& json, const std::vector<Bar>& bars) {
     json.key("bars");
     json.open('[');
@@ -131,6 +149,7 @@ void write_diagram(Json& json, const RunReport& run) {
     json.entry("field", "Z/2");
     json.entry("simplices", engine.simplices);
     if (engine.scales > 0) write_scales(json, engine);
+    if (run.bounds != nullptr) write_bounds(json, run);
     if (run.bars != nullptr) write_bars(json, *run.bars);
     json.close('}');
 }

@@ -92,6 +92,10 @@ std::string text_report(const RunReport& run) {
         if (engine.duplicates > 0) text += ", " + counted(engine.duplicates, "duplicate", "duplicates") + " merged";
         text += "\n" + (engine.scales > 0 ? scales_lines(engine) : mesh_lines(engine));
         if (engine.has_diagram != 0) text += diagram_lines(engine);
+        for (std::size_t degree = 0; degree < run.certain.size(); degree++) {
+            text += (degree == 0 ? "real     H" : ", H") + std::to_string(degree) + " " + grouped_text(run.certain[degree]);
+        }
+        if (!run.certain.empty()) text += " bars surely real\n";
         if (engine.has_vineyard != 0) text += vineyard_lines(engine);
     }
     if (run.checked) {

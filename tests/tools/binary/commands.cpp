@@ -204,6 +204,25 @@ TEST_CASE("persist: diagrams that are checked, tampering found") {
     }
 }
 
+TEST_CASE("persist: bounds of single bars") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 60 -o p.csv").exit == 0);
+    for (const char* filter : {"complete", "alpha", "knn --k 3", "scales"}) {
+        CAPTURE(filter);
+        const std::string line = std::string("persist p.csv --bounds --filter ") + filter;
+        CHECK(folder.run(line + " -o d.pers --quiet").exit == 0);
+        const std::string bars = folder.read("d.pers");
+        CHECK(bars.find(" # birth ") != std::string::npos);
+        CHECK(bars.find(" inf # birth ") != std::string::npos);
+        CHECK(bars.find(" real\n") != std::string::npos);
+        CHECK(folder.run(std::string("check d.pers --points p.csv --filter ") + filter).exit == 0);
+        const Result json = folder.run(line + " --json");
+        CHECK(json.out.find("\"certain\": [") != std::string::npos);
+        CHECK(json.out.find("\"bounds\": [[") != std::string::npos);
+    }
+    CHECK(folder.run("persist p.csv --bounds --filter basic").exit == 2);
+}
+
 TEST_CASE("persist: tight, and scale by scale") {
     const Folder folder;
     CHECK(folder.run("sample annulus -n 25 -o p.csv").exit == 0);
