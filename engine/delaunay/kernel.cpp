@@ -63,7 +63,7 @@ template <int D> Status Kernel<D>::start(const std::uint32_t* ids) {
         store_.vertex(v[i]).cell = 0;
     }
     first.mark = 0;
-    solve_sphere<D>(p, first);
+    solve_sphere<D>(p, error_max_, first);
     for (int i = 0; i <= D; ++i) {
         Cell<D>& ghost = store_.cell(static_cast<std::uint32_t>(1 + i));
         for (int j = 0; j <= D; ++j) ghost.vertex[j] = v[j];
@@ -192,7 +192,7 @@ void Kernel<D>::make_sphere(Cell<D>& cell, const Cell<D>& inside, const Cell<D>&
     if (pencil_sphere<D>(inside, outside, q, error_max_, cell)) return;
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
-    solve_sphere<D>(p, cell);
+    solve_sphere<D>(p, error_max_, cell);
 }
 
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which

@@ -16,7 +16,7 @@ inline Edge edge_to(const double* q, const double* a) {
 }
 
 // What solve_sphere does, for q and the ends of two edges. False when it has to be asked.
-inline bool circumscribe(const double* q, const Edge& a, const Edge& b, Cell<2>& cell) {
+inline bool circumscribe(const double* q, const Edge& a, const Edge& b, double error_max, Cell<2>& cell) {
     constexpr double shape = shape_factor<2>();
     const double inverse = 1 / (a.x * b.y - a.y * b.x);
     const double x = q[0] + (a.half_square * b.y - a.y * b.half_square) * inverse;
@@ -25,7 +25,7 @@ inline bool circumscribe(const double* q, const Edge& a, const Edge& b, Cell<2>&
     const double radius2 = dx * dx + dy * dy;
     const double error2 = 2.1 * (shape * shape * (4 * a.half_square * b.half_square) * (inverse * inverse) +
                                  8 * unit_roundoff * unit_roundoff * ((x * x + y * y) / radius2));
-    if (!(a.plain && b.plain && error2 < 1.0 / 16)) return false;
+    if (!(a.plain && b.plain && error2 < error_max * error_max)) return false;
     cell.centre[0] = x;
     cell.centre[1] = y;
     cell.radius2 = radius2;
@@ -97,9 +97,9 @@ template <> void Kernel<2>::fill(const Cavity& cavity, std::uint32_t id) {
         const Edge to = b == none ? Edge{} : edge_to(q, store_.point(b));
         if (a == none || b == none) {
             make_ghost<2>(fresh);
-        } else if (!circumscribe(q, from, to, fresh)) {
+        } else if (!circumscribe(q, from, to, error_max_, fresh)) {
             const double* const p[3] = {q, store_.point(a), store_.point(b)};
-            solve_sphere<2>(p, fresh);
+            solve_sphere<2>(p, error_max_, fresh);
         }
         if (stars_ && a != none) store_.vertex(a).cell = n;
         before = n;

@@ -1,22 +1,12 @@
 #include "delaunay/sphere.hpp"
 
+#include "numerics/double_double.hpp"
 #include "predicates/float_stage.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr double u = unit_roundoff;
-
-// Minors of order D of a matrix with D+1 rows and (in use) D columns, from those of order K-1.
-template <int D, int K> void minors_from(const double (&a)[D + 1][D + 1], const double* below, double* out) {
-    if constexpr (K == D) {
-        FloatMinor<D + 1, D>::all(a, below, out);
-    } else {
-        double minors[binomial(D + 1, K)];
-        FloatMinor<D + 1, K>::all(a, below, minors);
-        minors_from<D, K + 1>(a, minors, out);
-    }
-}
 
 // Divides each edge, and with it its equation, by a power of two of its own, so that lengths of any ratio do not meet in
 // one product. False when an edge vanishes or all are too short for their squares.
@@ -49,12 +39,64 @@ template <int D> void forget_sphere(const double* const* p, Cell<D>& cell) {
     cell.error = static_cast<float>(infinity);
 }
 
+// Makes the ball of p0 + x. The two terms of the error are the shape's, shape2 its square, and the rounding of the centre's
+// coordinates. False when it is above error_max.
+template <int D> bool keep_sphere(const double* p0, const double* x, double shape2, double error_max, Cell<D>& cell) {
+    double radius2 = 0, size2 = 0;
+    for (int j = 0; j < D; ++j) {
+        cell.centre[j] = p0[j] + x[j];
+        const double d = p0[j] - cell.centre[j];
+        radius2 += d * d;
+        size2 += cell.centre[j] * cell.centre[j];
+    }
+    const double error2 = 2.1 * (shape2 + 8 * u * u * (size2 / radius2));
+    if (!(error2 < error_max * error_max) || !(radius2 > 0x1p-960)) return false;
+    cell.radius2 = radius2;
+    cell.error = static_cast<float>(1.01 * square_root(error2));
+    return true;
+}
+
+constexpr double error_limit = 0.25;  // beyond it the bounds' own assumptions fail
+
+// The same as solve_sphere's in about 100 bits, for cells so flat that the digits of a double do not tell their centre.
+template <int D> [[gnu::noinline]] void solve_sphere_precisely(const double* const* p, Cell<D>& cell) {
+    DoubleDouble a[D + 1][D + 1], minors[D + 1];
+    double lengths2 = 1;
+    for (int i = 0; i < D; ++i) {
+        double largest = 0;
+        for (int j = 0; j < D; ++j) {
+            a[j][i] = two_difference(p[i + 1][j], p[0][j]);
+            const double size = __builtin_fabs(a[j][i].high);
+            if (size > largest) largest = size;
+        }
+        if (!(largest > 0x1p-500 && largest < 0x1p500)) return forget_sphere<D>(p, cell);
+        const int exponent = exponent_of(largest);
+        DoubleDouble square = {0, 0};
+        for (int j = 0; j < D; ++j) {
+            a[j][i] = scaled(a[j][i], power_of_two(-exponent));
+            square = square + a[j][i] * a[j][i];
+        }
+        a[D][i] = scaled(square, power_of_two(exponent - 1));
+        lengths2 *= square.high;
+    }
+    float_minors<D>(a, minors);
+    double x[D];
+    for (int j = 0; j < D; ++j) {
+        const DoubleDouble quotient = minors[D - j] / minors[0];
+        x[j] = (D - 1 - j) % 2 == 0 ? quotient.high : -quotient.high;
+    }
+    constexpr double shape = shape_factor<D>() * 0x1p-45;  // an operation errs by less than 2^-98
+    const double inverse = 1 / minors[0].high;
+    if (!keep_sphere<D>(p[0], x, shape * shape * lengths2 * (inverse * inverse), error_limit, cell))
+        forget_sphere<D>(p, cell);
+}
+
 }  // namespace
 
 // The centre is p0 + x, where the edges e_i from p0 satisfy e_i . x = |e_i|^2 / 2: Cramer's rule on the matrix with the
 // edges in its columns and their half squares b in its last row. Without a branch, so that it costs little more than its
 // products.
-template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
+template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell) {
     double a[D + 1][D + 1], minors[D + 1];
     bool plain = true;
     double lengths2 = 1;
@@ -69,28 +111,16 @@ template <int D> void solve_sphere(const double* const* p, Cell<D>& cell) {
         lengths2 *= 2 * a[D][i];
     }
     if (!plain && !rescale<D>(a, &lengths2)) return forget_sphere<D>(p, cell);
-    double first[D + 1];
-    for (int j = 0; j <= D; ++j) first[j] = a[j][0];
-    minors_from<D, 2>(a, first, minors);  // minors[D - j] is the one without row j
-
+    float_minors<D>(a, minors);  // minors[D - j] is the one without row j
     const double inverse = 1 / minors[0];
-    double radius2 = 0, size2 = 0;
-    for (int j = 0; j < D; ++j) {
-        const double x = minors[D - j] * ((D - 1 - j) % 2 == 0 ? inverse : -inverse);
-        cell.centre[j] = p[0][j] + x;
-        const double d = p[0][j] - cell.centre[j];
-        radius2 += d * d;
-        size2 += cell.centre[j] * cell.centre[j];
-    }
-    // The two terms are the shape's and the rounding of the centre's coordinates.
+    double x[D];
+    for (int j = 0; j < D; ++j) x[j] = minors[D - j] * ((D - 1 - j) % 2 == 0 ? inverse : -inverse);
     constexpr double shape = shape_factor<D>();
-    const double error2 = 2.1 * (shape * shape * lengths2 * (inverse * inverse) + 8 * u * u * (size2 / radius2));
-    if (!(error2 < 1.0 / 16) || !(radius2 > 0x1p-960)) return forget_sphere<D>(p, cell);
-    cell.radius2 = radius2;
-    cell.error = static_cast<float>(1.01 * square_root(error2));
+    if (!keep_sphere<D>(p[0], x, shape * shape * lengths2 * (inverse * inverse), error_max, cell))
+        solve_sphere_precisely<D>(p, cell);
 }
 
-#define NETMESH_INSTANTIATE(D) template void solve_sphere<D>(const double* const*, Cell<D>&);
+#define NETMESH_INSTANTIATE(D) template void solve_sphere<D>(const double* const*, double, Cell<D>&);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

@@ -46,8 +46,12 @@ template <int D> constexpr double shape_factor() {
 constexpr double edge_square_min = 0x1p-150;
 constexpr double edge_square_max = 0x1p150;
 
-// The ball through D+1 points by solving for its centre; error is +infinity when no bound could be proven.
-template <int D> void solve_sphere(const double* const* p, Cell<D>& cell);
+// For corners that results depend on.
+constexpr double corner_error_max = 0x1p-22;
+
+// The ball through D+1 points by solving for its centre, in about 100 bits when the error bound in doubles is above error_max
+// (<= 1/4); error is +infinity, and centre a vertex, when no bound could be proven then either.
+template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell);
 
 // The ball through q and the facet shared by `inside` (conflicts with q) and `outside` (does not): it belongs to the
 // pencil spanned by the two balls, so its centre is a convex combination of theirs. Returns false when the bound so

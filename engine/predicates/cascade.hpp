@@ -64,8 +64,6 @@ template <int D, bool lifted> int difference_bits(const Frame<D, lifted>& frame,
 template <int D, bool lifted>
 [[gnu::noinline]] Decision decide_undecided(const double* const* points, const FloatResult& first) {
     using Set = Frame<D, lifted>;
-    if (is_exact_at_once<D, lifted>(points, first.magnitude))
-        return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
     int quantum[D], least = 1024;
     for (int c = 0; c < D; ++c) {
         quantum[c] = 1024;
@@ -101,16 +99,37 @@ template <int D, bool lifted>
     return decide(exact_stage<D, lifted>(frame, quantum, bits), frame.negate, stage_exact);
 }
 
-// points: D+1 for orient, D+2 (q last) for in_ball.
-template <int D, bool lifted> Decision decide(const double* const* points) {
+template <int D, bool lifted> bool is_sure(const FloatResult& result) {
+    return __builtin_fabs(result.determinant) > result.magnitude * FloatBounds<D, lifted>::error_factor;
+}
+
+// points: D+1.
+template <int D> Decision decide_orient(const double* const* points) {
     if constexpr (D == 2) {
-        const int sign = planar_stage<lifted>(points);
+        const int sign = planar_stage<false>(points);
         if (sign != 0) return decide(sign, false, stage_float);
     }
-    const FloatResult first = float_stage<D, lifted>(points);
-    const double error = first.magnitude * FloatBounds<D, lifted>::error_factor;
-    if (__builtin_fabs(first.determinant) > error) return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
-    return decide_undecided<D, lifted>(points, first);
+    const FloatResult first = float_stage<D, false>(points, nullptr);
+    if (is_sure<D, false>(first) || is_exact_at_once<D, false>(points, first.magnitude))
+        return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    return decide_undecided<D, false>(points, first);
+}
+
+// points: D+2, q last. *minors_exact: minors[D - i] is exactly the determinant of the rows (x - q) of all points but i
+// (and q).
+template <int D> Decision decide_in_ball(const double* const* points, double* minors, bool* minors_exact) {
+    *minors_exact = false;
+    if constexpr (D == 2) {
+        const int sign = planar_stage<true>(points);
+        if (sign != 0) return decide(sign, false, stage_float);
+    }
+    const FloatResult first = float_stage<D, true>(points, minors);
+    if (is_sure<D, true>(first)) return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    if (is_exact_at_once<D, true>(points, first.magnitude)) {
+        *minors_exact = true;
+        return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    }
+    return decide_undecided<D, true>(points, first);
 }
 
 }  // namespace netmesh
