@@ -15,8 +15,7 @@ template <int D>
 Status measure(const netmesh_context* context, const Store<D>& store, Arena& arena, Monitor& monitor, double* value,
                Interval* interval) {
     const Domain<D> domain = domain_of<D>(*context);
-    const FilterValues kind =
-        context->values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified;
+    const FilterValues kind = context->values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified;
     MeshCertificate certificate;
     if (context->k > 1) {
         const InputDistance distance =
@@ -94,8 +93,8 @@ netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t i
         return NETMESH_INVALID_ARGUMENT;
     const BarBounds& b = reinterpret_cast<const BarBounds*>(reinterpret_cast<const unsigned char*>(context) +
                                                             context->bounds_offset)[index];
-    *bounds = {b.birth_low, b.birth_high, b.death_low, b.death_high, b.certain_after,
-               pairs_of(context)[index].death > b.certain_after ? 1u : 0u};
+    *bounds = {b.birth_low,  b.birth_high,    b.death_low,
+               b.death_high, b.certain_after, pairs_of(context)[index].death > b.certain_after ? 1u : 0u};
     return NETMESH_OK;
 }
 

@@ -32,8 +32,7 @@ netmesh_status check_request(netmesh_context* context, const netmesh_filter& fil
         return finish(context, Status::invalid_argument, "unknown kind of values", values_position);
     if (context->dim == 0 || !context->complete)
         return finish(context, Status::no_result, "there is no complete triangulation or mesh");
-    if (context->store.cell_slots == 0)
-        return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->store.cell_slots == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
     const bool alpha = filter == NETMESH_FILTER_ALPHA;
     if (alpha == context->is_mesh)
         return finish(context, Status::no_result,
@@ -100,8 +99,8 @@ Status persist_mesh(netmesh_context* context, const Store<D>& store, const Reque
     } else if (request.filter == NETMESH_FILTER_TIGHT) {
         zero_born = context->inputs;
         monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
-        status = tight_filter_values<D>(store, domain, context->inputs, kind, context->arena, value,
-                                        &outcome->certificate);
+        status =
+            tight_filter_values<D>(store, domain, context->inputs, kind, context->arena, value, &outcome->certificate);
     } else {
         const bool basic = request.filter == NETMESH_FILTER_BASIC;
         if (!basic) zero_born = context->inputs;
@@ -115,7 +114,8 @@ Status persist_mesh(netmesh_context* context, const Store<D>& store, const Reque
 
 // value[v] = f(v); not_finite and the vertex when f is not what it has to be.
 template <int D>
-Status evaluate(const Store<D>& store, const netmesh_function& function, Monitor& monitor, double* value, std::uint32_t* at) {
+Status evaluate(const Store<D>& store, const netmesh_function& function, Monitor& monitor, double* value,
+                std::uint32_t* at) {
     monitor.begin(NETMESH_STAGE_CERTIFY, store.state.vertex_count);
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
         value[v] = value_at(function, store.point(v));
@@ -167,11 +167,12 @@ netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (function == nullptr || function->evaluate == nullptr || !is_length(function->lipschitz) ||
         !is_length(function->distance_factor) || !is_length(function->cut))
-        return finish(context, Status::invalid_argument, "the function is null, or its numbers are not finite and >= 0", 2);
+        return finish(context, Status::invalid_argument, "the function is null, or its numbers are not finite and >= 0",
+                      2);
     const netmesh_status checked = check_request(context, NETMESH_FILTER_FUNCTION, values, 3, options, 6);
     if (checked != NETMESH_OK) return checked;
-    const Request request = {NETMESH_FILTER_FUNCTION, values,
-                             max_degree < context->dim ? max_degree : context->dim - 1, keep_zero_pairs != 0};
+    const Request request = {NETMESH_FILTER_FUNCTION, values, max_degree < context->dim ? max_degree : context->dim - 1,
+                             keep_zero_pairs != 0};
     clear_diagram(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(context->dim, [&](auto dimension) {
@@ -180,8 +181,7 @@ netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_
         Outcome outcome = {{}, 0, {1, 1, 0}, nullptr};
         double* const value = context->arena.take_low<double>(context->store.vertex_count);
         std::uint32_t at = 0;
-        Status status =
-            value == nullptr ? Status::out_of_memory : evaluate<D>(store, *function, monitor, value, &at);
+        Status status = value == nullptr ? Status::out_of_memory : evaluate<D>(store, *function, monitor, value, &at);
         const LipschitzBounds bounds = {function->lipschitz, function->distance_factor, function->cut};
         if (status == Status::ok)
             status = function_filter_values<D>(store, domain_of<D>(*context), bounds, kind_of(values), context->arena,

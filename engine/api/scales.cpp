@@ -1,6 +1,6 @@
+#include "filtration/scales.hpp"
 #include "api/dispatch.hpp"
 #include "delaunay/triangulate.hpp"
-#include "filtration/scales.hpp"
 
 namespace netmesh {
 namespace {
@@ -76,8 +76,7 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
         Status status = take_input<D>(store, points, n, options->seed, monitor, &input, &order);
         context->arena.release_low(context->start);  // the order
         const std::uint32_t inputs = state.vertex_count;
-        if (status == Status::ok)
-            status = persist_scales<D>(store, inputs, request, context->arena, monitor, &result);
+        if (status == Status::ok) status = persist_scales<D>(store, inputs, request, context->arena, monitor, &result);
         const std::size_t low = context->arena.low_mark();
         const std::uint64_t wanted = context->arena.bytes_wanted();
         if (status != Status::ok) {
@@ -87,7 +86,10 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
             finish(context, status,
                    size ? "the size asked for is below what coordinates resolve"
                         : netmesh_status_text(static_cast<netmesh_status>(status)),
-                   size ? 8 : bad_row ? input.row_a : result.row_a, size ? result.row_a : result.row_b);
+                   size      ? 8
+                   : bad_row ? input.row_a
+                             : result.row_a,
+                   size ? result.row_a : result.row_b);
             if (status == Status::out_of_memory)
                 context->detail.bytes_wanted = wanted + (context->block_bytes - context->arena.bytes());
             return context->detail.status;

@@ -12,8 +12,7 @@ extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_fil
     };
     if (!usable(options)) return refuse("options are not initialised", 8);
     if (!in_range(filter, NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE)) return refuse("the filter has no k", 2);
-    if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS))
-        return refuse("unknown kind of values", 5);
+    if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS)) return refuse("unknown kind of values", 5);
     if (context->dim == 0 || !context->complete || !context->is_mesh)
         return finish(context, Status::no_result, "there is no complete mesh");
     if (k_first < 1) return refuse("k begins at 1", 3);

@@ -5,7 +5,8 @@
 
 namespace netmesh {
 
-// The clamp that makes the certificate best, for intervals and own values cut at `cut`. interval(v) is called twice; intervals[v], when asked for.
+// The clamp that makes the certificate best, for intervals and own values cut at `cut`. interval(v) is called twice;
+// intervals[v], when asked for.
 template <class IntervalOf>
 void clamp_values(std::uint32_t count, double cut, FilterValues values, IntervalOf&& interval, double* value,
                   MeshCertificate* certificate, Interval* intervals) {

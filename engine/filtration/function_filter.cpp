@@ -84,7 +84,7 @@ Status function_filter_values(const Store<D>& store, const Domain<D>& domain, co
     template double input_distance<D>(const InputTree<D>&, InputDistance, const double*, std::uint32_t, Neighbour*);   \
     template Status distance_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, InputDistance,         \
                                               std::uint32_t, FilterValues, Arena&, Monitor&, double*,                  \
-                                              MeshCertificate*, Interval*);                                                     \
+                                              MeshCertificate*, Interval*);                                            \
     template Status function_filter_values<D>(const Store<D>&, const Domain<D>&, const LipschitzBounds&, FilterValues, \
                                               Arena&, double*, MeshCertificate*);
 NETMESH_INSTANTIATE(2)

@@ -49,8 +49,8 @@ template <int D> void ScalesJoin<D>::copy_points(double* x) const {
             x[std::size_t{i} * D + static_cast<std::size_t>(k)] = points_.point(partition_.chosen()[i])[k];
 }
 
-// Appends the bars of a cluster, without the essential one but for the first cluster. They stand somewhere above `low`, where
-// the ones before them end.
+// Appends the bars of a cluster, without the essential one but for the first cluster. They stand somewhere above `low`,
+// where the ones before them end.
 template <int D> bool ScalesJoin<D>::add_pairs(const PairList& list, std::size_t low) {
     std::uint64_t kept = 0;
     for (std::uint64_t i = 0; i < list.count; ++i)
@@ -152,7 +152,9 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     return Status::ok;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                        template Status persist_scales<D>(const Store<D>&, std::uint32_t, const ScalesRequest&, Arena&, Monitor&,                                       ScalesResult*);
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status persist_scales<D>(const Store<D>&, std::uint32_t, const ScalesRequest&, Arena&, Monitor&,          \
+                                      ScalesResult*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

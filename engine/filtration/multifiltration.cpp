@@ -138,9 +138,8 @@ template <int D> Status KVineyard<D>::number_vines(VineList* out) {
     });
     for (std::uint32_t v = 0; v < vines; ++v) number[first[v].vine] = v;
     for (std::uint64_t i = 0; i < count; ++i) points[i].vine = number[points[i].vine];
-    sort(points, count, [](const VinePoint& a, const VinePoint& b) {
-        return a.vine != b.vine ? a.vine < b.vine : a.k < b.k;
-    });
+    sort(points, count,
+         [](const VinePoint& a, const VinePoint& b) { return a.vine != b.vine ? a.vine < b.vine : a.k < b.k; });
     out->points = points;
     out->count = count;
     out->vine_count = vines;
@@ -188,9 +187,9 @@ Status k_vineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t 
     return Status::ok;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                       \
-    template Status k_vineyard<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const VineRequest&, Arena&, Monitor&, \
-                                  VineList*);
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status k_vineyard<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const VineRequest&, Arena&,        \
+                                  Monitor&, VineList*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

@@ -54,9 +54,8 @@ template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32
 
 // Makes clusters of what is left.
 template <int D> void ScalePartition<D>::group(std::uint32_t begin, std::uint32_t end) {
-    sort(left_ + begin, end - begin, [](const Left& a, const Left& b) {
-        return a.owner != b.owner ? a.owner < b.owner : a.point < b.point;
-    });
+    sort(left_ + begin, end - begin,
+         [](const Left& a, const Left& b) { return a.owner != b.owner ? a.owner < b.owner : a.point < b.point; });
     for (std::uint32_t i = begin; i < end;) {
         const std::uint32_t place = left_[i].owner, representative = chosen_[place];
         double gap = infinity, radius = 0;

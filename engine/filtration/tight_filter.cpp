@@ -45,8 +45,8 @@ private:
     const Store<D>& store_;
     double rho_;
     std::uint32_t inputs_;
-    double *out_radius_ = nullptr, *reach_ = nullptr;  // [vertex]
-    std::uint32_t* clump_ = nullptr;                   // [vertex] its input, `none`: in no clump
+    double *out_radius_ = nullptr, *reach_ = nullptr;               // [vertex]
+    std::uint32_t* clump_ = nullptr;                                // [vertex] its input, `none`: in no clump
     double *half_ = nullptr, *inner_ = nullptr, *outer_ = nullptr;  // [input] f_P / 2, r_p, hi(W)
 };
 
@@ -79,8 +79,8 @@ template <int D> void Clumps<D>::gather(const InputTree<D>& tree) {
     }
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         const std::uint32_t n = nearest_input<D>(store_, v);
-        const bool joins = store_.vertex(v).marker != Marker::exempt &&
-                           distance<D>(store_.point(v), store_.point(n)) <= half_[n];
+        const bool joins =
+            store_.vertex(v).marker != Marker::exempt && distance<D>(store_.point(v), store_.point(n)) <= half_[n];
         clump_[v] = joins ? n : none;
         if (!joins) continue;
         double d2;
@@ -91,7 +91,8 @@ template <int D> void Clumps<D>::gather(const InputTree<D>& tree) {
     }
 }
 
-// What r_p has from the cells outside W: the way from p to the nearest of them leaves W into a cell that is adjacent to W.
+// What r_p has from the cells outside W: the way from p to the nearest of them leaves W into a cell that is adjacent to
+// W.
 template <int D> void Clumps<D>::look_outside() {
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
         const Cell<D>& cell = store_.cell(c);
@@ -118,14 +119,15 @@ Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::
     const Status status = clumps.open(arena);
     if (status != Status::ok) return status;
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) value[v] = clumps.own_value(v);
-    clamp_values(store.state.vertex_count, rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, value,
-                 certificate, intervals);
+    clamp_values(
+        store.state.vertex_count, rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, value, certificate,
+        intervals);
     return Status::ok;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                              \
-    template Status tight_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, FilterValues, \
-                                           Arena&, double*, MeshCertificate*, Interval*);
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status tight_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, FilterValues, Arena&,     \
+                                           double*, MeshCertificate*, Interval*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

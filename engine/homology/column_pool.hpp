@@ -1,4 +1,5 @@
-// Columns over Z/2 that come and go: sorted lists of row numbers in blocks of 2^c words, given back to a list of their size.
+// Columns over Z/2 that come and go: sorted lists of row numbers in blocks of 2^c words, given back to a list of their
+// size.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -68,8 +68,8 @@ std::uint32_t Vineyard::pivot_of(std::uint32_t k, const SparseColumn& column) co
     return pivot;
 }
 
-// The columns of the k-simplices. Where the dimension above has found that one gives birth, the column that it is the pivot of
-// is a cycle that it completes: R = 0 and V that cycle.
+// The columns of the k-simplices. Where the dimension above has found that one gives birth, the column that it is the
+// pivot of is a cycle that it completes: R = 0 and V that cycle.
 Status Vineyard::reduce(std::uint32_t k, Monitor& monitor) {
     Dimension& d = of_[k];
     for (std::uint32_t i = 0; i < complex_.count[k]; ++i) {
@@ -162,8 +162,8 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
     return Status::ok;
 }
 
-// a stands just before b, both of dimension k. R and V become those of the order in which they are exchanged. False: out of
-// memory.
+// a stands just before b, both of dimension k. R and V become those of the order in which they are exchanged. False:
+// out of memory.
 bool Vineyard::transpose(std::uint32_t k, std::uint32_t a, std::uint32_t b) {
     const bool a_positive = is_positive(k, a), b_positive = is_positive(k, b);
     if (a_positive && b_positive) return transpose_positive(k, a, b);

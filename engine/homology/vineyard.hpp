@@ -1,8 +1,9 @@
-// Vineyards (thesis 6.3): persistence along a sequence of filtrations of one complex, by transpositions on R = D V (Cohen-Steiner,
-// Edelsbrunner, Morozov 2006). Between two filtrations every simplex's value moves on a straight line, which is a filtration at
-// all times; simplices of one dimension that meet are transposed in the order of their times, and each transposition repairs R and V
-// by at most two additions of columns. Only orders within a dimension matter, those of different dimensions never meet. A vine is
-// a pair's path: where two pairs exchange their partners they do so in one point, and each goes on from there.
+// Vineyards (thesis 6.3): persistence along a sequence of filtrations of one complex, by transpositions on R = D V
+// (Cohen-Steiner, Edelsbrunner, Morozov 2006). Between two filtrations every simplex's value moves on a straight line,
+// which is a filtration at all times; simplices of one dimension that meet are transposed in the order of their times,
+// and each transposition repairs R and V by at most two additions of columns. Only orders within a dimension matter,
+// those of different dimensions never meet. A vine is a pair's path: where two pairs exchange their partners they do so
+// in one point, and each goes on from there.
 #pragma once
 #include <cstdint>
 
@@ -11,7 +12,8 @@
 
 namespace netmesh {
 
-// A complex without values: simplex i of dimension k >= 1 has the faces facets[k][(k+1) i .. (k+1) i + k] of dimension k-1.
+// A complex without values: simplex i of dimension k >= 1 has the faces facets[k][(k+1) i .. (k+1) i + k] of dimension
+// k-1.
 struct ComplexView {
     static constexpr std::uint32_t dimension_max = 7;
     std::uint32_t dimension;
@@ -27,13 +29,13 @@ public:
         std::uint32_t birth, death;  // simplices of dimensions degree, degree + 1; death `none`: essential
     };
 
-    // Reduces the filtration value[k][count[k]] (no NaN, faces no later than cofaces, magnitudes up to 2^1000), ties by number.
-    // Degrees 0..max_degree. Takes 72 bytes a simplex and the columns at the arena's high end, where nothing else may be taken
-    // until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
+    // Reduces the filtration value[k][count[k]] (no NaN, faces no later than cofaces, magnitudes up to 2^1000), ties by
+    // number. Degrees 0..max_degree. Takes 72 bytes a simplex and the columns at the arena's high end, where nothing
+    // else may be taken until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
     Status open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, Arena& arena,
                 Monitor& monitor);
-    // From the filtration `from` (the present one) to the next. O(log n) a transposition, and what the columns take. Without ok
-    // the vineyard is no longer of use. out_of_memory, cancelled.
+    // From the filtration `from` (the present one) to the next. O(log n) a transposition, and what the columns take.
+    // Without ok the vineyard is no longer of use. out_of_memory, cancelled.
     Status advance(const double* const* from, const double* const* to, Monitor& monitor);
 
     std::uint64_t transpositions() const { return transpositions_; }
@@ -84,7 +86,8 @@ private:
     Arena* arena_ = nullptr;
     Dimension of_[ComplexView::dimension_max + 1] = {};
     ColumnPool pool_;
-    Meeting* tree_ = nullptr;  // a tournament: the earlier of nodes 2 i and 2 i + 1 stands in node i, slot s in node slots_ + s
+    Meeting* tree_ =
+        nullptr;  // a tournament: the earlier of nodes 2 i and 2 i + 1 stands in node i, slot s in node slots_ + s
     std::uint32_t slots_ = 0;
     const double* const* from_ = nullptr;
     const double* const* to_ = nullptr;

@@ -32,11 +32,13 @@ double brute(const inputs::Points& points, int dim, const double* x, std::uint32
 }
 
 template <int D> struct Mesh {
-    explicit Mesh(const inputs::Points& points, double tau) : block(std::size_t{1} << 27), store(block.arena, state) {
+    Mesh(const inputs::Points& points, double tau, double factor = 1, double eps = 0)
+        : block(std::size_t{1} << 27), store(block.arena, state) {
         Monitor monitor;
         InputReport input;
-        REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
-                Status::ok);
+        RefineOptions options = {tau, factor, true, 1, {}};
+        options.size.eps = eps;
+        REQUIRE(refine<D>(store, points.data(), points.size() / D, options, monitor, &input, &domain) == Status::ok);
         inputs = static_cast<std::uint32_t>(input.rows - input.duplicates);
     }
     // The vertex whose cell contains x.
@@ -124,6 +126,27 @@ TEST_CASE("d_k and the k-distance stay within their certificate") {
     sample_distances<2>(inputs::clusters(2, 40), 2.5, 150);
     sample_distances<3>(inputs::uniform(3, 40), 3, 80);
     sample_distances<4>(inputs::uniform(4, 12), 3.08, 30);
+}
+
+// Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 - sqrt(2) eps). The domain
+// is so large that cells which reach out of it are beyond the cut.
+TEST_CASE("eps-refined meshes keep the bound of 8.6.4") {
+    for (const double eps : {0.25, 0.125}) {
+        Mesh<2> mesh(inputs::uniform(2, 30), 2.5, 3.0625 + 4 * eps, eps);
+        std::vector<double> value(mesh.state.vertex_count);
+        for (const std::uint32_t k : {2u, 5u}) {
+            MeshCertificate certificate;
+            Monitor monitor;
+            REQUIRE(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::kth, k,
+                                              FilterValues::thesis, mesh.block.arena, monitor, value.data(),
+                                              &certificate) == Status::ok);
+            CHECK(certificate.ratio <= 1 / (1 - eps) * (1 + 1e-9));
+            REQUIRE(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::root_mean_square, k,
+                                              FilterValues::thesis, mesh.block.arena, monitor, value.data(),
+                                              &certificate) == Status::ok);
+            CHECK(certificate.ratio <= 1 / (1 - std::sqrt(2.0) * eps) * (1 + 1e-9));
+        }
+    }
 }
 
 TEST_CASE("a Lipschitz function stays within its certificate where its assumption holds") {

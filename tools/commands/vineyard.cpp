@@ -31,9 +31,8 @@ std::vector<Bar> diagram_at(const Vines& vines, std::uint32_t k) {
 netmesh_status check(Session& session, const Options& options, const Vines& vines, std::uint32_t max_degree,
                      std::string* fault) {
     netmesh_options engine_options = session.engine_options();
-    netmesh_status status = session.call(NETMESH_STAGE_CHECK, [&] {
-        return netmesh_check(session.context(), NETMESH_CHECK_ALL, &engine_options);
-    });
+    netmesh_status status = session.call(
+        NETMESH_STAGE_CHECK, [&] { return netmesh_check(session.context(), NETMESH_CHECK_ALL, &engine_options); });
     for (std::size_t i = 0; i < vines.ratios.size() && status == NETMESH_OK; i++) {
         engine_options.k = vines.k_first + static_cast<std::uint32_t>(i);
         status = session.call(NETMESH_STAGE_CHECK, [&] {
@@ -60,7 +59,8 @@ Outcome check_outputs(const Options& options) {
 Outcome run_vineyard(const Options& options) {
     const double start = platform::seconds_now();
     if (options.filter && filter_of(options) != NETMESH_FILTER_KNN && filter_of(options) != NETMESH_FILTER_KDISTANCE) {
-        return usage_error(std::string("--filter ") + filter_name(*options.filter) + ": a vineyard is of knn or kdistance");
+        return usage_error(std::string("--filter ") + filter_name(*options.filter) +
+                           ": a vineyard is of knn or kdistance");
     }
     if (!options.k) return usage_error("vineyard needs --k FIRST..LAST");
     Outcome outcome = check_outputs(options);
@@ -77,12 +77,14 @@ Outcome run_vineyard(const Options& options) {
     std::string fault;
     outcome = session.run(NETMESH_JOB_PERSIST, cloud, [&](Session& s) {
         netmesh_status status = s.call(NETMESH_STAGE_REFINE, [&] {
-            return netmesh_mesh(s.context(), cloud.coordinates.data(), cloud.rows(), NETMESH_JOB_PERSIST, &s.engine_options());
+            return netmesh_mesh(s.context(), cloud.coordinates.data(), cloud.rows(), NETMESH_JOB_PERSIST,
+                                &s.engine_options());
         });
         const std::uint32_t degree = options.max_degree.value_or(cloud.dim - 1);
         if (status == NETMESH_OK) {
             status = s.call(NETMESH_STAGE_REDUCE, [&] {
-                return netmesh_vineyard(s.context(), filter_of(options), *options.k, options.k_last.value_or(*options.k),
+                return netmesh_vineyard(s.context(), filter_of(options), *options.k,
+                                        options.k_last.value_or(*options.k),
                                         options.values.value_or(NETMESH_VALUES_CERTIFIED), degree, &s.engine_options());
             });
         }

@@ -25,7 +25,8 @@ void write_vines(const Vines& vines, const netmesh_report& report, TextWriter& o
     out << "# netmesh vineyard 1: vine degree k birth death\n# filter " << filter_name(report.filter) << ", "
         << values_name(report.values) << " values\n";
     for (std::size_t i = 0; i < vines.ratios.size(); i++) {
-        out << "# k " << static_cast<std::uint64_t>(vines.k_first + i) << " certified ratio " << vines.ratios[i] << '\n';
+        out << "# k " << static_cast<std::uint64_t>(vines.k_first + i) << " certified ratio " << vines.ratios[i]
+            << '\n';
     }
     for (const netmesh_vine_point& p : vines.points) {
         out << p.vine << ' ' << p.degree << ' ' << p.k << ' ' << p.birth << ' ' << p.death << '\n';

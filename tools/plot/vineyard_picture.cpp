@@ -57,7 +57,8 @@ public:
             svg_.line(panel_.x, at, panel_.x + panel_.width, at, rule, 1);
             svg_.text(panel_.x - 9, at + 4, std::to_string(first_ + i), 12, ink, Anchor::end);
         }
-        svg_.text(panel_.x + panel_.width / 2, panel_.y + panel_.height + 53, "ln radius, radius", 12, ink, Anchor::middle);
+        svg_.text(panel_.x + panel_.width / 2, panel_.y + panel_.height + 53, "ln radius, radius", 12, ink,
+                  Anchor::middle);
         svg_.upright_text(panel_.x - 38, panel_.y + panel_.height / 2, "k", 12, ink);
     }
     // From birth to death at every k, joined to the next where the vine goes on.
@@ -96,14 +97,16 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report) {
     TextWriter out;
     const std::uint32_t panels = report.max_degree + 1;
     Svg svg(out, gap + panels * (panel_width + gap), page_height);
-    svg.text(48, 40, "Vineyard of " + grouped_text(report.points) + " points, k = " + std::to_string(report.k_first) +
-                         " to " + std::to_string(report.k_last),
+    svg.text(48, 40,
+             "Vineyard of " + grouped_text(report.points) + " points, k = " + std::to_string(report.k_first) + " to " +
+                 std::to_string(report.k_last),
              20, ink, Anchor::start, true);
-    svg.text(48, 62,
-             std::string("filter ") + filter_name(report.filter) + ", " + values_name(report.values) +
-                 " values; a bar from birth to death at every k, bands join the bars of one vine; certified ratio at most " +
-                 rounded_text(report.certified_ratio, 4),
-             13, faint_ink, Anchor::start);
+    svg.text(
+        48, 62,
+        std::string("filter ") + filter_name(report.filter) + ", " + values_name(report.values) +
+            " values; a bar from birth to death at every k, bands join the bars of one vine; certified ratio at most " +
+            rounded_text(report.certified_ratio, 4),
+        13, faint_ink, Anchor::start);
     for (std::uint32_t degree = 0; degree < panels; degree++) {
         const Panel panel{gap + degree * (panel_width + gap), 110, panel_width, 520};
         const Plot plot(svg, panel, scale, vines);
