@@ -17,7 +17,7 @@ constexpr std::size_t vines_max = 60;  // shown of one degree
 struct Strip {
     const netmesh_vine_point* first;
     std::size_t count;
-    double length;  // ln(death / birth)
+    double length;  // ln(death / birth), births at 0 as if at the least positive double
 };
 
 // The vines of a degree, the longest first.
@@ -27,7 +27,7 @@ std::vector<Strip> strips_of(const Vines& vines, std::uint32_t degree) {
         Strip strip{&vines.points[i], 0, 0};
         for (; i < vines.points.size() && vines.points[i].vine == strip.first->vine; i++, strip.count++) {
             const netmesh_vine_point& p = vines.points[i];
-            strip.length = std::max(strip.length, p.birth > 0 ? std::log(p.death / p.birth) : HUGE_VAL);
+            strip.length = std::max(strip.length, std::log(p.death) - std::log(std::max(p.birth, 4.9e-324)));
         }
         if (strip.first->degree == degree) strips.push_back(strip);
     }
