@@ -73,13 +73,14 @@ template <int D> [[gnu::noinline]] bool solve_sphere_exactly(const double* const
     if (highest - quantum > 440 || quantum < -1000 || quantum > 400) return false;
     const auto integer = [&](double x) {
         const Decoded d = decode(x);
-        if (d.mantissa == 0) return Integer512(0, 0, false);
+        if (d.mantissa == 0) return Integer512::zero();
         const int shift = d.exponent - quantum;  // negative when the mantissa ends in zeros
-        return shift < 0 ? Integer512(d.mantissa >> -shift, 0, d.negative) : Integer512(d.mantissa, shift, d.negative);
+        return shift < 0 ? Integer512::of(d.mantissa >> -shift, 0, d.negative)
+                         : Integer512::of(d.mantissa, shift, d.negative);
     };
     Integer512 a[D + 1][D + 1], minors[D + 1];
     for (int i = 0; i < D; ++i) {
-        Integer512 square(0, 0, false);
+        Integer512 square = Integer512::zero();
         for (int j = 0; j < D; ++j) {
             if (exponent_of(__builtin_fabs(p[i + 1][j] - p[0][j])) - quantum >= edge_bits) return false;
             a[j][i] = integer(p[i + 1][j]) - integer(p[0][j]);

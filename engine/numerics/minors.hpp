@@ -53,26 +53,39 @@ private:
 
 template <int N, int K> inline constexpr MinorLevel<N, K> minor_level{};
 
-// All minors of order K at once, without a loop or a branch; T: double, or numbers of more digits where those do not do.
+// All minors of order K from those of order K-1. Member K-1-J of a sum comes with sign (-1)^J, so that a sum starts with a
+// term that is not negated. T: double, straight-line code without a loop or a branch; or numbers of more digits, in loops.
 template <int N, int K, class T> struct Minors {
     static constexpr const MinorLevel<N, K>& level = minor_level<N, K>;
 
-    // Member K-1-J; a first operand is never negated, so that the sum starts with it.
-    template <int S, int J> static T term(const T (&a)[N][N], const T* below) {
+    static T term(const T (&a)[N][N], const T* below, int s, int j) {
+        return a[level.term[s][K - 1 - j].row][K - 1] * below[level.term[s][K - 1 - j].below];
+    }
+    [[gnu::noinline]] static void all(const T (&a)[N][N], const T* below, T* out) {
+        for (int s = 0; s < level.count; ++s) {
+            out[s] = term(a, below, s, 0);
+            for (int j = 1; j < K; ++j)
+                out[s] = (j & 1) != 0 ? out[s] - term(a, below, s, j) : out[s] + term(a, below, s, j);
+        }
+    }
+};
+template <int N, int K> struct Minors<N, K, double> {
+    static constexpr const MinorLevel<N, K>& level = minor_level<N, K>;
+
+    template <int S, int J> static double term(const double (&a)[N][N], const double* below) {
         return a[level.term[S][K - 1 - J].row][K - 1] * below[level.term[S][K - 1 - J].below];
     }
     template <int S, int... J>
-    static T sum(const T (&a)[N][N], const T* below, std::integer_sequence<int, J...>) {
-        T s = term<S, 0>(a, below);
+    static double sum(const double (&a)[N][N], const double* below, std::integer_sequence<int, J...>) {
+        double s = term<S, 0>(a, below);
         ((s = (J & 1) == 0 ? s - term<S, J + 1>(a, below) : s + term<S, J + 1>(a, below)), ...);
         return s;
     }
     template <int... S>
-    static void all(const T (&a)[N][N], const T* below, T* out, std::integer_sequence<int, S...>) {
+    static void all(const double (&a)[N][N], const double* below, double* out, std::integer_sequence<int, S...>) {
         ((out[S] = sum<S>(a, below, std::make_integer_sequence<int, K - 1>{})), ...);
     }
-    // The minors of order K from those of order K-1.
-    static void all(const T (&a)[N][N], const T* below, T* out) {
+    static void all(const double (&a)[N][N], const double* below, double* out) {
         all(a, below, out, std::make_integer_sequence<int, binomial(N, K)>{});
     }
 };

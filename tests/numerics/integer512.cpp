@@ -21,7 +21,7 @@ Pair random_number(std::mt19937_64& random, int bits_max) {
     const bool negative = random() % 2 != 0;
     mpz_class exact = static_cast<unsigned long>(magnitude);
     exact <<= static_cast<unsigned>(shift);
-    return {Integer512(magnitude, shift, negative), negative ? mpz_class(-exact) : exact};
+    return {Integer512::of(magnitude, shift, negative), negative ? mpz_class(-exact) : exact};
 }
 
 void check_equal(const Integer512& ours, const mpz_class& exact) {
@@ -32,10 +32,10 @@ void check_equal(const Integer512& ours, const mpz_class& exact) {
     CHECK(leading == doctest::Approx(std::ldexp(exact_leading, static_cast<int>(exact_exponent) - exponent)).epsilon(1e-15));
     // Nothing is left when the exact number is taken off digit by digit.
     mpz_class size = abs(exact);
-    Integer512 rest = exact < 0 ? ours + Integer512(0, 0, false) : ours;
+    Integer512 rest = ours;
     for (int shift = 0; size != 0; shift += 32, size >>= 32) {
         const mpz_class digit = size & mpz_class(0xFFFFFFFFu);
-        const Integer512 part(digit.get_ui(), shift, exact < 0);
+        const Integer512 part = Integer512::of(digit.get_ui(), shift, exact < 0);
         rest = rest - part;
     }
     int zero_exponent;
