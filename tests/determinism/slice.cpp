@@ -261,4 +261,27 @@ int run(void* block, std::size_t bytes, int first, int last, void (*print)(const
     return lines;
 }
 
+netmesh_status demo(int dim, void* block, std::size_t bytes, netmesh_report* report, void (*print)(const char* line)) {
+    static double x[1000];
+    const std::size_t n = dim == 2 ? 500 : 200;
+    Random random(static_cast<std::uint64_t>(dim));
+    for (std::size_t i = 0; i < n * static_cast<std::size_t>(dim); ++i) x[i] = random.uniform();
+    netmesh_options options;
+    netmesh_options_init(&options, static_cast<std::uint32_t>(dim));
+    options.tau = dim == 2 ? 2.5 : 3;
+    netmesh_context* context;
+    netmesh_status status = netmesh_init(block, bytes, &context);
+    Line out;
+    out.text("demo D").number(static_cast<unsigned>(dim));
+    if (status == NETMESH_OK) status = netmesh_mesh(context, x, n, NETMESH_JOB_PERSIST, &options);
+    add_result(&out, "mesh", status, context);
+    if (status == NETMESH_OK)
+        status =
+            netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &options);
+    add_result(&out, "persist", status, context);
+    print(out.text());
+    report->struct_bytes = sizeof *report;
+    return status != NETMESH_OK ? status : netmesh_get_report(context, report);
+}
+
 }  // namespace slice

@@ -9,5 +9,9 @@ alignas(16) unsigned char block[slice::block_bytes];
 }
 
 int main() {
-    slice::run(block, sizeof block, NETMESH_DIM_MIN, NETMESH_DIM_MAX, [](const char* line) { std::puts(line); });
+    const auto print = [](const char* line) { std::puts(line); };
+    slice::run(block, sizeof block, NETMESH_DIM_MIN, NETMESH_DIM_MAX, print);
+    netmesh_report report;
+    for (int dim = 2; dim <= 3; ++dim)
+        if (slice::demo(dim, block, slice::demo_bytes, &report, print) != NETMESH_OK) return 1;
 }
