@@ -1,22 +1,12 @@
 // Points to mesh to persistence diagram in one static mebibyte, and what it took.
 #include "board.hpp"
 #include "determinism/slice.hpp"
+#include "determinism/text.hpp"
 #include "netmesh.h"
 
 namespace {
 
 alignas(16) unsigned char arena[slice::demo_bytes];
-
-void number(const char* before, std::uint64_t n, const char* after) {
-    char digits[24];
-    int at = 23;
-    digits[at] = 0;
-    do digits[--at] = static_cast<char>('0' + n % 10);
-    while ((n /= 10) != 0);
-    board::write(before);
-    board::write(digits + at);
-    board::write(after);
-}
 
 void line(const char* text) {
     board::write(text);
@@ -33,13 +23,12 @@ int run() {
         const netmesh_status status = slice::demo(dim, arena, sizeof arena, &report, line);
         const std::uint32_t end = board::centiseconds();
         if (status != NETMESH_OK) return 1;
-        number("  points ", report.points, "");
-        number(", vertices ", report.vertices, "");
-        number(", cells ", report.cells, "");
-        number(", simplices ", report.simplices, "");
-        number(", arena bytes ", report.peak_bytes, "");
-        number(", stack bytes ", board::stack_used(), "");
-        number(", centiseconds ", end - begin, "\n");
+        Text text;
+        text.words("  points ").number(report.points).words(", vertices ").number(report.vertices);
+        text.words(", cells ").number(report.cells).words(", simplices ").number(report.simplices);
+        text.words(", arena bytes ").number(report.peak_bytes).words(", stack bytes ").number(board::stack_used());
+        text.words(", centiseconds ").number(end - begin);
+        line(text.words());
     }
     return 0;
 }

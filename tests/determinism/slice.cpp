@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "determinism/text.hpp"
 #include "netmesh.h"
 
 namespace slice {
@@ -186,44 +187,15 @@ const char* make(Input* in, int dim, int which) {
     }
 }
 
-// A line of text, put together without a library.
-class Line {
-public:
-    Line& text(const char* s) {
-        while (*s != 0 && length_ < sizeof text_ - 1) text_[length_++] = *s++;
-        text_[length_] = 0;
-        return *this;
-    }
-    Line& number(unsigned n) {
-        char digits[12];
-        int at = 11;
-        digits[at] = 0;
-        do digits[--at] = static_cast<char>('0' + n % 10);
-        while ((n /= 10) != 0);
-        return text(digits + at);
-    }
-    Line& hex(std::uint64_t word) {
-        char digits[17];
-        for (int i = 15; i >= 0; --i, word >>= 4) digits[i] = "0123456789abcdef"[word & 15];
-        digits[16] = 0;
-        return text(digits);
-    }
-    const char* text() const { return text_; }
-
-private:
-    char text_[240] = {};
-    unsigned length_ = 0;
-};
-
-void add_result(Line* line, const char* job, netmesh_status status, const netmesh_context* context) {
-    line->text(" ").text(job).text(" ");
+void add_result(Text* line, const char* job, netmesh_status status, const netmesh_context* context) {
+    line->words(" ").words(job).words(" ");
     netmesh_report report;
     report.struct_bytes = sizeof report;
     if (status == NETMESH_OK) status = netmesh_get_report(context, &report);
     if (status == NETMESH_OK) {
         line->hex(report.fingerprint);
     } else {
-        line->text("status ").number(static_cast<unsigned>(status));
+        line->words("status ").number(static_cast<unsigned>(status));
     }
 }
 
@@ -234,9 +206,13 @@ int run(void* block, std::size_t bytes, int first, int last, void (*print)(const
     int lines = 0;
     for (int dim = first; dim <= last; ++dim)
         for (int which = 0; which < inputs_per_dimension; ++which, ++lines) {
-            Line out;
-            out.text("D").number(static_cast<unsigned>(dim)).text(" ").number(static_cast<unsigned>(which)).text(" ");
-            out.text(make(&in, dim, which));
+            Text out;
+            out.words("D")
+                .number(static_cast<unsigned>(dim))
+                .words(" ")
+                .number(static_cast<unsigned>(which))
+                .words(" ");
+            out.words(make(&in, dim, which));
             const std::size_t n = static_cast<std::size_t>(in.count);
             const std::size_t meshed = static_cast<std::size_t>(in.meshed < in.count ? in.meshed : in.count);
             netmesh_options options;
@@ -256,7 +232,7 @@ int run(void* block, std::size_t bytes, int first, int last, void (*print)(const
                 status = netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 1,
                                          &options);
             add_result(&out, "persist", status, context);
-            print(out.text());
+            print(out.words());
         }
     return lines;
 }
@@ -271,15 +247,15 @@ netmesh_status demo(int dim, void* block, std::size_t bytes, netmesh_report* rep
     options.tau = dim == 2 ? 2.5 : 3;
     netmesh_context* context;
     netmesh_status status = netmesh_init(block, bytes, &context);
-    Line out;
-    out.text("demo D").number(static_cast<unsigned>(dim));
+    Text out;
+    out.words("demo D").number(static_cast<unsigned>(dim));
     if (status == NETMESH_OK) status = netmesh_mesh(context, x, n, NETMESH_JOB_PERSIST, &options);
     add_result(&out, "mesh", status, context);
     if (status == NETMESH_OK)
         status =
             netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &options);
     add_result(&out, "persist", status, context);
-    print(out.text());
+    print(out.words());
     report->struct_bytes = sizeof *report;
     return status != NETMESH_OK ? status : netmesh_get_report(context, report);
 }
