@@ -2,8 +2,9 @@
 // whole and valid, nothing outside the block is touched, and the next run in the same context gives the result of an
 // undisturbed one.
 //
-//   sweep          everything
-//   sweep quick    a slice
+//   sweep            everything
+//   sweep quick      a slice
+//   sweep planted    jobs that do what they must not; fails unless each is seen
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -266,9 +267,56 @@ void misaligned() {
     }
 }
 
+// ---- planted faults
+
+netmesh_status delaunay_of(netmesh_context* context, std::size_t n, netmesh_options* options) {
+    static const double points[] = {0, 0, 4, 0, 1, 3, 5, 5, 2, 7, 6, 2, 3, 3, 7, 7};
+    return netmesh_delaunay(context, points, n, options);
+}
+
+unsigned char* end_of(netmesh_context* context) {
+    return reinterpret_cast<unsigned char*>(context) + report_of(context).block_bytes;
+}
+
+const Job planted_jobs[] = {
+    {"goes on", 2, 8,
+     [](const Job& job, netmesh_context* context, netmesh_options* options) {
+         delaunay_of(context, job.points, options);
+         return NETMESH_OK;
+     }},
+    {"overruns", 2, 8,
+     [](const Job& job, netmesh_context* context, netmesh_options* options) {
+         const netmesh_status status = delaunay_of(context, job.points, options);
+         if (status != NETMESH_OK) *end_of(context) = 0;
+         return status;
+     }},
+    {"looks", 2, 8,
+     [](const Job& job, netmesh_context* context, netmesh_options* options) {
+         return delaunay_of(context, job.points - (end_of(context)[-1] == 0x55), options);
+     }},
+};
+
+// The number of planted jobs in which no fault is found.
+int unseen() {
+    int missed = 0;
+    for (const Job& job : planted_jobs) {
+        current = &job;
+        faults = 0;
+        disturb_nothing();
+        const Undisturbed u = undisturbed(job);
+        refuse_and_cancel(job, u, 1);
+        for (std::size_t bytes = 4096; bytes < u.bytes + 4096; bytes += 256)
+            if (std::strcmp(job.name, "overruns") != 0) size(job, u, bytes);
+        std::printf("planted job \"%s\": %ld faults seen\n", job.name, faults);
+        missed += faults == 0;
+    }
+    return missed;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && std::strcmp(argv[1], "planted") == 0) return unseen() == 0 ? 0 : 1;
     const bool quick = argc > 1 && std::strcmp(argv[1], "quick") == 0;
     misaligned();
     for (const Job& job : all_jobs()) {
