@@ -60,7 +60,7 @@ int main(void) {
     }
     whole = job(NULL);
     pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, 64 << 10); /* the engine's deepest chain in 2D takes less than 5 KiB */
+    pthread_attr_setstacksize(&attributes, 128 << 10); /* the engine's deepest chain in 2D takes less than 5 KiB */
     slices_granted = 1;
     if (pthread_create(&thread, &attributes, task, &sliced) != 0) return 1;
     pthread_mutex_lock(&mutex);
