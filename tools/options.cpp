@@ -154,6 +154,7 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
     return text.empty() ? "must be a file name" : "";
 }
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
+std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
@@ -192,6 +193,8 @@ constexpr OptionEntry option_entries[] = {
     {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
     {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
+    {"--analyse", mesh | delaunay, nullptr, apply_analyse,
+     "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
     {"--check", engine, nullptr, apply_check, "run the independent checkers on the result"},
     {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
     {"--json", engine | size | check, nullptr, apply_json,

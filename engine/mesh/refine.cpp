@@ -9,9 +9,6 @@ namespace {
 // A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad: the cell then
 // loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
 constexpr double pull_back = 1.15;
-// An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
-// ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
-constexpr double yield_radius = 0.9;
 // Frame distance over domain radius: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in which
 // everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
 constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};

@@ -8,6 +8,10 @@
 
 namespace netmesh {
 
+// An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
+// ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
+constexpr double yield_radius = 0.9;
+
 struct RefineOptions {
     double tau;            // > 2
     double domain_factor;  // domain radius over the radius of the smallest enclosing ball, >= 1

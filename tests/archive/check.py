@@ -117,7 +117,8 @@ SEES = {
     "homology": {"complex", "memory", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
     "diagram": {"homology", "complex", "memory", "numerics", "include"},
     "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "include"},
-    "api": {"filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory",
+    "analysis": {"mesh", "delaunay", "predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
+    "api": {"analysis", "filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory",
             "include"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
