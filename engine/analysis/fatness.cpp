@@ -178,7 +178,7 @@ template <int D> struct Points {
 template <int D> class Fatness {
 public:
     Fatness(Store<D>& store, const Domain<D>& domain, Arena& arena, FatnessAnalysis* analysis)
-        : store_(store), domain_(domain), arena_(arena), kernel_(store, 1), analysis_(*analysis) {}
+        : store_(store), domain_(domain), arena_(arena), kernel_(store, 1, true), analysis_(*analysis) {}
 
     Status open();
     // Two passes: fatness first, then what depends on its maximum.

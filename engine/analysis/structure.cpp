@@ -70,7 +70,7 @@ template <int D> Status measure_stars(Store<D>& store, Arena& arena, StructureAn
         for (int i = 0; i <= D; ++i)
             for (int j = 0; j <= D && store.cell(c).neighbour[i] == none; ++j)
                 if (j != i) open[store.cell(c).vertex[j]] = 1;
-    Kernel<D> kernel(store, 1);
+    Kernel<D> kernel(store, 1, true);
     std::uint64_t stars = 0;
     for (std::uint32_t v = 0; v < count; ++v) {
         if (open[v]) continue;
