@@ -159,8 +159,8 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
             std::uint32_t worst;
             if (worst_aspect_ratio<D>(store, domain_of<D>(*context), context->arena, &context->aspect_ratio_max,
                                       &worst) != Status::ok ||
-                worst_size_ratio<D>(store, domain_of<D>(*context), inputs, size_rule_of(*options), Corners::kept, context->arena,
-                                    &context->size_ratio_max, &worst) != Status::ok) {
+                worst_size_ratio<D>(store, domain_of<D>(*context), inputs, size_rule_of(*options), Corners::kept,
+                                    context->arena, &context->size_ratio_max, &worst) != Status::ok) {
                 clear(context);
                 return finish(context, Status::out_of_memory, netmesh_status_text(NETMESH_OUT_OF_MEMORY));
             }

@@ -93,8 +93,8 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         context->store = StoreState{};
         Domain<D> domain = {};
         const SizeRule rule = size_rule_of(*options);
-        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed, rule}, monitor,
-                                  &input, &domain);
+        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed, rule},
+                                  monitor, &input, &domain);
         keep_store<D>(context, input, status);
         context->is_mesh = true;
         context->tau = tau;

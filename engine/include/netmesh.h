@@ -92,9 +92,10 @@ typedef struct netmesh_options {
     uint64_t seed;          /* of every random choice */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
-    /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most f(v) = min(over_refine_eps *
-     * f_P(v), size(size_user, v)), f_P the distance to the second nearest input, the point itself counted. R_v is taken, as everywhere, over corners
-     * inside the domain and points where Voronoi edges cross its sphere: a cell with none has R_v = 0. */
+    /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most
+     * f(v) = min(over_refine_eps * f_P(v), size(size_user, v)), f_P the distance to the second nearest input, the point
+     * itself counted. R_v is taken, as everywhere, over corners inside the domain and points where Voronoi edges cross
+     * its sphere; a cell with none is refined too while it reaches farther, but the report has R_v = 0 for it. */
     double over_refine_eps; /* > 0; 0: not asked for. The mesh has about over_refine_eps^-D times as many vertices */
     netmesh_size size;      /* null: not asked for */
     void* size_user;        /* handed to size */
@@ -131,8 +132,8 @@ typedef enum netmesh_job {
     NETMESH_JOB_PERSIST_ALPHA = 4    /* netmesh_delaunay, then netmesh_persist with the alpha filter */
 } netmesh_job;
 
-/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted. SIZE_MAX when it does not
- * fit a size_t, 0 on an invalid argument. */
+/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted.
+ * SIZE_MAX when it does not fit a size_t, 0 on an invalid argument. */
 size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points);
 
 /* Delaunay triangulation of points[n][D] (row-major, any finite doubles; -0.0 counts as 0). Exact duplicates are
@@ -150,8 +151,8 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
  * `for_job`: NETMESH_JOB_MESH, or NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
  * ratio of sqrt(2 + tau) needs it.
- * INVALID_ARGUMENT (6: the sizing function's values), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
- * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
+ * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
+ * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
                             const netmesh_options* options);
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "analysis/common.hpp"
+#include "analysis/in_ball.hpp"
 
 using namespace netmesh;
 

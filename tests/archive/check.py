@@ -118,8 +118,8 @@ SEES = {
     "diagram": {"homology", "complex", "memory", "numerics", "include"},
     "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "include"},
     "analysis": {"mesh", "delaunay", "predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
-    "api": {"analysis", "filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory",
-            "include"},
+    "api": {"analysis", "filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
+            "memory", "include"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
 

@@ -1,6 +1,6 @@
 // Prints the fingerprints of a fixed set of jobs, one a line: job, input, dimension, fingerprint of the input,
-// fingerprint of the result (of an analysis: of all its figures), sizes. Inputs are made with + - * / alone, so every line must be the same on every
-// compiler, optimisation level and processor.
+// fingerprint of the result (of an analysis: of all its figures), sizes. Inputs are made with + - * / alone, so every line
+// must be the same on every compiler, optimisation level and processor.
 //
 //   fingerprints [small]      small: without the Clifford set
 #include <cinttypes>
@@ -32,8 +32,9 @@ void print_analysis(const char* input, Session& session, std::uint32_t what) {
     a.struct_bytes = sizeof a;
     const netmesh_status status = netmesh_analyse(session.context, what, 30, &session.options, &a);
     failed = failed || status != NETMESH_OK;
-    std::printf("analyse %s D%" PRIu32 " status %d result %016" PRIx64 " boxes %" PRIu64 " ply %" PRIu64 " degree %" PRIu64 "\n", input,
-                session.options.dim, static_cast<int>(status), a.fingerprint, a.boxes, a.ply_max, a.degree_max);
+    std::printf("analyse %s D%" PRIu32 " status %d result %016" PRIx64 " boxes %" PRIu64 " ply %" PRIu64
+                " degree %" PRIu64 "\n",
+                input, session.options.dim, static_cast<int>(status), a.fingerprint, a.boxes, a.ply_max, a.degree_max);
     std::fflush(stdout);
 }
 

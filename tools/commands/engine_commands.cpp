@@ -129,7 +129,9 @@ Outcome run_engine_command(const Options& options) {
     run.write_seconds = platform::seconds_now() - computed;
     run.total_seconds = platform::seconds_now() - start;
     if (options.json && options.out.empty() && options.command == Command::persist) run.bars = &bars;
-    if (options.check) run.checked = std::vector<std::string>{"combinatorics, orientation, Delaunay property, quality, bounds on size and degrees"};
+    if (options.check)
+        run.checked =
+            std::vector<std::string>{"combinatorics, orientation, Delaunay property, quality, bounds on size and degrees"};
     if (!options.quiet && !options.json) std::fputs(text_report(run).c_str(), stderr);
     if (!options.json) return {};
     return write_files({{"", [&](TextWriter& out) { out << json_report(run); }}});
