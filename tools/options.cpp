@@ -49,6 +49,10 @@ std::string apply_tau(Options& options, const std::string& text) {
     return {};
 }
 
+std::string apply_eps(Options& options, const std::string& text) {
+    return parse_finite(text, &options.eps) && options.eps > 0 ? "" : "must be a finite number above 0";
+}
+
 std::string apply_method(Options&, const std::string& text) {
     if (text == "svr") return {};
     if (text == "netmesh" || text == "refine") return "this version meshes with svr only";
@@ -150,6 +154,7 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
     return text.empty() ? "must be a file name" : "";
 }
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
+std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
@@ -175,6 +180,8 @@ constexpr OptionEntry option_entries[] = {
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
     {"--tau", mesh | persist | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
+    {"--eps", mesh | size | check, "E", apply_eps,
+     "also refine until no cell reaches farther than E times the distance to the second nearest input"},
     {"--method", mesh | persist | size, "M", apply_method, "svr"},
     {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic or alpha"},
     {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
@@ -186,6 +193,8 @@ constexpr OptionEntry option_entries[] = {
     {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
     {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
+    {"--analyse", mesh | delaunay, nullptr, apply_analyse,
+     "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
     {"--check", engine, nullptr, apply_check, "run the independent checkers on the result"},
     {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
     {"--json", engine | size | check, nullptr, apply_json,

@@ -21,9 +21,10 @@ struct Options {
     std::string out;  // empty: stdout
     std::string svg;
     std::string mesh_out;  // persist: where the filtered mesh goes
-    bool json = false, check = false, all = false, quiet = false;
+    bool json = false, analyse = false, check = false, all = false, quiet = false;
 
     std::optional<double> tau;
+    double eps = 0;  // over-refinement; 0: none
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;

@@ -29,7 +29,7 @@ struct Context {
     StoreState store;
     std::uint64_t points, duplicates, input_fingerprint;
     std::uint32_t inputs;
-    double tau, aspect_ratio_max;
+    double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     std::uint64_t mesh_mark;  // low end of the mesh alone

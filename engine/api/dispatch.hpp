@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "api/context.hpp"
+#include "mesh/sizing.hpp"
 
 namespace netmesh {
 
@@ -31,6 +32,10 @@ template <class E> bool in_range(const E& e, E least, E most) {
     Value value;
     __builtin_memcpy(&value, &e, sizeof value);
     return value >= static_cast<Value>(least) && value <= static_cast<Value>(most);
+}
+
+inline SizeRule size_rule_of(const netmesh_options& options) {
+    return {options.over_refine_eps, options.size, options.size_user};
 }
 
 // Records a failure (or success) for netmesh_get_detail and translates it.

@@ -79,6 +79,8 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     const double tau = tau_of(*options);
     if (!is_valid_tau(tau))
         return finish(context, Status::invalid_argument, "tau is not a finite number above 2", 5);
+    if (!(options->over_refine_eps >= 0) || !is_finite(options->over_refine_eps))
+        return finish(context, Status::invalid_argument, "over_refine_eps is neither 0 nor a finite number above", 5);
     const double factor = options->domain_factor != 0 ? options->domain_factor : 1;
     if (!(factor >= 1 && factor <= 8))
         return finish(context, Status::invalid_argument, "domain_factor is not between 1 and 8", 5);
@@ -90,19 +92,30 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         Store<D> store(context->arena, context->store);
         context->store = StoreState{};
         Domain<D> domain = {};
-        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed}, monitor, &input, &domain);
+        const SizeRule rule = size_rule_of(*options);
+        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed, rule},
+                                  monitor, &input, &domain);
         keep_store<D>(context, input, status);
         context->is_mesh = true;
         context->tau = tau;
         for (int k = 0; k < D; ++k) context->domain_centre[k] = domain.centre[k];
         context->domain_radius = domain.radius;
         context->enclosing_radius = domain.enclosing_radius;
-        context->aspect_ratio_max = 0;
+        context->over_refine_eps = options->over_refine_eps;
+        context->aspect_ratio_max = context->size_ratio_max = 0;
         if (context->store.cell_slots > 0) {
             std::uint32_t worst;
             const Status measured =
                 worst_aspect_ratio<D>(store, domain, context->arena, &context->aspect_ratio_max, &worst);
             if (status == Status::ok) status = measured;
+            if (status == Status::ok)
+                status = worst_size_ratio<D>(store, domain, context->inputs, rule, Corners::kept, context->arena,
+                                             &context->size_ratio_max, &worst);
+        }
+        if (status == Status::invalid_argument) {
+            clear(context);
+            return finish(context, status, "the size asked for is not positive or below what coordinates resolve", 6,
+                          input.row_a);
         }
         return finish_job(context, status, input);
     });

@@ -87,6 +87,8 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
     if (context->is_mesh) {
         report->tau = context->tau;
         report->aspect_ratio_max = context->aspect_ratio_max;
+        report->over_refine_eps = context->over_refine_eps;
+        report->size_ratio_max = context->size_ratio_max;
         for (std::uint32_t k = 0; k < context->dim; ++k) report->domain[k] = context->domain_centre[k];
         report->domain[context->dim] = context->domain_radius;
     }

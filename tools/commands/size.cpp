@@ -12,6 +12,7 @@ Outcome run_size(const Options& options) {
     netmesh_options engine_options;
     netmesh_options_init(&engine_options, options.dim);
     if (options.tau) engine_options.tau = *options.tau;
+    engine_options.over_refine_eps = options.eps;
     engine_options.seed = options.seed;
     std::vector<netmesh_job> jobs = {NETMESH_JOB_DELAUNAY, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST};
     if (options.filter) {
