@@ -174,7 +174,8 @@ netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netm
     if (what == 0 || (what & ~static_cast<uint32_t>(NETMESH_CHECK_ALL)) != 0)
         return finish(context, Status::invalid_argument, "unknown checks", 2);
     if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 3);
-    if (context->dim == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->dim == 0 || context->store.cell_slots == 0)
+        return finish(context, Status::no_result, "there is no triangulation or mesh");
     return with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, context->store);

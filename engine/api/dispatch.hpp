@@ -65,6 +65,10 @@ template <int D> Domain<D> domain_of(const Context& context) {
 bool usable(netmesh_context* context);
 bool usable(const netmesh_options* options);
 double tau_of(const netmesh_options& options);
+double eps_of(const netmesh_options& options);  // of the tight filter and of scales
+double theta_of(const netmesh_options& options);
+inline bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
+inline bool is_valid_eps(double eps) { return eps > 0 && eps <= 0.5; }
 
 // Forgets the result held.
 void clear(netmesh_context* context);

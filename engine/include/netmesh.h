@@ -90,6 +90,9 @@ typedef struct netmesh_options {
     double domain_factor;   /* radius of the ball in which quality is promised over the radius of the smallest enclosing
                                ball, in [1, 8]; 0: 1 */
     uint64_t seed;          /* of every random choice */
+    double eps;             /* what the tight filter promises: a certified ratio of at most 1 + eps; in (0, 1/2]; 0: 1/2 */
+    double theta;           /* mediality that keeps points in one scale (7.6), in (0, 1/9]; 0: 1/9 */
+    uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
     /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most
@@ -117,7 +120,12 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_NONE = 0,
     NETMESH_FILTER_COMPLETE = 1, /* 7.4.2, on a mesh */
     NETMESH_FILTER_BASIC = 2,    /* 7.4.1, on a mesh */
-    NETMESH_FILTER_ALPHA = 3     /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_ALPHA = 3,    /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_KNN = 4,      /* d_k, the distance to the k-th nearest point (8.6), on a mesh; k = 1: complete */
+    NETMESH_FILTER_KDISTANCE = 5,/* root mean square of the distances to the k nearest points (8.6), on a mesh */
+    NETMESH_FILTER_FUNCTION = 6, /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
+    NETMESH_FILTER_TIGHT = 7,    /* 7.5, on a mesh made for NETMESH_JOB_PERSIST_TIGHT (or any other, with a weaker ratio) */
+    NETMESH_FILTER_SCALES = 8    /* 7.6, from points; by netmesh_persist_scales only */
 } netmesh_filter;
 
 typedef enum netmesh_values {
@@ -129,7 +137,9 @@ typedef enum netmesh_job {
     NETMESH_JOB_DELAUNAY = 1,        /* netmesh_delaunay */
     NETMESH_JOB_MESH = 2,            /* netmesh_mesh alone */
     NETMESH_JOB_PERSIST = 3,         /* netmesh_mesh for persistence, then netmesh_persist */
-    NETMESH_JOB_PERSIST_ALPHA = 4    /* netmesh_delaunay, then netmesh_persist with the alpha filter */
+    NETMESH_JOB_PERSIST_ALPHA = 4,   /* netmesh_delaunay, then netmesh_persist with the alpha filter */
+    NETMESH_JOB_PERSIST_TIGHT = 5,   /* netmesh_mesh for the tight filter and options.eps, then netmesh_persist with it */
+    NETMESH_JOB_PERSIST_SCALES = 6   /* netmesh_persist_scales, all points of one scale */
 } netmesh_job;
 
 /* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted.
@@ -149,8 +159,10 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * Steiner points in which each vertex that is not exempt has a Voronoi cell that, clipped to the domain ball, has
  * aspect ratio at most tau. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
- * `for_job`: NETMESH_JOB_MESH, or NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
- * ratio of sqrt(2 + tau) needs it.
+ * `for_job`: NETMESH_JOB_MESH; NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
+ * ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of at
+ * least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
+ * point.
  * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
  * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
@@ -165,12 +177,55 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
                             const netmesh_options* options);
 
 /* Persistent homology over Z/2 of the filtration `filter` on what the context holds, in degrees 0..max_degree
- * (at most D-1; larger is clamped). Values are radii, not squared radii. COMPLETE and BASIC need a mesh, ALPHA a
- * Delaunay triangulation. Zero-length pairs are dropped unless keep_zero_pairs is not 0.
- * Memory above the mesh: below 8 bytes a simplex (complete, basic), about 24 bytes a simplex plus fill (alpha).
- * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+ * (at most D-1; larger is clamped). Values are radii, not squared radii. ALPHA needs a Delaunay triangulation, the others a
+ * mesh; one mesh serves every k. KNN and KDISTANCE take options.k. Zero-length pairs are dropped unless keep_zero_pairs is
+ * not 0. Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
+ * INVALID_ARGUMENT (7: options.k is more than the number of different points), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole
+ * on failure. */
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
+
+/* Persistent homology of points[n][D] scale by scale (7.6): recursively well-paced subsets, one mesh for each in the same memory with
+ * the tight filter of options.eps, their diagrams joined. certified_ratio is at most (1 + 3 theta) (1 + eps), at log distance
+ * 3 theta + eps from the offsets of all points; usually far less, as it is computed from how far the scales found are apart
+ * (report.separation). Peak memory is that of the largest scale and some 100 bytes a point, whatever the spread; distances are
+ * resolved relative to each scale. Cost besides the meshes: points times points of their scale.
+ * Replaces what the context held, also on failure; the context then holds a diagram and no mesh.
+ * INVALID_ARGUMENT (7: options; 8: coordinates near point index_b do not resolve the size asked for), NOT_FINITE, OUT_OF_RANGE,
+ * TOO_CLOSE, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_persist_scales(netmesh_context* context, const double* points, size_t n, netmesh_values values,
+                                      uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
+
+/* A function f >= 0 of the caller's with |f(x) - f(y)| <= lipschitz |x - y|. Homology beyond the mesh is what the caller answers for:
+ * 7.4.4's clipping argument is proven for distances to points, for a general f it is an assumption. */
+typedef struct netmesh_function {
+    double (*evaluate)(void* user, const double* x); /* f at x[D], finite; called once for each vertex, in their order; must
+                                                        not call into the context */
+    void* user;              /* handed to evaluate */
+    double lipschitz;        /* finite, >= 0 */
+    double distance_factor;  /* a c with f >= d_2 / c, d_2 the distance to the second nearest point (8.6.3), or 0: unknown */
+    double cut;              /* finite, >= 0: f >= cut outside the domain ball (report.domain), and the sublevel sets from cut
+                                on are contractible; values are cut there */
+} netmesh_function;
+
+/* The same for the sublevel sets of a function (8.6), on a mesh. certified_ratio is infinite where f is too small for its change
+ * across a Voronoi cell; a distance_factor keeps it finite.
+ * INVALID_ARGUMENT (2: null, or a number that is not what it has to be), NOT_FINITE (index_a: the vertex at which f is not finite
+ * or negative), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_function* function,
+                                        netmesh_values values, uint32_t max_degree, int keep_zero_pairs,
+                                        const netmesh_options* options);
+
+/* One mesh for all k: the diagrams of the filter (KNN or KDISTANCE) for k = k_first..k_last, and the vines that connect them (6.3,
+ * 8.6), by transpositions on R = D V while every simplex's value moves on a straight line from one k to the next. The diagram at
+ * each k is that of netmesh_persist. Replaces the diagram.
+ * Memory above the mesh: about 130 bytes a simplex of dimension up to max_degree + 1, and the columns. Time: O(log n) for each two
+ * simplices of a dimension that change their order between two k; that is millions for small meshes already.
+ * INVALID_ARGUMENT (2: filter, 3, 4: not 1 <= k_first <= k_last, 5: values, 7: k_last is more than the number of
+ * different points), NO_RESULT, OUT_OF_MEMORY,
+ * CANCELLED. The mesh stays whole on failure. */
+netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_filter filter, uint32_t k_first, uint32_t k_last,
+                                netmesh_values values, uint32_t max_degree, const netmesh_options* options);
 
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
@@ -284,11 +339,23 @@ typedef struct netmesh_report {
     netmesh_filter filter;
     netmesh_values values;
     uint32_t max_degree;
+    uint32_t k;                 /* of the filters KNN and KDISTANCE, else 0 */
     uint64_t pairs[NETMESH_DIM_MAX]; /* per degree, essential ones included */
     uint64_t simplices;         /* of the filtered complex */
-    double certified_ratio;     /* c >= 1: log-bottleneck distance to the offsets' diagram is at most ln c */
+    double certified_ratio;     /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
+                                   the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best;/* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;      /* scale from which the ratio holds: 0, or r_P for the basic filter */
+    /* scales: how many, the least E = (distance from a scale's representative to the next point of the scale above) / (twice the
+     * radius of the scale), at least (1 - theta) / (2 theta), infinity for one scale; offsets are within E / (E - 1). Points and
+     * vertices of the largest scale; `simplices` counts those of all. */
+    uint64_t scales;
+    double separation;
+    uint64_t scale_points_max, scale_vertices_max, scale_vertices;
+    /* vineyard; filter, values, max_degree and simplices are its, certified_ratio is the largest */
+    uint32_t has_vineyard;
+    uint32_t k_first, k_last;
+    uint64_t vines, vine_points, transpositions;
     /* cost */
     uint64_t block_bytes, peak_bytes, used_bytes;
     uint64_t predicate_calls[NETMESH_PREDICATE_STAGES]; /* in-ball decisions ended in each stage */
@@ -325,6 +392,28 @@ typedef struct netmesh_pair {
     double birth, death;
 } netmesh_pair;
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair);
+
+/* For each bar where the true one surely is, from the bounds of every cell instead of one ratio, and whether the bar surely stands for
+ * a class of the true diagram. Filters COMPLETE, TIGHT, KNN and KDISTANCE: by scale; ALPHA, SCALES, FUNCTION: by the certified
+ * ratio. The numbers stay with the diagram: 40 bytes a bar. The diagram stays whole on failure.
+ * NO_RESULT (no diagram, or the basic filter's), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_options* options);
+typedef struct netmesh_bar_bounds {
+    double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched */
+    double certain_after; /* psi(phi(birth)), certificates hold near the scale `birth` within sqrt(certain_after / birth) */
+    uint32_t certain;     /* 1: death > certain_after, so the bar is surely real */
+} netmesh_bar_bounds;
+netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds);
+
+/* Where a vine is at one k: a pair of that k's diagram. Sorted by vine, then k; vines are numbered from 0 by degree, the first k at
+ * which they have a length, birth and death there. A vine that loses its length and gets it again keeps its number. */
+typedef struct netmesh_vine_point {
+    uint32_t vine, degree, k;
+    double birth, death; /* death is +infinity for an essential class */
+} netmesh_vine_point;
+netmesh_status netmesh_get_vine_point(const netmesh_context* context, uint64_t index, netmesh_vine_point* point);
+/* The certified ratio of the diagram at one k of the vineyard. */
+netmesh_status netmesh_get_vine_ratio(const netmesh_context* context, uint32_t k, double* ratio);
 
 #ifdef __cplusplus
 }

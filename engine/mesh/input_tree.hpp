@@ -1,4 +1,4 @@
-// Nearest input point, exactly: a k-d tree over the inputs, 5 bytes a point.
+// Nearest input points, exactly: a k-d tree over the inputs, 5 bytes a point.
 #pragma once
 #include <cstdint>
 
@@ -17,6 +17,13 @@ struct TreeRange {
     TreeRange above() const { return {middle() + 1, end}; }
 };
 
+// One of several nearest inputs.
+struct Neighbour {
+    double distance2;  // as computed
+    std::uint32_t input;
+    std::uint32_t unused;
+};
+
 template <int D> class InputTree {
 public:
     // Over vertices 0..count-1, at the arena's low end. O(n log n). out_of_memory.
@@ -31,10 +38,24 @@ public:
     TreeRange root() const { return {0, count_}; }
     std::uint32_t item(std::uint32_t i) const { return items_[i]; }
     int axis(std::uint32_t middle) const { return axis_[middle]; }
+    // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index: unique,
+    // whatever the tree. Expected O(k log k + log n).
+    void nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const;
 
 private:
     static constexpr std::uint32_t leaf = TreeRange::leaf;
     void split(std::uint32_t begin, std::uint32_t end);
+    double squared_distance(const double* x, std::uint32_t v) const {
+        const double* const p = store_->point(v);
+        double d2 = 0;
+        for (int k = 0; k < D; ++k) {
+            const double d = x[k] - p[k];
+            d2 += d * d;
+        }
+        return d2;
+    }
+    // Calls consider(input) for every input that can be nearer than bound2() or as near, near parts first.
+    template <class Consider, class Bound> void visit(const double* x, Consider&& consider, Bound&& bound2) const;
 
     const Store<D>* store_;
     std::uint32_t* items_;

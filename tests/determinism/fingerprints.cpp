@@ -58,6 +58,34 @@ void dimension(int dim) {
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
+    for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
+        session.options.k = 5;
+        print(filter == NETMESH_FILTER_KNN ? "persist-knn" : "persist-kdistance", "uniform", session,
+              session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
+    }
+    if (dim <= 3) {
+        const inputs::Points zoom = inputs::zoom(dim, 40, dim == 2 ? 4 : 10);
+        print("persist-scales", "zoom", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            return netmesh_persist_scales(session.context, zoom.data(), zoom.size() / d, NETMESH_VALUES_CERTIFIED,
+                                          NETMESH_DIM_MAX, 0, &session.options);
+        }));
+        const inputs::Points sparse = inputs::uniform(dim, dim == 2 ? 20 : 5);
+        print("persist-tight", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            const netmesh_status status =
+                netmesh_mesh(session.context, sparse.data(), sparse.size() / d, NETMESH_JOB_PERSIST_TIGHT, &session.options);
+            return status != NETMESH_OK ? status
+                                        : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, NETMESH_VALUES_CERTIFIED,
+                                                          NETMESH_DIM_MAX, 0, &session.options);
+        }));
+        const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
+        print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            const netmesh_status status =
+                netmesh_mesh(session.context, few.data(), few.size() / d, NETMESH_JOB_PERSIST, &session.options);
+            return status != NETMESH_OK ? status
+                                        : netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, 5,
+                                                           NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, &session.options);
+        }));
+    }
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, points[d] / 2)));
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? side[d] : 3)));
 }

@@ -113,7 +113,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     }
     if (!outcome.good()) return outcome;
     if (!options.tau && files.node.tau > 0) session.set_tau(files.node.tau);
-    if (options.eps == 0) session.set_eps(files.node.eps);
+    if (options.eps == 0 || promises_accuracy(options)) session.set_eps(files.node.eps);
     outcome = session.run(NETMESH_JOB_PERSIST, files.node.cloud, [&](Session& s) {
         const netmesh_status status = load_mesh(s, files);
         if (status != NETMESH_OK) return status;

@@ -82,6 +82,13 @@ std::vector<Bar> bars_of(const netmesh_context* context) {
     return bars;
 }
 
+std::vector<netmesh_bar_bounds> bounds_of(const netmesh_context* context) {
+    std::vector<netmesh_bar_bounds> bounds;
+    netmesh_bar_bounds b;
+    for (std::uint64_t i = 0; netmesh_get_bar_bounds(context, i, &b) == NETMESH_OK; i++) bounds.push_back(b);
+    return bounds;
+}
+
 Outcome check_mesh_ending(const std::string& path, std::uint32_t dim) {
     if (path.empty()) return {};
     const std::string ending = ending_of(path);

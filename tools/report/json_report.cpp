@@ -8,7 +8,7 @@ namespace {
 
 void write_options(Json& json, const RunReport& run) {
     const Options& options = *run.options;
-    const bool persists = options.command == Command::persist;
+    const bool persists = options.command == Command::persist || options.command == Command::vineyard;
     json.key("options");
     json.open('{');
     const bool meshes = run.engine && run.engine->is_mesh != 0;
@@ -20,6 +20,8 @@ void write_options(Json& json, const RunReport& run) {
     } else {
         json.null();
     }
+    json.key("theta");
+    options.theta > 0 ? json.value(options.theta) : json.null();
     json.key("eps");
     options.eps > 0 ? json.value(options.eps) : json.null();
     json.key("method");
@@ -30,6 +32,8 @@ void write_options(Json& json, const RunReport& run) {
     persists&& run.engine ? json.value(values_name(run.engine->values)) : json.null();
     json.key("max_degree");
     persists&& run.engine ? json.value(run.engine->max_degree) : json.null();
+    json.key("k");
+    persists&& run.engine && run.engine->k > 0 ? json.value(run.engine->k) : json.null();
     json.key("memory");
     options.memory_bytes != 0 ? json.value(static_cast<std::uint64_t>(options.memory_bytes)) : json.null();
     json.entry("seed", options.seed);
@@ -160,6 +164,24 @@ void write_analysis(Json& json, const netmesh_analysis& a) {
     json.close('}');
 }
 
+// Next to the bars, in their order: birth from, to, death from, to, and whether the bar is surely real.
+void write_bounds(Json& json, const RunReport& run) {
+    json.key("certain");
+    json.open('[');
+    for (const std::uint64_t count : run.certain) json.value(count);
+    json.close(']');
+    if (run.bars == nullptr) return;
+    json.key("bounds");
+    json.open('[');
+    for (const netmesh_bar_bounds& b : *run.bounds) {
+        json.open('[');
+        for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high}) json.value(x);
+        json.value(b.certain != 0);
+        json.close(']');
+    }
+    json.close(']');
+}
+
 void write_bars(Json& json, const std::vector<Bar>& bars) {
     json.key("bars");
     json.open('[');
@@ -171,6 +193,20 @@ void write_bars(Json& json, const std::vector<Bar>& bars) {
         json.close(']');
     }
     json.close(']');
+}
+
+// `extended_ball`: the least radius of a ball that belongs to a scale alone, in radii of the scale (7.6: at least
+// (1 - theta) / (2 theta)); the joined diagram needs `extended_ball_needed`.
+void write_scales(Json& json, const netmesh_report& engine) {
+    json.key("scales");
+    json.open('{');
+    json.entry("count", engine.scales);
+    json.entry("extended_ball", engine.separation);
+    json.entry("extended_ball_needed", 2.0);
+    json.entry("largest_points", engine.scale_points_max);
+    json.entry("largest_vertices", engine.scale_vertices_max);
+    json.entry("vertices", engine.scale_vertices);
+    json.close('}');
 }
 
 void write_diagram(Json& json, const RunReport& run) {
@@ -186,12 +222,33 @@ void write_diagram(Json& json, const RunReport& run) {
     for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) json.value(engine.pairs[degree]);
     json.close(']');
     json.entry("certified_ratio", engine.certified_ratio);
-    json.entry("reference", "closed offsets of the points in R^" + std::to_string(engine.dim));
+    json.entry("reference", reference_name(engine));
     json.entry("from", engine.certified_from);
     json.entry("units", "radius");
     json.entry("field", "Z/2");
     json.entry("simplices", engine.simplices);
+    if (engine.scales > 0) write_scales(json, engine);
+    if (run.bounds != nullptr) write_bounds(json, run);
     if (run.bars != nullptr) write_bars(json, *run.bars);
+    json.close('}');
+}
+
+void write_vineyard(Json& json, const RunReport& run) {
+    const netmesh_report& engine = *run.engine;
+    json.key("vineyard");
+    json.open('{');
+    json.entry("k_first", engine.k_first);
+    json.entry("k_last", engine.k_last);
+    json.entry("vines", engine.vines);
+    json.entry("points", engine.vine_points);
+    json.entry("transpositions", engine.transpositions);
+    json.key("certified_ratios");
+    json.open('[');
+    for (const double ratio : run.vines->ratios) json.value(ratio);
+    json.close(']');
+    json.entry("units", "radius");
+    json.entry("field", "Z/2");
+    json.entry("simplices", engine.simplices);
     json.close('}');
 }
 
@@ -254,6 +311,7 @@ std::string json_report(const RunReport& run) {
     write_mesh(json, run);
     write_diagram(json, run);
     if (run.analysis) write_analysis(json, *run.analysis);
+    if (run.vines != nullptr) write_vineyard(json, run);
     if (run.checked) {
         json.key("checked");
         json.open('[');

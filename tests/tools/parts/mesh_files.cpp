@@ -140,7 +140,7 @@ TEST_CASE("ele and neigh: faults and their lines") {
 TEST_CASE("diagrams: shortest digits, and back") {
     const std::vector<Bar> bars = {{0, 0, HUGE_VAL}, {0, 0, 0.1}, {1, 1.0 / 3, 1e22}, {2, 5e-324, 0.5}};
     TextWriter out;
-    write_diagram(bars, out);
+    write_diagram(bars, {}, out);
     CHECK(out.text() == "0 0 inf\n0 0 0.1\n1 0.3333333333333333 1e+22\n2 5e-324 0.5\n");
     std::vector<Bar> read;
     std::vector<std::uint64_t> lines;
