@@ -180,6 +180,7 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
     return text.empty() ? "must be a file name" : "";
 }
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
+std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
@@ -227,6 +228,8 @@ constexpr OptionEntry option_entries[] = {
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
     {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
     {"--svg", vineyard, "FILE", apply_svg, "picture of the vines, k against radius"},
+    {"--analyse", mesh | delaunay, nullptr, apply_analyse,
+     "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
     {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
     {"--bounds", persist, nullptr, apply_bounds,
      "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},

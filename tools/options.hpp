@@ -21,7 +21,7 @@ struct Options {
     std::string out;  // empty: stdout
     std::string svg;
     std::string mesh_out;  // persist: where the filtered mesh goes
-    bool json = false, check = false, all = false, bounds = false, quiet = false;
+    bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false;
 
     std::optional<double> tau;
     double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given

@@ -1,3 +1,5 @@
+#include "analysis/fatness.hpp"
+#include "analysis/size.hpp"
 #include "api/dispatch.hpp"
 #include "delaunay/load.hpp"
 #include "mesh/input_tree.hpp"
@@ -36,6 +38,28 @@ Status check_quality(const Store<D>& store, const Domain<D>& domain, std::uint32
     if (status != Status::ok || worst <= 1 + ratio_tolerance) return status;
     why->violation = "a clipped Voronoi cell is larger than the size asked for";
     return Status::check_failed;
+}
+
+// What chapters 3 (of meshes) and 5 say about sizes and degrees.
+template <int D>
+Status check_bounds(Store<D>& store, const Context& context, const netmesh_options& options, Arena& arena,
+                    CheckResult* why) {
+    Monitor monitor = monitor_of(options);
+    monitor.begin(NETMESH_STAGE_ANALYSE, 0);
+    Status status = Status::ok;
+    if (context.is_mesh) {
+        SizeAnalysis size;
+        status = analyse_size<D>(store, domain_of<D>(context), context.inputs,
+                                 {tau_of(options), size_rule_of(options), infinity, 0}, arena, monitor, &size);
+        if (status == Status::ok) why->violation = violated_size_bound(size);
+    }
+    if (status != Status::ok || why->violation != nullptr) return status;
+    FatnessAnalysis fatness;
+    status = analyse_fatness<D>(store, domain_of<D>(context), arena, monitor, &fatness);
+    if (status != Status::ok) return status;
+    why->violation = violated_fatness_bound(fatness.bounded);
+    if (why->violation == nullptr) why->violation = violated_fatness_bound(fatness.inside);
+    return Status::ok;
 }
 
 // Nearest inputs of all vertices; inputs come first.
@@ -135,8 +159,8 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
             std::uint32_t worst;
             if (worst_aspect_ratio<D>(store, domain_of<D>(*context), context->arena, &context->aspect_ratio_max,
                                       &worst) != Status::ok ||
-                worst_size_ratio<D>(store, domain_of<D>(*context), inputs, size_rule_of(*options), Corners::kept, context->arena,
-                                    &context->size_ratio_max, &worst) != Status::ok) {
+                worst_size_ratio<D>(store, domain_of<D>(*context), inputs, size_rule_of(*options), Corners::kept,
+                                    context->arena, &context->size_ratio_max, &worst) != Status::ok) {
                 clear(context);
                 return finish(context, Status::out_of_memory, netmesh_status_text(NETMESH_OUT_OF_MEMORY));
             }
@@ -154,7 +178,7 @@ netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netm
         return finish(context, Status::no_result, "there is no triangulation or mesh");
     return with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
-        const Store<D> store(context->arena, context->store);
+        Store<D> store(context->arena, context->store);
         CheckResult why = {nullptr, none};
         Status status = Status::ok;
         if ((what & NETMESH_CHECK_ALL) != 0) why = check_combinatorial<D>(store);
@@ -164,6 +188,8 @@ netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netm
         if (why.violation == nullptr && (what & NETMESH_CHECK_QUALITY) != 0 && context->is_mesh)
             status = check_quality<D>(store, domain_of<D>(*context), context->inputs, tau_of(*options), size_rule_of(*options),
                                       context->arena, &why);
+        if (status == Status::ok && why.violation == nullptr && (what & NETMESH_CHECK_BOUNDS) != 0)
+            status = check_bounds<D>(store, *context, *options, context->arena, &why);
         if (why.violation != nullptr) return finish(context, Status::check_failed, why.violation, why.cell);
         return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
     });

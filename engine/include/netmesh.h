@@ -62,7 +62,8 @@ typedef enum netmesh_stage {
     NETMESH_STAGE_GRADIENT = 6,   /* lower stars; unit: vertices */
     NETMESH_STAGE_REDUCE = 7,     /* columns */
     NETMESH_STAGE_CHECK = 8,      /* independent checkers; unit: cells */
-    NETMESH_STAGE_COUNT = 9
+    NETMESH_STAGE_ANALYSE = 9,    /* pace, integral, fatness, structure; unit: points, boxes, vertices or cells */
+    NETMESH_STAGE_COUNT = 10
 } netmesh_stage;
 
 typedef struct netmesh_progress {
@@ -94,9 +95,10 @@ typedef struct netmesh_options {
     uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
-    /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most f(v) = min(over_refine_eps *
-     * f_P(v), size(size_user, v)), f_P the distance to the second nearest input, the point itself counted. R_v is taken, as everywhere, over corners
-     * inside the domain and points where Voronoi edges cross its sphere: a cell with none has R_v = 0. */
+    /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most
+     * f(v) = min(over_refine_eps * f_P(v), size(size_user, v)), f_P the distance to the second nearest input, the point
+     * itself counted. R_v is taken, as everywhere, over corners inside the domain and points where Voronoi edges cross
+     * its sphere; a cell with none is refined too while it reaches farther, but the report has R_v = 0 for it. */
     double over_refine_eps; /* > 0; 0: not asked for. The mesh has about over_refine_eps^-D times as many vertices */
     netmesh_size size;      /* null: not asked for */
     void* size_user;        /* handed to size */
@@ -140,8 +142,8 @@ typedef enum netmesh_job {
     NETMESH_JOB_PERSIST_SCALES = 6   /* netmesh_persist_scales, all points of one scale */
 } netmesh_job;
 
-/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted. SIZE_MAX when it does not
- * fit a size_t, 0 on an invalid argument. */
+/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted.
+ * SIZE_MAX when it does not fit a size_t, 0 on an invalid argument. */
 size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points);
 
 /* Delaunay triangulation of points[n][D] (row-major, any finite doubles; -0.0 counts as 0). Exact duplicates are
@@ -159,9 +161,10 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
  * `for_job`: NETMESH_JOB_MESH; NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
  * ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of at
- * least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a point.
- * INVALID_ARGUMENT (6: the sizing function's values), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
- * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
+ * least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
+ * point.
+ * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
+ * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
                             const netmesh_options* options);
 
@@ -229,12 +232,84 @@ typedef enum netmesh_check_what {
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
     NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
     NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau; sizes likewise (meshes only) */
-    NETMESH_CHECK_ALL = 15
+    NETMESH_CHECK_BOUNDS = 16,       /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes only) and 5 */
+    NETMESH_CHECK_ALL = 31
 } netmesh_check_what;
 
 /* Independent checkers: nothing that they read was cached by the code that made the result. O(cells).
  * `what`: a union of netmesh_check_what; tau and sizes are taken from options. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
 netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netmesh_options* options);
+
+typedef enum netmesh_analyse_what {
+    NETMESH_ANALYSE_SIZE = 1,      /* a mesh only */
+    NETMESH_ANALYSE_STRUCTURE = 2,
+    NETMESH_ANALYSE_FATNESS = 4,
+    NETMESH_ANALYSE_ALL = 7
+} netmesh_analyse_what;
+
+/* Voronoi cells and what their fatness says about them (5); beta = out-radius / in-radius of a cell, its smallest enclosing
+ * and largest inscribed ball. Everything counts vertices of the part only. */
+typedef struct netmesh_fatness {
+    uint64_t cells;
+    double beta_max, beta_mean;
+    double aspect_ratio_max;   /* the same with both balls about the vertex, cells not clipped */
+    uint64_t edges, degree_max;
+    double edges_bound;        /* 5.3.1: (4 beta)^D cells */
+    double faces, faces_bound; /* at least the simplices of dimension 1 to D; 5.3.2: (4 beta)^(D^2) cells */
+    double degree_share;       /* 5.3.3: largest degree over (8 beta)^D (floor(log2 aspect ratio) + 1); at most 1 */
+    double planar_share;       /* 5.4.5: largest degree over 6 pi / arcsin(1 / (4 beta)); at most 1; 0 for D > 2 */
+    double corners_share;      /* 5.5.1: what corners of a cell are at least over what they are, largest; at most 1 */
+} netmesh_fatness;
+
+typedef struct netmesh_analysis {
+    uint32_t struct_bytes;     /* in: sizeof(netmesh_analysis) */
+    uint32_t what;             /* what was analysed; figures of other kinds are 0 */
+    uint64_t fingerprint;      /* of all figures; equal on every platform */
+    /* Size (3.4, 3.6, 3.8): theta_i is the distance of the i-th input to the nearest before it over that to the second
+     * nearest, in the ordering of netmesh_well_paced_order. */
+    uint64_t size;             /* |M|: vertices that are not exempt */
+    double size_lower;         /* every mesh of aspect ratio tau on this domain has more vertices (3.4.2) */
+    double size_upper;         /* every mesh of this feature_ratio has fewer (3.4.1) */
+    double feature_ratio;      /* largest f_P(v) / f_M(v), distances to the second nearest input and vertex */
+    double feature_ratio_bound;/* by 3.3.2, where inputs are yielded to, and 3.7.1; infinite where they say nothing */
+    double theta, theta_limit; /* least theta_i; no ordering that begins with a diameter has a least one above the limit */
+    double theta_log_sum;      /* sum of ln(1 / theta_i), i >= 3: the mesh size up to constants and O(n) (3.8.1) */
+    /* Bounds on the integral of f_P^-D over balls about the domain's centre: the domain; what also contains all vertices'
+     * in-balls; what contains three diameters about each input. */
+    double radius[3], integral_lower[3], integral_upper[3];
+    double pace_lower, pace_upper; /* what 3.8.7 and 3.8.5 say about the last */
+    uint64_t boxes;            /* where f_P was evaluated */
+    /* Structure (4.8.1, 4.11) */
+    uint64_t degree_max, star_max; /* neighbours and cells of a vertex that is not on the hull */
+    double degree_mean, star_mean;
+    uint64_t ply_points, ply_max;  /* circumscribed balls that contain a point: barycentres, centres in the domain */
+    double ply_mean;
+    uint64_t balls, intersections_max; /* other circumscribed balls that meet one */
+    double intersections_mean;
+    /* Fatness (5): cells of vertices neither exempt nor on the hull, whole; those of them inside the domain; all clipped to
+     * the domain (balls of corners; nothing is bounded by them) */
+    netmesh_fatness bounded, inside;
+    uint64_t clipped_cells;
+    double clipped_beta_max, clipped_beta_mean;
+} netmesh_analysis;
+
+/* Analyses what the context holds. `what`: a union of netmesh_analyse_what. tolerance: wanted upper / lower - 1 of the
+ * integrals; 0: 0.1, 0.25, 1, 4, 16 for D = 2..6; large inputs, and the boundary in high D, get less. tau and sizes are taken from
+ * options, as are those of the poll. Scratch: 8 to 40 bytes a vertex.
+ * INVALID_ARGUMENT, NO_RESULT (no triangulation; SIZE without a mesh), OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_analyse(netmesh_context* context, uint32_t what, double tolerance,
+                               const netmesh_options* options, netmesh_analysis* analysis);
+
+/* An ordering order[inputs] of the input vertices, from one far from input 0, always one of those farthest from all before,
+ * and its theta[inputs] (may be null; 1 for the first two). It is theta-well-paced (3.8) for its least theta_i, and no
+ * ordering that begins with a diameter is so for more than 2 theta / (1 - 3 theta), theta < 1/5. O(n log n) on inputs of
+ * moderate spread. Distances must have squares that a double holds, as those of meshes do.
+ * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY. */
+netmesh_status netmesh_well_paced_order(netmesh_context* context, uint32_t* order, double* theta);
+
+/* theta[inputs] of a given permutation order[inputs] of the input vertices. INVALID_ARGUMENT (2: no permutation), NO_RESULT,
+ * OUT_OF_MEMORY. */
+netmesh_status netmesh_pace(netmesh_context* context, const uint32_t* order, double* theta);
 
 typedef enum netmesh_predicate_stage {
     NETMESH_PREDICATE_CACHED = 0,  /* decided by a cached circumsphere and its error bound */

@@ -26,4 +26,7 @@ Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, A
 enum class Corners { kept, recomputed };
 template <int D> void clipped_out_radii(const Store<D>& store, const Domain<D>& domain, Corners corners, double* out2);
 
+// nearest2[v], for every vertex: squared distance to the nearest other vertex, over the edges of cells. O(cells).
+template <int D> void recomputed_nearest2(const Store<D>& store, double* nearest2);
+
 }  // namespace netmesh

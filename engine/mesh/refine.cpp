@@ -9,9 +9,6 @@ namespace {
 // A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad: the cell then
 // loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
 constexpr double pull_back = 1.15;
-// An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
-// ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
-constexpr double yield_radius = 0.9;
 // Frame distance over domain radius: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in which
 // everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
 constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
@@ -79,6 +76,7 @@ private:
     }
     bool is_oversize(std::uint32_t v, double corner2) const;
     Status note_size(std::uint32_t v);
+    bool look_at_poles(std::uint32_t v, CellView* view);
 
     Store<D>& store_;
     Kernel<D> kernel_;
@@ -320,7 +318,10 @@ template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner& corn
     steiner.size_hint = 0;
     Status status = sized_ ? note_size(s) : Status::ok;
     if (status == Status::ok) status = insert(s, corner.cell);
-    if (status == Status::out_of_memory || status == Status::invalid_argument) store_.truncate_vertices(s);
+    if (status == Status::out_of_memory || status == Status::invalid_argument)
+        store_.truncate_vertices(s);
+    else if (sized_)
+        queue_.push(s);
     return status;
 }
 
@@ -331,6 +332,7 @@ template <int D> Status Refinement<D>::clean() {
         if (v == none) return Status::ok;
         CellView view;
         if (!look(v, &view)) return Status::out_of_memory;
+        if (sized_ && view.clipped.distance2 < 0 && !look_at_poles(v, &view)) return Status::out_of_memory;
         const Corner* const corner = bad_corner(v, view);
         if (corner == nullptr) continue;
         const Status status = split(v, *corner);
@@ -344,6 +346,15 @@ template <int D> bool Refinement<D>::is_oversize(std::uint32_t v, double corner2
     if (!sized_ || !(corner2 > value_of_size_hint(store_.vertex(v).size_hint))) return false;
     const double size = wanted_size<D>(store_, tree_, rule_, v) * (1 - tau_margin);
     return corner2 > size * size;
+}
+
+// The farthest point of a clipped cell without corners; no Voronoi edge meets the domain there.
+template <int D> bool Refinement<D>::look_at_poles(std::uint32_t v, CellView* view) {
+    std::uint32_t count = 0;
+    if (!kernel_.visit_star(v, [&](std::uint32_t) { ++count; })) return false;
+    Corner& corner = view->clipped;
+    corner.distance2 = farthest_pole<D>(store_, domain_, v, store_.list_top(), count, corner.x, &corner.cell);
+    return true;
 }
 
 // Evaluates the size rule at v for the first time.

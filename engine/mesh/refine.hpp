@@ -8,6 +8,10 @@
 
 namespace netmesh {
 
+// An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
+// ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
+constexpr double yield_radius = 0.9;
+
 struct RefineOptions {
     double tau;            // > 2
     double domain_factor;  // domain radius over the radius of the smallest enclosing ball, >= 1
@@ -33,8 +37,8 @@ struct RefineOptions {
 // enclosing radii, a compact set; only a thin shell around the domain is refined, only as far as the certificate needs.
 //
 // With a size rule (3.7) there is a second run, when all inputs are in: a cell is then also bad when its clipped out-radius
-// is above f(v), and its farthest corner, at a distance above f(v) from every vertex, is inserted. So it ends as soon as
-// f is bounded away from 0 on the domain, and 3.7.1 holds when f is Lipschitz.
+// is above f(v), and its farthest corner (pole, where it has none), at a distance above f(v) from every vertex, is
+// inserted. So it ends as soon as f is bounded away from 0 on the domain, and 3.7.1 holds when f is Lipschitz.
 //
 // ok, out_of_memory, cancelled (both: a Delaunay mesh of what was inserted, tau not promised), out_of_range and too_close
 // (rows in *input), invalid_argument (the size asked for at some vertex, row_a the nearest input, is not positive or not

@@ -1,6 +1,6 @@
 // Prints the fingerprints of a fixed set of jobs, one a line: job, input, dimension, fingerprint of the input,
-// fingerprint of the result, sizes. Inputs are made with + - * / alone, so every line must be the same on every
-// compiler, optimisation level and processor.
+// fingerprint of the result (of an analysis: of all its figures), sizes. Inputs are made with + - * / alone, so every line
+// must be the same on every compiler, optimisation level and processor.
 //
 //   fingerprints [small]      small: without the Clifford set
 #include <cinttypes>
@@ -27,18 +27,31 @@ void print(const char* job, const char* input, const Session& session, netmesh_s
     std::fflush(stdout);
 }
 
+void print_analysis(const char* input, Session& session, std::uint32_t what) {
+    netmesh_analysis a = {};
+    a.struct_bytes = sizeof a;
+    const netmesh_status status = netmesh_analyse(session.context, what, 30, &session.options, &a);
+    failed = failed || status != NETMESH_OK;
+    std::printf("analyse %s D%" PRIu32 " status %d result %016" PRIx64 " boxes %" PRIu64 " ply %" PRIu64
+                " degree %" PRIu64 "\n",
+                input, session.options.dim, static_cast<int>(status), a.fingerprint, a.boxes, a.ply_max, a.degree_max);
+    std::fflush(stdout);
+}
+
 void dimension(int dim) {
     const std::size_t d = static_cast<std::size_t>(dim);
     const std::size_t points[] = {0, 0, 2000, 1000, 300, 120, 50}, meshed[] = {0, 0, 400, 150, 40, 12, 6};
     const int side[] = {0, 0, 20, 6, 4, 3, 2};
     Session session(dim);
     print("delaunay", "uniform", session, session.delaunay(inputs::uniform(dim, points[d])));
+    print_analysis("uniform-delaunay", session, NETMESH_ANALYSE_ALL & ~NETMESH_ANALYSE_SIZE);
     print("delaunay", "clusters", session, session.delaunay(inputs::clusters(dim, points[d])));
     print("delaunay", "grid", session, session.delaunay(inputs::grid(dim, side[d])));
     print("delaunay", "zoom", session, session.delaunay(inputs::zoom(dim, 1000, 20)));
     print("delaunay", "repeated", session, session.delaunay(inputs::repeated(dim, inputs::uniform(dim, points[d] / 2), 2)));
     print("mesh", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d])));
     print("mesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
+    print_analysis("clusters-mesh", session, NETMESH_ANALYSE_ALL);
     session.options.over_refine_eps = dim < 4 ? 0.5 : 1;
     print("mesh-eps", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4 + 3)));
     session.options.over_refine_eps = 0;

@@ -174,6 +174,42 @@ TEST_CASE("the number of vertices grows as eps^-D") {
     CHECK(static_cast<double>(count[2]) / static_cast<double>(count[1]) == doctest::Approx(4).epsilon(0.25));
 }
 
+TEST_CASE("no point of the domain is farther from its vertex than asked for, by sampling") {
+    for (int dim = 2; dim <= 4; ++dim)
+        for (std::size_t n : {1, 2, 3, 12}) {
+            INFO("D = " << dim << ", " << n << " points");
+            Funnel funnel{dim, dim == 2 ? 0.05 : dim == 3 ? 0.15 : 0.4, 0.2};
+            Session session(dim);
+            session.options.size = Funnel::size;
+            session.options.size_user = &funnel;
+            REQUIRE(session.mesh(inputs::uniform(dim, n)) == NETMESH_OK);
+            CHECK(session.check() == NETMESH_OK);
+            const netmesh_report r = session.report();
+            std::vector<netmesh_vertex> vertices(r.vertices);
+            for (std::uint64_t v = 0; v < r.vertices; ++v) netmesh_get_vertex(session.context, v, &vertices[v]);
+            inputs::Random random(3);
+            int beyond = 0;
+            for (int sample = 0; sample < 3000; ++sample) {
+                double x[6], d2;
+                do {
+                    d2 = 0;
+                    for (int k = 0; k < dim; ++k) {
+                        x[k] = 2 * random.uniform() - 1;
+                        d2 += x[k] * x[k];
+                    }
+                } while (d2 > 1);
+                const double scale = sample % 2 == 0 ? 1 : 1 / std::sqrt(d2);  // every other one on the sphere
+                for (int k = 0; k < dim; ++k) x[k] = r.domain[k] + r.domain[dim] * scale * x[k];
+                const netmesh_vertex* nearest = &vertices[0];
+                for (const netmesh_vertex& v : vertices)
+                    if (distance(x, v.coordinates, dim) < distance(x, nearest->coordinates, dim)) nearest = &v;
+                beyond +=
+                    distance(x, nearest->coordinates, dim) > Funnel::size(&funnel, nearest->coordinates) * (1 + 1e-9);
+            }
+            CHECK(beyond == 0);
+        }
+}
+
 TEST_CASE("one point: eps asks for nothing") {
     Session session(2);
     session.options.over_refine_eps = 0.1;

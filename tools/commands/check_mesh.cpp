@@ -135,6 +135,8 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
                                 " of the size asked for (eps " +
                                 rounded_text(session.engine_options().over_refine_eps, 6) + ")");
     }
+    run->checked->push_back(files.node.domain.empty() ? "degrees within the bounds of fat cells (chapter 5)"
+                                                      : "size and degrees within the bounds of chapters 3 and 5");
     if (!options.points_path.empty()) {
         run->checked->push_back("inputs equal " + points.name + " bit for bit, duplicates merged");
     }

@@ -52,7 +52,8 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
     return check_writable({options.out, options.mesh_out, options.svg});
 }
 
-netmesh_status work(Session& session, const Options& options, const PointCloud& cloud) {
+netmesh_status work(Session& session, const Options& options, const PointCloud& cloud,
+                    netmesh_analysis* analysis) {
     netmesh_context* const context = session.context();
     const netmesh_options* const engine_options = &session.engine_options();
     const auto bound = [&](netmesh_status status) {
@@ -77,6 +78,12 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
             return netmesh_persist(context, filter_of(options), options.values.value_or(NETMESH_VALUES_CERTIFIED),
                                    options.max_degree.value_or(cloud.dim - 1), options.all ? 1 : 0, engine_options);
         }));
+    }
+    if (status == NETMESH_OK && options.analyse) {
+        analysis->struct_bytes = sizeof *analysis;
+        const std::uint32_t what = triangulate ? NETMESH_ANALYSE_ALL & ~NETMESH_ANALYSE_SIZE : NETMESH_ANALYSE_ALL;
+        status = session.call(NETMESH_STAGE_ANALYSE,
+                              [&] { return netmesh_analyse(context, what, 0, engine_options, analysis); });
     }
     if (status == NETMESH_OK && options.check) {
         status = session.call(NETMESH_STAGE_CHECK,
@@ -137,10 +144,12 @@ Outcome run_engine_command(const Options& options) {
     run.read_seconds = platform::seconds_now() - start;
 
     Session session(options, cloud.dim);
-    outcome = session.run(job_of(options), cloud, [&](Session& s) { return work(s, options, cloud); });
+    netmesh_analysis analysis = {};
+    outcome = session.run(job_of(options), cloud, [&](Session& s) { return work(s, options, cloud, &analysis); });
     if (!outcome.good()) return outcome;
     run.engine = session.report();
     run.clock = session.clock();
+    if (options.analyse) run.analysis = analysis;
 
     const double computed = platform::seconds_now();
     std::vector<Bar> bars;
@@ -165,9 +174,9 @@ Outcome run_engine_command(const Options& options) {
     }
     if (options.json && options.out.empty() && options.command == Command::persist) run.bars = &bars;
     if (options.check) {
-        run.checked = std::vector<std::string>{goes_by_scales(options)
-                                                   ? "bars sorted, with one essential class"
-                                                   : "combinatorics, orientation, Delaunay property, quality"};
+        run.checked = std::vector<std::string>{
+            goes_by_scales(options) ? "bars sorted, with one essential class"
+                                    : "combinatorics, orientation, Delaunay property, quality, bounds on size and degrees"};
     }
     if (!options.quiet && !options.json) std::fputs(text_report(run).c_str(), stderr);
     if (!options.json) return {};

@@ -85,6 +85,85 @@ void write_mesh(Json& json, const RunReport& run) {
     json.close('}');
 }
 
+void write_numbers(Json& json, const char* name, const double* values, int count) {
+    json.key(name);
+    json.open('[');
+    for (int k = 0; k < count; k++) json.value(values[k]);
+    json.close(']');
+}
+
+void write_fatness(Json& json, const char* name, const netmesh_fatness& part) {
+    json.key(name);
+    json.open('{');
+    json.entry("cells", part.cells);
+    json.entry("beta_max", part.beta_max);
+    json.entry("beta_mean", part.beta_mean);
+    json.entry("aspect_ratio_max", part.aspect_ratio_max);
+    json.entry("edges", part.edges);
+    json.entry("edges_bound", part.edges_bound);
+    json.entry("faces", part.faces);
+    json.entry("faces_bound", part.faces_bound);
+    json.entry("degree_max", part.degree_max);
+    json.entry("degree_share", part.degree_share);
+    json.entry("planar_share", part.planar_share);
+    json.entry("corners_share", part.corners_share);
+    json.close('}');
+}
+
+void write_size(Json& json, const netmesh_analysis& a) {
+    json.key("size");
+    if ((a.what & NETMESH_ANALYSE_SIZE) == 0) {
+        json.null();
+        return;
+    }
+    json.open('{');
+    json.entry("vertices", a.size);
+    json.entry("lower", a.size_lower);
+    json.entry("upper", a.size_upper);
+    json.entry("feature_ratio", a.feature_ratio);
+    json.entry("feature_ratio_bound", a.feature_ratio_bound);
+    json.entry("theta", a.theta);
+    json.entry("theta_limit", a.theta_limit);
+    json.entry("theta_log_sum", a.theta_log_sum);
+    write_numbers(json, "radii", a.radius, 3);
+    write_numbers(json, "integral_lower", a.integral_lower, 3);
+    write_numbers(json, "integral_upper", a.integral_upper, 3);
+    json.entry("pace_lower", a.pace_lower);
+    json.entry("pace_upper", a.pace_upper);
+    json.entry("boxes", a.boxes);
+    json.close('}');
+}
+
+void write_analysis(Json& json, const netmesh_analysis& a) {
+    json.key("analysis");
+    json.open('{');
+    write_size(json, a);
+    json.key("structure");
+    json.open('{');
+    json.entry("degree_max", a.degree_max);
+    json.entry("degree_mean", a.degree_mean);
+    json.entry("star_max", a.star_max);
+    json.entry("star_mean", a.star_mean);
+    json.entry("ply_points", a.ply_points);
+    json.entry("ply_max", a.ply_max);
+    json.entry("ply_mean", a.ply_mean);
+    json.entry("balls", a.balls);
+    json.entry("intersections_max", a.intersections_max);
+    json.entry("intersections_mean", a.intersections_mean);
+    json.close('}');
+    json.key("fatness");
+    json.open('{');
+    write_fatness(json, "bounded", a.bounded);
+    write_fatness(json, "inside", a.inside);
+    json.entry("clipped_cells", a.clipped_cells);
+    json.entry("clipped_beta_max", a.clipped_beta_max);
+    json.entry("clipped_beta_mean", a.clipped_beta_mean);
+    json.close('}');
+    json.key("fingerprint");
+    json.fingerprint(a.fingerprint);
+    json.close('}');
+}
+
 // Next to the bars, in their order: birth from, to, death from, to, and whether the bar is surely real.
 void write_bounds(Json& json, const RunReport& run) {
     json.key("certain");
@@ -231,6 +310,7 @@ std::string json_report(const RunReport& run) {
     write_input(json, run);
     write_mesh(json, run);
     write_diagram(json, run);
+    if (run.analysis) write_analysis(json, *run.analysis);
     if (run.vines != nullptr) write_vineyard(json, run);
     if (run.checked) {
         json.key("checked");

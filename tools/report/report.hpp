@@ -14,6 +14,7 @@ namespace netmesh::tool {
 
 struct RunReport {
     const Options* options = nullptr;
+    std::optional<netmesh_analysis> analysis;  // mesh, delaunay: with --analyse
     std::optional<netmesh_report> engine;  // without it, everything the engine would say is null
     std::uint32_t dim = 0;                 // of the input; 0: none
     double read_seconds = 0, write_seconds = 0, total_seconds = 0;

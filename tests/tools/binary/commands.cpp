@@ -152,6 +152,16 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(folder.run("mesh p.txt -o fine.node --eps 0.4 --check").exit == 0);
     CHECK(folder.run("check fine.node").out.find("of the size asked for (eps 0.4)") != std::string::npos);
     CHECK(folder.run("mesh p.txt -o none.node --eps 1e-18").exit == 3);
+    CHECK(check.out.find("within the bounds of chapters 3 and 5") != std::string::npos);
+    const Result analysed = folder.run("mesh p.txt -o m.node --analyse --json");
+    CHECK(analysed.exit == 0);
+    for (const char* key : {"\"analysis\"", "\"theta\"", "\"integral_lower\"", "\"ply_max\"", "\"beta_max\"", "\"feature_ratio\""})
+        CHECK(analysed.out.find(key) != std::string::npos);
+    const Result triangulated = folder.run("delaunay p.txt -o d.node --analyse");
+    CHECK(triangulated.exit == 0);
+    CHECK(triangulated.err.find("fatness") != std::string::npos);
+    CHECK(triangulated.err.find("feature size") == std::string::npos);
+    CHECK(folder.run("persist p.txt --analyse").exit == 2);
     CHECK(folder.run("sample ball -n 60 --dim 3 --seed 2 -o q.txt").exit == 0);
     check = folder.run("check m.node --points q.txt");
     CHECK(check.exit == 7);
