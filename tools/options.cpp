@@ -13,31 +13,36 @@ namespace {
 constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
 constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
 constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
+constexpr unsigned distance = bit(Command::distance);
 constexpr unsigned engine = mesh | delaunay | persist;
 
 struct CommandEntry {
     Command command;
     const char* name;
-    const char* positional;
+    const char* positional;  // the names of all, null for none
+    std::size_t positional_count;
     const char* summary;
     const char* details;
 };
 
 constexpr CommandEntry commands[] = {
-    {Command::mesh, "mesh", "POINTS", "quality mesh",
+    {Command::mesh, "mesh", "POINTS", 1, "quality mesh",
      "Every vertex but the boundary's gets a Voronoi cell whose aspect ratio, clipped to the domain, is at most "
      "tau.\n"},
-    {Command::delaunay, "delaunay", "POINTS", "Delaunay triangulation", ""},
-    {Command::persist, "persist", "POINTS", "persistence diagram",
+    {Command::delaunay, "delaunay", "POINTS", 1, "Delaunay triangulation", ""},
+    {Command::persist, "persist", "POINTS", 1, "persistence diagram",
      "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
-    {Command::size, "size", nullptr, "bytes of memory to plan for",
+    {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck distance between two diagrams",
+     "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential classes "
+     "differ.\n"},
+    {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
      "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
      "persist.\n"},
-    {Command::check, "check", "MESH.node | DIAGRAM.pers", "recompute every certificate from the files alone",
+    {Command::check, "check", "MESH.node | DIAGRAM.pers", 1, "recompute every certificate from the files alone",
      "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram is recomputed "
      "from\n"
      "--points or --mesh; alone, it is only looked at for what every diagram must satisfy.\n"},
-    {Command::sample, "sample", "SHAPE", "point sets by formula", nullptr},
+    {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
 };
 
 using Apply = std::string (*)(Options&, const std::string&);  // a complaint, or empty
@@ -152,6 +157,7 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
+std::string apply_log(Options& options, const std::string&) { return options.log = true, ""; }
 std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
 
 struct OptionEntry {
@@ -186,11 +192,13 @@ constexpr OptionEntry option_entries[] = {
     {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
     {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
+    {"--log", distance, nullptr, apply_log,
+     "distance of natural logarithms; births at 0 are matched to births at 0 alone"},
     {"--check", engine, nullptr, apply_check, "run the independent checkers on the result"},
     {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
-    {"--json", engine | size | check, nullptr, apply_json,
+    {"--json", engine | distance | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
-    {"--quiet", engine | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
+    {"--quiet", engine | distance | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
 };
 
 const CommandEntry* find_command(const std::string& name) {
@@ -293,8 +301,10 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
         }
     }
     const CommandEntry& command = entry_of(options->command);
-    const std::size_t due = command.positional == nullptr ? 0 : 1;
-    if (options->positionals.size() < due || (due == 1 && options->positionals[0].empty())) {
+    const std::size_t due = command.positional_count;
+    bool empty = options->positionals.size() < due;
+    for (std::size_t i = 0; i < due && !empty; i++) empty = options->positionals[i].empty();
+    if (empty) {
         return usage_error(std::string(command.name) + " needs " + command.positional);
     }
     if (options->positionals.size() > due) {

@@ -237,6 +237,35 @@ typedef struct netmesh_pair {
 } netmesh_pair;
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair);
 
+typedef enum netmesh_scale {
+    NETMESH_SCALE_PLAIN = 0, /* differences of radii */
+    NETMESH_SCALE_LOG = 1    /* differences of their logarithms */
+} netmesh_scale;
+
+#define NETMESH_ALL_DEGREES UINT32_MAX
+
+/* PLAIN: value is the distance, exponent 0. LOG: value * 2^exponent is the ratio e^distance, value in [1, 2). Infinite:
+ * value is +infinity. The exact distance (ratio), rounded once. */
+typedef struct netmesh_distance {
+    double value;
+    int32_t exponent;
+} netmesh_distance;
+
+/* Bytes of scratch that netmesh_bottleneck needs for diagrams of so many pairs, about 310 a pair; SIZE_MAX when
+ * they do not fit or there are more than 2^25 pairs. */
+size_t netmesh_bottleneck_bytes(uint64_t count_a, uint64_t count_b);
+
+/* Bottleneck distance (6.5) between two diagrams in one degree or, with NETMESH_ALL_DEGREES, the largest of all degrees:
+ * the least d for which pairs can be matched one to one, each moved by at most d in birth and in death, and unmatched
+ * pairs are at most 2 d long. Essential pairs are matched to essential pairs by birth; in LOG scale pairs born at 0 are
+ * matched only to pairs born at 0. Where their numbers differ the distance is infinite. Pairs may come in any order;
+ * birth is finite (and not negative in LOG scale), death >= birth.
+ * scratch: 16-byte aligned, of at least netmesh_bottleneck_bytes. No context is needed. poll may be null; it can only
+ * cancel, its progress is empty. Expected cost about O(n^1.5 log n). INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_bottleneck(const netmesh_pair* a, size_t count_a, const netmesh_pair* b, size_t count_b,
+                                  uint32_t degree, netmesh_scale scale, void* scratch, size_t scratch_bytes,
+                                  netmesh_poll poll, void* user, netmesh_distance* distance);
+
 #ifdef __cplusplus
 }
 #endif

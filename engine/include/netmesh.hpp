@@ -19,6 +19,14 @@ inline std::size_t plan_bytes(netmesh_job job, const netmesh_options& options, s
     return netmesh_plan_bytes(job, &options, points);
 }
 
+// Bottleneck distance, netmesh_bottleneck; scratch of netmesh_bottleneck_bytes(count_a, count_b), 16-byte aligned.
+inline netmesh_status bottleneck(const netmesh_pair* a, std::size_t count_a, const netmesh_pair* b, std::size_t count_b,
+                                 void* scratch, std::size_t scratch_bytes, netmesh_distance* distance,
+                                 netmesh_scale scale = NETMESH_SCALE_PLAIN,
+                                 std::uint32_t degree = NETMESH_ALL_DEGREES) {
+    return netmesh_bottleneck(a, count_a, b, count_b, degree, scale, scratch, scratch_bytes, nullptr, nullptr, distance);
+}
+
 // A context in a block that the caller keeps alive. Copying the object copies the handle, not the context.
 class Engine {
 public:

@@ -5,6 +5,7 @@
 //   fingerprints [small]      small: without the Clifford set
 #include <cinttypes>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "common/session.hpp"
@@ -46,11 +47,28 @@ void dimension(int dim) {
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? side[d] : 3)));
 }
 
+// Distances of the diagrams of two samples, as the bits that netmesh_bottleneck returns.
+void distances() {
+    Session a(2), b(2);
+    const bool made = a.alpha(inputs::shell(2, 500, 0.5, 1, 1)) == NETMESH_OK && b.alpha(inputs::shell(2, 500, 0.5, 1, 2)) == NETMESH_OK;
+    const std::vector<netmesh_pair> x = a.pairs(), y = b.pairs();
+    const std::size_t bytes = netmesh_bottleneck_bytes(x.size(), y.size());
+    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
+    for (const netmesh_scale scale : {NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG}) {
+        netmesh_distance d = {};
+        const netmesh_status status = netmesh_bottleneck(x.data(), x.size(), y.data(), y.size(), NETMESH_ALL_DEGREES, scale, scratch, bytes, nullptr, nullptr, &d);
+        failed = failed || !made || status != NETMESH_OK;
+        std::printf("bottleneck %s distance %a exponent %" PRId32 "\n", scale == NETMESH_SCALE_LOG ? "log" : "plain", d.value, d.exponent);
+    }
+    std::free(scratch);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     const bool small = argc > 1 && std::strcmp(argv[1], "small") == 0;
     for (int dim = NETMESH_DIM_MIN; dim <= NETMESH_DIM_MAX; ++dim) dimension(dim);
+    distances();
     if (!small) {
         Session session(4);
         session.options.tau = 3.08;

@@ -171,6 +171,18 @@ std::string json_report(const RunReport& run) {
     write_input(json, run);
     write_mesh(json, run);
     write_diagram(json, run);
+    if (run.distances) {
+        json.entry("scale", run.options->log ? "log" : "plain");
+        json.key("distances");
+        json.open('[');
+        for (const DegreeDistance& d : *run.distances) {
+            json.open('[');
+            json.value(d.degree);
+            json.value(d.value);  // infinity is null
+            json.close(']');
+        }
+        json.close(']');
+    }
     if (run.checked) {
         json.key("checked");
         json.open('[');

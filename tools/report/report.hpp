@@ -11,6 +11,11 @@
 
 namespace netmesh::tool {
 
+struct DegreeDistance {
+    std::uint32_t degree;
+    double value;  // may be infinite
+};
+
 struct RunReport {
     const Options* options = nullptr;
     std::optional<netmesh_report> engine;  // without it, everything the engine would say is null
@@ -19,6 +24,7 @@ struct RunReport {
     std::optional<StageClock> clock;
     const std::vector<Bar>* bars = nullptr;           // diagram.bars, when the data has no other way out
     std::optional<std::uint64_t> plan_bytes;          // size
+    std::optional<std::vector<DegreeDistance>> distances;  // distance
     std::optional<std::vector<std::string>> checked;  // check: what was found to hold
 };
 

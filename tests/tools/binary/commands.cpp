@@ -256,3 +256,44 @@ TEST_CASE("size: one integer, enough for uniform points") {
                   .exit == 0);
     }
 }
+
+TEST_CASE("distance: a line per degree, plain and log, faults by file and line") {
+    const Folder folder;
+    folder.write("a.pers", "# a comment\n0 0 inf\n0 0 1\n1 1 3\n");
+    folder.write("b.pers", "0 0 2\n1 1.5 3.5\n0 0 inf\n\n2 1 inf\n");
+    folder.write("empty.pers", "");
+    Result result = folder.run("distance a.pers b.pers");
+    CHECK(result.exit == 0);
+    CHECK(result.err == "");
+    CHECK(result.out == "0 1\n1 0.5\n2 inf\n");
+    CHECK(folder.run("distance b.pers a.pers --log").out == "0 0.6931471805599453\n1 0.4054651081081644\n2 inf\n");
+    CHECK(folder.run("distance a.pers a.pers").out == "0 0\n1 0\n");
+    CHECK(folder.run("distance --log a.pers - ", "1 1 3\n0 0 inf\n0 1e-9 1\n").out == "0 inf\n1 0\n");
+    CHECK(folder.run("distance empty.pers empty.pers").out == "");
+    CHECK(folder.run("distance empty.pers a.pers --quiet").out == "0 inf\n1 1\n");
+    CHECK(folder.run("distance a.pers b.pers --json").out.find("\"distances\": [[0, 1], [1, 0.5], [2, null]]") !=
+          std::string::npos);
+
+    folder.write("bad.pers", "0 0 inf\n\n1 2\n");
+    folder.write("late.pers", "0 0 inf\n1 3 2\n");
+    folder.write("negative.pers", "0 -1 inf\n");
+    folder.write("nan.pers", "0 0 nan\n");
+    const char* const faults[][2] = {{"bad.pers", "bad.pers:3: "},
+                                     {"late.pers", "late.pers:2: "},
+                                     {"negative.pers", "negative.pers:1: "},
+                                     {"nan.pers", "nan.pers:1: "},
+                                     {"missing.pers", "missing.pers: no such file"}};
+    for (const auto& fault : faults) {
+        CAPTURE(fault[0]);
+        for (const std::string& line : {std::string("distance a.pers ") + fault[0], std::string("distance ") + fault[0] + " a.pers"}) {
+            result = folder.run(line);
+            CHECK(result.exit == 3);
+            CHECK(result.says(fault[1]));
+            CHECK(result.out == "");
+        }
+    }
+    CHECK(folder.run("distance a.pers").exit == 2);
+    CHECK(folder.run("distance a.pers b.pers a.pers").exit == 2);
+    CHECK(folder.run("distance - -").exit == 2);
+    CHECK(folder.run("distance a.pers b.pers --tau 3").exit == 2);
+}
