@@ -18,6 +18,8 @@ Outcome run(const Options& options) {
         return write_files({{"", [&](TextWriter& out) { out << text; }}});
     }
     switch (options.command) {
+    case Command::homology:
+        return run_homology(options);
     case Command::distance:
         return run_distance(options);
     case Command::size:

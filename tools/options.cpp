@@ -13,7 +13,7 @@ namespace {
 constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
 constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
 constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
-constexpr unsigned distance = bit(Command::distance);
+constexpr unsigned homology = bit(Command::homology), distance = bit(Command::distance);
 constexpr unsigned engine = mesh | delaunay | persist;
 
 struct CommandEntry {
@@ -32,6 +32,10 @@ constexpr CommandEntry commands[] = {
     {Command::delaunay, "delaunay", "POINTS", 1, "Delaunay triangulation", ""},
     {Command::persist, "persist", "POINTS", 1, "persistence diagram",
      "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
+    {Command::homology, "homology", "FILE", 1, "persistent homology of a filtered complex",
+     "One simplex a line: its vertices, whole numbers from 0, then the value at which it enters: `3 1 4 0.5` is a\n"
+     "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth death`;\n"
+     "the bars that never die are the Betti numbers.\n"},
     {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck distance between two diagrams",
      "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential classes "
      "differ.\n"},
@@ -142,6 +146,10 @@ std::string apply_svg(Options& options, const std::string& text) {
     options.svg = text;
     return text.empty() ? "must be a file name" : "";
 }
+std::string apply_representatives(Options& options, const std::string& text) {
+    options.representatives = text;
+    return text.empty() ? "must be a file name" : "";
+}
 std::string apply_mesh_out(Options& options, const std::string& text) {
     options.mesh_out = text;
     return text.empty() ? "must be a file name" : "";
@@ -171,7 +179,7 @@ struct OptionEntry {
 constexpr OptionEntry option_entries[] = {
     {"-o", mesh | delaunay, "OUT", apply_out,
      ".node (with .ele and .neigh), .vtu (D = 2, 3) or .off; without it OFF on stdout"},
-    {"-o", persist, "OUT.pers", apply_out, "the diagram; without it on stdout"},
+    {"-o", persist | homology, "OUT.pers", apply_out, "the diagram; without it on stdout"},
     {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
     {"-n", sample, "N", apply_count, "number of points"},
     {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
@@ -185,20 +193,24 @@ constexpr OptionEntry option_entries[] = {
     {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic or alpha"},
     {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
     {"--max-degree", persist | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
-    {"--memory", engine | size | check, "SIZE", apply_memory,
+    {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
+    {"--representatives", homology, "FILE", apply_representatives,
+     "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
+    {"--memory", engine | homology | size | check, "SIZE", apply_memory,
      "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
     {"--seed", engine | size | check | sample, "S", apply_seed, "of every random choice (1)"},
     {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
     {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
-    {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
+    {"--svg", persist | homology, "FILE", apply_svg, "picture of barcode and diagram"},
     {"--log", distance, nullptr, apply_log,
      "distance of natural logarithms; births at 0 are matched to births at 0 alone"},
     {"--check", engine, nullptr, apply_check, "run the independent checkers on the result"},
-    {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
-    {"--json", engine | distance | size | check, nullptr, apply_json,
+    {"--check", homology, nullptr, apply_check, "check that each cycle is one, and born with its bar"},
+    {"--all", persist | homology | size | check, nullptr, apply_all, "keep bars of length zero"},
+    {"--json", engine | homology | distance | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
-    {"--quiet", engine | distance | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
+    {"--quiet", engine | homology | distance | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
 };
 
 const CommandEntry* find_command(const std::string& name) {

@@ -11,7 +11,7 @@
 
 namespace netmesh::tool {
 
-enum class Command { none, mesh, delaunay, persist, distance, size, check, sample };
+enum class Command { none, mesh, delaunay, persist, homology, distance, size, check, sample };
 
 struct Options {
     Command command = Command::none;
@@ -21,6 +21,7 @@ struct Options {
     std::string out;  // empty: stdout
     std::string svg;
     std::string mesh_out;  // persist: where the filtered mesh goes
+    std::string representatives;  // where the cycles go
     bool json = false, check = false, all = false, quiet = false, log = false;
 
     std::optional<double> tau;

@@ -125,7 +125,7 @@ public:
         SearchedEdges<Scale> searched(*left_, *right_, scratch_, limit);
         const std::uint32_t reached = listed.list(limit) ? match(listed, limit) : match(searched, limit);
         if (reached > 0) {
-            *next = next_limit<Scale>(limit, reached);
+            *next = next_limit<Scale>(reached);
             return false;
         }
         for (std::uint32_t i = 0; i < left_->count(); ++i) {
@@ -229,7 +229,7 @@ private:
 
     // The points in queue[0, reached) compete for too few partners. That ends when one of them may go to the diagonal
     // or gets an edge to a partner that none of them had.
-    template <class Scale> std::uint64_t next_limit(std::uint64_t limit, std::uint32_t reached) const {
+    template <class Scale> std::uint64_t next_limit(std::uint32_t reached) const {
         right_->mark_all(1);
         for (std::uint32_t j = 0; j < right_->count(); ++j) {
             if (scratch_.level[j] != none) right_->mark(j, 0);

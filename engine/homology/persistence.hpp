@@ -42,7 +42,7 @@ Status persist_lower_star(const TriangulationView<D>& complex, const double* val
 // of[k-1] in any order. of[0].faces is not read. A face enters no later than its cofaces: of[k-1].value[face] <=
 // of[k].value[i].
 struct FilteredComplex {
-    static constexpr std::uint32_t dimension_max = 7;
+    static constexpr std::uint32_t dimension_max = 31;
     struct Simplices {
         std::uint32_t count;         // < 2^31
         const std::uint32_t* faces;  // [count][k+1]

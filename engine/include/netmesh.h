@@ -6,6 +6,7 @@
  * may be copied byte by byte to another 16-byte aligned address and used there. Two contexts are independent.
  *
  * Life of a context:   init -> delaunay | mesh | load -> persist -> get_*        (each step may be repeated)
+ *                      init -> homology -> get_*
  *
  * "Thesis" is D. Sheehy, Mesh Generation and Geometric Persistent Homology, CMU 2011; numbers are its sections.
  * Unless said otherwise a call that does not return NETMESH_OK leaves the previous result untouched. */
@@ -24,6 +25,7 @@ extern "C" {
 #define NETMESH_VERSION_PATCH 0
 #define NETMESH_DIM_MIN 2
 #define NETMESH_DIM_MAX 6
+#define NETMESH_DEGREE_MAX 31 /* of homology, for filtrations that are not meshes */
 #define NETMESH_NONE UINT32_MAX /* no neighbour, no index */
 
 typedef enum netmesh_status {
@@ -38,7 +40,10 @@ typedef enum netmesh_status {
     NETMESH_NO_RESULT = 8,        /* the call needs an earlier step that has not been done */
     NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which */
     NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
-    NETMESH_INTERNAL = 11         /* an invariant of the library does not hold: a defect, please report it */
+    NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
+    NETMESH_NOT_A_COMPLEX = 12    /* simplex index_a has no place in a filtered complex, detail.message says why; index_b:
+                                     the earlier equal one, the face that enters later, or the vertex (counted from 0 in
+                                     ascending order) that a missing face lacks */
 } netmesh_status;
 
 /* A short English phrase for a status; never null. */
@@ -157,6 +162,21 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
 
+/* Persistent homology over Z/2 of any filtered simplicial complex (6.2, 6.3). Simplex i has the vertices
+ * vertices[starts[i] .. starts[i + 1]), at most 32 distinct labels in any order, and enters at values[i], a finite number.
+ * starts: [count + 1]. Simplices come in any order; every face must be there and enter no later. Classes of degree
+ * 0..max_degree; more than the dimension counts as the dimension, whose cycles never die. Essential pairs are the Betti
+ * numbers. representatives: keep a cycle for each pair (netmesh_get_cycle). Replaces what the context held, also on
+ * failure. Of options only poll and user are read.
+ * Memory: netmesh_homology_bytes plus fill of the reduction.
+ * INVALID_ARGUMENT, NOT_FINITE (simplex index_a), NOT_A_COMPLEX, OUT_OF_MEMORY, CANCELLED; then the context is empty. */
+netmesh_status netmesh_homology(netmesh_context* context, const uint32_t* vertices, const uint64_t* starts,
+                                const double* values, uint64_t count, uint32_t max_degree, int keep_zero_pairs,
+                                int representatives, const netmesh_options* options);
+
+/* Bytes of block to plan for: netmesh_homology of `count` simplices with `vertices` vertices in all. */
+size_t netmesh_homology_bytes(uint64_t count, uint64_t vertices);
+
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
@@ -197,7 +217,8 @@ typedef struct netmesh_report {
     netmesh_filter filter;
     netmesh_values values;
     uint32_t max_degree;
-    uint64_t pairs[NETMESH_DIM_MAX]; /* per degree, essential ones included */
+    uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
+    uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
     uint64_t simplices;         /* of the filtered complex */
     double certified_ratio;     /* c >= 1: log-bottleneck distance to the offsets' diagram is at most ln c */
     double certified_ratio_best;/* the best ratio that any filter values on this mesh can certify (certified values) */
@@ -236,6 +257,18 @@ typedef struct netmesh_pair {
     double birth, death;
 } netmesh_pair;
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair);
+
+/* A representative of pair `pair`: a set of simplices of the pair's degree whose boundary is zero, the last of which
+ * enters at the pair's birth, and which is a boundary from the pair's death on. In degree 0: a vertex and, when the pair
+ * dies, an older one that it is then connected to. get_cycle tells the number of simplices, get_cycle_simplex one of them,
+ * in no particular order; O(1) and O(degree^2). NO_RESULT when no representatives were asked for. */
+typedef struct netmesh_simplex {
+    uint32_t vertices[NETMESH_DEGREE_MAX + 1]; /* ascending; the first degree + 1 */
+    double value;
+} netmesh_simplex;
+netmesh_status netmesh_get_cycle(const netmesh_context* context, uint64_t pair, uint64_t* simplices);
+netmesh_status netmesh_get_cycle_simplex(const netmesh_context* context, uint64_t pair, uint64_t index,
+                                         netmesh_simplex* simplex);
 
 typedef enum netmesh_scale {
     NETMESH_SCALE_PLAIN = 0, /* differences of radii */

@@ -47,6 +47,12 @@ public:
                            std::uint32_t max_degree = NETMESH_DIM_MAX) {
         return status_ = netmesh_persist(context_, filter, values, max_degree, 0, &options);
     }
+    netmesh_status homology(const std::uint32_t* vertices, const std::uint64_t* starts, const double* values,
+                            std::uint64_t count, const netmesh_options& options, bool representatives = false,
+                            std::uint32_t max_degree = NETMESH_DEGREE_MAX) {
+        return status_ = netmesh_homology(context_, vertices, starts, values, count, max_degree, 0,
+                                          representatives ? 1 : 0, &options);
+    }
     netmesh_status check(const netmesh_options& options, std::uint32_t what = NETMESH_CHECK_ALL) {
         return status_ = netmesh_check(context_, what, &options);
     }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 
 #include "common/session.hpp"
 
@@ -22,7 +23,7 @@ void print(const char* job, const char* input, const Session& session, netmesh_s
     }
     const netmesh_report r = session.report();
     std::uint64_t pairs = 0;
-    for (std::uint32_t k = 0; k < r.dim; ++k) pairs += r.has_diagram ? r.pairs[k] : 0;
+    for (std::uint32_t k = 0; k <= r.max_degree; ++k) pairs += r.has_diagram ? r.pairs[k] : 0;
     std::printf("%s %s D%" PRIu32 " input %016" PRIx64 " result %016" PRIx64 " vertices %" PRIu64 " cells %" PRIu64 " pairs %" PRIu64 "\n",
                 job, input, r.dim, r.input_fingerprint, r.fingerprint, r.vertices, r.cells, pairs);
     std::fflush(stdout);
@@ -63,12 +64,52 @@ void distances() {
     std::free(scratch);
 }
 
+// The complex of all faces of some cells, with values by formula and negative ones among them, and a cycle for each bar.
+void homology() {
+    const std::uint32_t vertices = 60, size = 4;
+    inputs::Random random(7);
+    std::set<std::vector<std::uint32_t>> faces;
+    while (faces.size() < 3000) {
+        std::vector<std::uint32_t> cell;
+        for (std::uint32_t i = 0; i < size; ++i) cell.push_back(static_cast<std::uint32_t>(random.below(vertices / size)) * size + i);
+        for (std::uint32_t mask = 1; mask < 1u << size; ++mask) {
+            std::vector<std::uint32_t> face;
+            for (std::uint32_t i = 0; i < size; ++i) {
+                if ((mask >> i & 1) != 0) face.push_back(cell[i]);
+            }
+            faces.insert(face);
+        }
+    }
+    std::vector<std::uint32_t> list;
+    std::vector<std::uint64_t> starts = {0};
+    std::vector<double> values;
+    for (const auto& face : faces) {
+        list.insert(list.end(), face.begin(), face.end());
+        starts.push_back(list.size());
+        double value = -2;
+        for (const std::uint32_t v : face) value = std::max(value, v * 0.25 / (1 + v % 7) - 2);
+        values.push_back(value + static_cast<double>(face.size()) * 0.125);
+    }
+    Session session(2);
+    const netmesh_status status = session.until_it_fits(netmesh_homology_bytes(values.size(), list.size()), [&] {
+        return netmesh_homology(session.context, list.data(), starts.data(), values.data(), values.size(), 3, 0, 1, &session.options);
+    });
+    std::uint64_t cycles = 0;
+    netmesh_simplex s;
+    for (std::uint64_t i = 0; i < session.pairs().size(); ++i)
+        for (std::uint64_t n = 0; netmesh_get_cycle_simplex(session.context, i, n, &s) == NETMESH_OK; ++n)
+            for (const std::uint32_t v : s.vertices) cycles = (cycles ^ v) * 0x100000001B3u + n;
+    print("homology", "joined", session, status);
+    std::printf("homology cycles %016" PRIx64 "\n", cycles);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     const bool small = argc > 1 && std::strcmp(argv[1], "small") == 0;
     for (int dim = NETMESH_DIM_MIN; dim <= NETMESH_DIM_MAX; ++dim) dimension(dim);
     distances();
+    homology();
     if (!small) {
         Session session(4);
         session.options.tau = 3.08;

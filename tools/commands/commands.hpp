@@ -7,6 +7,7 @@ namespace netmesh::tool {
 
 Outcome run_engine_command(const Options& options);  // mesh, delaunay, persist
 Outcome run_size(const Options& options);
+Outcome run_homology(const Options& options);
 Outcome run_distance(const Options& options);
 Outcome run_check(const Options& options);
 Outcome run_sample(const Options& options);

@@ -29,6 +29,9 @@ struct RunReport {
 };
 
 // Keys that do not apply are null. Nothing in `fingerprint` depends on time, memory or platform.
+// The function that the certified ratio is about.
+std::string reference_text(const netmesh_report& engine);
+
 std::string json_report(const RunReport& run);
 std::string text_report(const RunReport& run);
 

@@ -297,3 +297,57 @@ TEST_CASE("distance: a line per degree, plain and log, faults by file and line")
     CHECK(folder.run("distance - -").exit == 2);
     CHECK(folder.run("distance a.pers b.pers --tau 3").exit == 2);
 }
+
+TEST_CASE("homology: a filtered complex from a file, its cycles, its faults by line") {
+    const Folder folder;
+    folder.write("t.txt", "# a triangle that is filled late\n5, 0\n9 0\n7 0\n\n5 7 1\n9;5;2\n7 9 3\n5 7 9 4.5\n");
+    Result result = folder.run("homology t.txt --check --representatives c.txt --svg t.svg");
+    CHECK(result.exit == 0);
+    CHECK(result.out == "0 0 1\n0 0 2\n0 0 inf\n1 3 4.5\n");
+    CHECK(result.says("Betti    1, 0, 0"));
+    CHECK(folder.read("c.txt") == "bar 0 0 1 2\n7\n5\nbar 0 0 2 2\n9\n5\nbar 0 0 inf 1\n5\nbar 1 3 4.5 3\n7 9\n5 9\n5 7\n");
+    CHECK(folder.read("t.svg").rfind("<svg ", 0) == 0);
+    result = folder.run("homology t.txt -o t.pers --json --max-degree 1");
+    CHECK(result.exit == 0);
+    CHECK(result.err == "");
+    CHECK(result.out.find("\"essential\": [1, 0]") != std::string::npos);
+    CHECK(result.out.find("\"mesh\": null") != std::string::npos);
+    CHECK(folder.run("distance t.pers -", "1 3 4.5\n0 0 inf\n").out == "0 1\n1 0\n");
+    CHECK(folder.run("homology t.txt --all --quiet --max-degree 0").out == "0 0 1\n0 0 2\n0 0 inf\n");
+    CHECK(folder.run("homology - --quiet", "1 -2\n2 -1\n1 2 -0.5\n").out == "0 -2 inf\n0 -1 -0.5\n");
+    CHECK(folder.run("homology - --svg n.svg", "1 -2\n").exit == 3);
+    // The real projective plane: over Z/2 it has a class in every degree.
+    std::string plane;
+    for (const char* s : {"0 1 2", "0 2 3", "0 3 4", "0 4 5", "0 1 5", "1 2 4", "2 3 5", "1 3 4", "2 4 5", "1 3 5"}) {
+        plane += std::string(s) + " 2\n";
+    }
+    for (int a = 0; a < 6; a++) {
+        plane += std::to_string(a) + " 0\n";
+        for (int b = 0; b < a; b++) plane += std::to_string(a) + " " + std::to_string(b) + " 1\n";
+    }
+    result = folder.run("homology - --check", plane);
+    CHECK(result.exit == 0);
+    CHECK(result.says("Betti    1, 1, 1"));
+
+    const char* const faults[][2] = {{"5 0\n7 0\n\n5 7 9 4\n", "<stdin>:4: simplex 5 7 9: its face 7 9 is missing"},
+                                     {"5 0\n7 2\n7 5 1\n", "<stdin>:3: simplex 5 7: enters at 1, before its face 7 of line 2 at 2"},
+                                     {"5 0\n7 0\n5 0\n", "<stdin>:3: simplex 5: is listed in line 1 already"},
+                                     {"5 0\n5 5 0\n", "<stdin>:2: simplex 5 5: a simplex has a vertex twice"},
+                                     {"5 0\n7 x\n", "<stdin>:2: \"x\" is not a number"},
+                                     {"5 0\n7 nan\n", "<stdin>:2: "},
+                                     {"5 0\n-7 1\n", "<stdin>:2: -7 is not a vertex"},
+                                     {"5 0\n1.5 1\n", "<stdin>:2: 1.5 is not a vertex"},
+                                     {"5\n", "<stdin>:1: "},
+                                     {"", "<stdin>:1: "}};
+    for (const auto& fault : faults) {
+        CAPTURE(fault[1]);
+        result = folder.run("homology -", fault[0]);
+        CHECK(result.exit == 3);
+        CHECK(result.says(fault[1]));
+        CHECK(result.out == "");
+    }
+    CHECK(folder.run("homology t.txt --memory 4000").exit == 4);
+    CHECK(folder.run("homology t.txt --memory 200K --quiet").exit == 0);
+    CHECK(folder.run("homology t.txt -o t.txt").exit == 2);
+    CHECK(folder.run("homology").exit == 2);
+}
