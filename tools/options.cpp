@@ -65,12 +65,14 @@ std::string apply_method(Options&, const std::string& text) {
 }
 
 std::string apply_filter(Options& options, const std::string& text) {
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA}) {
+    for (const netmesh_filter filter :
+         {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA, NETMESH_FILTER_RIPS, NETMESH_FILTER_CECH,
+          NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_FILTER_BARYCENTRIC_RIPS}) {
         if (text != filter_name(filter)) continue;
         options.filter = filter;
         return {};
     }
-    return "this version has the filters complete, basic and alpha";
+    return "there are complete, basic, alpha, rips, cech, barycentric-cech and barycentric-rips";
 }
 
 std::string apply_values(Options& options, const std::string& text) {
@@ -83,6 +85,13 @@ std::string apply_max_degree(Options& options, const std::string& text) {
     std::uint64_t degree;
     if (!parse_unsigned(text, &degree) || degree > 1000) return "must be a degree: 0, 1, 2, ...";
     options.max_degree = static_cast<std::uint32_t>(degree);
+    return {};
+}
+
+std::string apply_k(Options& options, const std::string& text) {
+    std::uint64_t k;
+    if (!parse_unsigned(text, &k) || k == 0 || k >= 4294967296u) return "must be a number of neighbours, 1 or more";
+    options.k = static_cast<std::uint32_t>(k);
     return {};
 }
 
@@ -190,12 +199,15 @@ constexpr OptionEntry option_entries[] = {
     {"--tau", mesh | persist | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
     {"--method", mesh | persist | size, "M", apply_method, "svr"},
-    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic or alpha"},
+    {"--filter", persist | size | check, "F", apply_filter,
+     "complete (default), basic, alpha, rips, cech, barycentric-cech or barycentric-rips"},
+    {"--k", persist | size | check, "K", apply_k, "points in every set of a barycentric filter, at least (1)"},
     {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
-    {"--max-degree", persist | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
+    {"--max-degree", persist | size | check, "P", apply_max_degree,
+     "highest homology degree (D-1; 1 for rips, cech and barycentric filters)"},
     {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
-    {"--representatives", homology, "FILE", apply_representatives,
-     "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
+    {"--representatives", persist | homology, "FILE", apply_representatives,
+     "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line (of points: rips and cech)"},
     {"--memory", engine | homology | size | check, "SIZE", apply_memory,
      "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
     {"--seed", engine | size | check | sample, "S", apply_seed, "of every random choice (1)"},
@@ -335,12 +347,32 @@ const char* filter_name(netmesh_filter filter) {
         return "basic";
     case NETMESH_FILTER_ALPHA:
         return "alpha";
+    case NETMESH_FILTER_RIPS:
+        return "rips";
+    case NETMESH_FILTER_CECH:
+        return "cech";
+    case NETMESH_FILTER_BARYCENTRIC_CECH:
+        return "barycentric-cech";
+    case NETMESH_FILTER_BARYCENTRIC_RIPS:
+        return "barycentric-rips";
     default:
         return "none";
     }
 }
 
 const char* values_name(netmesh_values values) { return values == NETMESH_VALUES_THESIS ? "thesis" : "certified"; }
+
+bool is_barycentric(netmesh_filter filter) {
+    return filter == NETMESH_FILTER_BARYCENTRIC_CECH || filter == NETMESH_FILTER_BARYCENTRIC_RIPS;
+}
+
+bool is_points_filter(netmesh_filter filter) {
+    return filter == NETMESH_FILTER_RIPS || filter == NETMESH_FILTER_CECH || is_barycentric(filter);
+}
+
+std::uint32_t max_degree_of(const Options& options, std::uint32_t dim) {
+    return options.max_degree.value_or(options.filter && is_points_filter(*options.filter) ? 1 : dim - 1);
+}
 
 std::string version_text() {
     return "netmesh " + std::to_string(NETMESH_VERSION_MAJOR) + "." + std::to_string(NETMESH_VERSION_MINOR) + "." +

@@ -28,6 +28,7 @@ struct Options {
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
+    std::uint32_t k = 0;           // 0: not given
     std::size_t memory_bytes = 0;  // 0: reserved lazily
     std::uint64_t seed = 1;
 
@@ -45,6 +46,11 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
 const char* command_name(Command command);
 const char* filter_name(netmesh_filter filter);
 const char* values_name(netmesh_values values);
+// Filters on the points themselves, without a triangulation.
+bool is_points_filter(netmesh_filter filter);
+bool is_barycentric(netmesh_filter filter);
+// Highest degree when none is asked for: 1 where the complex grows with it, otherwise D - 1.
+std::uint32_t max_degree_of(const Options& options, std::uint32_t dim);
 
 // What --help prints, for the program (Command::none) or one command.
 std::string help_text(Command command);

@@ -18,6 +18,12 @@ std::uint64_t fingerprint_of(const netmesh_context* context, const PairList& pai
     return f.value();
 }
 
+// Whether most simplices are of the highest dimension that matters.
+bool is_skeleton(const FilteredComplex& complex, std::uint32_t max_degree) {
+    const std::uint32_t top = max_degree < complex.dimension ? max_degree + 1 : complex.dimension;
+    return top > 0 && complex.of[top].count / 2 > complex.of[top - 1].count;
+}
+
 }  // namespace
 
 bool take_complex(Arena& arena, ListedComplex& complex) {
@@ -52,7 +58,9 @@ Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const C
         status = persist_with_cycles(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs,
                                      &context->cycles);
     } else {
-        status = persist_filtration(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs);
+        status = is_skeleton(filtered, request.max_degree)
+                     ? persist_skeleton(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs)
+                     : persist_filtration(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs);
     }
     if (status != Status::ok) return status;
     if (!request.representatives) {

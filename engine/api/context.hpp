@@ -51,6 +51,7 @@ struct Context {
     double certified_ratio, certified_ratio_best, certified_from;
 
     bool is_complex, has_cycles;  // then dim is 0
+    std::uint32_t k;              // of barycentric filters
     std::uint32_t point_dim;      // of the points the complex is made of, 0 for one given by its simplices
     std::uint64_t kept_offset, result_fingerprint;
     CycleStore cycles;

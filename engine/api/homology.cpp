@@ -149,6 +149,7 @@ netmesh_status netmesh_homology(netmesh_context* context, const uint32_t* vertic
         context->points = context->duplicates = 0;
         context->inputs = complex.count[0];
         context->certified_ratio = context->certified_ratio_best = 1;
+        context->k = 0;
         context->filter = NETMESH_FILTER_NONE;
         const std::uint32_t degree = max_degree < complex.dimension ? max_degree : complex.dimension;
         status = keep_diagram_of(context, complex, {degree, keep_zero_pairs != 0, representatives != 0}, monitor);

@@ -82,6 +82,7 @@ void report_complex(const netmesh_context* context, netmesh_report* report) {
     report->points = context->points;
     report->duplicates = context->duplicates;
     report->input_fingerprint = context->input_fingerprint;
+    report->k = context->k;
     report->vertices = report->inputs = context->inputs;
     report->fingerprint = context->result_fingerprint;
     report_diagram(context, report);

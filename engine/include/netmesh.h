@@ -6,7 +6,7 @@
  * may be copied byte by byte to another 16-byte aligned address and used there. Two contexts are independent.
  *
  * Life of a context:   init -> delaunay | mesh | load -> persist -> get_*        (each step may be repeated)
- *                      init -> homology -> get_*
+ *                      init -> homology | persist_points -> get_*
  *
  * "Thesis" is D. Sheehy, Mesh Generation and Geometric Persistent Homology, CMU 2011; numbers are its sections.
  * Unless said otherwise a call that does not return NETMESH_OK leaves the previous result untouched. */
@@ -107,7 +107,11 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_NONE = 0,
     NETMESH_FILTER_COMPLETE = 1, /* 7.4.2, on a mesh */
     NETMESH_FILTER_BASIC = 2,    /* 7.4.1, on a mesh */
-    NETMESH_FILTER_ALPHA = 3     /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_ALPHA = 3,    /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_RIPS = 8,             /* Vietoris-Rips complex of the points: edges enter at half their length */
+    NETMESH_FILTER_CECH = 9,             /* Cech complex of the points: the offsets' exact diagram */
+    NETMESH_FILTER_BARYCENTRIC_CECH = 10,/* 8.5: sublevel sets of the distance to the k-th nearest point, exact */
+    NETMESH_FILTER_BARYCENTRIC_RIPS = 11 /* 8.5: the same within 2^(1/4), from distances alone */
 } netmesh_filter;
 
 typedef enum netmesh_values {
@@ -177,6 +181,26 @@ netmesh_status netmesh_homology(netmesh_context* context, const uint32_t* vertic
 /* Bytes of block to plan for: netmesh_homology of `count` simplices with `vertices` vertices in all. */
 size_t netmesh_homology_bytes(uint64_t count, uint64_t vertices);
 
+/* Persistent homology of a filtration on points[n][D] themselves (6.4, 8.5), in degrees 0..max_degree <= 30. Filters:
+ *   RIPS, CECH          all simplices of up to max_degree + 2 points (k is not read)
+ *   BARYCENTRIC_CECH    nested sets of k .. k + max_degree + 1 points, k >= 1, k + max_degree <= 30: the diagram of the
+ *                       places within a radius of k points, each point its own first neighbour
+ *   BARYCENTRIC_RIPS    the same with Rips for Cech: certified values are the filter's own times 2^(1/4), which makes the
+ *                       diagram a 2^(1/4)-approximation; with the filter's own values it is a sqrt(2)-approximation
+ * Values are radii. Exact duplicates are merged, counted and not counted as neighbours. representatives: keep a cycle for
+ * each pair (RIPS and CECH; vertices are numbered in input order after merging). Replaces what the context held, also on
+ * failure. The number of simplices grows as n^(max_degree + 2), of nested sets as n^(k + max_degree + 1): ask
+ * netmesh_points_bytes first.
+ * INVALID_ARGUMENT (6: k is 0 or above the number of points), NOT_FINITE, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_persist_points(netmesh_context* context, const double* points, size_t n, netmesh_filter filter,
+                                      netmesh_values values, uint32_t k, uint32_t max_degree, int keep_zero_pairs,
+                                      int representatives, const netmesh_options* options);
+
+/* Bytes of block to plan for: more than n points in any position take, but for the fill of the reduction. SIZE_MAX when
+ * it does not fit a size_t, 0 on an invalid argument. */
+size_t netmesh_points_bytes(netmesh_filter filter, const netmesh_options* options, uint64_t points, uint32_t k,
+                            uint32_t max_degree);
+
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
@@ -216,6 +240,7 @@ typedef struct netmesh_report {
     uint32_t has_diagram;
     netmesh_filter filter;
     netmesh_values values;
+    uint32_t k;                 /* of barycentric filters, otherwise 0 */
     uint32_t max_degree;
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */

@@ -53,6 +53,13 @@ public:
         return status_ = netmesh_homology(context_, vertices, starts, values, count, max_degree, 0,
                                           representatives ? 1 : 0, &options);
     }
+    // k is read by the barycentric filters alone.
+    netmesh_status persist_points(const double* points, std::size_t n, netmesh_filter filter,
+                                  const netmesh_options& options, std::uint32_t max_degree = 1, std::uint32_t k = 1,
+                                  bool representatives = false, netmesh_values values = NETMESH_VALUES_CERTIFIED) {
+        return status_ = netmesh_persist_points(context_, points, n, filter, values, k, max_degree, 0,
+                                                representatives ? 1 : 0, &options);
+    }
     netmesh_status check(const netmesh_options& options, std::uint32_t what = NETMESH_CHECK_ALL) {
         return status_ = netmesh_check(context_, what, &options);
     }

@@ -45,6 +45,13 @@ void dimension(int dim) {
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, points[d] / 2)));
+    const std::size_t few[] = {0, 0, 40, 36, 32, 24, 20};
+    print("rips", "uniform", session, session.points(NETMESH_FILTER_RIPS, 1, dim < 4 ? 2 : 1, inputs::uniform(dim, few[d])));
+    print("rips", "grid", session, session.points(NETMESH_FILTER_RIPS, 1, 1, inputs::grid(dim, dim < 4 ? 4 : 2)));
+    print("cech", "uniform", session, session.points(NETMESH_FILTER_CECH, 1, 1, inputs::uniform(dim, few[d])));
+    print("cech", "grid", session, session.points(NETMESH_FILTER_CECH, 1, 2, inputs::grid(dim, dim < 3 ? 4 : 2)));
+    print("barycentric-cech", "uniform", session, session.points(NETMESH_FILTER_BARYCENTRIC_CECH, 2, 1, inputs::uniform(dim, 9)));
+    print("barycentric-rips", "uniform", session, session.points(NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 0, inputs::uniform(dim, 10)));
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? side[d] : 3)));
 }
 

@@ -22,6 +22,9 @@ std::vector<std::uint32_t> betti(const std::vector<Simplex>& maximal) {
     PairList out;
     REQUIRE(persist_filtration(e.complex, e.complex.dimension, true, block.arena, monitor, &out) == Status::ok);
     CHECK(oracle::same(oracle::diagram(f, e.complex.dimension, true), out));
+    block.arena.release_low(0);
+    REQUIRE(persist_skeleton(e.complex, e.complex.dimension, true, block.arena, monitor, &out) == Status::ok);
+    CHECK(oracle::same(oracle::diagram(f, e.complex.dimension, true), out));
     std::vector<std::uint32_t> b(e.complex.dimension + 1);
     for (std::uint64_t i = 0; i < out.count; ++i) {
         if (out.pairs[i].death == infinity) ++b[out.pairs[i].degree];
@@ -80,6 +83,10 @@ TEST_CASE("random filtrations equal the textbook reduction") {
                 CHECK(block.arena.high_mark() == high);
                 CHECK(out.count > 0);
                 CHECK(block.arena.low_mark() == block.arena.offset_of(out.pairs + out.count));
+                block.arena.release_low(low);
+                REQUIRE(persist_skeleton(e.complex, degree, keep, block.arena, monitor, &out) == Status::ok);
+                CHECK(oracle::same(oracle::diagram(f, degree, keep), out));
+                CHECK(block.arena.high_mark() == high);
                 block.arena.release_low(low);
             }
         }

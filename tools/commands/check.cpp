@@ -8,7 +8,10 @@ namespace netmesh::tool {
 
 std::string candidate_text(const Candidate& candidate) {
     std::string text = std::string("filter ") + filter_name(candidate.filter);
-    if (candidate.filter != NETMESH_FILTER_ALPHA) text += std::string(", ") + values_name(candidate.values) + " values";
+    if (candidate.filter == NETMESH_FILTER_COMPLETE || candidate.filter == NETMESH_FILTER_BASIC ||
+        candidate.filter == NETMESH_FILTER_BARYCENTRIC_RIPS) {
+        text += std::string(", ") + values_name(candidate.values) + " values";
+    }
     return text;
 }
 

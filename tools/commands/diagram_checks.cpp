@@ -15,7 +15,7 @@ std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at) {
         if (i > 0 && comes_before(bar, bars[i - 1])) return "bars that are not sorted by degree, birth, death";
         if (std::isfinite(bar.death)) continue;
         essential++;
-        if (bar.degree != 0 || bar.birth != 0) return "an essential class that is not of degree 0, born at 0";
+        if (bar.degree != 0 || bar.birth != bars[0].birth) return "an essential class that is not of degree 0, born first";
         if (essential > 1) return "more than one essential class";
     }
     if (at != nullptr) *at = bars.size();

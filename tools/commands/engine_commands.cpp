@@ -3,6 +3,7 @@
 
 #include "platform/clock.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/cycles.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/plot/plots.hpp"
@@ -20,10 +21,33 @@ bool triangulates_only(const Options& options) {
            (options.command == Command::persist && filter_of(options) == NETMESH_FILTER_ALPHA);
 }
 
+std::uint32_t k_of(const Options& options) { return options.k == 0 ? 1 : options.k; }
+
+bool uses_points_alone(const Options& options) {
+    return options.command == Command::persist && is_points_filter(filter_of(options));
+}
+
 netmesh_job job_of(const Options& options) {
     if (options.command == Command::delaunay) return NETMESH_JOB_DELAUNAY;
     if (options.command == Command::mesh) return NETMESH_JOB_MESH;
     return triangulates_only(options) ? NETMESH_JOB_PERSIST_ALPHA : NETMESH_JOB_PERSIST;
+}
+
+// Filters on the points take options that others do not, and the other way round.
+Outcome check_filter(const Options& options) {
+    const netmesh_filter filter = filter_of(options);
+    const bool points_filter = options.command == Command::persist && is_points_filter(filter);
+    if (options.k != 0 && !(points_filter && is_barycentric(filter))) {
+        return usage_error(std::string("--k does not apply to filter ") + filter_name(filter));
+    }
+    if (!options.representatives.empty() && (!points_filter || is_barycentric(filter))) {
+        return usage_error(std::string("--representatives does not apply to filter ") + filter_name(filter));
+    }
+    if (!points_filter) return {};
+    if (!options.mesh_out.empty()) return usage_error(std::string("--mesh: filter ") + filter_name(filter) + " has no mesh");
+    const std::uint64_t sum = std::uint64_t{max_degree_of(options, 2)} + (is_barycentric(filter) ? k_of(options) : 0);
+    if (sum > 30) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
+    return {};
 }
 
 // Once before the points are read, with dim 0, and once behind.
@@ -42,7 +66,25 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         }
     }
     if (!outcome.good()) return outcome;
-    return check_writable({options.out, options.mesh_out, options.svg});
+    return check_writable({options.out, options.mesh_out, options.svg, options.representatives});
+}
+
+netmesh_status persist_points(Session& session, const Options& options, const PointCloud& cloud) {
+    const bool cycles = !is_barycentric(filter_of(options)) && (options.check || !options.representatives.empty());
+    return session.call(NETMESH_STAGE_REDUCE, [&] {
+        return netmesh_persist_points(session.context(), cloud.coordinates.data(), cloud.rows(), filter_of(options),
+                                      options.values.value_or(NETMESH_VALUES_CERTIFIED), k_of(options),
+                                      max_degree_of(options, cloud.dim), options.all ? 1 : 0, cycles ? 1 : 0,
+                                      &session.engine_options());
+    });
+}
+
+// More points than there are in a set of a barycentric filter, after merging.
+Outcome check_k(const Options& options, const PointCloud& cloud, const Session& session, const Outcome& outcome) {
+    if (outcome.exit != Exit::internal || session.context() == nullptr || !is_barycentric(filter_of(options))) return outcome;
+    const netmesh_detail detail = netmesh_get_detail(session.context());
+    if (detail.status != NETMESH_INVALID_ARGUMENT || detail.index_a != 6) return outcome;
+    return data_error(cloud.name + ": --k " + std::to_string(k_of(options)) + " is more than there are distinct points");
 }
 
 netmesh_status work(Session& session, const Options& options, const PointCloud& cloud) {
@@ -57,7 +99,7 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     if (status == NETMESH_OK && options.command == Command::persist) {
         status = session.call(NETMESH_STAGE_REDUCE, [&] {
             return netmesh_persist(context, filter_of(options), options.values.value_or(NETMESH_VALUES_CERTIFIED),
-                                   options.max_degree.value_or(cloud.dim - 1), options.all ? 1 : 0, engine_options);
+                                   max_degree_of(options, cloud.dim), options.all ? 1 : 0, engine_options);
         });
     }
     if (status == NETMESH_OK && options.check) {
@@ -67,12 +109,20 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     return status;
 }
 
+std::string checked_text(const Options& options) {
+    if (!uses_points_alone(options)) return "combinatorics, orientation, Delaunay property, quality";
+    return is_barycentric(filter_of(options)) ? "the diagram's form" : "every bar has a cycle that is born with it";
+}
+
 // What the result is made of, by the options: files, pictures, data on stdout.
-std::vector<FileJob> result_jobs(const Options& options, const ContextMesh& mesh, const std::vector<Bar>& bars,
+std::vector<FileJob> result_jobs(const Options& options, const netmesh_context* context, const ContextMesh& mesh, const std::vector<Bar>& bars,
                                  const netmesh_report& report) {
     std::vector<FileJob> jobs;
     const bool data_on_stdout = options.out.empty() && !options.json;
     if (options.command == Command::persist) {
+        if (!options.representatives.empty()) {
+            jobs.push_back({options.representatives, [&](TextWriter& out) { write_cycles(context, out); }});
+        }
         if (!options.mesh_out.empty()) add_mesh_files(mesh, options.mesh_out, &jobs);
         if (!options.svg.empty()) {
             jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, report); }});
@@ -91,7 +141,8 @@ std::vector<FileJob> result_jobs(const Options& options, const ContextMesh& mesh
 
 Outcome run_engine_command(const Options& options) {
     const double start = platform::seconds_now();
-    Outcome outcome = check_outputs(options, 0);
+    Outcome outcome = check_filter(options);
+    if (outcome.good()) outcome = check_outputs(options, 0);
     PointCloud cloud;
     if (outcome.good()) outcome = read_points(options.positionals[0], &cloud);
     if (outcome.good()) outcome = check_outputs(options, cloud.dim);
@@ -102,7 +153,14 @@ Outcome run_engine_command(const Options& options) {
     run.read_seconds = platform::seconds_now() - start;
 
     Session session(options, cloud.dim);
-    outcome = session.run(job_of(options), cloud, [&](Session& s) { return work(s, options, cloud); });
+    if (uses_points_alone(options)) {
+        const std::size_t plan = netmesh_points_bytes(filter_of(options), &session.engine_options(), cloud.rows(),
+                                                      k_of(options), max_degree_of(options, cloud.dim));
+        outcome = session.run_planned(plan, cloud, [&](Session& s) { return persist_points(s, options, cloud); });
+    } else {
+        outcome = session.run(job_of(options), cloud, [&](Session& s) { return work(s, options, cloud); });
+    }
+    outcome = check_k(options, cloud, session, outcome);
     if (!outcome.good()) return outcome;
     run.engine = session.report();
     run.clock = session.clock();
@@ -111,16 +169,19 @@ Outcome run_engine_command(const Options& options) {
     std::vector<Bar> bars;
     if (options.command == Command::persist) bars = bars_of(session.context());
     if (options.check && options.command == Command::persist) {
-        const std::string complaint = diagram_complaint(bars);
+        std::string complaint = diagram_complaint(bars);
+        if (complaint.empty() && uses_points_alone(options) && !is_barycentric(filter_of(options))) {
+            complaint = cycles_complaint(session.context());
+        }
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: diagram: " + complaint};
     }
     const ContextMesh mesh(session.context());
-    outcome = write_files(result_jobs(options, mesh, bars, *run.engine));
+    outcome = write_files(result_jobs(options, session.context(), mesh, bars, *run.engine));
     if (!outcome.good()) return outcome;
     run.write_seconds = platform::seconds_now() - computed;
     run.total_seconds = platform::seconds_now() - start;
     if (options.json && options.out.empty() && options.command == Command::persist) run.bars = &bars;
-    if (options.check) run.checked = std::vector<std::string>{"combinatorics, orientation, Delaunay property, quality"};
+    if (options.check) run.checked = std::vector<std::string>{checked_text(options)};
     if (!options.quiet && !options.json) std::fputs(text_report(run).c_str(), stderr);
     if (!options.json) return {};
     return write_files({{"", [&](TextWriter& out) { out << json_report(run); }}});

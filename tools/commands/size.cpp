@@ -18,6 +18,12 @@ Outcome run_size(const Options& options) {
         jobs = {*options.filter == NETMESH_FILTER_ALPHA ? NETMESH_JOB_PERSIST_ALPHA : NETMESH_JOB_PERSIST};
     }
     std::uint64_t bytes = 0;
+    if (options.filter && is_points_filter(*options.filter)) {
+        jobs.clear();
+        bytes = netmesh_points_bytes(*options.filter, &engine_options, options.point_count, options.k == 0 ? 1 : options.k,
+                                     max_degree_of(options, options.dim));
+        if (bytes == 0) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
+    }
     for (const netmesh_job job : jobs) {
         const std::uint64_t plan = netmesh_plan_bytes(job, &engine_options, options.point_count);
         if (plan > bytes) bytes = plan;

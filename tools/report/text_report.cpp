@@ -39,7 +39,7 @@ std::string diagram_lines(const netmesh_report& engine) {
     }
     if (engine.dim == 0) return text + "\n";
     text += std::string("; filter ") + filter_name(engine.filter);
-    if (engine.is_mesh != 0) text += std::string(", ") + values_name(engine.values) + " values";
+    if (engine.is_mesh != 0 || engine.filter == NETMESH_FILTER_BARYCENTRIC_RIPS) text += std::string(", ") + values_name(engine.values) + " values";
     text += "\ncertified ratio " + rounded_text(engine.certified_ratio, 6);
     if (engine.certified_from > 0) text += " from radius " + rounded_text(engine.certified_from, 6);
     return text + " to the " + reference_text(engine) + "\n";
@@ -74,7 +74,15 @@ std::string betti_line(const netmesh_report& engine) {
 
 std::string reference_text(const netmesh_report& engine) {
     if (engine.dim == 0) return "filtered complex";
-    return "closed offsets of the points in R^" + std::to_string(engine.dim);
+    switch (engine.filter) {
+    case NETMESH_FILTER_RIPS:
+        return "Vietoris-Rips complex of the points, edges at half their length";
+    case NETMESH_FILTER_BARYCENTRIC_CECH:
+    case NETMESH_FILTER_BARYCENTRIC_RIPS:
+        return "sublevel sets of the distance to the k-th nearest point, k = " + std::to_string(engine.k);
+    default:
+        return "closed offsets of the points in R^" + std::to_string(engine.dim);
+    }
 }
 
 std::string text_report(const RunReport& run) {

@@ -28,7 +28,7 @@ TEST_CASE("version and help go to stdout") {
     CHECK(result.exit == 0);
     CHECK(result.out == "netmesh 0.1.0\n");
     CHECK(result.err == "");
-    for (const char* command : {"", "mesh", "delaunay", "persist", "size", "check", "sample"}) {
+    for (const char* command : {"", "mesh", "delaunay", "persist", "homology", "distance", "size", "check", "sample"}) {
         result = folder.run(std::string(command) + " --help");
         CHECK(result.exit == 0);
         CHECK(result.out.rfind("netmesh", 0) == 0);
@@ -47,7 +47,12 @@ TEST_CASE("usage errors: exit 2, the argument named, nothing on stdout, no file"
                                     {"mesh p.txt -o m.xyz", "m.xyz"},
                                     {"mesh p.txt -o m", "m: "},
                                     {"persist p.txt -o d.txt", "d.txt"},
-                                    {"persist p.txt --filter rips", "complete, basic and alpha"},
+                                    {"persist p.txt --filter frob", "barycentric-rips"},
+                                    {"persist p.txt --k 2", "--k"},
+                                    {"persist p.txt --filter barycentric-cech --k 0", "--k 0"},
+                                    {"persist p.txt --filter rips --max-degree 31", "--max-degree"},
+                                    {"persist p.txt --filter rips --mesh m.node", "--mesh"},
+                                    {"persist p.txt --representatives c.txt", "--representatives"},
                                     {"persist p.txt --memory 0", "--memory 0"},
                                     {"size --dim 3", "--points"},
                                     {"size --points 3", "--dim"},
@@ -350,4 +355,41 @@ TEST_CASE("homology: a filtered complex from a file, its cycles, its faults by l
     CHECK(folder.run("homology t.txt --memory 200K --quiet").exit == 0);
     CHECK(folder.run("homology t.txt -o t.txt").exit == 2);
     CHECK(folder.run("homology").exit == 2);
+}
+
+TEST_CASE("persist: filters on the points themselves") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 14 -o p.csv").exit == 0);
+    CHECK(folder.run("persist p.csv --filter alpha --quiet -o alpha.pers").exit == 0);
+    for (const std::string filter : {"rips", "cech", "barycentric-cech --k 2", "barycentric-rips --k 2"}) {
+        CAPTURE(filter);
+        const Result result = folder.run("persist p.csv -o d.pers --json --check --svg d.svg --filter " + filter);
+        CHECK(result.exit == 0);
+        CHECK(result.err == "");
+        CHECK(result.out.find("\"mesh\": null") != std::string::npos);
+        CHECK(number_in(result.out, "max_degree") == 1);
+        CHECK(number_in(result.out, "certified_ratio") == (filter[12] == 'r' ? 1.1892071150027212 : 1));
+        const std::string bars = folder.read("d.pers");
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter).out == bars);
+        CHECK(folder.run("check d.pers").exit == 0);
+        const Result check = folder.run("check d.pers --points p.csv --filter " + filter);
+        CHECK(check.err == "");
+        CHECK(check.exit == 0);
+        folder.write("d.pers", bars.substr(0, bars.rfind('\n', bars.size() - 2) + 1));
+        CHECK(folder.run("check d.pers --points p.csv --filter " + filter).exit == 7);
+        const std::string size = folder.run("size --dim 2 --points 14 --filter " + filter).out;
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory " + size.substr(0, size.size() - 1)).exit == 0);
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory 6K").exit == 4);
+    }
+    CHECK(folder.run("persist p.csv --filter cech --quiet -o cech.pers --representatives c.txt").exit == 0);
+    CHECK(folder.read("c.txt").rfind("bar 0 0 ", 0) == 0);
+    CHECK(text_in(folder.run("persist p.csv --filter cech --json -o d.pers").out, "reference") == "closed offsets of the points in R^2");
+    CHECK(text_in(folder.run("persist p.csv --filter rips --json -o d.pers").out, "reference") == "Vietoris-Rips complex of the points, edges at half their length");
+    const Result distance = folder.run("distance alpha.pers cech.pers");
+    CHECK(distance.out.rfind("0 ", 0) == 0);
+    CHECK(std::strtod(distance.out.c_str() + 2, nullptr) < 1e-12);
+    CHECK(std::strtod(distance.out.c_str() + distance.out.find("\n1 ") + 3, nullptr) < 1e-12);
+    const Result many = folder.run("persist p.csv --filter barycentric-cech --k 15 --max-degree 0");
+    CHECK(many.exit == 3);
+    CHECK(many.says("--k 15"));
 }
