@@ -99,7 +99,7 @@ TEST_CASE("methods, filters and values that this version has not") {
     good({"mesh", "p", "--method", "svr"});
     CHECK(names(fault({"mesh", "p", "--method", "netmesh"}), "svr only"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
-    for (const char* filter : {"tight", "scales", "knn", "kdistance", "barycentric-cech", "frob"}) {
+    for (const char* filter : {"tight", "scales", "knn", "kdistance", "frob"}) {
         CHECK(names(fault({"persist", "p", "--filter", filter}), "there are complete, basic, alpha, rips"));
     }
     CHECK(names(fault({"persist", "p", "--values", "frob"}), "--values frob"));
