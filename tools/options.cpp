@@ -207,7 +207,7 @@ constexpr OptionEntry option_entries[] = {
      "highest homology degree (D-1; 1 for rips, cech and barycentric filters)"},
     {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
     {"--representatives", persist | homology, "FILE", apply_representatives,
-     "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line (of points: rips and cech)"},
+     "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
     {"--memory", engine | homology | size | check, "SIZE", apply_memory,
      "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
     {"--seed", engine | size | check | sample, "S", apply_seed, "of every random choice (1)"},

@@ -35,6 +35,21 @@ bool take_complex(Arena& arena, ListedComplex& complex) {
     return true;
 }
 
+bool keep_complex(netmesh_context* context, const ListedComplex& complex) {
+    Arena& arena = context->arena;
+    KeptComplex* const kept = arena.take_low<KeptComplex>(1);
+    if (kept == nullptr) return false;
+    *kept = {};
+    kept->dimension = complex.dimension;
+    for (std::uint32_t k = 0; k <= complex.dimension; ++k) {
+        kept->count[k] = complex.count[k];
+        kept->rows[k] = arena.offset_of(complex.rows[k]);
+        kept->values[k] = arena.offset_of(complex.value[k]);
+    }
+    context->kept_offset = arena.offset_of(kept);
+    return true;
+}
+
 Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const ComplexRequest& request,
                        Monitor& monitor) {
     Arena& arena = context->arena;
@@ -45,16 +60,7 @@ Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const C
     for (std::uint32_t k = 0; k <= complex.dimension; ++k) context->simplices += complex.count[k];
     PairList pairs = {};
     if (request.representatives) {
-        KeptComplex* const kept = arena.take_low<KeptComplex>(1);
-        if (kept == nullptr) return Status::out_of_memory;
-        *kept = {};
-        kept->dimension = complex.dimension;
-        for (std::uint32_t k = 0; k <= complex.dimension; ++k) {
-            kept->count[k] = complex.count[k];
-            kept->rows[k] = arena.offset_of(complex.rows[k]);
-            kept->values[k] = arena.offset_of(complex.value[k]);
-        }
-        context->kept_offset = arena.offset_of(kept);
+        if (!keep_complex(context, complex)) return Status::out_of_memory;
         status = persist_with_cycles(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs,
                                      &context->cycles);
     } else {

@@ -15,6 +15,9 @@ struct ComplexRequest {
 // Room for the rows and values of a complex with the given counts, at the arena's low end. False: out of memory.
 bool take_complex(Arena& arena, ListedComplex& complex);
 
+// Notes where an ordered complex lies, for netmesh_get_cycle. False: out of memory.
+bool keep_complex(netmesh_context* context, const ListedComplex& complex);
+
 // Orders a linked complex that lies at the low end of an otherwise empty context, computes its diagram and keeps that,
 // with representatives the complex as well. The caller has set point_dim, points, inputs and the input's fingerprint.
 // out_of_memory, cancelled, internal: the context is to be cleared.

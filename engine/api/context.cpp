@@ -44,6 +44,8 @@ void clear_diagram(netmesh_context* context) {
     context->certified_ratio = context->certified_ratio_best = context->certified_from = 0;
     context->filter = NETMESH_FILTER_NONE;
     if (context->dim != 0) context->arena.release_low(context->mesh_mark);
+    if (context->dim != 0 && context->has_cycles) context->arena.release_high(context->cycles_high);
+    context->has_cycles = false;
 }
 
 void clear(netmesh_context* context) {

@@ -19,9 +19,13 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736801u;
 //   | Context | cells | filter values | pairs |        gap        | vertices |
 //             ^ start                ^ diagram_mark
 //
+// with representatives, where pairs are listed once more:
+//
+//   | Context | cells | filter values | pairs | facets, values | KeptComplex | pairs |   gap   | cycles | vertices |
+//
 // or, after homology of a complex, the parts in brackets when representatives are kept:
 //
-//   | Context | [ KeptComplex | facets, values ] | pairs |        gap        | [ cycles ] |
+//   | Context | [ facets, values | KeptComplex ] | pairs |        gap        | [ cycles ] |
 struct KeptComplex {
     std::uint32_t dimension;
     std::uint32_t count[FilteredComplex::dimension_max + 1];
@@ -53,7 +57,8 @@ struct Context {
     bool is_complex, has_cycles;  // then dim is 0
     std::uint32_t k;              // of barycentric filters
     std::uint32_t point_dim;      // of the points the complex is made of, 0 for one given by its simplices
-    std::uint64_t kept_offset, result_fingerprint;
+    bool keeps_zero;
+    std::uint64_t kept_offset, result_fingerprint, cycles_high;  // cycles_high: the high end below which cycles lie
     CycleStore cycles;
 };
 

@@ -102,7 +102,7 @@ FilteredComplex complex_of(const netmesh_context* context, const unsigned char* 
 netmesh_status find_cycle(const netmesh_context* context, std::uint64_t index, FilteredComplex* complex,
                           const std::uint32_t** labels, std::uint32_t* degree, Cycle* cycle) {
     if (context == nullptr || context->magic != context_magic) return NETMESH_INVALID_ARGUMENT;
-    if (!context->is_complex || !context->has_cycles) return NETMESH_NO_RESULT;
+    if (!context->has_diagram || !context->has_cycles) return NETMESH_NO_RESULT;
     if (index >= context->pair_count) return NETMESH_INVALID_ARGUMENT;
     const auto* const base = reinterpret_cast<const unsigned char*>(context);
     const Pair& pair = reinterpret_cast<const Pair*>(base + context->pairs_offset)[index];

@@ -159,6 +159,7 @@ netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, 
             return finish(context, status, text_of(status));
         }
         context->has_diagram = true;
+        context->keeps_zero = keep_zero_pairs != 0;
         context->pairs_offset = context->arena.offset_of(pairs.pairs);
         context->pair_count = pairs.count;
         context->simplices = simplices;

@@ -166,6 +166,11 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
 
+/* A representative for each pair of the diagram that netmesh_persist left (netmesh_get_cycle): the complex is listed
+ * simplex by simplex and reduced anew. Memory above mesh and diagram: about 40 bytes a simplex and the cycles.
+ * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED; mesh and diagram stay. */
+netmesh_status netmesh_represent(netmesh_context* context, const netmesh_options* options);
+
 /* Persistent homology over Z/2 of any filtered simplicial complex (6.2, 6.3). Simplex i has the vertices
  * vertices[starts[i] .. starts[i + 1]), at most 32 distinct labels in any order, and enters at values[i], a finite number.
  * starts: [count + 1]. Simplices come in any order; every face must be there and enter no later. Classes of degree

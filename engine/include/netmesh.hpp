@@ -60,6 +60,7 @@ public:
         return status_ = netmesh_persist_points(context_, points, n, filter, values, k, max_degree, 0,
                                                 representatives ? 1 : 0, &options);
     }
+    netmesh_status represent(const netmesh_options& options) { return status_ = netmesh_represent(context_, &options); }
     netmesh_status check(const netmesh_options& options, std::uint32_t what = NETMESH_CHECK_ALL) {
         return status_ = netmesh_check(context_, what, &options);
     }

@@ -40,7 +40,7 @@ Outcome check_filter(const Options& options) {
     if (options.k != 0 && !(points_filter && is_barycentric(filter))) {
         return usage_error(std::string("--k does not apply to filter ") + filter_name(filter));
     }
-    if (!options.representatives.empty() && (!points_filter || is_barycentric(filter))) {
+    if (!options.representatives.empty() && is_barycentric(filter)) {
         return usage_error(std::string("--representatives does not apply to filter ") + filter_name(filter));
     }
     if (!points_filter) return {};
@@ -101,6 +101,9 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
             return netmesh_persist(context, filter_of(options), options.values.value_or(NETMESH_VALUES_CERTIFIED),
                                    max_degree_of(options, cloud.dim), options.all ? 1 : 0, engine_options);
         });
+    }
+    if (status == NETMESH_OK && !options.representatives.empty()) {
+        status = session.call(NETMESH_STAGE_REDUCE, [&] { return netmesh_represent(context, engine_options); });
     }
     if (status == NETMESH_OK && options.check) {
         status = session.call(NETMESH_STAGE_CHECK,
@@ -170,7 +173,8 @@ Outcome run_engine_command(const Options& options) {
     if (options.command == Command::persist) bars = bars_of(session.context());
     if (options.check && options.command == Command::persist) {
         std::string complaint = diagram_complaint(bars);
-        if (complaint.empty() && uses_points_alone(options) && !is_barycentric(filter_of(options))) {
+        const bool cycles = uses_points_alone(options) ? !is_barycentric(filter_of(options)) : !options.representatives.empty();
+        if (complaint.empty() && cycles) {
             complaint = cycles_complaint(session.context());
         }
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: diagram: " + complaint};

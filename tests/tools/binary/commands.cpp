@@ -52,7 +52,7 @@ TEST_CASE("usage errors: exit 2, the argument named, nothing on stdout, no file"
                                     {"persist p.txt --filter barycentric-cech --k 0", "--k 0"},
                                     {"persist p.txt --filter rips --max-degree 31", "--max-degree"},
                                     {"persist p.txt --filter rips --mesh m.node", "--mesh"},
-                                    {"persist p.txt --representatives c.txt", "--representatives"},
+                                    {"persist p.txt --filter barycentric-cech --representatives c.txt", "--representatives"},
                                     {"persist p.txt --memory 0", "--memory 0"},
                                     {"size --dim 3", "--points"},
                                     {"size --points 3", "--dim"},
