@@ -1,5 +1,6 @@
 // Homology of complexes given by their simplices, and the cycles of any explicit complex.
 #include "api/complex_job.hpp"
+#include "memory/sort.hpp"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {
@@ -200,6 +201,8 @@ netmesh_status netmesh_get_cycle_simplex(const netmesh_context* context, uint64_
     *simplex = netmesh_simplex{};
     simplex->value = complex.of[degree].value[at];
     vertices_of(complex, labels, degree, at, simplex->vertices);
+    insertion_sort(simplex->vertices, std::uint64_t{degree} + 1,
+                   [](std::uint32_t a, std::uint32_t b) { return a < b; });
     return NETMESH_OK;
 }
 

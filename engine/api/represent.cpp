@@ -22,7 +22,6 @@ Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
                                      context->filter == NETMESH_FILTER_COMPLETE ? context->inputs : 0, dimension, arena,
                                      monitor, &complex);
     });
-    if (status == Status::ok) status = order_by_value(complex, arena);
     if (status == Status::ok && !keep_complex(context, complex)) status = Status::out_of_memory;
     if (status != Status::ok) return status;
     status = persist_with_cycles(complex.filtered(), context->max_degree, context->keeps_zero, arena, monitor, pairs,

@@ -106,23 +106,6 @@ void permute_rows(std::uint32_t* rows, std::uint32_t width, std::uint32_t* from,
     }
 }
 
-Status order_dimension(ListedComplex& complex, std::uint32_t k, Arena& arena) {
-    const HighScope scope(arena);
-    const std::uint32_t count = complex.count[k];
-    std::uint32_t* const from = arena.take_high<std::uint32_t>(count);
-    if (from == nullptr || !sort_values(complex.value[k], from, count, arena)) return Status::out_of_memory;
-    if (k < complex.dimension) {
-        std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
-        if (place == nullptr) return Status::out_of_memory;
-        for (std::uint32_t j = 0; j < count; ++j) place[from[j]] = j;
-        std::uint32_t* const facets = complex.rows[k + 1];
-        const std::size_t words = std::size_t{complex.count[k + 1]} * (k + 2);
-        for (std::size_t i = 0; i < words; ++i) facets[i] = place[facets[i]];
-    }
-    permute_rows(complex.rows[k], k + 1, from, count);
-    return Status::ok;
-}
-
 }  // namespace
 
 FilteredComplex ListedComplex::filtered() const {
@@ -154,6 +137,23 @@ Status link_faces(ListedComplex& complex, bool check, Arena& arena, Monitor& mon
         }
     }
     return fault->kind == ComplexFault::nothing ? Status::ok : Status::check_failed;
+}
+
+Status order_dimension(ListedComplex& complex, std::uint32_t k, Arena& arena) {
+    const HighScope scope(arena);
+    const std::uint32_t count = complex.count[k];
+    std::uint32_t* const from = arena.take_high<std::uint32_t>(count);
+    if (from == nullptr || !sort_values(complex.value[k], from, count, arena)) return Status::out_of_memory;
+    if (k < complex.dimension) {
+        std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
+        if (place == nullptr) return Status::out_of_memory;
+        for (std::uint32_t j = 0; j < count; ++j) place[from[j]] = j;
+        std::uint32_t* const facets = complex.rows[k + 1];
+        const std::size_t words = std::size_t{complex.count[k + 1]} * (k + 2);
+        for (std::size_t i = 0; i < words; ++i) facets[i] = place[facets[i]];
+    }
+    permute_rows(complex.rows[k], k + 1, from, count);
+    return Status::ok;
 }
 
 Status order_by_value(ListedComplex& complex, Arena& arena) {

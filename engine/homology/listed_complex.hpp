@@ -39,7 +39,10 @@ Status link_faces(ListedComplex& complex, bool check, Arena& arena, Monitor& mon
 // dimensions. out_of_memory.
 Status order_by_value(ListedComplex& complex, Arena& arena);
 
-// The labels of the vertices of one k-simplex of a linked complex, ascending as at first. O(k^2).
+// The same for one dimension. out_of_memory.
+Status order_dimension(ListedComplex& complex, std::uint32_t k, Arena& arena);
+
+// The labels of the vertices of one k-simplex of a linked complex, in the order in which facets lack them. O(k^2).
 void vertices_of(const FilteredComplex& complex, const std::uint32_t* labels, std::uint32_t k, std::uint32_t simplex,
                  std::uint32_t* vertices);
 

@@ -29,11 +29,29 @@ void print(const char* job, const char* input, const Session& session, netmesh_s
     std::fflush(stdout);
 }
 
+// All simplices of all cycles.
+std::uint64_t hash_of_cycles(const Session& session) {
+    std::uint64_t hash = 1;
+    std::uint64_t count = 0;
+    netmesh_simplex s;
+    for (std::uint64_t i = 0; netmesh_get_cycle(session.context, i, &count) == NETMESH_OK; ++i)
+        for (std::uint64_t n = 0; netmesh_get_cycle_simplex(session.context, i, n, &s) == NETMESH_OK; ++n)
+            for (const std::uint32_t v : s.vertices) hash = (hash ^ v) * 0x100000001B3u + n;
+    return hash;
+}
+
+void represent(const char* job, Session& session, netmesh_status status) {
+    if (status == NETMESH_OK) status = netmesh_represent(session.context, &session.options);
+    failed = failed || status != NETMESH_OK;
+    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.options.dim, hash_of_cycles(session), static_cast<int>(status));
+}
+
 void dimension(int dim) {
     const std::size_t d = static_cast<std::size_t>(dim);
     const std::size_t points[] = {0, 0, 2000, 1000, 300, 120, 50}, meshed[] = {0, 0, 400, 150, 40, 12, 6};
     const int side[] = {0, 0, 20, 6, 4, 3, 2};
     Session session(dim);
+    session.reserve(std::size_t(1) << 28);
     print("delaunay", "uniform", session, session.delaunay(inputs::uniform(dim, points[d])));
     print("delaunay", "clusters", session, session.delaunay(inputs::clusters(dim, points[d])));
     print("delaunay", "grid", session, session.delaunay(inputs::grid(dim, side[d])));
@@ -44,6 +62,8 @@ void dimension(int dim) {
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
+    represent("alpha", session, session.alpha(inputs::uniform(dim, points[d] / 4)));
+    represent("persist", session, session.mesh_and_persist(inputs::uniform(dim, dim < 5 ? meshed[d] / 4 : 2)));
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, points[d] / 2)));
     const std::size_t few[] = {0, 0, 40, 36, 32, 24, 20};
     print("rips", "uniform", session, session.points(NETMESH_FILTER_RIPS, 1, dim < 4 ? 2 : 1, inputs::uniform(dim, few[d])));
@@ -101,13 +121,8 @@ void homology() {
     const netmesh_status status = session.until_it_fits(netmesh_homology_bytes(values.size(), list.size()), [&] {
         return netmesh_homology(session.context, list.data(), starts.data(), values.data(), values.size(), 3, 0, 1, &session.options);
     });
-    std::uint64_t cycles = 0;
-    netmesh_simplex s;
-    for (std::uint64_t i = 0; i < session.pairs().size(); ++i)
-        for (std::uint64_t n = 0; netmesh_get_cycle_simplex(session.context, i, n, &s) == NETMESH_OK; ++n)
-            for (const std::uint32_t v : s.vertices) cycles = (cycles ^ v) * 0x100000001B3u + n;
     print("homology", "joined", session, status);
-    std::printf("homology cycles %016" PRIx64 "\n", cycles);
+    std::printf("homology cycles %016" PRIx64 "\n", hash_of_cycles(session));
 }
 
 }  // namespace
