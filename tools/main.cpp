@@ -22,6 +22,8 @@ Outcome run(const Options& options) {
         return run_homology(options);
     case Command::distance:
         return run_distance(options);
+    case Command::vineyard:
+        return run_vineyard(options);
     case Command::size:
         return run_size(options);
     case Command::check:

@@ -14,6 +14,7 @@ constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(com
 constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
 constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
 constexpr unsigned homology = bit(Command::homology), distance = bit(Command::distance);
+constexpr unsigned vineyard = bit(Command::vineyard);
 constexpr unsigned engine = mesh | delaunay | persist;
 
 struct CommandEntry {
@@ -39,6 +40,9 @@ constexpr CommandEntry commands[] = {
     {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck distance between two diagrams",
      "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential classes "
      "differ.\n"},
+    {Command::vineyard, "vineyard", "POINTS", 1, "diagrams of d_k for a range of k, and their vines",
+     "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of each k; a "
+     "vine\nfollows one class from k to k.\n"},
     {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
      "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
      "persist.\n"},
@@ -58,6 +62,15 @@ std::string apply_tau(Options& options, const std::string& text) {
     return {};
 }
 
+std::string apply_eps(Options& options, const std::string& text) {
+    return parse_finite(text, &options.eps) && options.eps > 0 ? "" : "must be a finite number above 0";
+}
+
+std::string apply_theta(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
+    return good ? "" : "must be a number above 0 and at most 1/9";
+}
+
 std::string apply_method(Options&, const std::string& text) {
     if (text == "svr") return {};
     if (text == "netmesh" || text == "refine") return "this version meshes with svr only";
@@ -66,13 +79,15 @@ std::string apply_method(Options&, const std::string& text) {
 
 std::string apply_filter(Options& options, const std::string& text) {
     for (const netmesh_filter filter :
-         {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA, NETMESH_FILTER_RIPS, NETMESH_FILTER_CECH,
-          NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_FILTER_BARYCENTRIC_RIPS}) {
+         {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA, NETMESH_FILTER_KNN,
+          NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT, NETMESH_FILTER_SCALES, NETMESH_FILTER_RIPS,
+          NETMESH_FILTER_CECH, NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_FILTER_BARYCENTRIC_RIPS}) {
         if (text != filter_name(filter)) continue;
         options.filter = filter;
         return {};
     }
-    return "there are complete, basic, alpha, rips, cech, barycentric-cech and barycentric-rips";
+    return "the filters are complete, basic, alpha, knn, kdistance, tight, scales, rips, cech, barycentric-cech and "
+           "barycentric-rips";
 }
 
 std::string apply_values(Options& options, const std::string& text) {
@@ -81,17 +96,25 @@ std::string apply_values(Options& options, const std::string& text) {
     return {};
 }
 
+std::string apply_k(Options& options, const std::string& text) {
+    const std::size_t dots = options.command == Command::vineyard ? text.find("..") : std::string::npos;
+    std::uint64_t first, last;
+    const bool good = parse_unsigned(text.substr(0, dots), &first) &&
+                      (dots == std::string::npos || parse_unsigned(text.substr(dots + 2), &last));
+    if (dots == std::string::npos) last = first;
+    if (!good || first == 0 || last < first || last >= 4294967295u) {
+        return options.command == Command::vineyard ? "must be a range of numbers of neighbours from 1 on: 1..20"
+                                                    : "must be a number of neighbours, 1 or more";
+    }
+    options.k = static_cast<std::uint32_t>(first);
+    if (options.command == Command::vineyard) options.k_last = static_cast<std::uint32_t>(last);
+    return {};
+}
+
 std::string apply_max_degree(Options& options, const std::string& text) {
     std::uint64_t degree;
     if (!parse_unsigned(text, &degree) || degree > 1000) return "must be a degree: 0, 1, 2, ...";
     options.max_degree = static_cast<std::uint32_t>(degree);
-    return {};
-}
-
-std::string apply_k(Options& options, const std::string& text) {
-    std::uint64_t k;
-    if (!parse_unsigned(text, &k) || k == 0 || k >= 4294967296u) return "must be a number of neighbours, 1 or more";
-    options.k = static_cast<std::uint32_t>(k);
     return {};
 }
 
@@ -172,9 +195,11 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
     return text.empty() ? "must be a file name" : "";
 }
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
+std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_log(Options& options, const std::string&) { return options.log = true, ""; }
+std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
 std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
 
 struct OptionEntry {
@@ -189,6 +214,7 @@ constexpr OptionEntry option_entries[] = {
     {"-o", mesh | delaunay, "OUT", apply_out,
      ".node (with .ele and .neigh), .vtu (D = 2, 3) or .off; without it OFF on stdout"},
     {"-o", persist | homology, "OUT.pers", apply_out, "the diagram; without it on stdout"},
+    {"-o", vineyard, "OUT.vines", apply_out, "the vines; without it on stdout"},
     {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
     {"-n", sample, "N", apply_count, "number of points"},
     {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
@@ -196,33 +222,48 @@ constexpr OptionEntry option_entries[] = {
     {"--points", check, "FILE", apply_points_path, "the points that the mesh or diagram was made of"},
     {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram was made of"},
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
-    {"--tau", mesh | persist | size | check, "T", apply_tau,
+    {"--tau", mesh | persist | vineyard | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
+    {"--eps", mesh | size | check, "E", apply_eps,
+     "also refine until no cell reaches farther than E times the distance to the second nearest input"},
+    {"--eps", persist, "E", apply_eps, "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
+    {"--theta", persist | size | check, "T", apply_theta, "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
     {"--method", mesh | persist | size, "M", apply_method, "svr"},
+    {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
     {"--filter", persist | size | check, "F", apply_filter,
-     "complete (default), basic, alpha, rips, cech, barycentric-cech or barycentric-rips"},
-    {"--k", persist | size | check, "K", apply_k, "points in every set of a barycentric filter, at least (1)"},
-    {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
-    {"--max-degree", persist | size | check, "P", apply_max_degree,
+     "complete (default), basic, tight, scales, alpha, knn or kdistance; of few points rips, cech, barycentric-cech or\n"
+     "                    barycentric-rips"},
+    {"--k", persist | size | check, "K", apply_k,
+     "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points in\n"
+     "                    every set of a barycentric filter, at least"},
+    {"--values", persist | vineyard | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
+    {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
+    {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree,
      "highest homology degree (D-1; 1 for rips, cech and barycentric filters)"},
     {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
     {"--representatives", persist | homology, "FILE", apply_representatives,
      "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
-    {"--memory", engine | homology | size | check, "SIZE", apply_memory,
+    {"--memory", engine | vineyard | homology | size | check, "SIZE", apply_memory,
      "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
-    {"--seed", engine | size | check | sample, "S", apply_seed, "of every random choice (1)"},
+    {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},
     {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
     {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
     {"--svg", persist | homology, "FILE", apply_svg, "picture of barcode and diagram"},
+    {"--svg", vineyard, "FILE", apply_svg, "picture of the vines, k against radius"},
+    {"--analyse", mesh | delaunay, nullptr, apply_analyse,
+     "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
     {"--log", distance, nullptr, apply_log,
      "distance of natural logarithms; births at 0 are matched to births at 0 alone"},
-    {"--check", engine, nullptr, apply_check, "run the independent checkers on the result"},
+    {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
     {"--check", homology, nullptr, apply_check, "check that each cycle is one, and born with its bar"},
+    {"--bounds", persist, nullptr, apply_bounds,
+     "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},
     {"--all", persist | homology | size | check, nullptr, apply_all, "keep bars of length zero"},
-    {"--json", engine | homology | distance | size | check, nullptr, apply_json,
+    {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
-    {"--quiet", engine | homology | distance | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
+    {"--quiet", engine | vineyard | homology | distance | size | check | sample, nullptr, apply_quiet,
+     "no progress, no summary"},
 };
 
 const CommandEntry* find_command(const std::string& name) {
@@ -339,6 +380,21 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
 
 const char* command_name(Command command) { return command == Command::none ? "" : entry_of(command).name; }
 
+bool promises_accuracy(const Options& options) {
+    return options.filter == NETMESH_FILTER_TIGHT || options.filter == NETMESH_FILTER_SCALES;
+}
+
+Outcome check_accuracy(const Options& options) {
+    if (options.theta > 0 && options.filter != NETMESH_FILTER_SCALES) return usage_error("--theta goes with --filter scales");
+    if (promises_accuracy(options)) {
+        return options.eps <= 0.5 ? Outcome{} : usage_error("--eps must be at most 1/2 for tight and scales");
+    }
+    if (options.eps > 0 && options.command == Command::persist) {
+        return usage_error("--eps goes with --filter tight or scales");
+    }
+    return {};
+}
+
 const char* filter_name(netmesh_filter filter) {
     switch (filter) {
     case NETMESH_FILTER_COMPLETE:
@@ -355,8 +411,31 @@ const char* filter_name(netmesh_filter filter) {
         return "barycentric-cech";
     case NETMESH_FILTER_BARYCENTRIC_RIPS:
         return "barycentric-rips";
+    case NETMESH_FILTER_KNN:
+        return "knn";
+    case NETMESH_FILTER_KDISTANCE:
+        return "kdistance";
+    case NETMESH_FILTER_TIGHT:
+        return "tight";
+    case NETMESH_FILTER_SCALES:
+        return "scales";
     default:
         return "none";
+    }
+}
+
+std::string reference_name(const netmesh_report& report) {
+    const std::string space = " in R^" + std::to_string(report.dim), k = std::to_string(report.k);
+    if (report.filter == NETMESH_FILTER_KNN) return "sublevel sets of d_" + k + space;
+    if (report.filter == NETMESH_FILTER_KDISTANCE) return "sublevel sets of the k-distance, k = " + k + "," + space;
+    switch (report.filter) {
+    case NETMESH_FILTER_RIPS:
+        return "Vietoris-Rips complex of the points, edges at half their length";
+    case NETMESH_FILTER_BARYCENTRIC_CECH:
+    case NETMESH_FILTER_BARYCENTRIC_RIPS:
+        return "sublevel sets of d_" + k + space;
+    default:
+        return report.dim == 0 ? "filtered complex" : "closed offsets of the points" + space;
     }
 }
 

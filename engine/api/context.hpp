@@ -44,22 +44,31 @@ struct Context {
     StoreState store;
     std::uint64_t points, duplicates, input_fingerprint;
     std::uint32_t inputs;
-    double tau, aspect_ratio_max;
+    double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     std::uint64_t mesh_mark;  // low end of the mesh alone
     std::uint64_t values_offset, pairs_offset, pair_count, simplices;
     netmesh_filter filter;
     netmesh_values values;
-    std::uint32_t max_degree;
+    std::uint32_t max_degree, k;
     double certified_ratio, certified_ratio_best, certified_from;
 
     bool is_complex, has_cycles;  // then dim is 0
-    std::uint32_t k;              // of barycentric filters
     std::uint32_t point_dim;      // of the points the complex is made of, 0 for one given by its simplices
     bool keeps_zero;
     std::uint64_t kept_offset, result_fingerprint, cycles_high;  // cycles_high: the high end below which cycles lie
     CycleStore cycles;
+    std::uint32_t scales, scale_points_max, scale_vertices_max;  // scales 0: another filter
+    std::uint64_t scale_vertices;
+    double separation;
+
+    bool has_bounds;
+    std::uint64_t bounds_offset;
+
+    bool has_vineyard;
+    std::uint32_t k_first, k_last, vines;
+    std::uint64_t vine_ratios_offset, vine_points_offset, vine_points, transpositions;
 };
 
 }  // namespace netmesh

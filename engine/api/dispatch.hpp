@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "api/context.hpp"
+#include "mesh/sizing.hpp"
 
 namespace netmesh {
 
@@ -33,6 +34,10 @@ template <class E> bool in_range(const E& e, E least, E most) {
     return value >= static_cast<Value>(least) && value <= static_cast<Value>(most);
 }
 
+inline SizeRule size_rule_of(const netmesh_options& options) {
+    return {options.over_refine_eps, options.size, options.size_user};
+}
+
 // Records a failure (or success) for netmesh_get_detail and translates it.
 inline netmesh_status finish(netmesh_context* context, Status status, const char* message, std::uint64_t a = 0,
                              std::uint64_t b = 0) {
@@ -60,6 +65,10 @@ template <int D> Domain<D> domain_of(const Context& context) {
 bool usable(netmesh_context* context);
 bool usable(const netmesh_options* options);
 double tau_of(const netmesh_options& options);
+double eps_of(const netmesh_options& options);  // of the tight filter and of scales
+double theta_of(const netmesh_options& options);
+inline bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
+inline bool is_valid_eps(double eps) { return eps > 0 && eps <= 0.5; }
 
 // Forgets the result held.
 void clear(netmesh_context* context);

@@ -1,5 +1,5 @@
 #include "api/dispatch.hpp"
-#include "filtration/alpha.hpp"
+#include "filtration/tight_filter.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/refine.hpp"
 
@@ -74,14 +74,23 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     const netmesh_status checked = check_arguments(context, points, n, options, 5);
     if (checked != NETMESH_OK) return checked;
-    if (!in_range(for_job, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST))
+    if (!in_range(for_job, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST_TIGHT) || for_job == NETMESH_JOB_PERSIST_ALPHA)
         return finish(context, Status::invalid_argument, "the job is neither a mesh nor persistence", 4);
     const double tau = tau_of(*options);
     if (!is_valid_tau(tau))
         return finish(context, Status::invalid_argument, "tau is not a finite number above 2", 5);
-    const double factor = options->domain_factor != 0 ? options->domain_factor : 1;
+    if (!(options->over_refine_eps >= 0) || !is_finite(options->over_refine_eps))
+        return finish(context, Status::invalid_argument, "over_refine_eps is neither 0 nor a finite number above", 5);
+    double factor = options->domain_factor != 0 ? options->domain_factor : 1;
     if (!(factor >= 1 && factor <= 8))
         return finish(context, Status::invalid_argument, "domain_factor is not between 1 and 8", 5);
+    SizeRule rule = size_rule_of(*options);
+    if (for_job == NETMESH_JOB_PERSIST_TIGHT) {
+        const double eps = eps_of(*options);
+        if (!is_valid_eps(eps)) return finish(context, Status::invalid_argument, "eps is not in (0, 1/2]", 5);
+        if (!(rule.eps > 0 && rule.eps < tight_size(eps))) rule.eps = tight_size(eps);
+        if (factor < tight_domain_factor(eps)) factor = tight_domain_factor(eps);
+    }
     clear(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(options->dim, [&](auto dimension) {
@@ -90,86 +99,31 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         Store<D> store(context->arena, context->store);
         context->store = StoreState{};
         Domain<D> domain = {};
-        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed}, monitor, &input, &domain);
+        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed, rule}, monitor,
+                                  &input, &domain);
         keep_store<D>(context, input, status);
         context->is_mesh = true;
         context->tau = tau;
         for (int k = 0; k < D; ++k) context->domain_centre[k] = domain.centre[k];
         context->domain_radius = domain.radius;
         context->enclosing_radius = domain.enclosing_radius;
-        context->aspect_ratio_max = 0;
+        context->over_refine_eps = rule.eps;
+        context->aspect_ratio_max = context->size_ratio_max = 0;
         if (context->store.cell_slots > 0) {
             std::uint32_t worst;
             const Status measured =
                 worst_aspect_ratio<D>(store, domain, context->arena, &context->aspect_ratio_max, &worst);
             if (status == Status::ok) status = measured;
+            if (status == Status::ok)
+                status = worst_size_ratio<D>(store, domain, context->inputs, rule, Corners::kept, context->arena,
+                                             &context->size_ratio_max, &worst);
+        }
+        if (status == Status::invalid_argument) {
+            clear(context);
+            return finish(context, status, "the size asked for is not positive or below what coordinates resolve", 6,
+                          input.row_a);
         }
         return finish_job(context, status, input);
-    });
-}
-
-netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
-                               uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 6);
-    if (!in_range(filter, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_ALPHA))
-        return finish(context, Status::invalid_argument, "unknown filter", 2);
-    if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS))
-        return finish(context, Status::invalid_argument, "unknown kind of values", 3);
-    if (context->dim == 0 || !context->complete)
-        return finish(context, Status::no_result, "there is no complete triangulation or mesh");
-    const bool alpha = filter == NETMESH_FILTER_ALPHA;
-    if (alpha == context->is_mesh)
-        return finish(context, Status::no_result,
-                      alpha ? "the alpha filter needs a Delaunay triangulation of the points alone"
-                            : "this filter needs a mesh");
-    const std::uint32_t degree = max_degree < context->dim ? max_degree : context->dim - 1;
-    clear_diagram(context);
-    Monitor monitor = monitor_of(*options);
-    return with_dimension(context->dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store(context->arena, context->store);
-        PairList pairs = {};
-        std::uint64_t simplices = 0;
-        MeshCertificate certificate = {1, 1, 0};
-        Status status;
-        if (alpha) {
-            status = persist_alpha<D>(store.view(), store.point(0), Store<D>::vertex_stride, degree,
-                                      keep_zero_pairs != 0, context->arena, monitor, &pairs, &simplices);
-        } else {
-            double* const value = context->arena.take_low<double>(context->store.vertex_count);
-            const bool complete = filter == NETMESH_FILTER_COMPLETE;
-            monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
-            status = value == nullptr ? Status::out_of_memory : Status::ok;
-            if (status == Status::ok)
-                status = mesh_filter_values<D>(
-                    store, domain_of<D>(*context), complete ? MeshFilter::complete : MeshFilter::basic,
-                    values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified,
-                    context->arena, value, &certificate);
-            if (status == Status::ok)
-                status = persist_lower_star<D>(store.view(), value, complete ? context->inputs : 0, degree,
-                                               keep_zero_pairs != 0, context->arena, monitor, &pairs, &simplices);
-            if (status == Status::ok) {
-                context->has_values = true;
-                context->values_offset = context->arena.offset_of(value);
-            }
-        }
-        if (status != Status::ok) {
-            clear_diagram(context);
-            return finish(context, status, text_of(status));
-        }
-        context->has_diagram = true;
-        context->keeps_zero = keep_zero_pairs != 0;
-        context->pairs_offset = context->arena.offset_of(pairs.pairs);
-        context->pair_count = pairs.count;
-        context->simplices = simplices;
-        context->filter = filter;
-        context->values = values;
-        context->max_degree = degree;
-        context->certified_ratio = certificate.ratio;
-        context->certified_ratio_best = certificate.ratio_best;
-        context->certified_from = certificate.from;
-        return finish(context, Status::ok, "");
     });
 }
 

@@ -6,6 +6,17 @@
 namespace netmesh {
 namespace {
 
+// Whether netmesh_persist let inputs enter before their stars.
+bool inputs_enter_at_zero(const netmesh_context* context) {
+    switch (context->filter) {
+    case NETMESH_FILTER_COMPLETE:
+    case NETMESH_FILTER_TIGHT: return true;
+    case NETMESH_FILTER_KNN:
+    case NETMESH_FILTER_KDISTANCE: return context->k <= 1;
+    default: return false;
+    }
+}
+
 Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
     Arena& arena = context->arena;
     const std::uint32_t dimension = context->max_degree + 1;
@@ -19,8 +30,8 @@ Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
                                     &complex);
         const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
         return lower_star_complex<D>(store.view(), value,
-                                     context->filter == NETMESH_FILTER_COMPLETE ? context->inputs : 0, dimension, arena,
-                                     monitor, &complex);
+                                     inputs_enter_at_zero(context) ? context->inputs : 0, dimension, arena, monitor,
+                                     &complex);
     });
     if (status == Status::ok && !keep_complex(context, complex)) status = Status::out_of_memory;
     if (status != Status::ok) return status;
@@ -49,7 +60,8 @@ using namespace netmesh;
 extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netmesh_options* options) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 2);
-    if (context->dim == 0 || !context->has_diagram)
+    if (context->dim == 0 || !context->has_diagram || context->store.cell_slots == 0 ||
+        (!context->has_values && context->filter != NETMESH_FILTER_ALPHA))
         return finish(context, Status::no_result, "there is no diagram of a triangulation or mesh");
     if (context->has_cycles) return finish(context, Status::ok, "");
     const std::size_t low = context->arena.low_mark(), high = context->arena.high_mark();

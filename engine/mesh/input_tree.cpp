@@ -1,10 +1,16 @@
 #include "mesh/input_tree.hpp"
 
+#include "memory/sort.hpp"
+
 namespace netmesh {
 namespace {
 
 struct Range {
     std::uint32_t begin, end;
+};
+
+constexpr auto is_nearer = [](const Neighbour& a, const Neighbour& b) {
+    return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.input < b.input);
 };
 
 }  // namespace
@@ -70,24 +76,8 @@ template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena,
 }
 
 template <int D>
-std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
-                                    double* distance2) const {
-    std::uint32_t best = none;
-    double best2 = infinity;
-    const auto consider = [&](std::uint32_t v) {
-        if (v == except) return;
-        const double* p = store_->point(v);
-        double d2 = 0;
-        for (int k = 0; k < D; ++k) {
-            const double d = x[k] - p[k];
-            d2 += d * d;
-        }
-        if (d2 < best2 || (d2 == best2 && v < best)) {
-            best2 = d2;
-            best = v;
-        }
-    };
-    if (start != none) consider(start);
+template <class Consider, class Bound>
+void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) const {
     Range stack[40];
     double plane2[40];  // no point of the range is nearer than this, squared
     int depth = 0;
@@ -95,7 +85,7 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
     plane2[depth++] = 0;
     while (depth > 0) {
         Range range = stack[--depth];
-        if (plane2[depth] > best2) continue;
+        if (plane2[depth] > bound2()) continue;
         while (range.end - range.begin > leaf) {
             const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
             const int axis = axis_[middle];
@@ -108,8 +98,50 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
         }
         for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
     }
+}
+
+template <int D>
+std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
+                                    double* distance2) const {
+    std::uint32_t best = none;
+    double best2 = infinity;
+    const auto consider = [&](std::uint32_t v) {
+        if (v == except) return;
+        const double d2 = squared_distance(x, v);
+        if (d2 < best2 || (d2 == best2 && v < best)) {
+            best2 = d2;
+            best = v;
+        }
+    };
+    if (start != none) consider(start);
+    visit(x, consider, [&] { return best2; });
     *distance2 = best2;
     return best;
+}
+
+// The best so far are a heap with the worst of them on top.
+template <int D> void InputTree<D>::nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const {
+    std::uint32_t found = 0;
+    const auto consider = [&](std::uint32_t v) {
+        const Neighbour one = {squared_distance(x, v), v, 0};
+        if (found < k) {
+            std::uint32_t hole = found++;
+            for (; hole > 0 && is_nearer(neighbours[(hole - 1) / 2], one); hole = (hole - 1) / 2)
+                neighbours[hole] = neighbours[(hole - 1) / 2];
+            neighbours[hole] = one;
+            return;
+        }
+        if (!is_nearer(one, neighbours[0])) return;
+        std::uint32_t hole = 0;
+        for (std::uint32_t child; (child = 2 * hole + 1) < k; hole = child) {
+            if (child + 1 < k && is_nearer(neighbours[child], neighbours[child + 1])) ++child;
+            if (!is_nearer(one, neighbours[child])) break;
+            neighbours[hole] = neighbours[child];
+        }
+        neighbours[hole] = one;
+    };
+    visit(x, consider, [&] { return found < k ? infinity : neighbours[0].distance2; });
+    sort(neighbours, k, is_nearer);
 }
 
 template class InputTree<2>;

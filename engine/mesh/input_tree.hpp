@@ -1,10 +1,28 @@
-// Nearest input point, exactly: a k-d tree over the inputs, 5 bytes a point.
+// Nearest input points, exactly: a k-d tree over the inputs, 5 bytes a point.
 #pragma once
 #include <cstdint>
 
 #include "delaunay/store.hpp"
 
 namespace netmesh {
+
+// A part of the tree: items begin..end-1. A longer one than a leaf is split by its middle item.
+struct TreeRange {
+    static constexpr std::uint32_t leaf = 8;
+    std::uint32_t begin, end;
+
+    bool is_leaf() const { return end - begin <= leaf; }
+    std::uint32_t middle() const { return begin + (end - begin) / 2; }  // no two ranges have the same
+    TreeRange below() const { return {begin, middle()}; }
+    TreeRange above() const { return {middle() + 1, end}; }
+};
+
+// One of several nearest inputs.
+struct Neighbour {
+    double distance2;  // as computed
+    std::uint32_t input;
+    std::uint32_t unused;
+};
 
 template <int D> class InputTree {
 public:
@@ -15,9 +33,29 @@ public:
     // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
     std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
 
+    // Its layout, for other searches: items of a range below the middle have an axis(middle) coordinate at most that of the
+    // middle item, those above at least.
+    TreeRange root() const { return {0, count_}; }
+    std::uint32_t item(std::uint32_t i) const { return items_[i]; }
+    int axis(std::uint32_t middle) const { return axis_[middle]; }
+    // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index: unique,
+    // whatever the tree. Expected O(k log k + log n).
+    void nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const;
+
 private:
-    static constexpr std::uint32_t leaf = 8;
+    static constexpr std::uint32_t leaf = TreeRange::leaf;
     void split(std::uint32_t begin, std::uint32_t end);
+    double squared_distance(const double* x, std::uint32_t v) const {
+        const double* const p = store_->point(v);
+        double d2 = 0;
+        for (int k = 0; k < D; ++k) {
+            const double d = x[k] - p[k];
+            d2 += d * d;
+        }
+        return d2;
+    }
+    // Calls consider(input) for every input that can be nearer than bound2() or as near, near parts first.
+    template <class Consider, class Bound> void visit(const double* x, Consider&& consider, Bound&& bound2) const;
 
     const Store<D>* store_;
     std::uint32_t* items_;

@@ -9,9 +9,6 @@ namespace {
 // A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad: the cell then
 // loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
 constexpr double pull_back = 1.15;
-// An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
-// ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
-constexpr double yield_radius = 0.9;
 // Frame distance over domain radius: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in which
 // everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
 constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
@@ -35,11 +32,12 @@ template <int D> class Refinement {
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
         : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
-          certify_(options.certify) {}
+          certify_(options.certify), rule_(options.size) {}
 
     Status check_input(InputReport* input);
     Status open(const RefineOptions& options);
     Status run(const std::uint32_t* order);
+    Status reach_sizes(InputReport* input);
 
 private:
     struct Corner {
@@ -72,6 +70,13 @@ private:
     void queue_bad_vertices(std::uint32_t c);
     bool may_spoil_certificate(std::uint32_t v, const double* x) const;
     bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }
+    // Is a corner bad or, as far as the vertex's hint knows, farther than the size asked for?
+    bool may_be_bad(double corner2, const Vertex<D>& vertex) const {
+        return is_bad(corner2, vertex.nearest2) || (sized_ && corner2 > value_of_size_hint(vertex.size_hint));
+    }
+    bool is_oversize(std::uint32_t v, double corner2) const;
+    Status note_size(std::uint32_t v);
+    bool look_at_poles(std::uint32_t v, CellView* view);
 
     Store<D>& store_;
     Kernel<D> kernel_;
@@ -81,6 +86,9 @@ private:
     BucketQueue<D> queue_;
     double tau_;
     bool certify_;
+    SizeRule rule_;
+    bool sized_ = false;             // sizes are asked for by now
+    std::uint32_t refused_ = none;   // row of the input nearest to the vertex whose size is refused
     std::uint32_t inputs_ = 0, inserted_ = 0;
 };
 
@@ -129,7 +137,7 @@ template <int D> Status Refinement<D>::open(const RefineOptions& options) {
         v.next = none;
         v.marker = Marker::exempt;
         v.queued = 0;
-        v.unused = 0;
+        v.size_hint = 0;
         double d2;
         v.origin = tree_.nearest(v.x, 0, none, &d2);
     }
@@ -188,7 +196,7 @@ template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
     unsigned far = 0;  // positions of the vertices for which this corner is far
     for (int i = 0; i <= D; ++i) {
         const Vertex<D>& vertex = store_.vertex(cell.vertex[i]);
-        if (!vertex.queued && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2)) far |= 1u << i;
+        if (!vertex.queued && vertex.marker != Marker::exempt && may_be_bad(cell.radius2, vertex)) far |= 1u << i;
     }
     if (far == 0) return;
     if (domain_.contains(cell.centre)) {
@@ -212,7 +220,7 @@ template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
         for (int j = 0; j < crossings; ++j)
             for (int k = 0; k <= D; ++k) {
                 const std::uint32_t w = cell.vertex[k];
-                if ((others >> k & 1u) && is_bad(distance2<D>(z[j], store_.point(w)), store_.vertex(w).nearest2))
+                if ((others >> k & 1u) && may_be_bad(distance2<D>(z[j], store_.point(w)), store_.vertex(w)))
                     queue_.push(w);
             }
     }
@@ -239,7 +247,7 @@ void Refinement<D>::corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* 
         if (!(other.radius2 < infinity)) continue;
         // A crossing is no farther from v than the farther end; one that is not bad does not matter.
         const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
-        if (!(bound2 > corner->distance2) || !is_bad(bound2 * (1 + 0x1p-20), store_.vertex(v).nearest2)) continue;
+        if (!(bound2 > corner->distance2) || !may_be_bad(bound2 * (1 + 0x1p-20), store_.vertex(v))) continue;
         if (n < c && !domain_.contains(other.centre)) continue;  // seen from the other end
         double z[2][D];
         const int crossings = sphere_crossings<D>(domain_, cell.centre, other.centre, z);
@@ -272,7 +280,7 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
 template <int D>
 const typename Refinement<D>::Corner* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
     const double nearest2 = store_.vertex(v).nearest2;
-    if (is_bad(view.clipped.distance2, nearest2)) return &view.clipped;
+    if (is_bad(view.clipped.distance2, nearest2) || is_oversize(v, view.clipped.distance2)) return &view.clipped;
     if (!certify_ || !is_bad(view.whole.distance2, nearest2)) return nullptr;
     const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
     const double hi = reach < rho ? reach : rho;
@@ -307,9 +315,13 @@ template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner& corn
     steiner.origin = near;
     steiner.marker = Marker::steiner;
     steiner.queued = 0;
-    steiner.unused = 0;
-    const Status status = insert(s, corner.cell);
-    if (status == Status::out_of_memory) store_.truncate_vertices(s);
+    steiner.size_hint = 0;
+    Status status = sized_ ? note_size(s) : Status::ok;
+    if (status == Status::ok) status = insert(s, corner.cell);
+    if (status == Status::out_of_memory || status == Status::invalid_argument)
+        store_.truncate_vertices(s);
+    else if (sized_)
+        queue_.push(s);
     return status;
 }
 
@@ -320,12 +332,59 @@ template <int D> Status Refinement<D>::clean() {
         if (v == none) return Status::ok;
         CellView view;
         if (!look(v, &view)) return Status::out_of_memory;
+        if (sized_ && view.clipped.distance2 < 0 && !look_at_poles(v, &view)) return Status::out_of_memory;
         const Corner* const corner = bad_corner(v, view);
         if (corner == nullptr) continue;
         const Status status = split(v, *corner);
         if (status != Status::ok) return status;
         queue_.push(v);
     }
+}
+
+// Is a corner of v's cell farther than the size asked for?
+template <int D> bool Refinement<D>::is_oversize(std::uint32_t v, double corner2) const {
+    if (!sized_ || !(corner2 > value_of_size_hint(store_.vertex(v).size_hint))) return false;
+    const double size = wanted_size<D>(store_, tree_, rule_, v) * (1 - tau_margin);
+    return corner2 > size * size;
+}
+
+// The farthest point of a clipped cell without corners; no Voronoi edge meets the domain there.
+template <int D> bool Refinement<D>::look_at_poles(std::uint32_t v, CellView* view) {
+    std::uint32_t count = 0;
+    if (!kernel_.visit_star(v, [&](std::uint32_t) { ++count; })) return false;
+    Corner& corner = view->clipped;
+    corner.distance2 = farthest_pole<D>(store_, domain_, v, store_.list_top(), count, corner.x, &corner.cell);
+    return true;
+}
+
+// Evaluates the size rule at v for the first time.
+template <int D> Status Refinement<D>::note_size(std::uint32_t v) {
+    const double size = wanted_size<D>(store_, tree_, rule_, v);
+    double magnitude = 0;
+    for (int k = 0; k < D; ++k)
+        if (absolute(store_.point(v)[k]) > magnitude) magnitude = absolute(store_.point(v)[k]);
+    if (!(size >= separation_min && size >= resolution * magnitude)) {
+        refused_ = store_.vertex(nearest_input(v)).origin;
+        return Status::invalid_argument;
+    }
+    store_.vertex(v).size_hint = size_hint_of((1 - 2 * tau_margin) * (size < coordinate_max ? size * size : infinity));
+    return Status::ok;
+}
+
+// Over-refinement, when all inputs are in: everything is looked at once more.
+template <int D> Status Refinement<D>::reach_sizes(InputReport* input) {
+    if (!rule_.asks()) return Status::ok;
+    const std::uint32_t count = store_.state.vertex_count;
+    sized_ = true;
+    Status status = Status::ok;
+    for (std::uint32_t v = 0; v < count && status == Status::ok; ++v) {
+        if (store_.vertex(v).marker == Marker::exempt) continue;
+        status = note_size(v);
+        queue_.push(v);
+    }
+    if (status == Status::ok) status = clean();
+    if (status == Status::invalid_argument) input->row_a = refused_;
+    return status;
 }
 
 template <int D> Status Refinement<D>::run(const std::uint32_t* order) {
@@ -362,6 +421,7 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
     status = refinement.check_input(input);
     if (status == Status::ok) status = refinement.open(options);
     if (status == Status::ok) status = refinement.run(order);
+    if (status == Status::ok) status = refinement.reach_sizes(input);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
     settle_spheres<D>(store);
     domain->radius = domain->enclosing_radius * options.domain_factor;

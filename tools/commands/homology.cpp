@@ -91,7 +91,7 @@ Outcome run_homology(const Options& options) {
         jobs.push_back({options.representatives, [&](TextWriter& out) { write_cycles(session.context(), out); }});
     }
     if (!options.out.empty() || !options.json) {
-        jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, out); }});
+        jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, {}, out); }});
     }
     outcome = write_files(jobs);
     if (!outcome.good()) return outcome;

@@ -12,15 +12,18 @@ Outcome run_size(const Options& options) {
     netmesh_options engine_options;
     netmesh_options_init(&engine_options, options.dim);
     if (options.tau) engine_options.tau = *options.tau;
+    const Outcome outcome = check_accuracy(options);
+    if (!outcome.good()) return outcome;
+    (promises_accuracy(options) ? engine_options.eps : engine_options.over_refine_eps) = options.eps;
     engine_options.seed = options.seed;
     std::vector<netmesh_job> jobs = {NETMESH_JOB_DELAUNAY, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST};
     if (options.filter) {
-        jobs = {*options.filter == NETMESH_FILTER_ALPHA ? NETMESH_JOB_PERSIST_ALPHA : NETMESH_JOB_PERSIST};
+        jobs = {job_of(*options.filter)};
     }
     std::uint64_t bytes = 0;
     if (options.filter && is_points_filter(*options.filter)) {
         jobs.clear();
-        bytes = netmesh_points_bytes(*options.filter, &engine_options, options.point_count, options.k == 0 ? 1 : options.k,
+        bytes = netmesh_points_bytes(*options.filter, &engine_options, options.point_count, options.k.value_or(1),
                                      max_degree_of(options, options.dim));
         if (bytes == 0) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
     }

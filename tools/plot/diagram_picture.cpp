@@ -5,7 +5,6 @@
 #include "tools/options.hpp"
 #include "tools/plot/barcode.hpp"
 #include "tools/plot/plots.hpp"
-#include "tools/report/report.hpp"
 
 namespace netmesh::tool {
 
@@ -45,10 +44,12 @@ std::string subtitle(const netmesh_report& report) {
 std::string certificate(const netmesh_report& report) {
     const double c = report.certified_ratio;
     if (report.dim == 0) return "exact";
-    if (c == 1 && report.certified_from == 0) return "certified ratio c = 1: the exact diagram of the " + reference_text(report);
+    const bool offsets = report.k == 0 && report.filter != NETMESH_FILTER_RIPS;
+    const std::string of = offsets ? "offsets" : reference_name(report);
+    if (c == 1 && report.certified_from == 0) return "certified ratio c = 1: the exact diagram of the " + of;
     std::string text = "certified ratio c = " + rounded_text(c, 4);
     if (report.certified_from > 0) text += " from radius " + rounded_text(report.certified_from, 4);
-    return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the " + reference_text(report);
+    return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the " + of;
 }
 
 void draw_key(Svg& svg, double x, double y, const netmesh_report& report, std::uint32_t max_degree) {
