@@ -18,6 +18,10 @@ Outcome run(const Options& options) {
         return write_files({{"", [&](TextWriter& out) { out << text; }}});
     }
     switch (options.command) {
+    case Command::homology:
+        return run_homology(options);
+    case Command::distance:
+        return run_distance(options);
     case Command::vineyard:
         return run_vineyard(options);
     case Command::size:

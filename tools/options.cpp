@@ -13,35 +13,44 @@ namespace {
 constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
 constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
 constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
+constexpr unsigned homology = bit(Command::homology), distance = bit(Command::distance);
 constexpr unsigned vineyard = bit(Command::vineyard);
 constexpr unsigned engine = mesh | delaunay | persist;
 
 struct CommandEntry {
     Command command;
     const char* name;
-    const char* positional;
+    const char* positional;  // the names of all, null for none
+    std::size_t positional_count;
     const char* summary;
     const char* details;
 };
 
 constexpr CommandEntry commands[] = {
-    {Command::mesh, "mesh", "POINTS", "quality mesh",
+    {Command::mesh, "mesh", "POINTS", 1, "quality mesh",
      "Every vertex but the boundary's gets a Voronoi cell whose aspect ratio, clipped to the domain, is at most "
      "tau.\n"},
-    {Command::delaunay, "delaunay", "POINTS", "Delaunay triangulation", ""},
-    {Command::persist, "persist", "POINTS", "persistence diagram",
+    {Command::delaunay, "delaunay", "POINTS", 1, "Delaunay triangulation", ""},
+    {Command::persist, "persist", "POINTS", 1, "persistence diagram",
      "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
-    {Command::vineyard, "vineyard", "POINTS", "diagrams of d_k for a range of k, and their vines",
+    {Command::homology, "homology", "FILE", 1, "persistent homology of a filtered complex",
+     "One simplex a line: its vertices, whole numbers from 0, then the value at which it enters: `3 1 4 0.5` is a\n"
+     "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth death`;\n"
+     "the bars that never die are the Betti numbers.\n"},
+    {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck distance between two diagrams",
+     "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential classes "
+     "differ.\n"},
+    {Command::vineyard, "vineyard", "POINTS", 1, "diagrams of d_k for a range of k, and their vines",
      "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of each k; a "
      "vine\nfollows one class from k to k.\n"},
-    {Command::size, "size", nullptr, "bytes of memory to plan for",
+    {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
      "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
      "persist.\n"},
-    {Command::check, "check", "MESH.node | DIAGRAM.pers", "recompute every certificate from the files alone",
+    {Command::check, "check", "MESH.node | DIAGRAM.pers", 1, "recompute every certificate from the files alone",
      "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram is recomputed "
      "from\n"
      "--points or --mesh; alone, it is only looked at for what every diagram must satisfy.\n"},
-    {Command::sample, "sample", "SHAPE", "point sets by formula", nullptr},
+    {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
 };
 
 using Apply = std::string (*)(Options&, const std::string&);  // a complaint, or empty
@@ -69,14 +78,16 @@ std::string apply_method(Options&, const std::string& text) {
 }
 
 std::string apply_filter(Options& options, const std::string& text) {
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA,
-                                        NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT,
-                                        NETMESH_FILTER_SCALES}) {
+    for (const netmesh_filter filter :
+         {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA, NETMESH_FILTER_KNN,
+          NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT, NETMESH_FILTER_SCALES, NETMESH_FILTER_RIPS,
+          NETMESH_FILTER_CECH, NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_FILTER_BARYCENTRIC_RIPS}) {
         if (text != filter_name(filter)) continue;
         options.filter = filter;
         return {};
     }
-    return "this version has the filters complete, basic, alpha, knn, kdistance, tight and scales";
+    return "the filters are complete, basic, alpha, knn, kdistance, tight, scales, rips, cech, barycentric-cech and "
+           "barycentric-rips";
 }
 
 std::string apply_values(Options& options, const std::string& text) {
@@ -167,6 +178,10 @@ std::string apply_svg(Options& options, const std::string& text) {
     options.svg = text;
     return text.empty() ? "must be a file name" : "";
 }
+std::string apply_representatives(Options& options, const std::string& text) {
+    options.representatives = text;
+    return text.empty() ? "must be a file name" : "";
+}
 std::string apply_mesh_out(Options& options, const std::string& text) {
     options.mesh_out = text;
     return text.empty() ? "must be a file name" : "";
@@ -183,6 +198,7 @@ std::string apply_json(Options& options, const std::string&) { return options.js
 std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
+std::string apply_log(Options& options, const std::string&) { return options.log = true, ""; }
 std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
 std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
 
@@ -197,7 +213,7 @@ struct OptionEntry {
 constexpr OptionEntry option_entries[] = {
     {"-o", mesh | delaunay, "OUT", apply_out,
      ".node (with .ele and .neigh), .vtu (D = 2, 3) or .off; without it OFF on stdout"},
-    {"-o", persist, "OUT.pers", apply_out, "the diagram; without it on stdout"},
+    {"-o", persist | homology, "OUT.pers", apply_out, "the diagram; without it on stdout"},
     {"-o", vineyard, "OUT.vines", apply_out, "the vines; without it on stdout"},
     {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
     {"-n", sample, "N", apply_count, "number of points"},
@@ -214,29 +230,40 @@ constexpr OptionEntry option_entries[] = {
     {"--theta", persist | size | check, "T", apply_theta, "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
     {"--method", mesh | persist | size, "M", apply_method, "svr"},
     {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
-    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic, tight, scales, alpha, knn or kdistance"},
-    {"--k", persist | check, "K", apply_k,
-     "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square"},
+    {"--filter", persist | size | check, "F", apply_filter,
+     "complete (default), basic, tight, scales, alpha, knn or kdistance; of few points rips, cech, barycentric-cech or\n"
+     "                    barycentric-rips"},
+    {"--k", persist | size | check, "K", apply_k,
+     "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points in\n"
+     "                    every set of a barycentric filter, at least"},
     {"--values", persist | vineyard | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
     {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
-    {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
-    {"--memory", engine | vineyard | size | check, "SIZE", apply_memory,
+    {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree,
+     "highest homology degree (D-1; 1 for rips, cech and barycentric filters)"},
+    {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
+    {"--representatives", persist | homology, "FILE", apply_representatives,
+     "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
+    {"--memory", engine | vineyard | homology | size | check, "SIZE", apply_memory,
      "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
     {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},
     {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
     {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
-    {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
+    {"--svg", persist | homology, "FILE", apply_svg, "picture of barcode and diagram"},
     {"--svg", vineyard, "FILE", apply_svg, "picture of the vines, k against radius"},
     {"--analyse", mesh | delaunay, nullptr, apply_analyse,
      "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
+    {"--log", distance, nullptr, apply_log,
+     "distance of natural logarithms; births at 0 are matched to births at 0 alone"},
     {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
+    {"--check", homology, nullptr, apply_check, "check that each cycle is one, and born with its bar"},
     {"--bounds", persist, nullptr, apply_bounds,
      "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},
-    {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
-    {"--json", engine | vineyard | size | check, nullptr, apply_json,
+    {"--all", persist | homology | size | check, nullptr, apply_all, "keep bars of length zero"},
+    {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
-    {"--quiet", engine | vineyard | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
+    {"--quiet", engine | vineyard | homology | distance | size | check | sample, nullptr, apply_quiet,
+     "no progress, no summary"},
 };
 
 const CommandEntry* find_command(const std::string& name) {
@@ -339,8 +366,10 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
         }
     }
     const CommandEntry& command = entry_of(options->command);
-    const std::size_t due = command.positional == nullptr ? 0 : 1;
-    if (options->positionals.size() < due || (due == 1 && options->positionals[0].empty())) {
+    const std::size_t due = command.positional_count;
+    bool empty = options->positionals.size() < due;
+    for (std::size_t i = 0; i < due && !empty; i++) empty = options->positionals[i].empty();
+    if (empty) {
         return usage_error(std::string(command.name) + " needs " + command.positional);
     }
     if (options->positionals.size() > due) {
@@ -374,6 +403,14 @@ const char* filter_name(netmesh_filter filter) {
         return "basic";
     case NETMESH_FILTER_ALPHA:
         return "alpha";
+    case NETMESH_FILTER_RIPS:
+        return "rips";
+    case NETMESH_FILTER_CECH:
+        return "cech";
+    case NETMESH_FILTER_BARYCENTRIC_CECH:
+        return "barycentric-cech";
+    case NETMESH_FILTER_BARYCENTRIC_RIPS:
+        return "barycentric-rips";
     case NETMESH_FILTER_KNN:
         return "knn";
     case NETMESH_FILTER_KDISTANCE:
@@ -391,10 +428,30 @@ std::string reference_name(const netmesh_report& report) {
     const std::string space = " in R^" + std::to_string(report.dim), k = std::to_string(report.k);
     if (report.filter == NETMESH_FILTER_KNN) return "sublevel sets of d_" + k + space;
     if (report.filter == NETMESH_FILTER_KDISTANCE) return "sublevel sets of the k-distance, k = " + k + "," + space;
-    return "closed offsets of the points" + space;
+    switch (report.filter) {
+    case NETMESH_FILTER_RIPS:
+        return "Vietoris-Rips complex of the points, edges at half their length";
+    case NETMESH_FILTER_BARYCENTRIC_CECH:
+    case NETMESH_FILTER_BARYCENTRIC_RIPS:
+        return "sublevel sets of d_" + k + space;
+    default:
+        return report.dim == 0 ? "filtered complex" : "closed offsets of the points" + space;
+    }
 }
 
 const char* values_name(netmesh_values values) { return values == NETMESH_VALUES_THESIS ? "thesis" : "certified"; }
+
+bool is_barycentric(netmesh_filter filter) {
+    return filter == NETMESH_FILTER_BARYCENTRIC_CECH || filter == NETMESH_FILTER_BARYCENTRIC_RIPS;
+}
+
+bool is_points_filter(netmesh_filter filter) {
+    return filter == NETMESH_FILTER_RIPS || filter == NETMESH_FILTER_CECH || is_barycentric(filter);
+}
+
+std::uint32_t max_degree_of(const Options& options, std::uint32_t dim) {
+    return options.max_degree.value_or(options.filter && is_points_filter(*options.filter) ? 1 : dim - 1);
+}
 
 std::string version_text() {
     return "netmesh " + std::to_string(NETMESH_VERSION_MAJOR) + "." + std::to_string(NETMESH_VERSION_MINOR) + "." +

@@ -11,7 +11,7 @@
 
 namespace netmesh::tool {
 
-enum class Command { none, mesh, delaunay, persist, size, check, sample, vineyard };
+enum class Command { none, mesh, delaunay, persist, homology, distance, size, check, sample, vineyard };
 
 struct Options {
     Command command = Command::none;
@@ -21,7 +21,8 @@ struct Options {
     std::string out;  // empty: stdout
     std::string svg;
     std::string mesh_out;  // persist: where the filtered mesh goes
-    bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false;
+    std::string representatives;  // where the cycles go
+    bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false, log = false;
 
     std::optional<double> tau;
     double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
@@ -29,7 +30,7 @@ struct Options {
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
-    std::optional<std::uint32_t> k, k_last;  // knn, kdistance; of a vineyard the first and the last
+    std::optional<std::uint32_t> k, k_last;  // knn, kdistance, barycentric filters; of a vineyard the first and the last
     std::size_t memory_bytes = 0;  // 0: reserved lazily
     std::uint64_t seed = 1;
 
@@ -52,6 +53,11 @@ Outcome check_accuracy(const Options& options);
 const char* command_name(Command command);
 const char* filter_name(netmesh_filter filter);
 const char* values_name(netmesh_values values);
+// Filters on the points themselves, without a triangulation.
+bool is_points_filter(netmesh_filter filter);
+bool is_barycentric(netmesh_filter filter);
+// Highest degree when none is asked for: 1 where the complex grows with it, otherwise D - 1.
+std::uint32_t max_degree_of(const Options& options, std::uint32_t dim);
 // The function that a certified ratio is about: "closed offsets of the points in R^3", "sublevel sets of d_5 in R^3", ...
 std::string reference_name(const netmesh_report& report);
 

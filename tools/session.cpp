@@ -65,7 +65,10 @@ netmesh_status Session::attempt(std::size_t bytes, const Work& work) {
 }
 
 Outcome Session::run(netmesh_job job, const PointCloud& cloud, const Work& work) {
-    const std::size_t plan = netmesh_plan_bytes(job, &engine_options_, cloud.rows());
+    return run_planned(netmesh_plan_bytes(job, &engine_options_, cloud.rows()), cloud, work);
+}
+
+Outcome Session::run_planned(std::size_t plan, const PointCloud& cloud, const Work& work) {
     if (memory_bytes_ != 0) return explain(attempt(memory_bytes_, work), cloud, plan);
     const std::size_t physical = platform::physical_memory_bytes();
     std::size_t bytes = lazy_bytes(plan, physical);

@@ -25,6 +25,8 @@ public:
     // one. `cloud` gives messages their lines.
     using Work = std::function<netmesh_status(Session&)>;
     Outcome run(netmesh_job job, const PointCloud& cloud, const Work& work);
+    // The same with the bytes to plan for.
+    Outcome run_planned(std::size_t plan, const PointCloud& cloud, const Work& work);
 
     // One call of the engine inside `work`; `stage` gets its time when it is too short to poll.
     netmesh_status call(netmesh_stage stage, const std::function<netmesh_status()>& engine_call);

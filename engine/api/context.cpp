@@ -49,12 +49,14 @@ void clear_diagram(netmesh_context* context) {
     context->filter = NETMESH_FILTER_NONE;
     context->scales = 0;
     if (context->dim != 0) context->arena.release_low(context->mesh_mark);
+    if (context->dim != 0 && context->has_cycles) context->arena.release_high(context->cycles_high);
+    context->has_cycles = false;
 }
 
 void clear(netmesh_context* context) {
     clear_diagram(context);
     context->dim = 0;
-    context->is_mesh = context->complete = false;
+    context->is_mesh = context->complete = context->is_complex = context->has_cycles = false;
     context->arena.adopt(context, context->arena.bytes());
     context->arena.release_low(context->start);
 }
@@ -78,6 +80,7 @@ const char* netmesh_status_text(netmesh_status status) {
     case NETMESH_NO_RESULT: return "an earlier step is missing";
     case NETMESH_CHECK_FAILED: return "a check failed";
     case NETMESH_FLOATING_POINT: return "the floating-point mode is not IEEE double precision, rounding to nearest";
+    case NETMESH_NOT_A_COMPLEX: return "the simplices are not a filtered complex";
     case NETMESH_INTERNAL: return "an invariant of the library does not hold";
     }
     return "unknown status";

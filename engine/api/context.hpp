@@ -4,6 +4,7 @@
 
 #include "delaunay/store.hpp"
 #include "filtration/mesh_filter.hpp"
+#include "homology/cycles.hpp"
 #include "homology/persistence.hpp"
 #include "include/netmesh.h"
 #include "memory/arena.hpp"
@@ -17,6 +18,20 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736801u;
 //
 //   | Context | cells | filter values | pairs |        gap        | vertices |
 //             ^ start                ^ diagram_mark
+//
+// with representatives, where pairs are listed once more:
+//
+//   | Context | cells | filter values | pairs | facets, values | KeptComplex | pairs |   gap   | cycles | vertices |
+//
+// or, after homology of a complex, the parts in brackets when representatives are kept:
+//
+//   | Context | [ facets, values | KeptComplex ] | pairs |        gap        | [ cycles ] |
+struct KeptComplex {
+    std::uint32_t dimension;
+    std::uint32_t count[FilteredComplex::dimension_max + 1];
+    std::uint64_t rows[FilteredComplex::dimension_max + 1], values[FilteredComplex::dimension_max + 1];  // offsets
+};
+
 struct Context {
     std::uint64_t magic;
     std::uint64_t block_bytes;
@@ -24,7 +39,7 @@ struct Context {
     std::uint64_t start;  // low end of an empty context
     netmesh_detail detail;
 
-    std::uint32_t dim;  // 0: holds nothing
+    std::uint32_t dim;  // 0: holds no triangulation
     bool is_mesh, complete, has_values, has_diagram;
     StoreState store;
     std::uint64_t points, duplicates, input_fingerprint;
@@ -39,6 +54,11 @@ struct Context {
     std::uint32_t max_degree, k;
     double certified_ratio, certified_ratio_best, certified_from;
 
+    bool is_complex, has_cycles;  // then dim is 0
+    std::uint32_t point_dim;      // of the points the complex is made of, 0 for one given by its simplices
+    bool keeps_zero;
+    std::uint64_t kept_offset, result_fingerprint, cycles_high;  // cycles_high: the high end below which cycles lie
+    CycleStore cycles;
     std::uint32_t scales, scale_points_max, scale_vertices_max;  // scales 0: another filter
     std::uint64_t scale_vertices;
     double separation;

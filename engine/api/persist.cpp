@@ -60,6 +60,7 @@ netmesh_status keep_diagram(netmesh_context* context, const Request& request, st
         context->values_offset = context->arena.offset_of(outcome.value);
     }
     context->has_diagram = true;
+    context->keeps_zero = request.keep_zero;
     context->pairs_offset = context->arena.offset_of(outcome.pairs.pairs);
     context->pair_count = outcome.pairs.count;
     context->simplices = outcome.simplices;

@@ -36,6 +36,10 @@ template <int D> Store<D> store_of(const netmesh_context* context, Arena& arena,
 bool holds_result(const netmesh_context* context) {
     return context != nullptr && context->magic == context_magic && context->dim != 0;
 }
+bool holds_diagram(const netmesh_context* context) {
+    return context != nullptr && context->magic == context_magic && (context->dim != 0 || context->is_complex) &&
+           context->has_diagram;
+}
 
 template <int D> std::uint64_t fingerprint_of(const netmesh_context* context) {
     Arena arena;
@@ -73,6 +77,35 @@ template <int D> void count_markers(const netmesh_context* context, netmesh_repo
         ++(store.vertex(v).marker == Marker::exempt ? report->exempt : report->steiner);
 }
 
+void report_diagram(const netmesh_context* context, netmesh_report* report) {
+    report->has_diagram = context->has_diagram;
+    if (!context->has_diagram && !context->has_vineyard) return;
+    report->filter = context->filter;
+    report->values = context->values;
+    report->max_degree = context->max_degree;
+    report->k = context->k;
+    for (std::uint64_t k = 0; k < context->pair_count; ++k) {
+        const Pair& pair = pairs_of(context)[k];
+        ++report->pairs[pair.degree];
+        report->essential[pair.degree] += pair.death == infinity;
+    }
+    report->simplices = context->simplices;
+    report->certified_ratio = context->certified_ratio;
+    report->certified_ratio_best = context->certified_ratio_best;
+    report->certified_from = context->certified_from;
+}
+
+void report_complex(const netmesh_context* context, netmesh_report* report) {
+    report->dim = context->point_dim;
+    report->complete = context->complete;
+    report->points = context->points;
+    report->duplicates = context->duplicates;
+    report->input_fingerprint = context->input_fingerprint;
+    report->vertices = report->inputs = context->inputs;
+    report->fingerprint = context->result_fingerprint;
+    report_diagram(context, report);
+}
+
 }  // namespace
 }  // namespace netmesh
 
@@ -89,6 +122,7 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
     report->block_bytes = context->block_bytes;
     report->peak_bytes = context->arena.bytes_peak();
     report->used_bytes = context->arena.bytes_used();
+    if (context->is_complex) report_complex(context, report);
     if (!holds_result(context)) return NETMESH_OK;
 
     report->dim = context->dim;
@@ -110,7 +144,6 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
         for (std::uint32_t k = 0; k < context->dim; ++k) report->domain[k] = context->domain_centre[k];
         report->domain[context->dim] = context->domain_radius;
     }
-    report->has_diagram = context->has_diagram;
     report->has_vineyard = context->has_vineyard;
     if (context->scales > 0) {
         report->scales = context->scales;
@@ -126,17 +159,7 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
         report->vine_points = context->vine_points;
         report->transpositions = context->transpositions;
     }
-    if (context->has_diagram || context->has_vineyard) {
-        report->filter = context->filter;
-        report->values = context->values;
-        report->max_degree = context->max_degree;
-        report->k = context->k;
-        for (std::uint64_t k = 0; k < context->pair_count; ++k) ++report->pairs[pairs_of(context)[k].degree];
-        report->simplices = context->simplices;
-        report->certified_ratio = context->certified_ratio;
-        report->certified_ratio_best = context->certified_ratio_best;
-        report->certified_from = context->certified_from;
-    }
+    report_diagram(context, report);
     for (int s = 0; s < NETMESH_PREDICATE_STAGES; ++s) {
         report->predicate_calls[s] = context->store.in_ball_counts.calls[s];
         report->orient_calls[s] = context->store.orient_counts.calls[s];
@@ -186,7 +209,7 @@ netmesh_status netmesh_get_cell(const netmesh_context* context, uint64_t index, 
 }
 
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair) {
-    if (pair == nullptr || !holds_result(context) || !context->has_diagram || index >= context->pair_count)
+    if (pair == nullptr || !holds_diagram(context) || index >= context->pair_count)
         return NETMESH_INVALID_ARGUMENT;
     const Pair& p = pairs_of(context)[index];
     pair->degree = p.degree;

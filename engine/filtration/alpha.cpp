@@ -138,15 +138,6 @@ template <int D> void keep_dimensions(Faces<D>& faces, int dimension, double** v
     faces.dimension_max = dimension;
 }
 
-void drop_rounding(PairList* list) {
-    std::uint64_t kept = 0;
-    for (std::uint64_t i = 0; i < list->count; ++i) {
-        const Pair pair = list->pairs[i];
-        if (pair.death == infinity || pair.death - pair.birth > rounding * pair.death) list->pairs[kept++] = pair;
-    }
-    list->count = kept;
-}
-
 // Everything but giving back what was taken.
 template <int D>
 Status diagram_of(const TriangulationView<D>& complex, const Points<D>& points, std::uint32_t max_degree,
@@ -186,6 +177,15 @@ Status diagram_of(const TriangulationView<D>& complex, const Points<D>& points, 
 }
 
 }  // namespace
+
+void drop_rounding(PairList* list) {
+    std::uint64_t kept = 0;
+    for (std::uint64_t i = 0; i < list->count; ++i) {
+        const Pair pair = list->pairs[i];
+        if (pair.death == infinity || pair.death - pair.birth > rounding * pair.death) list->pairs[kept++] = pair;
+    }
+    list->count = kept;
+}
 
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, Monitor& monitor,

@@ -37,4 +37,7 @@ Status persist_alpha(const TriangulationView<D>& complex, const double* coordina
                      std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor, PairList* out,
                      std::uint64_t* simplex_count);
 
+// Leaves out the pairs of such a diagram that are shorter than rounding errors, which persist_alpha does by itself.
+void drop_rounding(PairList* pairs);
+
 }  // namespace netmesh

@@ -17,13 +17,17 @@ public:
           max_degree_(max_degree), keep_zero_(keep_zero) {}
 
     // Notes a pair unless its degree or its zero length leaves it out. False: out of memory.
-    bool add(double birth, double death, std::uint32_t degree) {
-        if (degree > max_degree_ || (birth == death && !keep_zero_)) return true;
+    bool add(double birth, double death, std::uint32_t degree, std::uint32_t cycle = 0) {
+        if (!keeps(birth, death, degree)) return true;
         if (!grow()) return false;
-        pairs()[count_++] = Pair{birth + 0.0, death + 0.0, degree, 0};  // no negative zeros
+        pairs()[count_++] = Pair{birth + 0.0, death + 0.0, degree, cycle};  // no negative zeros
         return true;
     }
     bool add_essential(double birth, std::uint32_t degree) { return add(birth, __builtin_inf(), degree); }
+    // Whether add() would note such a pair.
+    bool keeps(double birth, double death, std::uint32_t degree) const {
+        return degree <= max_degree_ && (birth != death || keep_zero_);
+    }
     bool keeps_zero() const { return keep_zero_; }
 
     PairList finish() {

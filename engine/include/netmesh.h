@@ -6,6 +6,7 @@
  * may be copied byte by byte to another 16-byte aligned address and used there. Two contexts are independent.
  *
  * Life of a context:   init -> delaunay | mesh | load -> persist -> get_*        (each step may be repeated)
+ *                      init -> homology | persist_points -> get_*
  *
  * "Thesis" is D. Sheehy, Mesh Generation and Geometric Persistent Homology, CMU 2011; numbers are its sections.
  * Unless said otherwise a call that does not return NETMESH_OK leaves the previous result untouched. */
@@ -24,6 +25,7 @@ extern "C" {
 #define NETMESH_VERSION_PATCH 0
 #define NETMESH_DIM_MIN 2
 #define NETMESH_DIM_MAX 6
+#define NETMESH_DEGREE_MAX 31 /* of homology, for filtrations that are not meshes */
 #define NETMESH_NONE UINT32_MAX /* no neighbour, no index */
 
 typedef enum netmesh_status {
@@ -38,7 +40,10 @@ typedef enum netmesh_status {
     NETMESH_NO_RESULT = 8,        /* the call needs an earlier step that has not been done */
     NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which */
     NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
-    NETMESH_INTERNAL = 11         /* an invariant of the library does not hold: a defect, please report it */
+    NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
+    NETMESH_NOT_A_COMPLEX = 12    /* simplex index_a has no place in a filtered complex, detail.message says why; index_b:
+                                     the earlier equal one, the face that enters later, or the vertex (counted from 0 in
+                                     ascending order) that a missing face lacks */
 } netmesh_status;
 
 /* A short English phrase for a status; never null. */
@@ -125,7 +130,12 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_KDISTANCE = 5,/* root mean square of the distances to the k nearest points (8.6), on a mesh */
     NETMESH_FILTER_FUNCTION = 6, /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
     NETMESH_FILTER_TIGHT = 7,    /* 7.5, on a mesh made for NETMESH_JOB_PERSIST_TIGHT (or any other, with a weaker ratio) */
-    NETMESH_FILTER_SCALES = 8    /* 7.6, from points; by netmesh_persist_scales only */
+    NETMESH_FILTER_SCALES = 8,   /* 7.6, from points; by netmesh_persist_scales only */
+    /* on the points themselves; by netmesh_persist_points only */
+    NETMESH_FILTER_RIPS = 9,              /* Vietoris-Rips complex: edges enter at half their length */
+    NETMESH_FILTER_CECH = 10,             /* Cech complex: the offsets' exact diagram */
+    NETMESH_FILTER_BARYCENTRIC_CECH = 11, /* 8.5: sublevel sets of the distance to the k-th nearest point, exact */
+    NETMESH_FILTER_BARYCENTRIC_RIPS = 12  /* 8.5: the same within 2^(1/4), from distances alone */
 } netmesh_filter;
 
 typedef enum netmesh_values {
@@ -185,6 +195,45 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
 
+/* A representative for each pair of the diagram that netmesh_persist left (netmesh_get_cycle): the complex is listed
+ * simplex by simplex and reduced anew. Memory above mesh and diagram: about 40 bytes a simplex and the cycles.
+ * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED; mesh and diagram stay. */
+netmesh_status netmesh_represent(netmesh_context* context, const netmesh_options* options);
+
+/* Persistent homology over Z/2 of any filtered simplicial complex (6.2, 6.3). Simplex i has the vertices
+ * vertices[starts[i] .. starts[i + 1]), at most 32 distinct labels in any order, and enters at values[i], a finite number.
+ * starts: [count + 1]. Simplices come in any order; every face must be there and enter no later. Classes of degree
+ * 0..max_degree; more than the dimension counts as the dimension, whose cycles never die. Essential pairs are the Betti
+ * numbers. representatives: keep a cycle for each pair (netmesh_get_cycle). Replaces what the context held, also on
+ * failure. Of options only poll and user are read.
+ * Memory: netmesh_homology_bytes plus fill of the reduction.
+ * INVALID_ARGUMENT, NOT_FINITE (simplex index_a), NOT_A_COMPLEX, OUT_OF_MEMORY, CANCELLED; then the context is empty. */
+netmesh_status netmesh_homology(netmesh_context* context, const uint32_t* vertices, const uint64_t* starts,
+                                const double* values, uint64_t count, uint32_t max_degree, int keep_zero_pairs,
+                                int representatives, const netmesh_options* options);
+
+/* Bytes of block to plan for: netmesh_homology of `count` simplices with `vertices` vertices in all. */
+size_t netmesh_homology_bytes(uint64_t count, uint64_t vertices);
+
+/* Persistent homology of a filtration on points[n][D] themselves (6.4, 8.5), in degrees 0..max_degree <= 30. Filters:
+ *   RIPS, CECH          all simplices of up to max_degree + 2 points (k is not read)
+ *   BARYCENTRIC_CECH    nested sets of k .. k + max_degree + 1 points, k >= 1, k + max_degree <= 30: the diagram of the
+ *                       places within a radius of k points, each point its own first neighbour
+ *   BARYCENTRIC_RIPS    the same with Rips for Cech: certified values are the filter's own times 2^(1/4), which makes the
+ *                       diagram a 2^(1/4)-approximation; with the filter's own values it is a sqrt(2)-approximation
+ * Values are radii. Exact duplicates are merged, counted and not counted as neighbours. representatives: keep a cycle for
+ * each pair (RIPS and CECH; vertices are numbered in input order after merging). Replaces what the context held, also on
+ * failure. The number of simplices grows as n^(max_degree + 2), of nested sets as n^(k + max_degree + 1): ask
+ * netmesh_points_bytes first.
+ * INVALID_ARGUMENT (6: k is 0 or above the number of points), NOT_FINITE, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_persist_points(netmesh_context* context, const double* points, size_t n, netmesh_filter filter,
+                                      netmesh_values values, uint32_t k, uint32_t max_degree, int keep_zero_pairs,
+                                      int representatives, const netmesh_options* options);
+
+/* Bytes of block to plan for: more than n points in any position take, but for the fill of the reduction. SIZE_MAX when
+ * it does not fit a size_t, 0 on an invalid argument. */
+size_t netmesh_points_bytes(netmesh_filter filter, const netmesh_options* options, uint64_t points, uint32_t k,
+                            uint32_t max_degree);
 /* Persistent homology of points[n][D] scale by scale (7.6): recursively well-paced subsets, one mesh for each in the same memory with
  * the tight filter of options.eps, their diagrams joined. certified_ratio is at most (1 + 3 theta) (1 + eps), at log distance
  * 3 theta + eps from the offsets of all points; usually far less, as it is computed from how far the scales found are apart
@@ -339,8 +388,9 @@ typedef struct netmesh_report {
     netmesh_filter filter;
     netmesh_values values;
     uint32_t max_degree;
-    uint32_t k;                 /* of the filters KNN and KDISTANCE, else 0 */
-    uint64_t pairs[NETMESH_DIM_MAX]; /* per degree, essential ones included */
+    uint32_t k;                 /* of the filters KNN, KDISTANCE and the barycentric ones, else 0 */
+    uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
+    uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
     uint64_t simplices;         /* of the filtered complex */
     double certified_ratio;     /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
                                    the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
@@ -393,6 +443,46 @@ typedef struct netmesh_pair {
 } netmesh_pair;
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair);
 
+/* A representative of pair `pair`: a set of simplices of the pair's degree whose boundary is zero, the last of which
+ * enters at the pair's birth, and which is a boundary from the pair's death on. In degree 0: a vertex and, when the pair
+ * dies, an older one that it is then connected to. get_cycle tells the number of simplices, get_cycle_simplex one of them,
+ * in no particular order; O(1) and O(degree^2). NO_RESULT when no representatives were asked for. */
+typedef struct netmesh_simplex {
+    uint32_t vertices[NETMESH_DEGREE_MAX + 1]; /* ascending; the first degree + 1 */
+    double value;
+} netmesh_simplex;
+netmesh_status netmesh_get_cycle(const netmesh_context* context, uint64_t pair, uint64_t* simplices);
+netmesh_status netmesh_get_cycle_simplex(const netmesh_context* context, uint64_t pair, uint64_t index,
+                                         netmesh_simplex* simplex);
+
+typedef enum netmesh_scale {
+    NETMESH_SCALE_PLAIN = 0, /* differences of radii */
+    NETMESH_SCALE_LOG = 1    /* differences of their logarithms */
+} netmesh_scale;
+
+#define NETMESH_ALL_DEGREES UINT32_MAX
+
+/* PLAIN: value is the distance, exponent 0. LOG: value * 2^exponent is the ratio e^distance, value in [1, 2). Infinite:
+ * value is +infinity. The exact distance (ratio), rounded once. */
+typedef struct netmesh_distance {
+    double value;
+    int32_t exponent;
+} netmesh_distance;
+
+/* Bytes of scratch that netmesh_bottleneck needs for diagrams of so many pairs, about 310 a pair; SIZE_MAX when
+ * they do not fit or there are more than 2^25 pairs. */
+size_t netmesh_bottleneck_bytes(uint64_t count_a, uint64_t count_b);
+
+/* Bottleneck distance (6.5) between two diagrams in one degree or, with NETMESH_ALL_DEGREES, the largest of all degrees:
+ * the least d for which pairs can be matched one to one, each moved by at most d in birth and in death, and unmatched
+ * pairs are at most 2 d long. Essential pairs are matched to essential pairs by birth; in LOG scale pairs born at 0 are
+ * matched only to pairs born at 0. Where their numbers differ the distance is infinite. Pairs may come in any order;
+ * birth is finite (and not negative in LOG scale), death >= birth.
+ * scratch: 16-byte aligned, of at least netmesh_bottleneck_bytes. No context is needed. poll may be null; it can only
+ * cancel, its progress is empty. Expected cost about O(n^1.5 log n). INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_bottleneck(const netmesh_pair* a, size_t count_a, const netmesh_pair* b, size_t count_b,
+                                  uint32_t degree, netmesh_scale scale, void* scratch, size_t scratch_bytes,
+                                  netmesh_poll poll, void* user, netmesh_distance* distance);
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio, and whether the bar surely stands for
  * a class of the true diagram. Filters COMPLETE, TIGHT, KNN and KDISTANCE: by scale; ALPHA, SCALES, FUNCTION: by the certified
  * ratio. The numbers stay with the diagram: 40 bytes a bar. The diagram stays whole on failure.

@@ -19,6 +19,14 @@ inline std::size_t plan_bytes(netmesh_job job, const netmesh_options& options, s
     return netmesh_plan_bytes(job, &options, points);
 }
 
+// Bottleneck distance, netmesh_bottleneck; scratch of netmesh_bottleneck_bytes(count_a, count_b), 16-byte aligned.
+inline netmesh_status bottleneck(const netmesh_pair* a, std::size_t count_a, const netmesh_pair* b, std::size_t count_b,
+                                 void* scratch, std::size_t scratch_bytes, netmesh_distance* distance,
+                                 netmesh_scale scale = NETMESH_SCALE_PLAIN,
+                                 std::uint32_t degree = NETMESH_ALL_DEGREES) {
+    return netmesh_bottleneck(a, count_a, b, count_b, degree, scale, scratch, scratch_bytes, nullptr, nullptr, distance);
+}
+
 // A context in a block that the caller keeps alive. Copying the object copies the handle, not the context.
 class Engine {
 public:
@@ -39,6 +47,20 @@ public:
                            std::uint32_t max_degree = NETMESH_DIM_MAX) {
         return status_ = netmesh_persist(context_, filter, values, max_degree, 0, &options);
     }
+    netmesh_status homology(const std::uint32_t* vertices, const std::uint64_t* starts, const double* values,
+                            std::uint64_t count, const netmesh_options& options, bool representatives = false,
+                            std::uint32_t max_degree = NETMESH_DEGREE_MAX) {
+        return status_ = netmesh_homology(context_, vertices, starts, values, count, max_degree, 0,
+                                          representatives ? 1 : 0, &options);
+    }
+    // k is read by the barycentric filters alone.
+    netmesh_status persist_points(const double* points, std::size_t n, netmesh_filter filter,
+                                  const netmesh_options& options, std::uint32_t max_degree = 1, std::uint32_t k = 1,
+                                  bool representatives = false, netmesh_values values = NETMESH_VALUES_CERTIFIED) {
+        return status_ = netmesh_persist_points(context_, points, n, filter, values, k, max_degree, 0,
+                                                representatives ? 1 : 0, &options);
+    }
+    netmesh_status represent(const netmesh_options& options) { return status_ = netmesh_represent(context_, &options); }
     netmesh_status check(const netmesh_options& options, std::uint32_t what = NETMESH_CHECK_ALL) {
         return status_ = netmesh_check(context_, what, &options);
     }

@@ -17,6 +17,7 @@ enum class Status : int {
     check_failed = 9,
     floating_point = 10,
     internal = 11,
+    not_a_complex = 12,
 };
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;  // no vertex, no cell, no index

@@ -13,10 +13,12 @@ constexpr int digit_bits = 8;
 constexpr int depth_max = 14;  // 8 digits of the value and 4 of the position, one more each for an odd start
 constexpr std::uint32_t short_range = 40;
 
-std::uint64_t bits_of(double x) {
+// Orders like the values, negative ones included.
+std::uint64_t key_of(double x) {
     std::uint64_t b;
     __builtin_memcpy(&b, &x, sizeof b);
-    return b;
+    constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+    return (b & sign) != 0 ? ~b : b | sign;
 }
 
 struct Items {
@@ -55,7 +57,7 @@ struct Digit {
     bool of_position;
     int shift;
     std::uint32_t of(const Items& items, std::uint32_t i) const {
-        const std::uint64_t key = of_position ? items.position[i] : bits_of(items.value[i]);
+        const std::uint64_t key = of_position ? items.position[i] : key_of(items.value[i]);
         return static_cast<std::uint32_t>(key >> shift) & (digits - 1);
     }
 };
@@ -65,7 +67,7 @@ Digit leading_digit(const Items& items, Range range) {
     std::uint64_t differ = 0;
     std::uint32_t positions = 0;
     for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
-        differ |= bits_of(items.value[i]) ^ bits_of(items.value[range.begin]);
+        differ |= key_of(items.value[i]) ^ key_of(items.value[range.begin]);
         positions |= items.position[i] ^ items.position[range.begin];
     }
     const bool of_position = differ == 0;

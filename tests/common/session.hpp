@@ -64,6 +64,14 @@ public:
                                                           NETMESH_DIM_MAX, 0, &options);
         });
     }
+    netmesh_status points(netmesh_filter filter, std::uint32_t k, std::uint32_t max_degree, const inputs::Points& points,
+                          bool representatives = false) {
+        const std::size_t n = points.size() / options.dim;
+        return until_it_fits(netmesh_points_bytes(filter, &options, n, k, max_degree), [&] {
+            return netmesh_persist_points(context, points.data(), n, filter, NETMESH_VALUES_CERTIFIED, k, max_degree, 0,
+                                          representatives ? 1 : 0, &options);
+        });
+    }
     netmesh_status check() { return netmesh_check(context, NETMESH_CHECK_ALL, &options); }
 
     netmesh_report report() const {

@@ -5,7 +5,9 @@
 //   fingerprints [small]      small: without the Clifford set
 #include <cinttypes>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <set>
 
 #include "common/session.hpp"
 
@@ -21,10 +23,27 @@ void print(const char* job, const char* input, const Session& session, netmesh_s
     }
     const netmesh_report r = session.report();
     std::uint64_t pairs = 0;
-    for (std::uint32_t k = 0; k < r.dim; ++k) pairs += r.has_diagram ? r.pairs[k] : 0;
+    for (std::uint32_t k = 0; k <= r.max_degree; ++k) pairs += r.has_diagram ? r.pairs[k] : 0;
     std::printf("%s %s D%" PRIu32 " input %016" PRIx64 " result %016" PRIx64 " vertices %" PRIu64 " cells %" PRIu64 " pairs %" PRIu64 "\n",
                 job, input, r.dim, r.input_fingerprint, r.fingerprint, r.vertices, r.cells, pairs);
     std::fflush(stdout);
+}
+
+// All simplices of all cycles.
+std::uint64_t hash_of_cycles(const Session& session) {
+    std::uint64_t hash = 1;
+    std::uint64_t count = 0;
+    netmesh_simplex s;
+    for (std::uint64_t i = 0; netmesh_get_cycle(session.context, i, &count) == NETMESH_OK; ++i)
+        for (std::uint64_t n = 0; netmesh_get_cycle_simplex(session.context, i, n, &s) == NETMESH_OK; ++n)
+            for (const std::uint32_t v : s.vertices) hash = (hash ^ v) * 0x100000001B3u + n;
+    return hash;
+}
+
+void represent(const char* job, Session& session, netmesh_status status) {
+    if (status == NETMESH_OK) status = netmesh_represent(session.context, &session.options);
+    failed = failed || status != NETMESH_OK;
+    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.options.dim, hash_of_cycles(session), static_cast<int>(status));
 }
 
 void print_analysis(const char* input, Session& session, std::uint32_t what) {
@@ -43,6 +62,7 @@ void dimension(int dim) {
     const std::size_t points[] = {0, 0, 2000, 1000, 300, 120, 50}, meshed[] = {0, 0, 400, 150, 40, 12, 6};
     const int side[] = {0, 0, 20, 6, 4, 3, 2};
     Session session(dim);
+    session.reserve(std::size_t(1) << 28);
     print("delaunay", "uniform", session, session.delaunay(inputs::uniform(dim, points[d])));
     print_analysis("uniform-delaunay", session, NETMESH_ANALYSE_ALL & ~NETMESH_ANALYSE_SIZE);
     print("delaunay", "clusters", session, session.delaunay(inputs::clusters(dim, points[d])));
@@ -58,6 +78,8 @@ void dimension(int dim) {
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
+    represent("alpha", session, session.alpha(inputs::uniform(dim, points[d] / 4)));
+    represent("persist", session, session.mesh_and_persist(inputs::uniform(dim, dim < 5 ? meshed[d] / 4 : 2)));
     for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
         session.options.k = 5;
         print(filter == NETMESH_FILTER_KNN ? "persist-knn" : "persist-kdistance", "uniform", session,
@@ -87,7 +109,64 @@ void dimension(int dim) {
         }));
     }
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, points[d] / 2)));
+    const std::size_t number[] = {0, 0, 40, 36, 32, 24, 20};
+    print("rips", "uniform", session, session.points(NETMESH_FILTER_RIPS, 1, dim < 4 ? 2 : 1, inputs::uniform(dim, number[d])));
+    print("rips", "grid", session, session.points(NETMESH_FILTER_RIPS, 1, 1, inputs::grid(dim, dim < 4 ? 4 : 2)));
+    print("cech", "uniform", session, session.points(NETMESH_FILTER_CECH, 1, 1, inputs::uniform(dim, number[d])));
+    print("cech", "grid", session, session.points(NETMESH_FILTER_CECH, 1, 2, inputs::grid(dim, dim < 3 ? 4 : 2)));
+    print("barycentric-cech", "uniform", session, session.points(NETMESH_FILTER_BARYCENTRIC_CECH, 2, 1, inputs::uniform(dim, 9)));
+    print("barycentric-rips", "uniform", session, session.points(NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 0, inputs::uniform(dim, 10)));
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? side[d] : 3)));
+}
+
+// Distances of the diagrams of two samples, as the bits that netmesh_bottleneck returns.
+void distances() {
+    Session a(2), b(2);
+    const bool made = a.alpha(inputs::shell(2, 500, 0.5, 1, 1)) == NETMESH_OK && b.alpha(inputs::shell(2, 500, 0.5, 1, 2)) == NETMESH_OK;
+    const std::vector<netmesh_pair> x = a.pairs(), y = b.pairs();
+    const std::size_t bytes = netmesh_bottleneck_bytes(x.size(), y.size());
+    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
+    for (const netmesh_scale scale : {NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG}) {
+        netmesh_distance d = {};
+        const netmesh_status status = netmesh_bottleneck(x.data(), x.size(), y.data(), y.size(), NETMESH_ALL_DEGREES, scale, scratch, bytes, nullptr, nullptr, &d);
+        failed = failed || !made || status != NETMESH_OK;
+        std::printf("bottleneck %s distance %a exponent %" PRId32 "\n", scale == NETMESH_SCALE_LOG ? "log" : "plain", d.value, d.exponent);
+    }
+    std::free(scratch);
+}
+
+// The complex of all faces of some cells, with values by formula and negative ones among them, and a cycle for each bar.
+void homology() {
+    const std::uint32_t vertices = 60, size = 4;
+    inputs::Random random(7);
+    std::set<std::vector<std::uint32_t>> faces;
+    while (faces.size() < 3000) {
+        std::vector<std::uint32_t> cell;
+        for (std::uint32_t i = 0; i < size; ++i) cell.push_back(static_cast<std::uint32_t>(random.below(vertices / size)) * size + i);
+        for (std::uint32_t mask = 1; mask < 1u << size; ++mask) {
+            std::vector<std::uint32_t> face;
+            for (std::uint32_t i = 0; i < size; ++i) {
+                if ((mask >> i & 1) != 0) face.push_back(cell[i]);
+            }
+            faces.insert(face);
+        }
+    }
+    std::vector<std::uint32_t> list;
+    std::vector<std::uint64_t> starts = {0};
+    std::vector<double> values;
+    for (const auto& face : faces) {
+        list.insert(list.end(), face.begin(), face.end());
+        starts.push_back(list.size());
+        double value = -2;
+        for (const std::uint32_t v : face) value = std::max(value, v * 0.25 / (1 + v % 7) - 2);
+        values.push_back(value + static_cast<double>(face.size()) * 0.125);
+    }
+    Session session(2);
+    const netmesh_status status = session.until_it_fits(netmesh_homology_bytes(values.size(), list.size()), [&] {
+        return netmesh_homology(session.context, list.data(), starts.data(), values.data(), values.size(), 3, 0, 1, &session.options);
+    });
+    print("homology", "joined", session, status);
+    std::printf("homology cycles %016" PRIx64 "\n", hash_of_cycles(session));
 }
 
 }  // namespace
@@ -95,6 +174,8 @@ void dimension(int dim) {
 int main(int argc, char** argv) {
     const bool small = argc > 1 && std::strcmp(argv[1], "small") == 0;
     for (int dim = NETMESH_DIM_MIN; dim <= NETMESH_DIM_MAX; ++dim) dimension(dim);
+    distances();
+    homology();
     if (!small) {
         Session session(4);
         session.options.tau = 3.08;

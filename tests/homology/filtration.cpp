@@ -4,6 +4,7 @@
 #include <random>
 
 #include "block.hpp"
+#include "complexes.hpp"
 #include "oracle.hpp"
 
 using namespace netmesh;
@@ -21,68 +22,14 @@ std::vector<std::uint32_t> betti(const std::vector<Simplex>& maximal) {
     PairList out;
     REQUIRE(persist_filtration(e.complex, e.complex.dimension, true, block.arena, monitor, &out) == Status::ok);
     CHECK(oracle::same(oracle::diagram(f, e.complex.dimension, true), out));
+    block.arena.release_low(0);
+    REQUIRE(persist_skeleton(e.complex, e.complex.dimension, true, block.arena, monitor, &out) == Status::ok);
+    CHECK(oracle::same(oracle::diagram(f, e.complex.dimension, true), out));
     std::vector<std::uint32_t> b(e.complex.dimension + 1);
     for (std::uint64_t i = 0; i < out.count; ++i) {
         if (out.pairs[i].death == infinity) ++b[out.pairs[i].degree];
     }
     return b;
-}
-
-std::vector<Simplex> sphere(std::uint32_t dimension) {
-    std::vector<Simplex> maximal;
-    for (std::uint32_t skip = 0; skip < dimension + 2; ++skip) {
-        Simplex s;
-        for (std::uint32_t v = 0; v < dimension + 2; ++v) {
-            if (v != skip) s.push_back(v);
-        }
-        maximal.push_back(s);
-    }
-    return maximal;
-}
-
-// A square grid of n x n, its sides glued; turned: the second pair of sides is glued with a flip.
-std::vector<Simplex> glued_square(std::uint32_t n, bool turned) {
-    std::vector<Simplex> maximal;
-    const auto at = [&](std::uint32_t x, std::uint32_t y) {
-        if (x == n && turned) y = n - y;
-        return x % n * n + y % n;
-    };
-    for (std::uint32_t x = 0; x < n; ++x) {
-        for (std::uint32_t y = 0; y < n; ++y) {
-            maximal.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
-            maximal.push_back({at(x, y), at(x, y + 1), at(x + 1, y + 1)});
-        }
-    }
-    return maximal;
-}
-
-// Six vertices, the icosahedron with opposite points identified.
-const std::vector<Simplex> projective_plane = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 1, 5},
-                                               {1, 2, 4}, {2, 3, 5}, {1, 3, 4}, {2, 4, 5}, {1, 3, 5}};
-
-oracle::Filtered random_filtration(std::mt19937& random, std::uint32_t vertices, std::uint32_t dimension,
-                                   std::uint32_t maximal_count, std::uint32_t levels) {
-    std::vector<Simplex> maximal;
-    for (std::uint32_t i = 0; i < maximal_count; ++i) {
-        std::set<std::uint32_t> s;
-        while (s.size() < dimension + 1) s.insert(random() % vertices);
-        maximal.push_back(Simplex(s.begin(), s.end()));
-    }
-    const auto simplices = oracle::all_faces(maximal);
-    std::map<Simplex, double> value;
-    for (std::size_t size = 1; size <= dimension + 1; ++size) {
-        for (const Simplex& s : simplices) {
-            if (s.size() != size) continue;
-            double t = double(random() % levels) - 2;
-            for (std::size_t i = 0; i < size && size > 1; ++i) {
-                Simplex face = s;
-                face.erase(face.begin() + static_cast<std::ptrdiff_t>(i));
-                t = std::max(t, value.at(face));
-            }
-            value[s] = t;
-        }
-    }
-    return oracle::filter(simplices, [&](const Simplex& s) { return value.at(s); });
 }
 
 }  // namespace
@@ -136,6 +83,10 @@ TEST_CASE("random filtrations equal the textbook reduction") {
                 CHECK(block.arena.high_mark() == high);
                 CHECK(out.count > 0);
                 CHECK(block.arena.low_mark() == block.arena.offset_of(out.pairs + out.count));
+                block.arena.release_low(low);
+                REQUIRE(persist_skeleton(e.complex, degree, keep, block.arena, monitor, &out) == Status::ok);
+                CHECK(oracle::same(oracle::diagram(f, degree, keep), out));
+                CHECK(block.arena.high_mark() == high);
                 block.arena.release_low(low);
             }
         }

@@ -8,7 +8,11 @@ namespace netmesh::tool {
 
 std::string candidate_text(const Candidate& candidate) {
     std::string text = std::string("filter ") + filter_name(candidate.filter);
-    if (candidate.filter != NETMESH_FILTER_ALPHA) text += std::string(", ") + values_name(candidate.values) + " values";
+    const bool one_kind = candidate.filter == NETMESH_FILTER_ALPHA || candidate.filter == NETMESH_FILTER_RIPS ||
+                          candidate.filter == NETMESH_FILTER_CECH || candidate.filter == NETMESH_FILTER_BARYCENTRIC_CECH;
+    if (!one_kind) {
+        text += std::string(", ") + values_name(candidate.values) + " values";
+    }
     return text;
 }
 

@@ -136,6 +136,37 @@ Outcome check_diagram_with_points(const Options& options, const DiagramFile& fil
     return conclude(file, best, found, points.name, session, run);
 }
 
+// Filters on the points themselves grow too fast to be tried: only the one that --filter names.
+Outcome check_points_filter(const Options& options, const DiagramFile& file, RunReport* run) {
+    PointCloud points;
+    Outcome outcome = read_points(options.points_path, &points);
+    if (!outcome.good()) return outcome;
+    const netmesh_filter filter = *options.filter;
+    const std::uint32_t k = options.k.value_or(1), degree = max_degree_of(options, points.dim);
+    std::vector<Candidate> list = {{filter, options.values.value_or(NETMESH_VALUES_CERTIFIED)}};
+    if (filter == NETMESH_FILTER_BARYCENTRIC_RIPS && !options.values) list.push_back({filter, NETMESH_VALUES_THESIS});
+    Session session(options, points.dim);
+    const std::size_t plan = netmesh_points_bytes(filter, &session.engine_options(), points.rows(), k, degree);
+    if (plan == 0) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
+    Comparison best;
+    Candidate found = {};
+    outcome = session.run_planned(plan, points, [&](Session& s) {
+        netmesh_status status = NETMESH_OK;
+        for (std::size_t i = 0; i < list.size() && status == NETMESH_OK && !best.equal; i++) {
+            status = s.call(NETMESH_STAGE_REDUCE, [&] {
+                return netmesh_persist_points(s.context(), points.coordinates.data(), points.rows(), filter,
+                                              list[i].values, k, degree, options.all || file.has_zero_bars ? 1 : 0, 0,
+                                              &s.engine_options());
+            });
+            if (status != NETMESH_OK) break;
+            compare(file, bars_of(s.context()), list[i], &best);
+            found = list[i];
+        }
+        return status;
+    });
+    return outcome.good() ? conclude(file, best, found, points.name, session, run) : outcome;
+}
+
 Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file, RunReport* run) {
     MeshFiles files;
     Outcome outcome = read_mesh_files(options.mesh_path, &files);
@@ -161,6 +192,11 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     if (!outcome.good()) return outcome;
     run->checked->push_back(file.name + " has " + grouped_text(file.bars.size()) +
                             " bars, sorted, with one essential class");
+    const bool points_filter = options.filter && is_points_filter(*options.filter);
+    if (points_filter && !options.mesh_path.empty()) {
+        return usage_error(std::string("--mesh: filter ") + filter_name(*options.filter) + " has no mesh");
+    }
+    if (points_filter && !options.points_path.empty()) return check_points_filter(options, file, run);
     if (!options.mesh_path.empty()) return check_diagram_with_mesh(options, file, run);
     if (!options.points_path.empty()) return check_diagram_with_points(options, file, run);
     return {};

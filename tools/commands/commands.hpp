@@ -11,6 +11,8 @@ netmesh_job job_of(netmesh_filter filter);
 Outcome run_engine_command(const Options& options);  // mesh, delaunay, persist
 Outcome run_vineyard(const Options& options);
 Outcome run_size(const Options& options);
+Outcome run_homology(const Options& options);
+Outcome run_distance(const Options& options);
 Outcome run_check(const Options& options);
 Outcome run_sample(const Options& options);
 

@@ -9,7 +9,7 @@
 namespace netmesh::tool {
 
 // Empty when the bars are sorted, births are finite and not negative, deaths not before births, and the only essential
-// class is one of degree 0, born at 0; otherwise the first thing that is wrong. *at, when asked for, is the bar at
+// class is one of degree 0, born first; otherwise the first thing that is wrong. *at, when asked for, is the bar at
 // fault.
 std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at = nullptr);
 

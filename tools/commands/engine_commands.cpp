@@ -3,6 +3,7 @@
 
 #include "platform/clock.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/cycles.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/plot/plots.hpp"
@@ -20,6 +21,12 @@ bool triangulates_only(const Options& options) {
            (options.command == Command::persist && filter_of(options) == NETMESH_FILTER_ALPHA);
 }
 
+std::uint32_t k_of(const Options& options) { return options.k.value_or(1); }
+
+bool uses_points_alone(const Options& options) {
+    return options.command == Command::persist && is_points_filter(filter_of(options));
+}
+
 bool goes_by_scales(const Options& options) {
     return options.command == Command::persist && filter_of(options) == NETMESH_FILTER_SCALES;
 }
@@ -28,6 +35,21 @@ netmesh_job job_of(const Options& options) {
     if (options.command == Command::delaunay) return NETMESH_JOB_DELAUNAY;
     if (options.command == Command::mesh) return NETMESH_JOB_MESH;
     return tool::job_of(filter_of(options));
+}
+
+// Filters on the points take options that others do not, and the other way round.
+Outcome check_filter(const Options& options) {
+    const netmesh_filter filter = filter_of(options);
+    const bool points_filter = options.command == Command::persist && is_points_filter(filter);
+    if (!options.representatives.empty() && (is_barycentric(filter) || filter == NETMESH_FILTER_SCALES)) {
+        return usage_error(std::string("--representatives does not apply to filter ") + filter_name(filter));
+    }
+    if (!points_filter) return {};
+    if (options.bounds) return usage_error(std::string("--bounds does not apply to filter ") + filter_name(filter));
+    if (!options.mesh_out.empty()) return usage_error(std::string("--mesh: filter ") + filter_name(filter) + " has no mesh");
+    const std::uint64_t sum = std::uint64_t{max_degree_of(options, 2)} + (is_barycentric(filter) ? k_of(options) : 0);
+    if (sum > 30) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
+    return {};
 }
 
 // Once before the points are read, with dim 0, and once behind.
@@ -49,7 +71,25 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         }
     }
     if (!outcome.good()) return outcome;
-    return check_writable({options.out, options.mesh_out, options.svg});
+    return check_writable({options.out, options.mesh_out, options.svg, options.representatives});
+}
+
+netmesh_status persist_points(Session& session, const Options& options, const PointCloud& cloud) {
+    const bool cycles = !is_barycentric(filter_of(options)) && (options.check || !options.representatives.empty());
+    return session.call(NETMESH_STAGE_REDUCE, [&] {
+        return netmesh_persist_points(session.context(), cloud.coordinates.data(), cloud.rows(), filter_of(options),
+                                      options.values.value_or(NETMESH_VALUES_CERTIFIED), k_of(options),
+                                      max_degree_of(options, cloud.dim), options.all ? 1 : 0, cycles ? 1 : 0,
+                                      &session.engine_options());
+    });
+}
+
+// More points than there are in a set of a barycentric filter, after merging.
+Outcome check_k(const Options& options, const PointCloud& cloud, const Session& session, const Outcome& outcome) {
+    if (outcome.good() || session.context() == nullptr || !is_barycentric(filter_of(options))) return outcome;
+    const netmesh_detail detail = netmesh_get_detail(session.context());
+    if (detail.status != NETMESH_INVALID_ARGUMENT || detail.index_a != 6) return outcome;
+    return data_error(cloud.name + ": --k " + std::to_string(k_of(options)) + " is more than there are distinct points");
 }
 
 netmesh_status work(Session& session, const Options& options, const PointCloud& cloud,
@@ -76,7 +116,7 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     if (status == NETMESH_OK && options.command == Command::persist) {
         status = bound(session.call(NETMESH_STAGE_REDUCE, [&] {
             return netmesh_persist(context, filter_of(options), options.values.value_or(NETMESH_VALUES_CERTIFIED),
-                                   options.max_degree.value_or(cloud.dim - 1), options.all ? 1 : 0, engine_options);
+                                   max_degree_of(options, cloud.dim), options.all ? 1 : 0, engine_options);
         }));
     }
     if (status == NETMESH_OK && options.analyse) {
@@ -85,6 +125,9 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
         status = session.call(NETMESH_STAGE_ANALYSE,
                               [&] { return netmesh_analyse(context, what, 0, engine_options, analysis); });
     }
+    if (status == NETMESH_OK && !options.representatives.empty()) {
+        status = session.call(NETMESH_STAGE_REDUCE, [&] { return netmesh_represent(context, engine_options); });
+    }
     if (status == NETMESH_OK && options.check) {
         status = session.call(NETMESH_STAGE_CHECK,
                               [&] { return netmesh_check(context, NETMESH_CHECK_ALL, engine_options); });
@@ -92,12 +135,22 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     return status;
 }
 
+std::string checked_text(const Options& options) {
+    if (goes_by_scales(options)) return "bars sorted, with one essential class";
+    if (!uses_points_alone(options)) return "combinatorics, orientation, Delaunay property, quality, bounds on size and degrees";
+    return is_barycentric(filter_of(options)) ? "the diagram's form" : "every bar has a cycle that is born with it";
+}
+
 // What the result is made of, by the options: files, pictures, data on stdout.
-std::vector<FileJob> result_jobs(const Options& options, const ContextMesh& mesh, const std::vector<Bar>& bars,
-                                 const std::vector<netmesh_bar_bounds>& bounds, const netmesh_report& report) {
+std::vector<FileJob> result_jobs(const Options& options, const netmesh_context* context, const ContextMesh& mesh,
+                                 const std::vector<Bar>& bars, const std::vector<netmesh_bar_bounds>& bounds,
+                                 const netmesh_report& report) {
     std::vector<FileJob> jobs;
     const bool data_on_stdout = options.out.empty() && !options.json;
     if (options.command == Command::persist) {
+        if (!options.representatives.empty()) {
+            jobs.push_back({options.representatives, [&](TextWriter& out) { write_cycles(context, out); }});
+        }
         if (!options.mesh_out.empty()) add_mesh_files(mesh, options.mesh_out, &jobs);
         if (!options.svg.empty()) {
             jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, report); }});
@@ -130,6 +183,7 @@ netmesh_job job_of(netmesh_filter filter) {
 Outcome run_engine_command(const Options& options) {
     const double start = platform::seconds_now();
     Outcome outcome = check_accuracy(options);
+    if (outcome.good()) outcome = check_filter(options);
     if (outcome.good() && options.bounds && filter_of(options) == NETMESH_FILTER_BASIC) {
         outcome = usage_error("--bounds: the basic filter's certificate begins at a scale and has no bounds for single bars");
     }
@@ -145,7 +199,14 @@ Outcome run_engine_command(const Options& options) {
 
     Session session(options, cloud.dim);
     netmesh_analysis analysis = {};
-    outcome = session.run(job_of(options), cloud, [&](Session& s) { return work(s, options, cloud, &analysis); });
+    if (uses_points_alone(options)) {
+        const std::size_t plan = netmesh_points_bytes(filter_of(options), &session.engine_options(), cloud.rows(),
+                                                      k_of(options), max_degree_of(options, cloud.dim));
+        outcome = session.run_planned(plan, cloud, [&](Session& s) { return persist_points(s, options, cloud); });
+    } else {
+        outcome = session.run(job_of(options), cloud, [&](Session& s) { return work(s, options, cloud, &analysis); });
+    }
+    outcome = check_k(options, cloud, session, outcome);
     if (!outcome.good()) return outcome;
     run.engine = session.report();
     run.clock = session.clock();
@@ -159,11 +220,15 @@ Outcome run_engine_command(const Options& options) {
         bounds = bounds_of(session.context());
     }
     if (options.check && options.command == Command::persist) {
-        const std::string complaint = diagram_complaint(bars);
+        std::string complaint = diagram_complaint(bars);
+        const bool cycles = uses_points_alone(options) ? !is_barycentric(filter_of(options)) : !options.representatives.empty();
+        if (complaint.empty() && cycles) {
+            complaint = cycles_complaint(session.context());
+        }
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: diagram: " + complaint};
     }
     const ContextMesh mesh(session.context());
-    outcome = write_files(result_jobs(options, mesh, bars, bounds, *run.engine));
+    outcome = write_files(result_jobs(options, session.context(), mesh, bars, bounds, *run.engine));
     if (!outcome.good()) return outcome;
     run.write_seconds = platform::seconds_now() - computed;
     run.total_seconds = platform::seconds_now() - start;
@@ -173,11 +238,7 @@ Outcome run_engine_command(const Options& options) {
         run.bounds = &bounds;
     }
     if (options.json && options.out.empty() && options.command == Command::persist) run.bars = &bars;
-    if (options.check) {
-        run.checked = std::vector<std::string>{
-            goes_by_scales(options) ? "bars sorted, with one essential class"
-                                    : "combinatorics, orientation, Delaunay property, quality, bounds on size and degrees"};
-    }
+    if (options.check) run.checked = std::vector<std::string>{checked_text(options)};
     if (!options.quiet && !options.json) std::fputs(text_report(run).c_str(), stderr);
     if (!options.json) return {};
     return write_files({{"", [&](TextWriter& out) { out << json_report(run); }}});

@@ -21,6 +21,12 @@ Outcome run_size(const Options& options) {
         jobs = {job_of(*options.filter)};
     }
     std::uint64_t bytes = 0;
+    if (options.filter && is_points_filter(*options.filter)) {
+        jobs.clear();
+        bytes = netmesh_points_bytes(*options.filter, &engine_options, options.point_count, options.k.value_or(1),
+                                     max_degree_of(options, options.dim));
+        if (bytes == 0) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
+    }
     for (const netmesh_job job : jobs) {
         const std::uint64_t plan = netmesh_plan_bytes(job, &engine_options, options.point_count);
         if (plan > bytes) bytes = plan;

@@ -22,8 +22,17 @@ std::string superscript(std::uint32_t dim) {
 constexpr const char* separator = "  \xC2\xB7  ";
 
 std::string subtitle(const netmesh_report& report) {
+    if (report.dim == 0) {
+        std::string text = grouped_text(report.vertices) + " vertices";
+        for (std::uint32_t degree = 0; degree <= report.max_degree; degree++) {
+            text += std::string(degree == 0 ? separator : ", ") + (degree == 0 ? "Betti numbers " : "") +
+                    grouped_text(report.essential[degree]);
+        }
+        return text;
+    }
     std::string text = std::string("filter ") + filter_name(report.filter);
-    if (report.filter != NETMESH_FILTER_ALPHA) text += std::string(", ") + values_name(report.values) + " values";
+    if (report.is_mesh != 0 || report.filter == NETMESH_FILTER_BARYCENTRIC_RIPS) text += std::string(", ") + values_name(report.values) + " values";
+    if (report.cells == 0) return text + separator + grouped_text(report.simplices) + " simplices";
     text += separator + grouped_text(report.vertices) + " vertices, " + grouped_text(report.cells) + " cells";
     if (report.is_mesh != 0) {
         text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(report.aspect_ratio_max, 4) +
@@ -34,7 +43,9 @@ std::string subtitle(const netmesh_report& report) {
 
 std::string certificate(const netmesh_report& report) {
     const double c = report.certified_ratio;
-    const std::string of = report.k > 0 ? reference_name(report) : "offsets";
+    if (report.dim == 0) return "exact";
+    const bool offsets = report.k == 0 && report.filter != NETMESH_FILTER_RIPS;
+    const std::string of = offsets ? "offsets" : reference_name(report);
     if (c == 1 && report.certified_from == 0) return "certified ratio c = 1: the exact diagram of the " + of;
     std::string text = "certified ratio c = " + rounded_text(c, 4);
     if (report.certified_from > 0) text += " from radius " + rounded_text(report.certified_from, 4);
@@ -63,8 +74,10 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     Svg svg(out, page_width, page_height);
     const BarStyle style{report.certified_ratio, report.certified_from};
     const LogScale scale = scale_for(bars);
-    svg.text(48, 40, "Persistent homology of " + grouped_text(report.points) + " points in R" + superscript(report.dim),
-             20, ink, Anchor::start, true);
+    const std::string subject = report.dim == 0
+                                    ? "a complex of " + grouped_text(report.simplices) + " simplices"
+                                    : grouped_text(report.points) + " points in R" + superscript(report.dim);
+    svg.text(48, 40, "Persistent homology of " + subject, 20, ink, Anchor::start, true);
     svg.text(48, 62, subtitle(report), 13, faint_ink, Anchor::start);
     svg.text(page_width - 40, 62, certificate(report), 13, ink, Anchor::end);
     const Panel barcode{152, 92, 572, 520};

@@ -31,7 +31,7 @@ void write_options(Json& json, const RunReport& run) {
     json.key("values");
     persists&& run.engine ? json.value(values_name(run.engine->values)) : json.null();
     json.key("max_degree");
-    persists&& run.engine ? json.value(run.engine->max_degree) : json.null();
+    run.engine&& run.engine->has_diagram != 0 ? json.value(run.engine->max_degree) : json.null();
     json.key("k");
     persists&& run.engine && run.engine->k > 0 ? json.value(run.engine->k) : json.null();
     json.key("memory");
@@ -49,6 +49,16 @@ void write_input(Json& json, const RunReport& run) {
         return;
     }
     json.open('{');
+    if (run.engine->dim == 0) {
+        json.null_entry("points");
+        json.null_entry("duplicates");
+        json.null_entry("dim");
+        json.entry("simplices", run.engine->simplices);
+        json.key("fingerprint");
+        json.fingerprint(run.engine->input_fingerprint);
+        json.close('}');
+        return;
+    }
     json.entry("points", run.engine->points);
     json.entry("duplicates", run.engine->duplicates);
     json.entry("dim", run.engine->dim);
@@ -59,7 +69,7 @@ void write_input(Json& json, const RunReport& run) {
 
 void write_mesh(Json& json, const RunReport& run) {
     json.key("mesh");
-    if (!run.engine) {
+    if (!run.engine || run.engine->cells == 0) {
         json.null();
         return;
     }
@@ -221,10 +231,14 @@ void write_diagram(Json& json, const RunReport& run) {
     json.open('[');
     for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) json.value(engine.pairs[degree]);
     json.close(']');
+    json.key("essential");
+    json.open('[');
+    for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) json.value(engine.essential[degree]);
+    json.close(']');
     json.entry("certified_ratio", engine.certified_ratio);
     json.entry("reference", reference_name(engine));
     json.entry("from", engine.certified_from);
-    json.entry("units", "radius");
+    json.entry("units", engine.dim == 0 ? "value" : "radius");
     json.entry("field", "Z/2");
     json.entry("simplices", engine.simplices);
     if (engine.scales > 0) write_scales(json, engine);
@@ -274,7 +288,7 @@ void write_costs(Json& json, const RunReport& run) {
         json.null();
     }
     json.key("predicates");
-    if (run.engine) {
+    if (run.engine && run.engine->cells > 0) {
         json.open('{');
         write_predicates(json, "in_ball", run.engine->predicate_calls);
         write_predicates(json, "orient", run.engine->orient_calls);
@@ -310,6 +324,18 @@ std::string json_report(const RunReport& run) {
     write_input(json, run);
     write_mesh(json, run);
     write_diagram(json, run);
+    if (run.distances) {
+        json.entry("scale", run.options->log ? "log" : "plain");
+        json.key("distances");
+        json.open('[');
+        for (const DegreeDistance& d : *run.distances) {
+            json.open('[');
+            json.value(d.degree);
+            json.value(d.value);  // infinity is null
+            json.close(']');
+        }
+        json.close(']');
+    }
     if (run.analysis) write_analysis(json, *run.analysis);
     if (run.vines != nullptr) write_vineyard(json, run);
     if (run.checked) {

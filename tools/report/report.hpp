@@ -12,6 +12,11 @@
 
 namespace netmesh::tool {
 
+struct DegreeDistance {
+    std::uint32_t degree;
+    double value;  // may be infinite
+};
+
 struct RunReport {
     const Options* options = nullptr;
     std::optional<netmesh_analysis> analysis;  // mesh, delaunay: with --analyse
@@ -24,6 +29,7 @@ struct RunReport {
     std::vector<std::uint64_t> certain;               // bars surely real, by degree, --bounds
     const std::vector<Bar>* bars = nullptr;           // diagram.bars, when the data has no other way out
     std::optional<std::uint64_t> plan_bytes;          // size
+    std::optional<std::vector<DegreeDistance>> distances;  // distance
     std::optional<std::vector<std::string>> checked;  // check: what was found to hold
 };
 

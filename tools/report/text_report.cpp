@@ -72,8 +72,9 @@ std::string diagram_lines(const netmesh_report& engine) {
         text += std::string(degree == 0 ? " " : ", ") + "H" + std::to_string(degree) + " " +
                 grouped_text(engine.pairs[degree]);
     }
+    if (engine.dim == 0) return text + "\n";
     text += std::string("; filter ") + filter_name(engine.filter);
-    if (engine.filter != NETMESH_FILTER_ALPHA) text += std::string(", ") + values_name(engine.values) + " values";
+    if (engine.is_mesh != 0 || engine.filter == NETMESH_FILTER_BARYCENTRIC_RIPS) text += std::string(", ") + values_name(engine.values) + " values";
     text += "\ncertified ratio " + rounded_text(engine.certified_ratio, 6);
     if (engine.certified_from > 0) text += " from radius " + rounded_text(engine.certified_from, 6);
     return text + " to the " + reference_name(engine) + "\n";
@@ -104,17 +105,37 @@ std::string cost_lines(const RunReport& run) {
     return text + digits;
 }
 
+std::string betti_line(const netmesh_report& engine) {
+    std::string text = "Betti   ";
+    for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) {
+        text += (degree == 0 ? " " : ", ") + grouped_text(engine.essential[degree]);
+    }
+    return text + "\n";
+}
+
 }  // namespace
 
 std::string text_report(const RunReport& run) {
     std::string text;
     if (run.engine) {
         const netmesh_report& engine = *run.engine;
-        text += "input    " + counted(engine.points, "point", "points") + " in R^" + std::to_string(engine.dim);
+        text += "input    ";
+        if (engine.dim == 0) {
+            text += counted(engine.simplices, "simplex", "simplices") + " on " +
+                    counted(engine.vertices, "vertex", "vertices");
+        } else {
+            text += counted(engine.points, "point", "points") + " in R^" + std::to_string(engine.dim);
+        }
         if (engine.duplicates > 0) text += ", " + counted(engine.duplicates, "duplicate", "duplicates") + " merged";
-        text += "\n" + (engine.scales > 0 ? scales_lines(engine) : mesh_lines(engine));
+        text += "\n";
+        if (engine.scales > 0) {
+            text += scales_lines(engine);
+        } else if (engine.cells > 0) {
+            text += mesh_lines(engine);
+        }
         if (run.analysis) text += analysis_lines(*run.analysis);
         if (engine.has_diagram != 0) text += diagram_lines(engine);
+        if (engine.has_diagram != 0 && engine.dim == 0) text += betti_line(engine);
         for (std::size_t degree = 0; degree < run.certain.size(); degree++) {
             text += (degree == 0 ? "real     H" : ", H") + std::to_string(degree) + " " + grouped_text(run.certain[degree]);
         }

@@ -28,7 +28,7 @@ TEST_CASE("version and help go to stdout") {
     CHECK(result.exit == 0);
     CHECK(result.out == "netmesh 0.1.0\n");
     CHECK(result.err == "");
-    for (const char* command : {"", "mesh", "delaunay", "persist", "size", "check", "sample"}) {
+    for (const char* command : {"", "mesh", "delaunay", "persist", "homology", "distance", "size", "check", "sample"}) {
         result = folder.run(std::string(command) + " --help");
         CHECK(result.exit == 0);
         CHECK(result.out.rfind("netmesh", 0) == 0);
@@ -47,7 +47,11 @@ TEST_CASE("usage errors: exit 2, the argument named, nothing on stdout, no file"
                                     {"mesh p.txt -o m.xyz", "m.xyz"},
                                     {"mesh p.txt -o m", "m: "},
                                     {"persist p.txt -o d.txt", "d.txt"},
-                                    {"persist p.txt --filter rips", "complete, basic, alpha"},
+                                    {"persist p.txt --filter frob", "barycentric-rips"},
+                                    {"persist p.txt --filter barycentric-cech --k 0", "--k 0"},
+                                    {"persist p.txt --filter rips --max-degree 31", "--max-degree"},
+                                    {"persist p.txt --filter rips --mesh m.node", "--mesh"},
+                                    {"persist p.txt --filter barycentric-cech --representatives c.txt", "--representatives"},
                                     {"persist p.txt --memory 0", "--memory 0"},
                                     {"size --dim 3", "--points"},
                                     {"size --points 3", "--dim"},
@@ -384,4 +388,136 @@ TEST_CASE("size: one integer, enough for uniform points") {
         CHECK(folder.run("persist p.txt --quiet --filter alpha --memory " + alpha.out.substr(0, alpha.out.size() - 1))
                   .exit == 0);
     }
+}
+
+TEST_CASE("distance: a line per degree, plain and log, faults by file and line") {
+    const Folder folder;
+    folder.write("a.pers", "# a comment\n0 0 inf\n0 0 1\n1 1 3\n");
+    folder.write("b.pers", "0 0 2\n1 1.5 3.5\n0 0 inf\n\n2 1 inf\n");
+    folder.write("empty.pers", "");
+    Result result = folder.run("distance a.pers b.pers");
+    CHECK(result.exit == 0);
+    CHECK(result.err == "");
+    CHECK(result.out == "0 1\n1 0.5\n2 inf\n");
+    CHECK(folder.run("distance b.pers a.pers --log").out == "0 0.6931471805599453\n1 0.4054651081081644\n2 inf\n");
+    CHECK(folder.run("distance a.pers a.pers").out == "0 0\n1 0\n");
+    CHECK(folder.run("distance --log a.pers - ", "1 1 3\n0 0 inf\n0 1e-9 1\n").out == "0 inf\n1 0\n");
+    CHECK(folder.run("distance empty.pers empty.pers").out == "");
+    CHECK(folder.run("distance empty.pers a.pers --quiet").out == "0 inf\n1 1\n");
+    CHECK(folder.run("distance a.pers b.pers --json").out.find("\"distances\": [[0, 1], [1, 0.5], [2, null]]") !=
+          std::string::npos);
+
+    folder.write("bad.pers", "0 0 inf\n\n1 2\n");
+    folder.write("late.pers", "0 0 inf\n1 3 2\n");
+    folder.write("negative.pers", "0 -1 inf\n");
+    folder.write("nan.pers", "0 0 nan\n");
+    const char* const faults[][2] = {{"bad.pers", "bad.pers:3: "},
+                                     {"late.pers", "late.pers:2: "},
+                                     {"negative.pers", "negative.pers:1: "},
+                                     {"nan.pers", "nan.pers:1: "},
+                                     {"missing.pers", "missing.pers: no such file"}};
+    for (const auto& fault : faults) {
+        CAPTURE(fault[0]);
+        for (const std::string& line : {std::string("distance a.pers ") + fault[0], std::string("distance ") + fault[0] + " a.pers"}) {
+            result = folder.run(line);
+            CHECK(result.exit == 3);
+            CHECK(result.says(fault[1]));
+            CHECK(result.out == "");
+        }
+    }
+    CHECK(folder.run("distance a.pers").exit == 2);
+    CHECK(folder.run("distance a.pers b.pers a.pers").exit == 2);
+    CHECK(folder.run("distance - -").exit == 2);
+    CHECK(folder.run("distance a.pers b.pers --tau 3").exit == 2);
+}
+
+TEST_CASE("homology: a filtered complex from a file, its cycles, its faults by line") {
+    const Folder folder;
+    folder.write("t.txt", "# a triangle that is filled late\n5, 0\n9 0\n7 0\n\n5 7 1\n9;5;2\n7 9 3\n5 7 9 4.5\n");
+    Result result = folder.run("homology t.txt --check --representatives c.txt --svg t.svg");
+    CHECK(result.exit == 0);
+    CHECK(result.out == "0 0 1\n0 0 2\n0 0 inf\n1 3 4.5\n");
+    CHECK(result.says("Betti    1, 0, 0"));
+    CHECK(folder.read("c.txt") == "bar 0 0 1 2\n7\n5\nbar 0 0 2 2\n9\n5\nbar 0 0 inf 1\n5\nbar 1 3 4.5 3\n7 9\n5 9\n5 7\n");
+    CHECK(folder.read("t.svg").rfind("<svg ", 0) == 0);
+    result = folder.run("homology t.txt -o t.pers --json --max-degree 1");
+    CHECK(result.exit == 0);
+    CHECK(result.err == "");
+    CHECK(result.out.find("\"essential\": [1, 0]") != std::string::npos);
+    CHECK(result.out.find("\"mesh\": null") != std::string::npos);
+    CHECK(folder.run("distance t.pers -", "1 3 4.5\n0 0 inf\n").out == "0 1\n1 0\n");
+    CHECK(folder.run("homology t.txt --all --quiet --max-degree 0").out == "0 0 1\n0 0 2\n0 0 inf\n");
+    CHECK(folder.run("homology - --quiet", "1 -2\n2 -1\n1 2 -0.5\n").out == "0 -2 inf\n0 -1 -0.5\n");
+    CHECK(folder.run("homology - --svg n.svg", "1 -2\n").exit == 3);
+    // The real projective plane: over Z/2 it has a class in every degree.
+    std::string plane;
+    for (const char* s : {"0 1 2", "0 2 3", "0 3 4", "0 4 5", "0 1 5", "1 2 4", "2 3 5", "1 3 4", "2 4 5", "1 3 5"}) {
+        plane += std::string(s) + " 2\n";
+    }
+    for (int a = 0; a < 6; a++) {
+        plane += std::to_string(a) + " 0\n";
+        for (int b = 0; b < a; b++) plane += std::to_string(a) + " " + std::to_string(b) + " 1\n";
+    }
+    result = folder.run("homology - --check", plane);
+    CHECK(result.exit == 0);
+    CHECK(result.says("Betti    1, 1, 1"));
+
+    const char* const faults[][2] = {{"5 0\n7 0\n\n5 7 9 4\n", "<stdin>:4: simplex 5 7 9: its face 7 9 is missing"},
+                                     {"5 0\n7 2\n7 5 1\n", "<stdin>:3: simplex 5 7: enters at 1, before its face 7 of line 2 at 2"},
+                                     {"5 0\n7 0\n5 0\n", "<stdin>:3: simplex 5: is listed in line 1 already"},
+                                     {"5 0\n5 5 0\n", "<stdin>:2: simplex 5 5: a simplex has a vertex twice"},
+                                     {"5 0\n7 x\n", "<stdin>:2: \"x\" is not a number"},
+                                     {"5 0\n7 nan\n", "<stdin>:2: "},
+                                     {"5 0\n-7 1\n", "<stdin>:2: -7 is not a vertex"},
+                                     {"5 0\n1.5 1\n", "<stdin>:2: 1.5 is not a vertex"},
+                                     {"5\n", "<stdin>:1: "},
+                                     {"", "<stdin>:1: "}};
+    for (const auto& fault : faults) {
+        CAPTURE(fault[1]);
+        result = folder.run("homology -", fault[0]);
+        CHECK(result.exit == 3);
+        CHECK(result.says(fault[1]));
+        CHECK(result.out == "");
+    }
+    CHECK(folder.run("homology t.txt --memory 4000").exit == 4);
+    CHECK(folder.run("homology t.txt --memory 200K --quiet").exit == 0);
+    CHECK(folder.run("homology t.txt -o t.txt").exit == 2);
+    CHECK(folder.run("homology").exit == 2);
+}
+
+TEST_CASE("persist: filters on the points themselves") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 14 -o p.csv").exit == 0);
+    CHECK(folder.run("persist p.csv --filter alpha --quiet -o alpha.pers").exit == 0);
+    for (const std::string filter : {"rips", "cech", "barycentric-cech --k 2", "barycentric-rips --k 2"}) {
+        CAPTURE(filter);
+        const Result result = folder.run("persist p.csv -o d.pers --json --check --svg d.svg --filter " + filter);
+        CHECK(result.exit == 0);
+        CHECK(result.err == "");
+        CHECK(result.out.find("\"mesh\": null") != std::string::npos);
+        CHECK(number_in(result.out, "max_degree") == 1);
+        CHECK(number_in(result.out, "certified_ratio") == (filter[12] == 'r' ? 1.1892071150027212 : 1));
+        const std::string bars = folder.read("d.pers");
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter).out == bars);
+        CHECK(folder.run("check d.pers").exit == 0);
+        const Result check = folder.run("check d.pers --points p.csv --filter " + filter);
+        CHECK(check.err == "");
+        CHECK(check.exit == 0);
+        folder.write("d.pers", bars.substr(0, bars.rfind('\n', bars.size() - 2) + 1));
+        CHECK(folder.run("check d.pers --points p.csv --filter " + filter).exit == 7);
+        const std::string size = folder.run("size --dim 2 --points 14 --filter " + filter).out;
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory " + size.substr(0, size.size() - 1)).exit == 0);
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory 6K").exit == 4);
+    }
+    CHECK(folder.run("persist p.csv --filter cech --quiet -o cech.pers --representatives c.txt").exit == 0);
+    CHECK(folder.read("c.txt").rfind("bar 0 0 ", 0) == 0);
+    CHECK(text_in(folder.run("persist p.csv --filter cech --json -o d.pers").out, "reference") == "closed offsets of the points in R^2");
+    CHECK(text_in(folder.run("persist p.csv --filter rips --json -o d.pers").out, "reference") == "Vietoris-Rips complex of the points, edges at half their length");
+    const Result distance = folder.run("distance alpha.pers cech.pers");
+    CHECK(distance.out.rfind("0 ", 0) == 0);
+    CHECK(std::strtod(distance.out.c_str() + 2, nullptr) < 1e-12);
+    CHECK(std::strtod(distance.out.c_str() + distance.out.find("\n1 ") + 3, nullptr) < 1e-12);
+    const Result many = folder.run("persist p.csv --filter barycentric-cech --k 15 --max-degree 0");
+    CHECK(many.exit == 3);
+    CHECK(many.says("--k 15"));
 }

@@ -1,0 +1,87 @@
+#include "api/complex_job.hpp"
+
+#include "numerics/fingerprint.hpp"
+
+namespace netmesh {
+namespace {
+
+std::uint64_t fingerprint_of(const netmesh_context* context, const PairList& pairs) {
+    Fingerprint f;
+    f.add(context->input_fingerprint);
+    f.add(context->simplices);
+    f.add(context->certified_ratio);
+    for (std::uint64_t i = 0; i < pairs.count; ++i) {
+        f.add(static_cast<std::uint64_t>(pairs.pairs[i].degree));
+        f.add(pairs.pairs[i].birth);
+        f.add(pairs.pairs[i].death);
+    }
+    return f.value();
+}
+
+// Whether most simplices are of the highest dimension that matters.
+bool is_skeleton(const FilteredComplex& complex, std::uint32_t max_degree) {
+    const std::uint32_t top = max_degree < complex.dimension ? max_degree + 1 : complex.dimension;
+    return top > 0 && complex.of[top].count / 2 > complex.of[top - 1].count;
+}
+
+}  // namespace
+
+bool take_complex(Arena& arena, ListedComplex& complex) {
+    for (std::uint32_t k = 0; k <= complex.dimension; ++k) {
+        complex.rows[k] = arena.take_low<std::uint32_t>(std::size_t{complex.count[k]} * (k + 1));
+        complex.value[k] = arena.take_low<double>(complex.count[k]);
+        if (complex.rows[k] == nullptr || complex.value[k] == nullptr) return false;
+    }
+    return true;
+}
+
+bool keep_complex(netmesh_context* context, const ListedComplex& complex) {
+    Arena& arena = context->arena;
+    KeptComplex* const kept = arena.take_low<KeptComplex>(1);
+    if (kept == nullptr) return false;
+    *kept = {};
+    kept->dimension = complex.dimension;
+    for (std::uint32_t k = 0; k <= complex.dimension; ++k) {
+        kept->count[k] = complex.count[k];
+        kept->rows[k] = arena.offset_of(complex.rows[k]);
+        kept->values[k] = arena.offset_of(complex.value[k]);
+    }
+    context->kept_offset = arena.offset_of(kept);
+    return true;
+}
+
+Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const ComplexRequest& request,
+                       Monitor& monitor) {
+    Arena& arena = context->arena;
+    Status status = order_by_value(complex, arena);
+    if (status != Status::ok) return status;
+    const FilteredComplex filtered = complex.filtered();
+    context->simplices = 0;
+    for (std::uint32_t k = 0; k <= complex.dimension; ++k) context->simplices += complex.count[k];
+    PairList pairs = {};
+    if (request.representatives) {
+        if (!keep_complex(context, complex)) return Status::out_of_memory;
+        status = persist_with_cycles(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs,
+                                     &context->cycles);
+    } else {
+        status = is_skeleton(filtered, request.max_degree)
+                     ? persist_skeleton(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs)
+                     : persist_filtration(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs);
+    }
+    if (status != Status::ok) return status;
+    if (!request.representatives) {
+        arena.release_low(context->start);
+        Pair* const moved = arena.take_low<Pair>(static_cast<std::size_t>(pairs.count));  // below pairs: it fits
+        __builtin_memmove(moved, pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(pairs.count));
+        pairs.pairs = moved;
+    }
+    context->is_complex = context->complete = context->has_diagram = true;
+    context->has_cycles = request.representatives;
+    context->pairs_offset = arena.offset_of(pairs.pairs);
+    context->pair_count = pairs.count;
+    context->max_degree = request.max_degree;
+    context->result_fingerprint = fingerprint_of(context, pairs);
+    return Status::ok;
+}
+
+}  // namespace netmesh

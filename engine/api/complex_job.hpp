@@ -1,0 +1,27 @@
+// What the jobs on explicit complexes share: from a linked complex to a diagram in the context.
+#pragma once
+#include <cstdint>
+
+#include "api/dispatch.hpp"
+#include "homology/listed_complex.hpp"
+
+namespace netmesh {
+
+struct ComplexRequest {
+    std::uint32_t max_degree;
+    bool keep_zero, representatives;
+};
+
+// Room for the rows and values of a complex with the given counts, at the arena's low end. False: out of memory.
+bool take_complex(Arena& arena, ListedComplex& complex);
+
+// Notes where an ordered complex lies, for netmesh_get_cycle. False: out of memory.
+bool keep_complex(netmesh_context* context, const ListedComplex& complex);
+
+// Orders a linked complex that lies at the low end of an otherwise empty context, computes its diagram and keeps that,
+// with representatives the complex as well. The caller has set point_dim, points, inputs and the input's fingerprint.
+// out_of_memory, cancelled, internal: the context is to be cleared.
+Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const ComplexRequest& request,
+                       Monitor& monitor);
+
+}  // namespace netmesh

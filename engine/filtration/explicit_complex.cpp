@@ -1,0 +1,138 @@
+#include "filtration/explicit_complex.hpp"
+
+#include "complex/faces.hpp"
+#include "filtration/alpha.hpp"
+#include "homology/rank.hpp"
+#include "memory/high_scope.hpp"
+
+namespace netmesh {
+namespace {
+
+// Faces as they are listed, with room for their values.
+template <int D>
+Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimension, Arena& arena, Monitor& monitor,
+                  Faces<D>* faces, ListedComplex* out) {
+    *out = {};
+    out->dimension = dimension;
+    monitor.begin(NETMESH_STAGE_FILTER, 0);
+    const Status status = enumerate_faces(triangulation, static_cast<int>(dimension), arena, monitor, faces);
+    if (status != Status::ok) return status;
+    for (std::uint32_t k = 0; k <= dimension; ++k) {
+        out->count[k] = faces->count[k];
+        out->rows[k] = k > 0 ? faces->facets[k] : arena.take_low<std::uint32_t>(faces->count[0]);
+        out->value[k] = arena.take_low<double>(faces->count[k]);
+        if (out->rows[k] == nullptr || out->value[k] == nullptr || out->count[k] > 0x7FFFFFFFu)
+            return Status::out_of_memory;
+    }
+    for (std::uint32_t v = 0; v < out->count[0]; ++v) out->rows[0][v] = faces->last_vertex[0][v];
+    return Status::ok;
+}
+
+// The same cells with vertices numbered by value from the last to the first, so that faces in lexicographic order, read
+// backwards, are in order of value. The copy stays at the arena's high end. False: out of memory.
+template <int D>
+bool rank_cells(const TriangulationView<D>& triangulation, const double* value, Arena& arena, std::uint32_t* order,
+                TriangulationView<D>* out) {
+    const std::uint32_t n = triangulation.vertex_count, cells = triangulation.cell_count;
+    std::uint32_t* const copy = arena.take_high<std::uint32_t>(std::size_t{cells} * (D + 1));
+    const HighScope scope(arena);
+    std::uint32_t* const rank = arena.take_high<std::uint32_t>(n);
+    std::uint32_t* const place = arena.take_high<std::uint32_t>(std::size_t{n} + 1);
+    if (copy == nullptr || rank == nullptr || place == nullptr || !rank_vertices(value, n, arena, order, rank))
+        return false;
+    const auto first_of = [&](std::uint32_t c) {
+        std::uint32_t first = n;
+        for (int i = 0; i <= D; ++i) {
+            const std::uint32_t label = n - 1 - rank[triangulation.vertices(c)[i]];
+            if (label < first) first = label;
+        }
+        return first;
+    };
+    // Cells of one first vertex lie together: the stars that are walked are found in few places.
+    for (std::uint32_t v = 0; v <= n; ++v) place[v] = 0;
+    for (std::uint32_t c = 0; c < cells; ++c) ++place[first_of(c) + 1];
+    for (std::uint32_t v = 0; v < n; ++v) place[v + 1] += place[v];
+    for (std::uint32_t c = 0; c < cells; ++c) {
+        std::uint32_t* const to = copy + std::size_t{place[first_of(c)]++} * (D + 1);
+        for (int i = 0; i <= D; ++i) to[i] = n - 1 - rank[triangulation.vertices(c)[i]];
+    }
+    *out = {reinterpret_cast<const unsigned char*>(copy), sizeof(std::uint32_t) * (D + 1), cells, n};
+    return true;
+}
+
+// Puts the simplices of one dimension, and what it says of their facets, in the opposite order.
+void turn_round(ListedComplex& complex, std::uint32_t k) {
+    const std::uint32_t width = k + 1, count = complex.count[k], last = k > 0 ? complex.count[k - 1] - 1 : 0;
+    std::uint32_t* front = complex.rows[k];
+    std::uint32_t* back = front + std::size_t{count} * width;
+    for (std::uint32_t i = 0; i < count / 2; ++i) {
+        back -= width;
+        for (std::uint32_t w = 0; w < width; ++w) {
+            const std::uint32_t t = front[w];
+            front[w] = back[w];
+            back[w] = t;
+        }
+        front += width;
+    }
+    std::uint32_t* const rows = complex.rows[k];
+    for (std::size_t i = 0; k > 0 && i < std::size_t{count} * width; ++i) rows[i] = last - rows[i];
+}
+
+}  // namespace
+
+template <int D>
+Status lower_star_complex(const TriangulationView<D>& triangulation, const double* value, std::uint32_t zero_born_count,
+                          std::uint32_t dimension, Arena& arena, Monitor& monitor, ListedComplex* out) {
+    const std::size_t high = arena.high_mark();
+    const std::uint32_t n = triangulation.vertex_count;
+    Faces<D> faces;
+    TriangulationView<D> ranked;
+    std::uint32_t* const order = arena.take_high<std::uint32_t>(n);
+    Status status = order != nullptr && rank_cells(triangulation, value, arena, order, &ranked) ? Status::ok
+                                                                                                : Status::out_of_memory;
+    if (status == Status::ok) status = take_faces<D>(ranked, dimension, arena, monitor, &faces, out);
+    if (status == Status::ok) {
+        for (std::uint32_t k = 0; k <= dimension; ++k) turn_round(*out, k);
+        for (std::uint32_t v = 0; v < out->count[0]; ++v) {
+            out->rows[0][v] = order[n - 1 - out->rows[0][v]];
+            out->value[0][v] = value[out->rows[0][v]] + 0.0;
+        }
+        for (std::uint32_t k = 1; k <= dimension; ++k) {
+            // The facet without the last vertex, which is the first to enter, has the one that is the last to enter.
+            const std::uint32_t* const facets = out->rows[k];
+            for (std::size_t i = 0; i < out->count[k]; ++i)
+                out->value[k][i] = out->value[k - 1][facets[i * (k + 1) + k]];
+        }
+        for (std::uint32_t v = 0; v < out->count[0]; ++v) {
+            if (out->rows[0][v] < zero_born_count) out->value[0][v] = 0;
+        }
+    }
+    arena.release_high(high);
+    return status == Status::ok ? order_dimension(*out, 0, arena) : status;
+}
+
+template <int D>
+Status alpha_complex(const TriangulationView<D>& triangulation, const double* coordinates, std::ptrdiff_t stride_bytes,
+                     std::uint32_t dimension, Arena& arena, Monitor& monitor, ListedComplex* out) {
+    const std::size_t high = arena.high_mark();
+    Faces<D> faces;
+    Status status = take_faces<D>(triangulation, D, arena, monitor, &faces, out);
+    if (status == Status::ok) status = alpha_values<D>(faces, coordinates, stride_bytes, monitor, out->value);
+    arena.release_high(high);
+    out->dimension = dimension;
+    return status == Status::ok ? order_by_value(*out, arena) : status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status lower_star_complex<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,    \
+                                          Arena&, Monitor&, ListedComplex*);                                           \
+    template Status alpha_complex<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t,        \
+                                     Arena&, Monitor&, ListedComplex*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

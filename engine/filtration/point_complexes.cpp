@@ -1,0 +1,321 @@
+#include "filtration/point_complexes.hpp"
+
+#include "filtration/circumsphere.hpp"
+#include "filtration/circumsphere_fast.hpp"
+#include "numerics/real.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr std::uint32_t count_max = 0x7FFFFFFFu;
+
+// Half the distance of two points.
+template <int D> double half_distance(const double* a, const double* b) {
+    double squared = 0;
+    for (int d = 0; d < D; ++d) {
+        const double x = a[d] - b[d];
+        squared += x * x;
+    }
+    if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
+    const double* const point[] = {a, b};
+    return circumsphere_precise(point, 1, D).radius;
+}
+
+// The simplices whose edges are at most 2 * limit long, dimension by dimension. Their values are half their longest
+// edge.
+template <int D> class Cliques {
+public:
+    Cliques(const double* coordinates, std::uint32_t n, double limit, Arena& arena, Monitor& monitor,
+            ListedComplex* out)
+        : coordinates_(coordinates), n_(n), limit_(limit), arena_(arena), monitor_(monitor), out_(*out) {}
+
+    Status list(std::uint32_t dimension) {
+        out_ = {};
+        out_.dimension = dimension;
+        out_.count[0] = n_;
+        if (!take(0)) return Status::out_of_memory;
+        for (std::uint32_t i = 0; i < n_; ++i) {
+            out_.rows[0][i] = i;
+            out_.value[0][i] = 0;
+        }
+        monitor_.begin(NETMESH_STAGE_FILTER, 0);
+        for (std::uint32_t k = 1; k <= dimension; ++k) {
+            std::uint64_t count = 0;
+            bool going = extend(k, [&count](const std::uint32_t*, std::uint32_t, double) { ++count; });
+            if (!going) return Status::cancelled;
+            if (count == 0) {
+                out_.dimension = k - 1;
+                break;
+            }
+            if (count > count_max) {
+                arena_.refuse(count > SIZE_MAX / 64 ? SIZE_MAX / 2
+                                                    : static_cast<std::size_t>(count * (4 * (k + 1) + 8)));
+                return Status::out_of_memory;
+            }
+            out_.count[k] = static_cast<std::uint32_t>(count);
+            if (!take(k)) return Status::out_of_memory;
+            std::uint32_t* row = out_.rows[k];
+            double* value = out_.value[k];
+            going = extend(k, [&row, &value, k](const std::uint32_t* vertices, std::uint32_t last, double v) {
+                for (std::uint32_t i = 0; i < k; ++i) *row++ = vertices[i];
+                *row++ = last;
+                *value++ = v;
+            });
+            if (!going) return Status::cancelled;
+        }
+        return Status::ok;
+    }
+
+private:
+    bool take(std::uint32_t k) {
+        out_.rows[k] = arena_.take_low<std::uint32_t>(std::size_t{out_.count[k]} * (k + 1));
+        out_.value[k] = arena_.take_low<double>(out_.count[k]);
+        return out_.rows[k] != nullptr && out_.value[k] != nullptr;
+    }
+    const double* point(std::uint32_t i) const { return coordinates_ + std::size_t{i} * D; }
+
+    // Calls f(vertices, last, value) for every k-simplex. False: cancelled.
+    template <class F> bool extend(std::uint32_t k, F f) {
+        for (std::uint32_t i = 0; i < out_.count[k - 1]; ++i) {
+            const std::uint32_t* const row = out_.rows[k - 1] + std::size_t{i} * k;
+            if (monitor_.advance(i, 1 + (n_ - row[k - 1]) / 16)) return false;
+            for (std::uint32_t last = row[k - 1] + 1; last < n_; ++last) {
+                double value = out_.value[k - 1][i];
+                for (std::uint32_t v = 0; v < k && value <= limit_; ++v) {
+                    const double half = half_distance<D>(point(row[v]), point(last));
+                    if (half > value) value = half;
+                }
+                if (value <= limit_) f(row, last, value);
+            }
+        }
+        return true;
+    }
+
+    const double* coordinates_;
+    std::uint32_t n_;
+    double limit_;
+    Arena& arena_;
+    Monitor& monitor_;
+    ListedComplex& out_;
+};
+
+// Half the least distance within which some point has all others.
+template <int D> double cone_radius(const double* coordinates, std::uint32_t n) {
+    double least = infinity;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        double most = 0;
+        for (std::uint32_t j = 0; j < n && most < least; ++j) {
+            const double half = half_distance<D>(coordinates + std::size_t{i} * D, coordinates + std::size_t{j} * D);
+            if (j != i && half > most) most = half;
+        }
+        if (most < least) least = most;
+    }
+    return least;
+}
+
+template <int D>
+Status list_cliques(const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit, Arena& arena,
+                    Monitor& monitor, ListedComplex* out) {
+    Cliques<D> cliques(coordinates, n, limit, arena, monitor, out);
+    const Status status = cliques.list(dimension);
+    ComplexFault fault;
+    return status != Status::ok ? status : link_faces(*out, false, arena, monitor, &fault);
+}
+
+template <int K, int D> Circumsphere circumsphere(const double* const* point) {
+    Circumsphere sphere;
+    return circumsphere_fast<K, D>(point, &sphere) ? sphere : circumsphere_precise(point, K, D);
+}
+template <int D> Circumsphere circumsphere_of(const double* const* point, std::uint32_t k) {
+    if constexpr (D >= 6) {
+        if (k == 6) return circumsphere<6, D>(point);
+    }
+    if constexpr (D >= 5) {
+        if (k == 5) return circumsphere<5, D>(point);
+    }
+    if constexpr (D >= 4) {
+        if (k == 4) return circumsphere<4, D>(point);
+    }
+    if constexpr (D >= 3) {
+        if (k == 3) return circumsphere<3, D>(point);
+    }
+    return circumsphere<2, D>(point);
+}
+
+template <int D>
+double enclosing_radius(const double* coordinates, const FilteredComplex& complex, const std::uint32_t* labels,
+                        std::uint32_t k, std::uint32_t simplex) {
+    double value = 0;
+    for (std::uint32_t i = 0; i <= k; ++i) {
+        const double facet = complex.of[k - 1].value[complex.of[k].faces[std::size_t{simplex} * (k + 1) + i]];
+        if (facet > value) value = facet;
+    }
+    if (k > D) return value;  // no more than D + 1 points hold a ball
+    std::uint32_t vertices[D + 1];
+    const double* point[D + 1];
+    vertices_of(complex, labels, k, simplex, vertices);
+    for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates + std::size_t{vertices[i]} * D;
+    const Circumsphere sphere = circumsphere_of<D>(point, k);
+    return sphere.within == 0 && sphere.radius > value ? sphere.radius : value;
+}
+
+// The chains of nested sets that end in one set, from the top down: a chain of length m is a path of m - 1 steps.
+class Chains {
+public:
+    Chains(const ListedComplex& complex, std::uint32_t k) : complex_(complex), least_(k - 1) {
+        std::uint32_t first = 0;
+        for (std::uint32_t d = least_; d <= complex.dimension; ++d) {
+            first_[d] = first;
+            first += complex.count[d];
+        }
+        sets_ = first;
+    }
+    std::uint32_t sets() const { return sets_; }
+    double value(std::uint32_t set) const {
+        const std::uint32_t d = dimension_of(set);
+        return complex_.value[d][set - first_[d]];
+    }
+    std::uint32_t dimension_of(std::uint32_t set) const {
+        std::uint32_t d = complex_.dimension;
+        while (set < first_[d]) --d;
+        return d;
+    }
+    // Calls f(subset) for the proper subsets of `set` of at least k vertices. A subset is reached by leaving out its
+    // missing vertices from the last to the first.
+    template <class F> void subsets(std::uint32_t set, F f) const {
+        const std::uint32_t d = dimension_of(set);
+        for (std::uint64_t missing = 1; missing < std::uint64_t{1} << (d + 1); ++missing) {
+            std::uint32_t left = d + 1;
+            for (std::uint32_t v = 0; v <= d; ++v) left -= missing >> v & 1;
+            if (left <= least_) continue;
+            std::uint32_t at = set - first_[d], dimension = d;
+            for (std::uint32_t v = d + 1; v-- > 0;) {
+                if ((missing >> v & 1) == 0) continue;
+                at = complex_.rows[dimension][std::size_t{at} * (dimension + 1) + v];
+                --dimension;
+            }
+            f(first_[dimension] + at);
+        }
+    }
+
+private:
+    const ListedComplex& complex_;
+    std::uint32_t least_, sets_;  // least_: dimension of the smallest sets
+    std::uint32_t first_[ListedComplex::dimension_max + 1];
+};
+
+double binomial(double n, std::uint32_t k) {
+    double b = 1;
+    for (std::uint32_t i = 0; i < k; ++i) b = b * (n - i) / (i + 1);
+    return b > 0 ? b : 0;
+}
+
+}  // namespace
+
+template <int D>
+Status rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena, Monitor& monitor,
+                    ListedComplex* out) {
+    return list_cliques<D>(coordinates, n, dimension, cone_radius<D>(coordinates, n), arena, monitor, out);
+}
+
+template <int D>
+Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena,
+                         Monitor& monitor, ListedComplex* out) {
+    return list_cliques<D>(coordinates, n, dimension, infinity, arena, monitor, out);
+}
+
+template <int D>
+Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena, Monitor& monitor,
+                    ListedComplex* out) {
+    const Status status = full_rips_complex<D>(coordinates, n, dimension, arena, monitor, out);
+    if (status != Status::ok) return status;
+    const FilteredComplex complex = out->filtered();
+    for (std::uint32_t k = 2; k <= out->dimension; ++k) {
+        for (std::uint32_t i = 0; i < out->count[k]; ++i) {
+            if (monitor.advance(i, k)) return Status::cancelled;
+            out->value[k][i] = enclosing_radius<D>(coordinates, complex, out->rows[0], k, i);
+        }
+    }
+    return Status::ok;
+}
+
+Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, Arena& arena,
+                           Monitor& monitor, ListedComplex* out) {
+    *out = {};
+    if (k > complex.dimension + 1) return Status::invalid_argument;
+    const Chains chains(complex, k);
+    if (dimension > complex.dimension + 1 - k) dimension = complex.dimension + 1 - k;
+    out->dimension = dimension;
+    for (std::uint32_t m = 0; m <= dimension; ++m) {
+        std::uint64_t count = chains.sets();
+        if (m > 0) {
+            count = 0;
+            for (std::uint32_t i = 0; i < out->count[m - 1]; ++i) {
+                if (monitor.advance(i, 4)) return Status::cancelled;
+                chains.subsets(out->rows[m - 1][std::size_t{i} * m], [&count](std::uint32_t) { ++count; });
+            }
+        }
+        if (count > count_max) {
+            arena.refuse(count > SIZE_MAX / 64 ? SIZE_MAX / 2 : static_cast<std::size_t>(count * (4 * (m + 1) + 8)));
+            return Status::out_of_memory;
+        }
+        out->count[m] = static_cast<std::uint32_t>(count);
+        out->rows[m] = arena.take_low<std::uint32_t>(static_cast<std::size_t>(count) * (m + 1));
+        out->value[m] = arena.take_low<double>(static_cast<std::size_t>(count));
+        if (out->rows[m] == nullptr || out->value[m] == nullptr) return Status::out_of_memory;
+        std::uint32_t* row = out->rows[m];
+        double* value = out->value[m];
+        for (std::uint32_t i = 0; m == 0 && i < out->count[0]; ++i) {
+            *row++ = i;
+            *value++ = chains.value(i);
+        }
+        for (std::uint32_t i = 0; m > 0 && i < out->count[m - 1]; ++i) {
+            if (monitor.advance(i, 4)) return Status::cancelled;
+            const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
+            const double enters = out->value[m - 1][i];
+            chains.subsets(chain[0], [&](std::uint32_t subset) {
+                *row++ = subset;
+                for (std::uint32_t c = 0; c < m; ++c) *row++ = chain[c];
+                *value++ = enters;
+            });
+        }
+    }
+    ComplexFault fault;
+    return link_faces(*out, false, arena, monitor, &fault);
+}
+
+double skeleton_count(std::uint64_t n, std::uint32_t dimension) {
+    double total = 0;
+    for (std::uint32_t k = 0; k <= dimension; ++k) total += binomial(static_cast<double>(n), k + 1);
+    return total;
+}
+
+// Chains of length m that end in a set of j vertices: the sum over smaller sets in it of chains of length m - 1.
+double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, std::uint32_t dimension) {
+    constexpr std::uint32_t most = ListedComplex::dimension_max + 2;
+    double ends[most] = {}, total = 0;
+    for (std::uint32_t j = k; j <= sets && j < most; ++j) ends[j] = 1;
+    for (std::uint32_t m = 0; m <= dimension; ++m) {
+        double next[most] = {};
+        for (std::uint32_t j = k; j <= sets && j < most; ++j) {
+            total += ends[j] * binomial(static_cast<double>(n), j);
+            for (std::uint32_t i = k; i < j; ++i) next[j] += ends[i] * binomial(j, i);
+        }
+        for (std::uint32_t j = 0; j < most; ++j) ends[j] = next[j];
+    }
+    return total;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status rips_complex<D>(const double*, std::uint32_t, std::uint32_t, Arena&, Monitor&, ListedComplex*);    \
+    template Status full_rips_complex<D>(const double*, std::uint32_t, std::uint32_t, Arena&, Monitor&,                \
+                                         ListedComplex*);                                                              \
+    template Status cech_complex<D>(const double*, std::uint32_t, std::uint32_t, Arena&, Monitor&, ListedComplex*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,43 @@
+// Filtrations on the points themselves: Cech and Vietoris-Rips complexes, and their barycentric decompositions, whose
+// level k stands for the places within a radius of k points. Thesis 6.4, 7.7, 8.5.
+#pragma once
+#include <cstdint>
+
+#include "homology/listed_complex.hpp"
+
+namespace netmesh {
+
+// All values are radii: balls of that radius about the vertices meet pairwise (Rips: half the longest edge), or all in
+// one point (Cech: the radius of the smallest enclosing ball). coordinates: [n][D], distinct points. The complexes are
+// linked but not in order of value, and lie at the arena's low end. `dimension` <= ListedComplex::dimension_max and <
+// n; a complex of which a dimension would have 2^31 simplices or more is out_of_memory.
+
+// The skeleton up to `dimension` of the Vietoris-Rips complex, as far as the radius from which on one point is joined
+// to everything: the complex is a cone then and nothing is born any more. out_of_memory, cancelled.
+template <int D>
+Status rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena, Monitor& monitor,
+                    ListedComplex* out);
+
+// The same without an end: all simplices of up to dimension + 1 points.
+template <int D>
+Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena,
+                         Monitor& monitor, ListedComplex* out);
+
+// All simplices of up to dimension + 1 points. The value of a simplex is the radius of its smallest circumsphere if
+// that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball, never decreasing from
+// a face to its cofaces. Relative error about 1e-12 at most.
+template <int D>
+Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena, Monitor& monitor,
+                    ListedComplex* out);
+
+// The barycentric decomposition of `complex` (linked) on its simplices of at least k vertices, up to simplices of
+// `dimension`, each a chain of nested sets that enters with its largest set. Homology of degree p needs the sets of k
+// to k + p + 1 vertices and chains of dimension p + 1. The result lies behind `complex`, which must stay.
+Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, Arena& arena,
+                           Monitor& monitor, ListedComplex* out);
+
+// Simplices that the complexes have at most, of each dimension 0..dimension (numbers that do not fit are infinite).
+double skeleton_count(std::uint64_t n, std::uint32_t dimension);
+double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, std::uint32_t dimension);
+
+}  // namespace netmesh

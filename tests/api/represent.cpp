@@ -1,0 +1,143 @@
+// Cycles for diagrams of meshes and triangulations: each checked against the complex that the interface shows.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "common/session.hpp"
+#include "homology/boundaries.hpp"
+
+namespace {
+
+// The cycle of a pair, every simplex ascending and entering no later than the pair.
+std::vector<oracle::Simplex> cycle_of(const Session& session, std::uint64_t index, const netmesh_pair& pair) {
+    std::uint64_t count = 0;
+    REQUIRE(netmesh_get_cycle(session.context, index, &count) == NETMESH_OK);
+    std::vector<oracle::Simplex> cycle;
+    double latest = -HUGE_VAL;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        netmesh_simplex s;
+        REQUIRE(netmesh_get_cycle_simplex(session.context, index, i, &s) == NETMESH_OK);
+        latest = std::max(latest, s.value);
+        cycle.emplace_back(s.vertices, s.vertices + pair.degree + 1);
+        CHECK(std::is_sorted(cycle.back().begin(), cycle.back().end()));
+    }
+    CHECK(latest == pair.birth);
+    return cycle;
+}
+
+// Boundary zero; whether every simplex is one of the triangulation.
+void check_chains(const Session& session, const std::set<oracle::Simplex>& simplices) {
+    const std::vector<netmesh_pair> pairs = session.pairs();
+    CHECK(pairs.size() > 0);
+    for (std::uint64_t i = 0; i < pairs.size(); ++i) {
+        CAPTURE(i);
+        std::set<oracle::Simplex> boundary;
+        for (const oracle::Simplex& s : cycle_of(session, i, pairs[i])) {
+            CHECK(simplices.count(s) == 1);
+            for (std::size_t v = 0; v < s.size() && s.size() > 1; ++v) {
+                oracle::Simplex face = s;
+                face.erase(face.begin() + static_cast<std::ptrdiff_t>(v));
+                if (!boundary.insert(face).second) boundary.erase(face);
+            }
+        }
+        CHECK(boundary.empty());
+    }
+}
+
+std::set<oracle::Simplex> simplices_of(const Session& session) {
+    std::vector<oracle::Simplex> cells;
+    netmesh_cell cell;
+    for (std::uint64_t i = 0; netmesh_get_cell(session.context, i, &cell) == NETMESH_OK; ++i)
+        cells.emplace_back(cell.vertices, cell.vertices + session.options.dim + 1);
+    const auto all = oracle::all_faces(cells);
+    return {all.begin(), all.end()};
+}
+
+// Births and deaths of all cycles in the lower-star filtration that the vertex values give.
+void check_deaths(const Session& session, const std::set<oracle::Simplex>& simplices, std::uint32_t zero_born) {
+    std::vector<double> values;
+    netmesh_vertex vertex;
+    for (std::uint64_t i = 0; netmesh_get_vertex(session.context, i, &vertex) == NETMESH_OK; ++i)
+        values.push_back(vertex.value);
+    const auto f = oracle::lower_star({simplices.begin(), simplices.end()}, values, zero_born);
+    const oracle::Boundaries boundaries(f);
+    const std::vector<netmesh_pair> pairs = session.pairs();
+    for (std::uint64_t i = 0; i < pairs.size(); ++i) {
+        CAPTURE(i);
+        oracle::Column chain;
+        for (const oracle::Simplex& s : cycle_of(session, i, pairs[i])) chain.push_back(boundaries.index(s));
+        std::sort(chain.begin(), chain.end());
+        CHECK(f.values[chain.back()] == pairs[i].birth);
+        CHECK(boundaries.death(chain) == pairs[i].death);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("every bar of a mesh or an alpha complex has a cycle") {
+    for (const int dim : {2, 3, 4}) {
+        CAPTURE(dim);
+        const inputs::Points points =
+            dim == 4 ? inputs::uniform(4, 12) : inputs::shell(dim, dim == 2 ? 24 : 10, 0.7, 1, 3);
+        for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA}) {
+            CAPTURE(filter);
+            Session session(dim);
+            session.reserve(std::size_t(1) << 26);
+            CHECK(netmesh_represent(session.context, &session.options) == NETMESH_NO_RESULT);
+            REQUIRE((filter == NETMESH_FILTER_ALPHA ? session.alpha(points)
+                                                    : session.mesh_and_persist(points, filter)) == NETMESH_OK);
+            std::uint64_t count;
+            CHECK(netmesh_get_cycle(session.context, 0, &count) == NETMESH_NO_RESULT);
+            const netmesh_report before = session.report();
+            REQUIRE(netmesh_represent(session.context, &session.options) == NETMESH_OK);
+            CHECK(session.report().fingerprint == before.fingerprint);
+            const auto simplices = simplices_of(session);
+            check_chains(session, simplices);
+            if (filter != NETMESH_FILTER_ALPHA && dim < 4) {
+                check_deaths(session, simplices,
+                             filter == NETMESH_FILTER_COMPLETE ? static_cast<std::uint32_t>(before.inputs) : 0);
+            }
+            CHECK(netmesh_represent(session.context, &session.options) == NETMESH_OK);
+            CHECK(session.check() == NETMESH_OK);
+            // A new diagram gives the memory of the cycles back.
+            REQUIRE(netmesh_persist(session.context, filter, NETMESH_VALUES_CERTIFIED, 1, 1, &session.options) ==
+                    NETMESH_OK);
+            CHECK(netmesh_get_cycle(session.context, 0, &count) == NETMESH_NO_RESULT);
+            REQUIRE(netmesh_represent(session.context, &session.options) == NETMESH_OK);
+            check_chains(session, simplices);
+            REQUIRE(netmesh_persist(session.context, filter, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
+                                    &session.options) == NETMESH_OK);
+            CHECK(session.report().used_bytes == before.used_bytes);
+            CHECK(session.report().fingerprint == before.fingerprint);
+        }
+    }
+}
+
+TEST_CASE("without room for cycles the diagram stays") {
+    const inputs::Points points = inputs::shell(3, 60, 0.7, 1, 3);
+    Session whole(3);
+    REQUIRE(whole.mesh_and_persist(points) == NETMESH_OK);
+    const std::uint64_t enough = whole.report().peak_bytes, print = whole.report().fingerprint;
+    bool failed = false, fitted = false;
+    for (std::uint64_t bytes = enough; !fitted; bytes += enough / 8) {
+        Session session(3);
+        session.reserve(static_cast<std::size_t>(bytes));
+        if (netmesh_mesh(session.context, points.data(), 60, NETMESH_JOB_PERSIST, &session.options) != NETMESH_OK)
+            continue;
+        if (netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 3, 0,
+                            &session.options) != NETMESH_OK)
+            continue;
+        const std::uint64_t used = session.report().used_bytes;
+        const netmesh_status status = netmesh_represent(session.context, &session.options);
+        fitted = status == NETMESH_OK;
+        if (fitted) break;
+        failed = true;
+        REQUIRE(status == NETMESH_OUT_OF_MEMORY);
+        CHECK(netmesh_get_detail(session.context).bytes_wanted > bytes);
+        CHECK(session.report().used_bytes == used);
+        CHECK(session.report().fingerprint == print);
+    }
+    CHECK(failed);
+    CHECK(fitted);
+}

@@ -1,0 +1,102 @@
+// What comes after a diagram, in processor time: bottleneck distances against GUDHI's exact ones, and cycles for every
+// bar of the Clifford set against the diagram alone.
+//
+//   diagrams [bars of a diagram, 10000] [points of the Clifford set, 2000] [GUDHI up to so many bars, 1000]
+#include <gudhi/Bottleneck.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <utility>
+#include <vector>
+
+#include "common/inputs.hpp"
+#include "common/session.hpp"
+
+namespace {
+
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+using Diagram = std::vector<netmesh_pair>;
+
+// Bars far from the diagonal, short ones with few long ones, or those of `moved` moved by up to 0.02.
+Diagram bars(int kind, std::size_t count, std::uint64_t seed, const Diagram* moved) {
+    inputs::Random random(seed);
+    Diagram diagram;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = random.uniform(), y = random.uniform();
+        if (moved != nullptr) {
+            diagram.push_back({1, (*moved)[i].birth + 0.01 * x, (*moved)[i].death + 0.01 * (1 + y)});
+        } else {
+            diagram.push_back({1, 0.1 + x, 0.1 + x + (kind == 1 ? 0.2 * y * y * y : y)});
+        }
+    }
+    return diagram;
+}
+
+void compare(const char* name, const Diagram& a, const Diagram& b, std::size_t gudhi_most) {
+    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
+    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
+    netmesh_distance plain = {}, log = {};
+    const double start = seconds();
+    netmesh_status status = netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 1, NETMESH_SCALE_PLAIN, scratch,
+                                               bytes, nullptr, nullptr, &plain);
+    const double between = seconds();
+    if (status == NETMESH_OK)
+        status = netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 1, NETMESH_SCALE_LOG, scratch, bytes,
+                                    nullptr, nullptr, &log);
+    const double end = seconds();
+    std::free(scratch);
+    if (status != NETMESH_OK)
+        return static_cast<void>(std::printf("bottleneck %s: %s\n", name, netmesh_status_text(status)));
+    std::printf("bottleneck %-8s %6zu bars  plain %8.4f s  log %8.4f s  distance %.12g", name, a.size(),
+                between - start, end - between, plain.value);
+    if (a.size() <= gudhi_most) {
+        std::vector<std::pair<double, double>> x, y;
+        for (const netmesh_pair& p : a) x.emplace_back(p.birth, p.death);
+        for (const netmesh_pair& p : b) y.emplace_back(p.birth, p.death);
+        const double before = seconds();
+        const double theirs = Gudhi::persistence_diagram::bottleneck_distance(x, y, 0.);
+        std::printf("  GUDHI %8.4f s  %.12g", seconds() - before, theirs);
+    }
+    std::printf("\n");
+}
+
+void cycles(std::size_t points) {
+    Session session(4);
+    session.options.tau = 3.08;
+    session.reserve(points << 20);  // a quarter of that is used, the rest costs nothing
+    const inputs::Points p = inputs::clifford(points);
+    const double start = seconds();
+    netmesh_mesh(session.context, p.data(), points, NETMESH_JOB_PERSIST, &session.options);
+    const double meshed = seconds();
+    netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
+                    &session.options);
+    const double diagram = seconds();
+    const netmesh_status status = netmesh_represent(session.context, &session.options);
+    const double end = seconds();
+    std::uint64_t total = 0, count = 0, pairs = 0;
+    for (; netmesh_get_cycle(session.context, pairs, &count) == NETMESH_OK; ++pairs) total += count;
+    std::printf("clifford %zu points: mesh %.2f s, diagram %.2f s, cycles %.2f s (%s), %llu bars with %llu simplices "
+                "in cycles\n",
+                points, meshed - start, diagram - meshed, end - diagram, netmesh_status_text(status),
+                static_cast<unsigned long long>(pairs), static_cast<unsigned long long>(total));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto argument = [&](int i, std::size_t otherwise) {
+        return argc > i ? static_cast<std::size_t>(std::strtoull(argv[i], nullptr, 10)) : otherwise;
+    };
+    const std::size_t most = argument(1, 10000), gudhi_most = argument(3, 1000);
+    for (const std::size_t count : {most / 10, most}) {
+        const Diagram far = bars(0, count, 1, nullptr), near = bars(1, count, 3, nullptr);
+        compare("far", far, bars(0, count, 2, nullptr), gudhi_most);
+        compare("short", near, bars(1, count, 4, nullptr), gudhi_most);
+        compare("moved", far, bars(0, count, 5, &far), gudhi_most);
+    }
+    cycles(argument(2, 2000));
+    return 0;
+}

@@ -1,0 +1,78 @@
+// distance: the bottleneck distance between two diagrams, degree by degree.
+#include <cmath>
+#include <set>
+
+#include "platform/clock.hpp"
+#include "platform/interrupt.hpp"
+#include "platform/memory.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/logarithm.hpp"
+#include "tools/commands/output.hpp"
+#include "tools/report/report.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+Outcome read_pairs(const std::string& path, std::vector<netmesh_pair>* pairs, std::set<std::uint32_t>* degrees) {
+    std::string content;
+    std::vector<Bar> bars;
+    Outcome outcome = read_content(path, &content);
+    if (outcome.good()) outcome = parse_diagram(content, shown_name(path), &bars);
+    if (!outcome.good()) return outcome;
+    for (const Bar& bar : bars) {
+        pairs->push_back({bar.degree, bar.birth, bar.death});
+        degrees->insert(bar.degree);
+    }
+    return {};
+}
+
+int poll(void*, const netmesh_progress*) { return platform::interrupted() ? 1 : 0; }
+
+}  // namespace
+
+Outcome run_distance(const Options& options) {
+    const double start = platform::seconds_now();
+    if (options.positionals[0] == "-" && options.positionals[1] == "-") {
+        return usage_error("only one of the diagrams can come from stdin");
+    }
+    std::vector<netmesh_pair> pairs[2];
+    std::set<std::uint32_t> degrees;
+    for (int i = 0; i < 2; i++) {
+        const Outcome outcome = read_pairs(options.positionals[i], &pairs[i], &degrees);
+        if (!outcome.good()) return outcome;
+    }
+    RunReport run;
+    run.options = &options;
+    run.read_seconds = platform::seconds_now() - start;
+    const std::size_t bytes = netmesh_bottleneck_bytes(pairs[0].size(), pairs[1].size());
+    platform::Reservation scratch;
+    if (bytes == SIZE_MAX || !scratch.reserve(bytes)) {
+        return {Exit::memory, "netmesh: no memory to compare diagrams of " + grouped_text(pairs[0].size()) + " and " +
+                                  grouped_text(pairs[1].size()) + " bars"};
+    }
+    run.distances.emplace();
+    for (const std::uint32_t degree : degrees) {
+        netmesh_distance distance = {};
+        const netmesh_status status = netmesh_bottleneck(
+            pairs[0].data(), pairs[0].size(), pairs[1].data(), pairs[1].size(), degree,
+            options.log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN, scratch.base(), bytes, poll, nullptr, &distance);
+        if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
+        if (status != NETMESH_OK) {
+            return {Exit::internal, std::string("netmesh: internal error: ") + netmesh_status_text(status)};
+        }
+        const bool logarithm = options.log && distance.value < HUGE_VAL;
+        run.distances->push_back(
+            {degree, logarithm ? natural_logarithm(distance.value, distance.exponent) : distance.value});
+    }
+    run.total_seconds = platform::seconds_now() - start;
+    return write_files({{"", [&](TextWriter& out) {
+                             if (options.json) {
+                                 out << json_report(run);
+                                 return;
+                             }
+                             for (const DegreeDistance& d : *run.distances) out << d.degree << ' ' << d.value << '\n';
+                         }}});
+}
+
+}  // namespace netmesh::tool
