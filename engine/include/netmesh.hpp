@@ -64,6 +64,11 @@ public:
     netmesh_status check(const netmesh_options& options, std::uint32_t what = NETMESH_CHECK_ALL) {
         return status_ = netmesh_check(context_, what, &options);
     }
+    netmesh_status analyse(netmesh_analysis* analysis, const netmesh_options& options,
+                           std::uint32_t what = NETMESH_ANALYSE_ALL, double tolerance = 0) {
+        analysis->struct_bytes = sizeof *analysis;
+        return status_ = netmesh_analyse(context_, what, tolerance, &options, analysis);
+    }
 
     netmesh_detail detail() const { return netmesh_get_detail(context_); }
     netmesh_report report() const {

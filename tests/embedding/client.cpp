@@ -20,6 +20,9 @@ int main() {
     for (netmesh::Engine* engine : {&a, &b}) {
         if (engine->mesh(points, 8, options, NETMESH_JOB_PERSIST) != NETMESH_OK) return 1;
         if (engine->check(options) != NETMESH_OK) return 2;
+        netmesh_analysis analysis;
+        if (engine->analyse(&analysis, options, NETMESH_ANALYSE_FATNESS) != NETMESH_OK) return 2;
+        if (analysis.bounded.degree_share > 1) return 2;
     }
     std::memcpy(moved, second, sizeof second);
     std::memset(second, 0, sizeof second);
