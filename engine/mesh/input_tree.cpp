@@ -7,6 +7,15 @@ struct Range {
     std::uint32_t begin, end;
 };
 
+template <int D> double distance2_of(const double* a, const double* b) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = a[k] - b[k];
+        d2 += d * d;
+    }
+    return d2;
+}
+
 }  // namespace
 
 // Puts the median along the widest axis into the middle of the range (Hoare's selection; equal keys split evenly).
@@ -48,12 +57,14 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
     }
 }
 
-template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count) {
+template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings) {
     items_ = arena.take_low<std::uint32_t>(count);
     axis_ = arena.take_low<std::uint8_t>(count);
-    if (items_ == nullptr || axis_ == nullptr) return Status::out_of_memory;
+    reach_ = rings ? arena.take_low<double>(count) : nullptr;
+    if (items_ == nullptr || axis_ == nullptr || (rings && reach_ == nullptr)) return Status::out_of_memory;
     store_ = &store;
     count_ = count;
+    touches_ = 0;
     for (std::uint32_t i = 0; i < count; ++i) items_[i] = i;
     Range stack[40];
     int depth = 0;
@@ -65,6 +76,13 @@ template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena,
         const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
         stack[depth++] = {range.begin, middle};
         stack[depth++] = {middle + 1, range.end};
+        if (!rings) continue;
+        double reach2 = 0;
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const double d2 = distance2_of<D>(store.point(items_[i]), store.point(items_[middle]));
+            if (d2 > reach2) reach2 = d2;
+        }
+        reach_[middle] = square_root(reach2) * (1 + 8 * unit_roundoff);
     }
     return Status::ok;
 }
@@ -76,12 +94,8 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
     double best2 = infinity;
     const auto consider = [&](std::uint32_t v) {
         if (v == except) return;
-        const double* p = store_->point(v);
-        double d2 = 0;
-        for (int k = 0; k < D; ++k) {
-            const double d = x[k] - p[k];
-            d2 += d * d;
-        }
+        ++touches_;
+        const double d2 = distance2_of<D>(x, store_->point(v));
         if (d2 < best2 || (d2 == best2 && v < best)) {
             best2 = d2;
             best = v;
@@ -110,6 +124,33 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
     }
     *distance2 = best2;
     return best;
+}
+
+template <int D>
+std::uint32_t InputTree<D>::in_ring(const double* x, double inner, double outer, double* distance2) const {
+    const auto is_hit = [&](std::uint32_t v, double* d2) {
+        ++touches_;
+        *d2 = distance2_of<D>(x, store_->point(v));
+        return *d2 > inner * inner && *d2 <= outer * outer;
+    };
+    Range stack[40];
+    int depth = 0;
+    stack[depth++] = {0, count_};
+    while (depth > 0) {
+        const Range range = stack[--depth];
+        if (range.end - range.begin <= leaf) {
+            for (std::uint32_t i = range.begin; i < range.end; ++i)
+                if (is_hit(items_[i], distance2)) return items_[i];
+            continue;
+        }
+        const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
+        if (is_hit(items_[middle], distance2)) return items_[middle];
+        const double d = square_root(*distance2);
+        if ((d + reach_[middle]) * (1 + 8 * unit_roundoff) <= inner || (d - reach_[middle]) * (1 - 8 * unit_roundoff) > outer) continue;
+        stack[depth++] = {range.begin, middle};
+        stack[depth++] = {middle + 1, range.end};
+    }
+    return none;
 }
 
 template class InputTree<2>;

@@ -1,7 +1,8 @@
 #include "mesh/refine.hpp"
 
 #include "mesh/bucket_queue.hpp"
-#include "mesh/input_tree.hpp"
+#include "mesh/corner.hpp"
+#include "mesh/opening.hpp"
 
 namespace netmesh {
 namespace {
@@ -12,27 +13,11 @@ constexpr double pull_back = 1.15;
 // An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
 // ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
 constexpr double yield_radius = 0.9;
-// Frame distance over domain radius: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in which
-// everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
-constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
 // Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;
 
 // Corners are what refinement measures.
 constexpr double ball_error_max = 0x1p-22;
-
-constexpr double coordinate_max = 0x1p500;
-constexpr double separation_min = 0x1p-500;
-constexpr double resolution = 64 * 0x1p-52;
-
-template <int D> double distance2(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return d2;
-}
 
 template <int D> class Refinement {
 public:
@@ -45,31 +30,19 @@ public:
     Status run(const std::uint32_t* order);
 
 private:
-    struct Corner {
-        double x[D];
-        double distance2;  // from the vertex; negative: none yet
-        std::uint32_t cell;
-    };
     struct CellView {
-        Corner clipped;  // farthest corner of the clipped cell
-        Corner whole;    // farthest corner of the whole cell
+        Corner<D> clipped;  // farthest corner of the clipped cell
+        Corner<D> whole;    // farthest corner of the whole cell
         double reach2;   // squared distance from the nearest input to the farthest corner from it
     };
 
     Status insert(std::uint32_t v, std::uint32_t from);
-    Status split(std::uint32_t v, const Corner& corner);
+    Status split(std::uint32_t v, const Corner<D>& corner);
     Status clean();
     bool look(std::uint32_t v, CellView* view);
-    void corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* corner);
-    const Corner* bad_corner(std::uint32_t v, const CellView& view) const;
+    const Corner<D>* bad_corner(std::uint32_t v, const CellView& view) const;
     std::uint32_t nearest_input(std::uint32_t v) const {
         return store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
-    }
-    static void offer(const double* x, double distance2, std::uint32_t cell, Corner* corner) {
-        if (!(distance2 > corner->distance2)) return;
-        corner->distance2 = distance2;
-        corner->cell = cell;
-        for (int k = 0; k < D; ++k) corner->x[k] = x[k];
     }
     void update_star(const Cavity& cavity, std::uint32_t v);
     void queue_bad_vertices(std::uint32_t c);
@@ -89,64 +62,18 @@ private:
 
 template <int D> Status Refinement<D>::check_input(InputReport* input) {
     inputs_ = store_.state.vertex_count;
-    for (std::uint32_t v = 0; v < inputs_; ++v)
-        for (int k = 0; k < D; ++k)
-            if (!(absolute(store_.point(v)[k]) <= coordinate_max)) {
-                input->row_a = store_.vertex(v).origin;
-                return Status::out_of_range;
-            }
     const Status status = tree_.build(store_, store_.arena, inputs_);
-    if (status != Status::ok || inputs_ == 1) return status;
-    for (std::uint32_t v = 0; v < inputs_; ++v) {
-        double d2;
-        const std::uint32_t near = tree_.nearest(store_.point(v), v > 0 ? v - 1 : 1, v, &d2);
-        double size = 0;
-        for (int k = 0; k < D; ++k)
-            if (absolute(store_.point(v)[k]) > size) size = absolute(store_.point(v)[k]);
-        const bool tiny = d2 < separation_min * separation_min;
-        if (!tiny && d2 >= (resolution * size) * (resolution * size)) continue;
-        const std::uint64_t a = store_.vertex(v).origin, b = store_.vertex(near).origin;
-        input->row_a = a < b ? a : b;
-        input->row_b = a < b ? b : a;
-        return tiny && d2 > (resolution * size) * (resolution * size) ? Status::out_of_range : Status::too_close;
-    }
-    return Status::ok;
+    return status == Status::ok ? check_separation<D>(store_, tree_, input) : status;
 }
 
-// The frame: vertices on both sides of the domain along each axis.
 template <int D> Status Refinement<D>::open(const RefineOptions& options) {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     // A hair larger than what is promised, so that no corner on the sphere itself depends on roundings.
     domain_.radius = domain_.enclosing_radius * options.domain_factor * (1 + tau_margin);
     const double reach = frame_factor[D] * domain_.radius;
-    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
-    if (store_.open_cells() != Status::ok || !store_.has_room(0, 2 * D, 0)) return Status::out_of_memory;
-    std::uint32_t frame[2 * D];
-    for (int i = 0; i < 2 * D; ++i) {
-        frame[i] = store_.new_vertex();
-        Vertex<D>& v = store_.vertex(frame[i]);
-        for (int k = 0; k < D; ++k) v.x[k] = domain_.centre[k];
-        v.x[i / 2] += i % 2 == 0 ? reach : -reach;
-        v.nearest2 = infinity;
-        v.cell = none;
-        v.next = none;
-        v.marker = Marker::exempt;
-        v.queued = 0;
-        v.unused = 0;
-        double d2;
-        v.origin = tree_.nearest(v.x, 0, none, &d2);
-    }
-    std::uint32_t ids[D + 1];
-    if (!independent_points<D>(store_, frame, 2 * D, ids)) return Status::internal;
-    Status status = kernel_.start(ids);
-    for (int i = 0; i < 2 * D && status == Status::ok; ++i)
-        if (store_.vertex(frame[i]).cell == none) status = insert(frame[i], store_.state.last_cell);
-    for (int i = 0; i < 2 * D; ++i)
-        for (int j = 0; j < 2 * D; ++j) {
-            const double d2 = distance2<D>(store_.point(frame[i]), store_.point(frame[j]));
-            if (i != j && d2 < store_.vertex(frame[i]).nearest2) store_.vertex(frame[i]).nearest2 = d2;
-        }
-    return status;
+    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok || store_.open_cells() != Status::ok)
+        return Status::out_of_memory;
+    return open_frame<D>(store_, kernel_, tree_, domain_, reach);
 }
 
 // Inserts vertex v, whose record is complete, near cell `from`. Nothing has changed when memory runs out.
@@ -231,29 +158,10 @@ template <int D> bool Refinement<D>::may_spoil_certificate(std::uint32_t v, cons
     return 4 * hi2 > (2 + tau_) * (2 + tau_) * distance2<D>(store_.point(v), input);
 }
 
-// Crossings of the sphere with the edges of v's cell that end in corner c, which is outside.
-template <int D>
-void Refinement<D>::corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* corner) {
-    const Cell<D>& cell = store_.cell(c);
-    for (int i = 0; i <= D; ++i) {
-        if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
-        const std::uint32_t n = cell.neighbour[i] >> 3;
-        const Cell<D>& other = store_.cell(n);
-        if (!(other.radius2 < infinity)) continue;
-        // A crossing is no farther from v than the farther end; one that is not bad does not matter.
-        const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
-        if (!(bound2 > corner->distance2) || !is_bad(bound2 * (1 + 0x1p-20), store_.vertex(v).nearest2)) continue;
-        if (n < c && !domain_.contains(other.centre)) continue;  // seen from the other end
-        double z[2][D];
-        const int crossings = sphere_crossings<D>(domain_, cell.centre, other.centre, z);
-        for (int j = 0; j < crossings; ++j) offer(z[j], distance2<D>(z[j], store_.point(v)), c, corner);
-    }
-}
-
 // Walks around v's cell. False when the gap is too small for that.
 template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
-    view->clipped.distance2 = view->whole.distance2 = -1;
-    view->reach2 = 0;
+    *view = CellView{};
+    const double least2 = 0.25 * tau_ * tau_ * store_.vertex(v).nearest2;  // a corner that is not bad does not matter
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](std::uint32_t c) {
@@ -261,11 +169,11 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
         if (!(cell.radius2 < infinity)) return;  // a ghost, or so flat that its corner is not known
         const double d2 = distance2<D>(cell.centre, p);
         if (domain_.contains(cell.centre))
-            offer(cell.centre, d2, c, &view->clipped);
+            view->clipped.offer(cell.centre, d2, c);
         else
-            corners_on_sphere(v, c, &view->clipped);
+            offer_crossings<D>(store_, domain_, v, c, least2, &view->clipped);
         if (!certify_) return;
-        offer(cell.centre, d2, c, &view->whole);
+        view->whole.offer(cell.centre, d2, c);
         const double reach2 = distance2<D>(cell.centre, input);
         if (reach2 > view->reach2) view->reach2 = reach2;
     });
@@ -273,7 +181,7 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
 
 // The corner to refine, null when the cell is good.
 template <int D>
-const typename Refinement<D>::Corner* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
+const Corner<D>* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
     const double nearest2 = store_.vertex(v).nearest2;
     if (is_bad(view.clipped.distance2, nearest2)) return &view.clipped;
     if (!certify_ || !is_bad(view.whole.distance2, nearest2)) return nullptr;
@@ -287,7 +195,7 @@ const typename Refinement<D>::Corner* Refinement<D>::bad_corner(std::uint32_t v,
 }
 
 // Inserts a Steiner point between v and a bad corner of its cell, or yields to an input near that place.
-template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner& corner) {
+template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner<D>& corner) {
     const double nearest2 = store_.vertex(v).nearest2;
     const double wanted = pull_back * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
     const double fraction = wanted < whole ? wanted / whole : 1;
@@ -323,7 +231,7 @@ template <int D> Status Refinement<D>::clean() {
         if (v == none) return Status::ok;
         CellView view;
         if (!look(v, &view)) return Status::out_of_memory;
-        const Corner* const corner = bad_corner(v, view);
+        const Corner<D>* const corner = bad_corner(v, view);
         if (corner == nullptr) continue;
         const Status status = split(v, *corner);
         if (status != Status::ok) return status;

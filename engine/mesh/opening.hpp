@@ -1,0 +1,24 @@
+// What every way of meshing begins with: may the input be meshed, and the frame that everything stays inside of.
+#pragma once
+#include <cstdint>
+
+#include "delaunay/triangulate.hpp"
+#include "mesh/domain.hpp"
+#include "mesh/input_tree.hpp"
+
+namespace netmesh {
+
+// The store holds inputs alone, `tree` is over them. out_of_range: a coordinate above 2^500 or two inputs closer than 2^-500;
+// too_close: two inputs closer than 64 units in the last place. Rows in *input. O(n log n).
+template <int D> Status check_separation(const Store<D>& store, const InputTree<D>& tree, InputReport* input);
+
+// Frame distance over the radius of the domain: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in
+// which everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
+constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
+
+// Starts the triangulation with 2 D exempt vertices at `reach` from the domain's centre along each axis; their nearest2 and
+// origin are final as long as no vertex comes nearer. out_of_memory.
+template <int D>
+Status open_frame(Store<D>& store, Kernel<D>& kernel, const InputTree<D>& tree, const Domain<D>& domain, double reach);
+
+}  // namespace netmesh
