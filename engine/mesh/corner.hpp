@@ -9,7 +9,7 @@ namespace netmesh {
 
 // The farthest corner seen so far.
 template <int D> struct Corner {
-    double x[D];
+    double x[D] = {};
     double distance2 = -1;  // from the vertex; negative: none yet
     std::uint32_t cell = none;
 

@@ -91,15 +91,17 @@ template <int D>
 std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
                                     double* distance2) const {
     std::uint32_t best = none;
-    double best2 = infinity;
-    const auto consider = [&](std::uint32_t v) {
-        if (v == except) return;
+    double best2 = infinity, best1 = infinity;  // squared, and its root where it is asked for
+    const auto consider = [&](std::uint32_t v) -> double {
+        if (v == except) return 0;
         ++touches_;
         const double d2 = distance2_of<D>(x, store_->point(v));
         if (d2 < best2 || (d2 == best2 && v < best)) {
             best2 = d2;
             best = v;
+            if (reach_ != nullptr) best1 = square_root(d2);
         }
+        return d2;
     };
     if (start != none) consider(start);
     Range stack[40];
@@ -114,7 +116,15 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
             const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
             const int axis = axis_[middle];
             const double offset = x[axis] - store_->point(items_[middle])[axis];
-            consider(items_[middle]);
+            const double d2 = consider(items_[middle]);
+            if (reach_ != nullptr) {
+                // Clusters far smaller than their distance lie on both sides of planes that say nothing about it.
+                const double far = (best1 + reach_[middle]) * (1 + 8 * unit_roundoff);
+                if (d2 > far * far) {
+                    range.end = range.begin;
+                    break;
+                }
+            }
             const Range below = {range.begin, middle}, above = {middle + 1, range.end};
             stack[depth] = offset < 0 ? above : below;
             plane2[depth++] = offset * offset;
@@ -127,11 +137,18 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
 }
 
 template <int D>
-std::uint32_t InputTree<D>::in_ring(const double* x, double inner, double outer, double* distance2) const {
-    const auto is_hit = [&](std::uint32_t v, double* d2) {
+std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, double outer, double* distance2) const {
+    std::uint32_t best = none;
+    double best1 = inner, best2 = inner * inner;
+    const auto consider = [&](std::uint32_t v) {
         ++touches_;
-        *d2 = distance2_of<D>(x, store_->point(v));
-        return *d2 > inner * inner && *d2 <= outer * outer;
+        const double d2 = distance2_of<D>(x, store_->point(v));
+        if (d2 <= outer * outer && (d2 > best2 || (d2 == best2 && v < best && best != none))) {
+            best = v;
+            best2 = d2;
+            best1 = square_root(d2);
+        }
+        return d2;
     };
     Range stack[40];
     int depth = 0;
@@ -139,18 +156,17 @@ std::uint32_t InputTree<D>::in_ring(const double* x, double inner, double outer,
     while (depth > 0) {
         const Range range = stack[--depth];
         if (range.end - range.begin <= leaf) {
-            for (std::uint32_t i = range.begin; i < range.end; ++i)
-                if (is_hit(items_[i], distance2)) return items_[i];
+            for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
             continue;
         }
         const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
-        if (is_hit(items_[middle], distance2)) return items_[middle];
-        const double d = square_root(*distance2);
-        if ((d + reach_[middle]) * (1 + 8 * unit_roundoff) <= inner || (d - reach_[middle]) * (1 - 8 * unit_roundoff) > outer) continue;
+        const double d = square_root(consider(items_[middle])), reach = reach_[middle];
+        if ((d + reach) * (1 + 8 * unit_roundoff) < best1 || (d - reach) * (1 - 8 * unit_roundoff) > outer) continue;
         stack[depth++] = {range.begin, middle};
         stack[depth++] = {middle + 1, range.end};
     }
-    return none;
+    *distance2 = best2;
+    return best;
 }
 
 template class InputTree<2>;

@@ -15,9 +15,9 @@ public:
     // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
     std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
 
-    // An input whose distance from x is above `inner` and at most `outer`, with its squared distance; `none` when there is
-    // none. Parts of the tree wholly nearer or wholly farther are passed over at once.
-    std::uint32_t in_ring(const double* x, double inner, double outer, double* distance2) const;
+    // The input farthest from x among those whose distance is above `inner` and at most `outer`, with its squared distance;
+    // `none` when there is none. Parts of the tree that cannot hold it are passed over at once.
+    std::uint32_t farthest_in_ring(const double* x, double inner, double outer, double* distance2) const;
 
     // How often an input has been looked at by searches so far.
     std::uint64_t touches() const { return touches_; }

@@ -75,9 +75,18 @@ Status open_frame(Store<D>& store, Kernel<D>& kernel, const InputTree<D>& tree, 
     return Status::ok;
 }
 
+template <int D> void settle_spheres(Store<D>& store) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        const double* p[D + 1];
+        for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
+        solve_sphere<D>(p, store.cell(c));
+    }
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                        \
     template Status check_separation<D>(const Store<D>&, const InputTree<D>&, InputReport*);          \
-    template Status open_frame<D>(Store<D>&, Kernel<D>&, const InputTree<D>&, const Domain<D>&, double);
+    template Status open_frame<D>(Store<D>&, Kernel<D>&, const InputTree<D>&, const Domain<D>&, double); \
+    template void settle_spheres<D>(Store<D>&);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

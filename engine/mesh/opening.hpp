@@ -1,4 +1,4 @@
-// What every way of meshing begins with: may the input be meshed, and the frame that everything stays inside of.
+// What every way of meshing begins with (may the input be meshed, the frame that everything stays inside of) and ends with.
 #pragma once
 #include <cstdint>
 
@@ -20,5 +20,9 @@ constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
 // origin are final as long as no vertex comes nearer. out_of_memory.
 template <int D>
 Status open_frame(Store<D>& store, Kernel<D>& kernel, const InputTree<D>& tree, const Domain<D>& domain, double reach);
+
+// The end of every way of meshing: replaces balls that were derived from others by balls that depend on the cell alone, so
+// that what is read off the mesh is the same however it was made, and again after it has been written to a file and loaded.
+template <int D> void settle_spheres(Store<D>& store);
 
 }  // namespace netmesh

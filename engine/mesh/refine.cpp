@@ -250,16 +250,6 @@ template <int D> Status Refinement<D>::run(const std::uint32_t* order) {
     return Status::ok;
 }
 
-// Replaces balls that were derived from others by balls that depend on the cell alone, so that what is read off the mesh is
-// the same however it was made, and again after it has been written to a file and loaded.
-template <int D> void settle_spheres(Store<D>& store) {
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        const double* p[D + 1];
-        for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
-        solve_sphere<D>(p, store.cell(c));
-    }
-}
-
 }  // namespace
 
 template <int D>
