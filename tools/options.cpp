@@ -49,10 +49,13 @@ std::string apply_tau(Options& options, const std::string& text) {
     return {};
 }
 
-std::string apply_method(Options&, const std::string& text) {
-    if (text == "svr") return {};
-    if (text == "netmesh" || text == "refine") return "this version meshes with svr only";
-    return "there is svr";
+std::string apply_method(Options& options, const std::string& text) {
+    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH}) {
+        if (text != method_name(method)) continue;
+        options.method = method;
+        return {};
+    }
+    return "there are svr and netmesh";
 }
 
 std::string apply_filter(Options& options, const std::string& text) {
@@ -151,6 +154,7 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
 }
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
+std::string apply_finish(Options& options, const std::string&) { return options.finish = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
 
@@ -175,7 +179,9 @@ constexpr OptionEntry option_entries[] = {
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
     {"--tau", mesh | persist | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
-    {"--method", mesh | persist | size, "M", apply_method, "svr"},
+    {"--method", mesh | persist | size, "M", apply_method,
+     "svr (default), or netmesh: hierarchical, of linear size whatever the points' spread"},
+    {"--finish", mesh | persist | size, nullptr, apply_finish, "go on from a hierarchical mesh to one of quality tau without cages"},
     {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic or alpha"},
     {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
     {"--max-degree", persist | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
@@ -292,6 +298,11 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
             if (!parsed.good()) return parsed;
         }
     }
+    const bool hierarchical = options->method == NETMESH_METHOD_NETMESH;
+    if (options->finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
+    if (options->command == Command::persist && hierarchical && !options->finish) {
+        return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");
+    }
     const CommandEntry& command = entry_of(options->command);
     const std::size_t due = command.positional == nullptr ? 0 : 1;
     if (options->positionals.size() < due || (due == 1 && options->positionals[0].empty())) {
@@ -304,6 +315,8 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
 }
 
 const char* command_name(Command command) { return command == Command::none ? "" : entry_of(command).name; }
+
+const char* method_name(netmesh_method method) { return method == NETMESH_METHOD_NETMESH ? "netmesh" : "svr"; }
 
 const char* filter_name(netmesh_filter filter) {
     switch (filter) {

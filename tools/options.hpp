@@ -24,6 +24,8 @@ struct Options {
     bool json = false, check = false, all = false, quiet = false;
 
     std::optional<double> tau;
+    netmesh_method method = NETMESH_METHOD_SVR;
+    bool finish = false;  // a hierarchical mesh
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
@@ -42,6 +44,7 @@ struct Options {
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
 
 const char* command_name(Command command);
+const char* method_name(netmesh_method method);
 const char* filter_name(netmesh_filter filter);
 const char* values_name(netmesh_values values);
 

@@ -23,6 +23,8 @@ Session::Session(const Options& options, std::uint32_t dim)
     netmesh_options_init(&engine_options_, dim);
     if (options.tau) engine_options_.tau = *options.tau;
     engine_options_.seed = options.seed;
+    engine_options_.method = options.method;
+    engine_options_.finish = options.finish ? 1 : 0;
     engine_options_.poll = poll;
     engine_options_.user = this;
 }

@@ -8,6 +8,7 @@
 #include "include/netmesh.h"
 #include "memory/arena.hpp"
 #include "mesh/domain.hpp"
+#include "mesh/netmesh.hpp"
 
 namespace netmesh {
 
@@ -15,8 +16,10 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736801u;
 
 // The block while a result is held:
 //
-//   | Context | cells | filter values | pairs |        gap        | vertices |
-//             ^ start                ^ diagram_mark
+//   | Context | cages | cells | filter values | pairs |        gap        | vertices |
+//             ^ start         ^ mesh_mark
+//
+// Cages that were loaded stand behind the cells.
 struct Context {
     std::uint64_t magic;
     std::uint64_t block_bytes;
@@ -31,6 +34,10 @@ struct Context {
     std::uint32_t inputs;
     double tau, aspect_ratio_max;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
+
+    netmesh_method method;
+    std::uint64_t cages_offset;
+    HierarchyReport hierarchy;
 
     std::uint64_t mesh_mark;  // low end of the mesh alone
     std::uint64_t values_offset, pairs_offset, pair_count, simplices;

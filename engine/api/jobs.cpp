@@ -1,6 +1,5 @@
 #include "api/dispatch.hpp"
 #include "filtration/alpha.hpp"
-#include "mesh/quality.hpp"
 #include "mesh/refine.hpp"
 
 namespace netmesh {
@@ -40,6 +39,21 @@ netmesh_status check_arguments(netmesh_context* context, const double* points, s
         return finish(context, Status::invalid_argument, "options are not initialised or the dimension is not 2..6",
                       static_cast<std::uint64_t>(options_position));
     return NETMESH_OK;
+}
+
+// Meshes by the method asked for; cages, if there are any, are noted in the context.
+template <int D>
+Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* points, std::size_t n, double tau,
+                      double factor, bool certify, const netmesh_options& options, Monitor& monitor, InputReport* input,
+                      Domain<D>* domain) {
+    context->method = options.method;
+    if (options.method == NETMESH_METHOD_SVR)
+        return refine<D>(store, points, n, {tau, factor, certify, options.seed}, monitor, input, domain);
+    Cage* cages;
+    const Status status = netmesh<D>(store, points, n, {tau, factor, options.finish != 0, options.seed}, monitor, input,
+                                     domain, &cages, &context->hierarchy);
+    if (cages != nullptr) context->cages_offset = context->arena.offset_of(cages);
+    return status;
 }
 
 bool is_valid_tau(double tau) { return tau > 2 && is_finite(tau); }
@@ -82,6 +96,10 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     const double factor = options->domain_factor != 0 ? options->domain_factor : 1;
     if (!(factor >= 1 && factor <= 8))
         return finish(context, Status::invalid_argument, "domain_factor is not between 1 and 8", 5);
+    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH))
+        return finish(context, Status::invalid_argument, "unknown method", 5);
+    if (for_job == NETMESH_JOB_PERSIST && options->method == NETMESH_METHOD_NETMESH && options->finish == 0)
+        return finish(context, Status::invalid_argument, "a mesh with cages is not for persistence; finish it", 4);
     clear(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(options->dim, [&](auto dimension) {
@@ -90,7 +108,8 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         Store<D> store(context->arena, context->store);
         context->store = StoreState{};
         Domain<D> domain = {};
-        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed}, monitor, &input, &domain);
+        Status status = mesh_by_method<D>(context, store, points, n, tau, factor, for_job == NETMESH_JOB_PERSIST,
+                                          *options, monitor, &input, &domain);
         keep_store<D>(context, input, status);
         context->is_mesh = true;
         context->tau = tau;
@@ -99,10 +118,11 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         context->enclosing_radius = domain.enclosing_radius;
         context->aspect_ratio_max = 0;
         if (context->store.cell_slots > 0) {
-            std::uint32_t worst;
-            const Status measured =
-                worst_aspect_ratio<D>(store, domain, context->arena, &context->aspect_ratio_max, &worst);
+            HierarchyQuality quality;
+            const Status measured = measure_mesh<D>(*context, store, &quality);
+            context->aspect_ratio_max = quality.worst;
             if (status == Status::ok) status = measured;
+            if (status == Status::ok && quality.encroached.violation != nullptr) status = Status::internal;
         }
         return finish_job(context, status, input);
     });
@@ -123,6 +143,8 @@ netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, 
         return finish(context, Status::no_result,
                       alpha ? "the alpha filter needs a Delaunay triangulation of the points alone"
                             : "this filter needs a mesh");
+    if (context->hierarchy.cages > 0)
+        return finish(context, Status::no_result, "this filter needs a mesh without cages");
     const std::uint32_t degree = max_degree < context->dim ? max_degree : context->dim - 1;
     clear_diagram(context);
     Monitor monitor = monitor_of(*options);

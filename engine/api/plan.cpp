@@ -13,6 +13,7 @@ constexpr double growth[] = {0, 0, 2.1, 4.1, 8.5, 12, 15};
 constexpr int exponent[] = {0, 0, 7, 10, 12, 13, 14};
 constexpr double gradient_bytes_per_simplex = 8;
 constexpr double alpha_bytes_per_simplex = 48;
+constexpr double hierarchy_bytes_per_point = 44;
 constexpr double sort_bytes_per_point = 24;
 
 double power_in_eighths(double x, int k) {
@@ -22,7 +23,7 @@ double power_in_eighths(double x, int k) {
     return p;
 }
 
-template <int D> double planned_bytes(netmesh_job job, double tau, double points) {
+template <int D> double planned_bytes(netmesh_job job, netmesh_method method, double tau, double points) {
     const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST;
     double vertices = points, cells = points * delaunay_cells_per_point[D];
     if (meshes) {
@@ -30,6 +31,7 @@ template <int D> double planned_bytes(netmesh_job job, double tau, double points
         cells = vertices * mesh_cells_per_vertex[D];
     }
     double bytes = vertices * sizeof(Vertex<D>) + cells * sizeof(Cell<D>) + 9 * points;
+    if (meshes && method == NETMESH_METHOD_NETMESH) bytes += hierarchy_bytes_per_point * points;
     const double simplices = cells * simplices_per_cell[D];
     if (job == NETMESH_JOB_PERSIST) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
@@ -47,10 +49,11 @@ using namespace netmesh;
 extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points) {
     if (!usable(options) || points == 0 || points > (uint64_t{1} << 28)) return 0;
     if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_ALPHA)) return 0;
+    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH)) return 0;
     const double tau = tau_of(*options);
     if (!(tau > 2) || !is_finite(tau)) return 0;
     const double bytes = with_dimension(options->dim, [&](auto dimension) {
-        return planned_bytes<decltype(dimension)::value>(job, tau, static_cast<double>(points));
+        return planned_bytes<decltype(dimension)::value>(job, options->method, tau, static_cast<double>(points));
     });
     if (!(bytes < 0x1p62) || bytes >= static_cast<double>(SIZE_MAX / 2)) return SIZE_MAX;
     return (static_cast<size_t>(bytes) + Arena::alignment) & ~(Arena::alignment - 1);

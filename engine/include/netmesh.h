@@ -75,6 +75,12 @@ typedef struct netmesh_progress {
  * NETMESH_CANCELLED. Must not call into the context. */
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
+typedef enum netmesh_method {
+    NETMESH_METHOD_SVR = 0,     /* Sparse Voronoi Refinement (4.4) */
+    NETMESH_METHOD_NETMESH = 1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the points' spread */
+    NETMESH_METHOD_REFINE = 2   /* Voronoi refinement (3.2) in the bounding domain of 3.5: the reference, far larger */
+} netmesh_method;
+
 typedef struct netmesh_options {
     uint32_t struct_bytes;  /* sizeof(netmesh_options); set by netmesh_options_init */
     uint32_t dim;           /* D, 2..6 */
@@ -84,6 +90,8 @@ typedef struct netmesh_options {
     uint64_t seed;          /* of every random choice */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
+    netmesh_method method;  /* of netmesh_mesh */
+    uint32_t finish;        /* 1: NETMESH_METHOD_NETMESH goes on to a mesh of quality tau without cages (4.7.6) */
 } netmesh_options;
 
 /* Defaults for dimension dim (clamped to 2..6): tau 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6); seed 1; no poll. */
@@ -130,12 +138,13 @@ size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint6
 netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, size_t n,
                                 const netmesh_options* options);
 
-/* Quality mesh of points[n][D] by Sparse Voronoi Refinement (4.4): a Delaunay triangulation of the points and of
+/* Quality mesh of points[n][D] by options->method: a Delaunay triangulation of the points and of
  * Steiner points in which each vertex that is not exempt has a Voronoi cell that, clipped to the domain ball, has
- * aspect ratio at most tau. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
+ * aspect ratio at most tau. With NETMESH_METHOD_NETMESH, unless finished, there are cages as well (see netmesh_cage), each
+ * vertex's cell is clipped to the ball of its own domain, and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
- * `for_job`: NETMESH_JOB_MESH, or NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
- * ratio of sqrt(2 + tau) needs it.
+ * `for_job`: NETMESH_JOB_MESH, or NETMESH_JOB_PERSIST to refine (SVR alone) a shell around the domain as well, as far as a
+ * certified ratio of sqrt(2 + tau) needs it; not for meshes with cages.
  * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
  * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
@@ -149,8 +158,29 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
                             size_t vertex_count, const uint32_t* cells, size_t cell_count, const double* domain,
                             const netmesh_options* options);
 
+/* A cage (4.5): inputs within a third of its radius of its centre, an input; between there and the radius its shell, 2 D exempt
+ * vertices; nothing between one and six radii but shells of other cages. Its domain is its ball without the balls of the
+ * cages directly inside it; cells of a domain's vertices are clipped to the ball of a third of the radius. The cell of the
+ * cage is the union of its vertices' cells, its in-radius as in 4.6. */
+typedef struct netmesh_cage {
+    uint32_t centre; /* vertex */
+    uint32_t parent; /* index of the cage around it, NETMESH_NONE for none */
+    double radius;
+} netmesh_cage;
+netmesh_status netmesh_get_cage(const netmesh_context* context, uint64_t index, netmesh_cage* cage);
+
+/* Measures each vertex's cell in a mesh: ratios[vertices] gets its clipped aspect ratio, 0 for exempt vertices; domains[vertices]
+ * the innermost cage that it is in, NETMESH_NONE for none. Scratch in the block. NO_RESULT, OUT_OF_MEMORY. */
+netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, uint32_t* domains);
+
+/* Adds the cages of a mesh taken over by netmesh_load, in place of those that it has; parents are found anew. Drops the
+ * diagram. INVALID_ARGUMENT, NO_RESULT (no mesh with a domain), OUT_OF_MEMORY, CHECK_FAILED (not a hierarchy of balls about
+ * inputs); the mesh then has no cages. */
+netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* cages, size_t count,
+                                  const netmesh_options* options);
+
 /* Persistent homology over Z/2 of the filtration `filter` on what the context holds, in degrees 0..max_degree
- * (at most D-1; larger is clamped). Values are radii, not squared radii. COMPLETE and BASIC need a mesh, ALPHA a
+ * (at most D-1; larger is clamped). Values are radii, not squared radii. COMPLETE and BASIC need a mesh without cages, ALPHA a
  * Delaunay triangulation. Zero-length pairs are dropped unless keep_zero_pairs is not 0.
  * Memory above the mesh: below 8 bytes a simplex (complete, basic), about 24 bytes a simplex plus fill (alpha).
  * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
@@ -161,7 +191,8 @@ typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
     NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
-    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau (meshes only) */
+    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau (meshes only); with cages those of the
+                                        hierarchy, and that no cage is encroached (4.5) */
     NETMESH_CHECK_ALL = 15
 } netmesh_check_what;
 
@@ -192,6 +223,9 @@ typedef struct netmesh_report {
     double tau;                 /* bound asked for; 0 for a Delaunay triangulation */
     double aspect_ratio_max;    /* actual worst clipped aspect ratio over vertices that are not exempt; 0 if none */
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D; radius 0 for a Delaunay triangulation */
+    netmesh_method method;      /* of the mesh; SVR after load */
+    uint64_t cages, cages_made; /* of a hierarchical mesh; made: those released again are counted too */
+    uint64_t touches;           /* NETMESH_METHOD_NETMESH: inputs looked at by searches, domains passed by point location */
     /* diagram */
     uint32_t has_diagram;
     netmesh_filter filter;

@@ -16,10 +16,15 @@ public:
     CheckResult find_encroached();
     void measure_cells();
     void worst(HierarchyQuality* quality) const;
+    void copy(double* ratios, std::uint32_t* domains) const;
 
 private:
     template <class Visit> void visit_ball(std::uint32_t centre, double radius, Visit&& visit);
     bool corner(std::uint32_t c, Cell<D>* scratch) const;
+    double ratio(std::uint32_t v) const {
+        const bool counts = store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt;
+        return counts ? 2 * square_root(out2_[v] / nearest2_[v]) : 0;
+    }
     void raise_vertices(std::uint32_t c, const Cell<D>& corner);
     void raise_cages(std::uint32_t c, const Cell<D>& corner);
     template <class Offer> void clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& corner, Offer&& offer) const;
@@ -223,32 +228,40 @@ template <int D> void Measurement<D>::worst(HierarchyQuality* quality) const {
         quality->worst = ratio;
         quality->vertex = v;
     };
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v)
-        if (store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt)
-            offer(2 * square_root(out2_[v] / nearest2_[v]), v);
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) offer(ratio(v), v);
     for (std::uint32_t d = 0; d < count_; ++d)
         offer(square_root(cage_out2_[d]) / in_radius<D>(cages_[d]), cages_[d].centre);
+}
+
+template <int D> void Measurement<D>::copy(double* ratios, std::uint32_t* domains) const {
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        ratios[v] = ratio(v);
+        domains[v] = domain_[v];
+    }
 }
 
 }  // namespace
 
 template <int D>
 Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena,
-                         HierarchyQuality* quality) {
+                         HierarchyQuality* quality, double* ratios, std::uint32_t* domains) {
     ArenaScope scope(arena);
-    *quality = {0, none, {nullptr, none}};
+    *quality = {0, none, false, {nullptr, none}};
     Measurement<D> measurement(store, cages, count, outermost, arena);
     if (measurement.open() != Status::ok) return Status::out_of_memory;
     quality->encroached = measurement.find_domains();
     if (quality->encroached.violation != nullptr) return Status::ok;
+    quality->is_hierarchy = true;
     quality->encroached = measurement.find_encroached();
     measurement.measure_cells();
     measurement.worst(quality);
+    if (ratios != nullptr) measurement.copy(ratios, domains);
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                  \
-    template Status measure_hierarchy<D>(Store<D>&, Cage*, std::uint32_t, const Domain<D>&, Arena&, HierarchyQuality*);
+    template Status measure_hierarchy<D>(Store<D>&, Cage*, std::uint32_t, const Domain<D>&, Arena&, HierarchyQuality*, \
+                                         double*, std::uint32_t*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

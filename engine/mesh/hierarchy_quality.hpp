@@ -10,6 +10,7 @@ namespace netmesh {
 struct HierarchyQuality {
     double worst;          // largest aspect ratio of a clipped cell, of vertices that are not exempt and of cages
     std::uint32_t vertex;  // whose, or the centre of which cage; none when there is none
+    bool is_hierarchy;       // nested balls about inputs; otherwise nothing was measured
     CheckResult encroached;  // why this is no hierarchical mesh: .cell is the centre of the cage at fault
 };
 
@@ -17,9 +18,11 @@ struct HierarchyQuality {
 // a cage with an input or Steiner point between e r and r of its centre, with a vertex between r and 2 r / e that is not of another cage's
 // shell, with a centre that is not an input, or with a sphere that sticks out of its parent. Ratios are as cage.hpp
 // describes, corners solved for anew, nearest distances recomputed.
+// Where ratios is not null: ratios[v] := that of v's clipped cell, 0 for exempt vertices; domains[v] := its innermost cage or
+// none (both arrays or neither).
 // Needs a compact store. O(depth of the hierarchy * cells); scratch: 20 bytes a vertex, 8 a cell, 16 a cage. out_of_memory.
 template <int D>
 Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena,
-                         HierarchyQuality* quality);
+                         HierarchyQuality* quality, double* ratios = nullptr, std::uint32_t* domains = nullptr);
 
 }  // namespace netmesh

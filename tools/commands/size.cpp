@@ -13,6 +13,7 @@ Outcome run_size(const Options& options) {
     netmesh_options_init(&engine_options, options.dim);
     if (options.tau) engine_options.tau = *options.tau;
     engine_options.seed = options.seed;
+    engine_options.method = options.method;
     std::vector<netmesh_job> jobs = {NETMESH_JOB_DELAUNAY, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST};
     if (options.filter) {
         jobs = {*options.filter == NETMESH_FILTER_ALPHA ? NETMESH_JOB_PERSIST_ALPHA : NETMESH_JOB_PERSIST};
