@@ -158,10 +158,10 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
                             size_t vertex_count, const uint32_t* cells, size_t cell_count, const double* domain,
                             const netmesh_options* options);
 
-/* A cage (4.5): inputs within a third of its radius of its centre, an input; between there and the radius its shell, 2 D exempt
- * vertices; nothing between one and six radii but shells of other cages. Its domain is its ball without the balls of the
- * cages directly inside it; cells of a domain's vertices are clipped to the ball of a third of the radius. The cell of the
- * cage is the union of its vertices' cells, its in-radius as in 4.6. */
+/* A cage (4.5, epsilon = 1/2): its centre, an input; inputs within half of its radius; between there and the radius its shell,
+ * 2 D exempt vertices; nothing between one and four radii but shells of other cages. Its domain is its ball without the balls
+ * of the cages directly inside it; cells of a domain's vertices are clipped to the ball of half of the radius. The cell of
+ * the cage is the union of its vertices' cells, its in-radius as in 4.6. */
 typedef struct netmesh_cage {
     uint32_t centre; /* vertex */
     uint32_t parent; /* index of the cage around it, NETMESH_NONE for none */

@@ -6,7 +6,8 @@
 //                              | the inputs | the shell only | no vertex, no input | outside |
 //
 // The shell is a net on the sphere of radius shell_factor * r: the 2 D corners of a cross-polytope, whose covering radius
-// sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. A domain is a ball
+// sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. Denser shells made
+// larger meshes, and a smaller e asks for wider gaps. A domain is a ball
 // without the balls of the cages directly inside it; the outermost domain is the mesh's own ball, domain.hpp. The cells
 // inside a cage keep their quality clipped to the ball of radius e r, as those of the outermost domain do clipped to
 // its ball; the cells of a cage's vertices together make up one cell of the domain around it, which keeps its quality too.
@@ -19,11 +20,10 @@
 
 namespace netmesh {
 
-constexpr double cage_epsilon = 1.0 / 3;
+constexpr double cage_epsilon = 1.0 / 2;
 // No vertex but the shell's lies between 1 and this many radii from the centre: 2 / e.
 constexpr double cage_clearance = 2 / cage_epsilon;
-// The hull of the shell contains the inputs: more than e sqrt(D).
-constexpr double shell_factor[] = {0, 0, 0.75, 0.75, 0.75, 0.85, 0.92};
+constexpr double shell_factor = 0.9;
 // Shell vertices are moved by at most this times the radius of their sphere in each coordinate.
 constexpr double shell_jitter = 0x1p-5;
 
@@ -43,7 +43,7 @@ template <int D> inline bool is_inside(const Store<D>& store, const Cage& cage, 
 
 // In-radius of the cell of a cage (thesis 4.6): half of the way to the nearest vertex outside, measured from the shell.
 template <int D> inline double in_radius(const Cage& cage) {
-    return 0.5 * (square_root(cage.nearest2) + shell_factor[D] * (1 - 2 * shell_jitter) * cage.radius);
+    return 0.5 * (square_root(cage.nearest2) + shell_factor * (1 - 2 * shell_jitter) * cage.radius);
 }
 
 // The ball that the cells of a domain's vertices are clipped to.

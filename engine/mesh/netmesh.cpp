@@ -30,18 +30,18 @@ constexpr int shell_size(int dim) { return 2 * dim; }
 //
 // ReleaseCage happens when a Steiner point comes nearer than a cage's clearance, which only gaps not much wider than a cage
 // needs let happen. Cages are never made again about the same inputs, as their shells stay as vertices, so refinement ends
-// where it would end without cages. The shell of a neighbouring cage is as near as its centre, up to an eighth, and does not
+// where it would end without cages. The shell of a neighbouring cage is as near as its centre, up to a quarter, and does not
 // count as encroaching. Whoever lost a clipping sphere by a release is found by a look at all cells after the last
 // insertion; those next to the shell at once.
 //
-// YieldingInsert of a shell vertex never yields: no input is nearer to it than half of the way to the centre. An input that
+// YieldingInsert of a shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the way to the centre. An input that
 // a Steiner point yields to is inserted without going back to others: it is medial as it stands.
 //
 // FinishMesh releases all cages and cleans. Steiner points are pulled back towards their vertices, so the layers that grow
 // out of a shell are those that growing the cage step by step would give.
 
-// Inputs waiting for one another. Two ring searches multiply the radius by more than the clearance, 18, and distances
-// span 2^1002: at most 2 * 1002 / log2(18) = 481 for one input.
+// Inputs waiting for one another. Two ring searches multiply the radius by more than the clearance, 8, and distances span
+// 2^1002: at most 2 * 1002 / 3 = 668 for one input.
 class Path {
 public:
     bool push(std::uint32_t v) {
@@ -54,7 +54,7 @@ public:
     void pop() { --count_; }
 
 private:
-    static constexpr int capacity = 512;
+    static constexpr int capacity = 700;
     std::uint32_t items_[capacity];
     int count_ = 0;
 };
@@ -337,7 +337,7 @@ template <int D> Status NetMesh<D>::new_cage(std::uint32_t p, double reach) {
             random = mix64(random);
             const double jitter = shell_jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
             const double axis = k != i / 2 ? 0 : i % 2 == 0 ? 1 : -1;
-            v.x[k] = c[k] + shell_factor[D] * radius * (axis + jitter);
+            v.x[k] = c[k] + shell_factor * radius * (axis + jitter);
         }
         v.nearest2 = infinity;
         v.cell = v.next = none;
