@@ -50,12 +50,12 @@ std::string apply_tau(Options& options, const std::string& text) {
 }
 
 std::string apply_method(Options& options, const std::string& text) {
-    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH}) {
+    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH, NETMESH_METHOD_REFINE}) {
         if (text != method_name(method)) continue;
         options.method = method;
         return {};
     }
-    return "there are svr and netmesh";
+    return "there are svr, netmesh and refine";
 }
 
 std::string apply_filter(Options& options, const std::string& text) {
@@ -180,7 +180,7 @@ constexpr OptionEntry option_entries[] = {
     {"--tau", mesh | persist | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
     {"--method", mesh | persist | size, "M", apply_method,
-     "svr (default), or netmesh: hierarchical, of linear size whatever the points' spread"},
+     "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
     {"--finish", mesh | persist | size, nullptr, apply_finish, "go on from a hierarchical mesh to one of quality tau without cages"},
     {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic or alpha"},
     {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
@@ -316,7 +316,16 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
 
 const char* command_name(Command command) { return command == Command::none ? "" : entry_of(command).name; }
 
-const char* method_name(netmesh_method method) { return method == NETMESH_METHOD_NETMESH ? "netmesh" : "svr"; }
+const char* method_name(netmesh_method method) {
+    switch (method) {
+    case NETMESH_METHOD_NETMESH:
+        return "netmesh";
+    case NETMESH_METHOD_REFINE:
+        return "refine";
+    default:
+        return "svr";
+    }
+}
 
 const char* filter_name(netmesh_filter filter) {
     switch (filter) {

@@ -47,8 +47,9 @@ Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* p
                       double factor, bool certify, const netmesh_options& options, Monitor& monitor, InputReport* input,
                       Domain<D>* domain) {
     context->method = options.method;
-    if (options.method == NETMESH_METHOD_SVR)
-        return refine<D>(store, points, n, {tau, factor, certify, options.seed}, monitor, input, domain);
+    if (options.method != NETMESH_METHOD_NETMESH)
+        return refine<D>(store, points, n, {tau, factor, certify, options.seed, options.method == NETMESH_METHOD_REFINE},
+                         monitor, input, domain);
     Cage* cages;
     const Status status = netmesh<D>(store, points, n, {tau, factor, options.finish != 0, options.seed}, monitor, input,
                                      domain, &cages, &context->hierarchy);
@@ -96,7 +97,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     const double factor = options->domain_factor != 0 ? options->domain_factor : 1;
     if (!(factor >= 1 && factor <= 8))
         return finish(context, Status::invalid_argument, "domain_factor is not between 1 and 8", 5);
-    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH))
+    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE))
         return finish(context, Status::invalid_argument, "unknown method", 5);
     if (for_job == NETMESH_JOB_PERSIST && options->method == NETMESH_METHOD_NETMESH && options->finish == 0)
         return finish(context, Status::invalid_argument, "a mesh with cages is not for persistence; finish it", 4);

@@ -49,7 +49,7 @@ using namespace netmesh;
 extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points) {
     if (!usable(options) || points == 0 || points > (uint64_t{1} << 28)) return 0;
     if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_ALPHA)) return 0;
-    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH)) return 0;
+    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE)) return 0;
     const double tau = tau_of(*options);
     if (!(tau > 2) || !is_finite(tau)) return 0;
     const double bytes = with_dimension(options->dim, [&](auto dimension) {

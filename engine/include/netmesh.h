@@ -78,7 +78,7 @@ typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 typedef enum netmesh_method {
     NETMESH_METHOD_SVR = 0,     /* Sparse Voronoi Refinement (4.4) */
     NETMESH_METHOD_NETMESH = 1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the points' spread */
-    NETMESH_METHOD_REFINE = 2   /* Voronoi refinement (3.2) in the bounding domain of 3.5: the reference, far larger */
+    NETMESH_METHOD_REFINE = 2   /* VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5: the reference */
 } netmesh_method;
 
 typedef struct netmesh_options {

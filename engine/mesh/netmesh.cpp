@@ -332,21 +332,16 @@ template <int D> Status NetMesh<D>::new_cage(std::uint32_t p, double reach) {
     const double* const c = store_.point(u);
     std::uint64_t random = mix64(std::uint64_t{u} << 32 | d);
     for (int i = 0; i < shell_size(D); ++i) {
-        Vertex<D>& v = store_.vertex(store_.new_vertex());
+        double x[D], d2;
         for (int k = 0; k < D; ++k) {
             random = mix64(random);
             const double jitter = shell_jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
             const double axis = k != i / 2 ? 0 : i % 2 == 0 ? 1 : -1;
-            v.x[k] = c[k] + shell_factor * radius * (axis + jitter);
+            x[k] = c[k] + shell_factor * radius * (axis + jitter);
         }
-        v.nearest2 = infinity;
-        v.cell = v.next = none;
-        v.marker = Marker::exempt;
-        v.queued = 0;
-        v.unused = 0;
-        double d2;
-        v.origin = tree_.nearest(v.x, u, none, &d2);
-        hierarchy_.hint(v.origin, d);
+        const std::uint32_t near = tree_.nearest(x, u, none, &d2);
+        make_vertex<D>(store_, x, near, Marker::exempt);
+        hierarchy_.hint(near, d);
     }
     for (std::uint32_t v = shell; v < shell + shell_size(D); ++v) {
         const Status status = insert(v, store_.vertex(u).cell);
@@ -398,15 +393,7 @@ Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t 
     if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none)
         return insert_input(near, cell, nullptr);
     if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
-    const std::uint32_t s = store_.new_vertex();
-    Vertex<D>& steiner = store_.vertex(s);
-    for (int k = 0; k < D; ++k) steiner.x[k] = x[k];
-    steiner.nearest2 = infinity;
-    steiner.cell = steiner.next = none;
-    steiner.origin = near;
-    steiner.marker = Marker::steiner;
-    steiner.queued = 0;
-    steiner.unused = 0;
+    const std::uint32_t s = make_vertex<D>(store_, x, near, Marker::steiner);
     hierarchy_.hint(near, domain);
     const Status status = insert(s, cell);
     if (status == Status::out_of_memory) store_.truncate_vertices(s);

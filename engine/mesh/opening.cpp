@@ -41,18 +41,10 @@ Status open_frame(Store<D>& store, Kernel<D>& kernel, const InputTree<D>& tree, 
     if (!store.has_room(0, 2 * D, 0)) return Status::out_of_memory;
     std::uint32_t frame[2 * D];
     for (int i = 0; i < 2 * D; ++i) {
-        frame[i] = store.new_vertex();
-        Vertex<D>& v = store.vertex(frame[i]);
-        for (int k = 0; k < D; ++k) v.x[k] = domain.centre[k];
-        v.x[i / 2] += i % 2 == 0 ? reach : -reach;
-        v.nearest2 = infinity;
-        v.cell = none;
-        v.next = none;
-        v.marker = Marker::exempt;
-        v.queued = 0;
-        v.unused = 0;
-        double d2;
-        v.origin = tree.nearest(v.x, 0, none, &d2);
+        double x[D], d2;
+        for (int k = 0; k < D; ++k) x[k] = domain.centre[k];
+        x[i / 2] += i % 2 == 0 ? reach : -reach;
+        frame[i] = make_vertex<D>(store, x, tree.nearest(x, 0, none, &d2), Marker::exempt);
     }
     for (int i = 0; i < 2 * D; ++i)
         for (int j = 0; j < 2 * D; ++j) {

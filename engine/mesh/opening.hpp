@@ -12,6 +12,21 @@ namespace netmesh {
 // too_close: two inputs closer than 64 units in the last place. Rows in *input. O(n log n).
 template <int D> Status check_separation(const Store<D>& store, const InputTree<D>& tree, InputReport* input);
 
+// A new vertex at x, not inserted yet. Room for it must be there.
+template <int D>
+inline std::uint32_t make_vertex(Store<D>& store, const double* x, std::uint32_t origin, Marker marker) {
+    const std::uint32_t made = store.new_vertex();
+    Vertex<D>& v = store.vertex(made);
+    for (int k = 0; k < D; ++k) v.x[k] = x[k];
+    v.nearest2 = infinity;
+    v.cell = v.next = none;
+    v.origin = origin;
+    v.marker = marker;
+    v.queued = 0;
+    v.unused = 0;
+    return made;
+}
+
 // Frame distance over the radius of the domain: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in
 // which everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
 constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};

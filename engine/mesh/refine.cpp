@@ -23,11 +23,13 @@ template <int D> class Refinement {
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
         : store_(store), kernel_(store, ball_error_max), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
-          certify_(options.certify) {}
+          certify_(options.certify && !options.reference), reference_(options.reference) {}
 
     Status check_input(InputReport* input);
     Status open(const RefineOptions& options);
+    Status open_net();
     Status run(const std::uint32_t* order);
+    Status run_reference(const std::uint32_t* order);
 
 private:
     struct CellView {
@@ -56,7 +58,7 @@ private:
     InputTree<D> tree_;
     BucketQueue<D> queue_;
     double tau_;
-    bool certify_;
+    bool certify_, reference_;
     std::uint32_t inputs_ = 0, inserted_ = 0;
 };
 
@@ -70,10 +72,43 @@ template <int D> Status Refinement<D>::open(const RefineOptions& options) {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     // A hair larger than what is promised, so that no corner on the sphere itself depends on roundings.
     domain_.radius = domain_.enclosing_radius * options.domain_factor * (1 + tau_margin);
-    const double reach = frame_factor[D] * domain_.radius;
+    double reach = frame_factor[D] * domain_.radius;
+    if (reference_) {
+        const double k = 2 * options.tau / (options.tau - 2);
+        reach = domain_.radius = (k * square_root(2) + 2) * 2 * domain_.enclosing_radius;
+    }
     if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok || store_.open_cells() != Status::ok)
         return Status::out_of_memory;
     return open_frame<D>(store_, kernel_, tree_, domain_, reach);
+}
+
+// The boundary net: with an input inside, each cell joins it to a facet of the net's hull, and the point of the sphere
+// farthest from the facet's vertices, which is where the line from the centre through the cell's corner meets the sphere, is
+// inserted while it is farther than delta.
+template <int D> Status Refinement<D>::open_net() {
+    const double delta2 = 4 * domain_.enclosing_radius * domain_.enclosing_radius;
+    Status status = insert(0, store_.state.last_cell);
+    for (bool covered = false; !covered && status == Status::ok;) {
+        covered = true;
+        for (std::uint32_t c = 0; c < store_.state.cell_slots && status == Status::ok; ++c) {
+            if (!store_.is_live(c) || store_.is_ghost(c) || !(store_.cell(c).radius2 < infinity)) continue;
+            const Cell<D>& cell = store_.cell(c);
+            const std::uint32_t w = cell.vertex[cell.vertex[0] == 0 ? 1 : 0];
+            const double length = square_root(domain_.distance2(cell.centre));
+            if (!(length > 0)) continue;
+            double z[D];
+            for (int k = 0; k < D; ++k)
+                z[k] = domain_.centre[k] + domain_.radius / length * (cell.centre[k] - domain_.centre[k]);
+            if (!(distance2<D>(z, store_.point(w)) > delta2)) continue;
+            double d2;
+            if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
+            const std::uint32_t v = make_vertex<D>(store_, z, tree_.nearest(z, 0, none, &d2), Marker::exempt);
+            status = insert(v, c);
+            if (status == Status::out_of_memory) store_.truncate_vertices(v);
+            covered = false;
+        }
+    }
+    return status;
 }
 
 // Inserts vertex v, whose record is complete, near cell `from`. Nothing has changed when memory runs out.
@@ -197,28 +232,20 @@ const Corner<D>* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view
 // Inserts a Steiner point between v and a bad corner of its cell, or yields to an input near that place.
 template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner<D>& corner) {
     const double nearest2 = store_.vertex(v).nearest2;
-    const double wanted = pull_back * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
+    const double wanted = reference_ ? infinity : pull_back * 0.5 * tau_ * square_root(nearest2);
+    const double whole = square_root(corner.distance2);
     const double fraction = wanted < whole ? wanted / whole : 1;
-    if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
-    const std::uint32_t s = store_.new_vertex();
-    Vertex<D>& steiner = store_.vertex(s);
     const double* const p = store_.point(v);
-    for (int k = 0; k < D; ++k) steiner.x[k] = p[k] + fraction * (corner.x[k] - p[k]);
-    const double empty2 = distance2<D>(steiner.x, p);
+    double x[D];
+    for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
+    const double empty2 = distance2<D>(x, p);
 
     double input2;
-    const std::uint32_t near = tree_.nearest(steiner.x, nearest_input(v), none, &input2);
-    if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none) {
-        store_.truncate_vertices(s);
+    const std::uint32_t near = tree_.nearest(x, nearest_input(v), none, &input2);
+    if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none)
         return insert(near, corner.cell);
-    }
-    steiner.nearest2 = infinity;
-    steiner.cell = none;
-    steiner.next = none;
-    steiner.origin = near;
-    steiner.marker = Marker::steiner;
-    steiner.queued = 0;
-    steiner.unused = 0;
+    if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
+    const std::uint32_t s = make_vertex<D>(store_, x, near, Marker::steiner);
     const Status status = insert(s, corner.cell);
     if (status == Status::out_of_memory) store_.truncate_vertices(s);
     return status;
@@ -237,6 +264,14 @@ template <int D> Status Refinement<D>::clean() {
         if (status != Status::ok) return status;
         queue_.push(v);
     }
+}
+
+template <int D> Status Refinement<D>::run_reference(const std::uint32_t* order) {
+    monitor_.begin(NETMESH_STAGE_REFINE, inputs_);
+    Status status = open_net();
+    for (std::uint32_t k = 0; k < inputs_ && status == Status::ok; ++k)
+        if (store_.vertex(order[k]).cell == none) status = insert(order[k], store_.state.last_cell);
+    return status == Status::ok ? clean() : status;
 }
 
 template <int D> Status Refinement<D>::run(const std::uint32_t* order) {
@@ -262,10 +297,10 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
     Refinement<D> refinement(store, options, monitor, *domain);
     status = refinement.check_input(input);
     if (status == Status::ok) status = refinement.open(options);
-    if (status == Status::ok) status = refinement.run(order);
+    if (status == Status::ok) status = options.reference ? refinement.run_reference(order) : refinement.run(order);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
     settle_spheres<D>(store);
-    domain->radius = domain->enclosing_radius * options.domain_factor;
+    if (!options.reference) domain->radius = domain->enclosing_radius * options.domain_factor;
     return status;
 }
 
