@@ -10,25 +10,10 @@ template <int D> std::uint32_t position_in(const Cell<D>& cell, std::uint32_t v)
     return position;
 }
 
-template <int D> void make_ghost(Cell<D>& cell) {
-    for (int k = 0; k < D; ++k) cell.centre[k] = 0;
-    cell.radius2 = infinity;
-    cell.error = static_cast<float>(infinity);
-}
-
 }  // namespace
 
-template <int D> bool Kernel<D>::in_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
-    double bound;
-    const double value = power<D>(store_.cell(c), q, &bound);
-    if (value > bound) {
-        ++store_.state.in_ball_counts.calls[0];
-        return false;
-    }
-    if (value < -bound) {
-        ++store_.state.in_ball_counts.calls[0];
-        return true;
-    }
+template <int D>
+[[gnu::noinline]] bool Kernel<D>::undecided_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
     const int infinite = store_.ghost_position(c);
     return infinite < 0 ? exact_conflict(c, q, id) : ghost_in_conflict(c, infinite, q, id);
 }
@@ -78,7 +63,7 @@ template <int D> Status Kernel<D>::start(const std::uint32_t* ids) {
         store_.vertex(v[i]).cell = 0;
     }
     first.mark = 0;
-    solve_sphere<D>(p, first);
+    solve_sphere<D>(p, error_max_, first);
     for (int i = 0; i <= D; ++i) {
         Cell<D>& ghost = store_.cell(static_cast<std::uint32_t>(1 + i));
         for (int j = 0; j <= D; ++j) ghost.vertex[j] = v[j];
@@ -134,10 +119,6 @@ template <int D> std::uint32_t Kernel<D>::locate(const double* q, std::uint32_t 
         c = next;
     }
     if (in_conflict(c, q, id)) return c;
-    for (int i = 0; i <= D; ++i) {
-        const std::uint32_t n = store_.cell(c).neighbour[i] >> 3;
-        if (in_conflict(n, q, id)) return n;
-    }
     return walk(q, c);
 }
 
@@ -162,45 +143,47 @@ template <int D> std::uint32_t Kernel<D>::walk(const double* q, std::uint32_t fr
     }
 }
 
+// The cells that the search meets when it comes to this cell's turn: by then they are in the cache.
+template <int D> inline void ask_for_neighbours(const Cell<D>* cells, const Cell<D>& cell) {
+    for (int i = 0; i <= D; ++i) {
+        const Cell<D>& other = cells[cell.neighbour[i] >> 3];
+        __builtin_prefetch(&other.centre);
+        __builtin_prefetch(&other.mark);
+    }
+}
+
 template <int D>
 bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
     const std::uint32_t stamp = store_.new_stamp();
-    const std::size_t capacity = store_.list_capacity();
-    std::uint32_t* const list = store_.list_top();
-    if (capacity < 1) {
-        store_.arena.refuse(4);
-        return false;
-    }
+    const std::size_t capacity = list_capacity();
+    Line* const end = list_end();
+    if (capacity < 1) return refuse_list(1);
     Cell<D>* const cells = &store_.cell(0);
-    list[-1] = first;
+    end[0].cell = first;
     cells[first].mark = stamp;
-    std::uint32_t count = 1, facets = 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const Cell<D>& cell = cells[list[-1 - static_cast<std::ptrdiff_t>(k)]];
-        for (int i = 0; i <= D; ++i) {
-            const std::uint32_t n = cell.neighbour[i] >> 3;
+    std::ptrdiff_t count = 1, facets = 0;
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        // Each facet of this cell leads to one more cell or bounds the cavity.
+        const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
+        if (lines > capacity) return refuse_list(lines);
+        const std::uint32_t c = end[-k].cell;
+        for (std::uint32_t i = 0; i <= D; ++i) {
+            const std::uint32_t n = cells[c].neighbour[i] >> 3;
             Cell<D>& other = cells[n];
             if (other.mark == stamp) continue;
-            if (other.mark == stamp + 1) {
-                ++facets;
-                continue;
-            }
-            if (!in_conflict(n, q, id)) {
+            if (other.mark != stamp + 1) {
+                if (in_conflict(n, q, id)) {
+                    other.mark = stamp;
+                    end[-count++].cell = n;
+                    ask_for_neighbours(cells, other);
+                    continue;
+                }
                 other.mark = stamp + 1;
-                ++facets;
-                continue;
             }
-            if (count >= capacity) {
-                store_.arena.refuse((count + facets) * 4);
-                return false;
-            }
-            other.mark = stamp;
-            list[-1 - static_cast<std::ptrdiff_t>(count++)] = n;
+            end[-facets++].facet = c << 3 | i;
         }
     }
-    cavity->cells = count;
-    cavity->facets = facets;
-    cavity->stamp = stamp;
+    *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
     return true;
 }
 
@@ -209,7 +192,7 @@ void Kernel<D>::make_sphere(Cell<D>& cell, const Cell<D>& inside, const Cell<D>&
     if (pencil_sphere<D>(inside, outside, q, error_max_, cell)) return;
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
-    solve_sphere<D>(p, cell);
+    solve_sphere<D>(p, error_max_, cell);
 }
 
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
@@ -217,45 +200,38 @@ void Kernel<D>::make_sphere(Cell<D>& cell, const Cell<D>& inside, const Cell<D>&
 template <int D> void Kernel<D>::fill(const Cavity& cavity, std::uint32_t id) {
     Cell<D>* const cells = &store_.cell(0);
     const double* const q = store_.point(id);
-    std::uint32_t* const list = store_.list_top();
-    std::uint32_t* made = list - cavity.cells;
-    const std::uint32_t outside = cavity.stamp + 1;
-    for (std::uint32_t k = 0; k < cavity.cells; ++k) {
-        const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
-        Cell<D>& old = cells[c];
-        for (std::uint32_t i = 0; i <= D; ++i) {
-            const std::uint32_t word = old.neighbour[i];
-            Cell<D>& beyond = cells[word >> 3];
-            if (beyond.mark != outside) continue;
-            const std::uint32_t n = store_.new_cell();
-            Cell<D>& fresh = cells[n];
-            bool ghost = false;
-            for (std::uint32_t j = 0; j <= D; ++j) {
-                const std::uint32_t v = old.vertex[j];
-                ghost |= v == none && j != i;
-                fresh.vertex[j] = v;
-                fresh.neighbour[j] = none;
-            }
-            fresh.vertex[i] = id;
-            fresh.neighbour[i] = word;
-            fresh.mark = 0;
-            if (ghost)
-                make_ghost<D>(fresh);
-            else
-                make_sphere(fresh, old, beyond, q);
-            old.neighbour[i] = n << 3 | i;
-            beyond.neighbour[word & 7u] = n << 3 | i;
-            *--made = n;
-            *--made = c << 3 | i;
+    Line* const end = list_end();
+    const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
+    CellSupply<D> supply(store_);
+    for (std::ptrdiff_t k = 0; k < facets; ++k) {
+        const std::uint32_t n = end[-k].made = supply.take(), i = end[-k].facet & 7u;
+        Cell<D>& old = cells[end[-k].facet >> 3];
+        Cell<D>& fresh = cells[n];
+        bool ghost = false;
+        for (std::uint32_t j = 0; j <= D; ++j) {
+            const std::uint32_t v = j == i ? id : old.vertex[j];
+            ghost |= v == none;
+            fresh.vertex[j] = v;
+            fresh.neighbour[j] = none;
         }
+        const std::uint32_t word = old.neighbour[i];
+        Cell<D>& beyond = cells[word >> 3];
+        fresh.neighbour[i] = word;
+        fresh.mark = 0;
+        if (ghost)
+            make_ghost<D>(fresh);
+        else
+            make_sphere(fresh, old, beyond, q);
+        old.neighbour[i] = n << 3 | i;
+        beyond.neighbour[word & 7u] = n << 3 | i;
     }
-    made = list - cavity.cells;
-    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const std::uint32_t n = *--made, origin = *--made;
-        link(cavity.stamp, n, origin);
-    }
-    for (std::uint32_t k = 0; k < cavity.cells; ++k) store_.free_cell(list[-1 - static_cast<std::ptrdiff_t>(k)]);
-    store_.state.last_cell = made[1];
+    for (std::ptrdiff_t k = 0; k < facets; ++k) link(cavity.stamp, end[-k].made, end[-k].facet);
+    for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
+    if (stars_)
+        for (std::ptrdiff_t k = 0; k < facets; ++k)
+            for (const std::uint32_t v : cells[end[-k].made].vertex)
+                if (v != none) store_.vertex(v).cell = end[-k].made;
+    store_.state.last_cell = end[1 - facets].made;
 }
 
 // Links new cell `made` to its neighbours at the new vertex. `origin`: the old cell and facet (8 * cell + position) that it
@@ -266,8 +242,6 @@ template <int D> void Kernel<D>::link(std::uint32_t stamp, std::uint32_t made, s
     const Cell<D>* const start = &cells[origin >> 3];
     const std::uint32_t i = origin & 7u;
     for (std::uint32_t j = 0; j <= D; ++j) {
-        const std::uint32_t v = fresh.vertex[j];
-        if (v != none) store_.vertex(v).cell = made;
         if (j == i || fresh.neighbour[j] != none) continue;
         const Cell<D>* current = start;
         std::uint32_t enter = i, word = current->neighbour[j];

@@ -1,32 +1,54 @@
 // Point location and insertion in a Delaunay triangulation with ghost cells.
 #pragma once
 #include <cstdint>
+#include <type_traits>
 
 #include "delaunay/sphere.hpp"
 #include "delaunay/store.hpp"
 
 namespace netmesh {
 
-// What an insertion would replace: cells in conflict with the new point, listed in the store's gap, and how many facets
-// bound them.
+// What an insertion would replace: the cells in conflict with the new point and the facets that bound them. Their list stands
+// in the store's gap until the next search.
 struct Cavity {
     std::uint32_t cells;
     std::uint32_t facets;
-    std::uint32_t stamp;  // mark of the cells in conflict; their neighbours outside carry stamp + 1
+    std::uint32_t stamp;  // D > 2: mark of the cells in conflict; their neighbours outside carry stamp + 1
+};
+
+// Line k of the list, line 0 highest in memory: columns of different lengths.
+struct CavityLine {
+    std::uint32_t cell;   // a cell in conflict
+    std::uint32_t facet;  // a bounding facet, as the word (8 * cell + position) of the cell in conflict
+    std::uint32_t made;   // the cell that fill puts behind this facet
+};
+// In the plane the facets come counterclockwise and are seen from outside.
+struct PlanarLine {
+    std::uint32_t made;    // a cell in conflict; after fill the new cell behind the facet
+    std::uint32_t beyond;  // the word of the cell outside that has the facet
+    std::uint32_t start;   // the vertex at which the facet starts
+    std::uint32_t waiting; // stack of facets still to be crossed
 };
 
 template <int D> class Kernel {
 public:
     // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts are
     // decided exactly whatever it is; corners that results depend on want it small.
-    Kernel(Store<D>& store, double error_max) : store_(store), error_max_(error_max) {}
+    // stars: keep Vertex::cell up to date, which visit_star needs.
+    Kernel(Store<D>& store, double error_max, bool stars) : store_(store), error_max_(error_max), stars_(stars) {}
 
     // Makes the D+1 points with these indices, affinely independent, the first cell with its ghosts. out_of_memory.
     Status start(const std::uint32_t* ids);
 
     // Does the open ball of cell c contain point q with index id, ties broken by index? A ghost is in conflict with what
     // lies strictly beyond its facet, or in the facet's plane and inside the ball of the cell behind it.
-    bool in_conflict(std::uint32_t c, const double* q, std::uint32_t id);
+    bool in_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
+        double bound;
+        const double value = power<D>(store_.cell(c), q, &bound);
+        if (!(__builtin_fabs(value) > bound)) return undecided_conflict(c, q, id);
+        ++store_.state.in_ball_counts.calls[0];
+        return value < 0;
+    }
 
     // A cell in conflict with q, found by descending powers from cell `from`; the powers of adjacent balls compare as q
     // lies to the sides of their common facet, so a local minimum contains q. Expected 2-7 steps from a near start.
@@ -35,16 +57,23 @@ public:
     // The cells in conflict with q, found from `first`, one of them. False when the gap is too small for the list;
     // nothing but marks has changed.
     bool find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity);
-    std::uint32_t cavity_cell(std::uint32_t k) const { return store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]; }
+    // Its cells, k < cavity.cells, until it is filled.
+    std::uint32_t cavity_cell(std::uint32_t k) const {
+        if constexpr (D == 2)
+            return line(k).made;
+        else
+            return line(k).cell;
+    }
     // Is there room to fill this cavity (and for `vertices` new vertices)?
     bool can_fill(const Cavity& cavity, std::uint32_t vertices) {
-        return store_.has_room(cavity.facets, vertices, (std::size_t{cavity.cells} + 2 * std::size_t{cavity.facets} + 8) * 4);
+        const std::size_t lines = cavity.cells > cavity.facets ? cavity.cells : cavity.facets;
+        return store_.has_room(cavity.facets, vertices, (lines + 1) * sizeof(Line));
     }
 
-    // Replaces the cavity by the star of vertex id. Needs can_fill. The new cells are then listed in the gap behind the
-    // cavity's: new_cell(k), k < cavity.facets, until the next search.
+    // Replaces the cavity by the star of vertex id. Needs can_fill. new_cell(k), k < cavity.facets, lists the new cells
+    // until the next search.
     void fill(const Cavity& cavity, std::uint32_t id);
-    std::uint32_t new_cell(const Cavity& cavity, std::uint32_t k) const { return cavity_cell(cavity.cells + 2 * k); }
+    std::uint32_t new_cell(std::uint32_t k) const { return line(k).made; }
 
     // Calls visit(cell) for each cell at vertex v, ghosts included; stops early, returning false, when the gap is too small.
     template <class Visit> bool visit_star(std::uint32_t v, Visit&& visit);
@@ -53,11 +82,22 @@ private:
     std::uint32_t walk(const double* q, std::uint32_t from);
     bool ghost_in_conflict(std::uint32_t c, int infinite, const double* q, std::uint32_t id);
     bool exact_conflict(std::uint32_t c, const double* q, std::uint32_t id);
+    bool undecided_conflict(std::uint32_t c, const double* q, std::uint32_t id);
+    bool refuse_list(std::size_t lines) {
+        store_.arena.refuse(2 * lines * sizeof(Line));
+        return false;
+    }
     void make_sphere(Cell<D>& cell, const Cell<D>& inside, const Cell<D>& outside, const double* q);
     void link(std::uint32_t stamp, std::uint32_t made, std::uint32_t origin);
 
+    using Line = std::conditional_t<D == 2, PlanarLine, CavityLine>;
+    Line* list_end() const { return reinterpret_cast<Line*>(store_.list_top()) - 1; }
+    Line& line(std::uint32_t k) const { return list_end()[-static_cast<std::ptrdiff_t>(k)]; }
+    std::size_t list_capacity() const { return store_.list_capacity() * 4 / sizeof(Line); }
+
     Store<D>& store_;
     double error_max_;
+    bool stars_;
 };
 
 template <int D> template <class Visit> bool Kernel<D>::visit_star(std::uint32_t v, Visit&& visit) {
@@ -86,5 +126,9 @@ template <int D> template <class Visit> bool Kernel<D>::visit_star(std::uint32_t
     }
     return true;
 }
+
+// In planar.cpp.
+template <> bool Kernel<2>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity);
+template <> void Kernel<2>::fill(const Cavity& cavity, std::uint32_t id);
 
 }  // namespace netmesh

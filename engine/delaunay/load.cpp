@@ -120,7 +120,7 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
             p[1] = q;
         }
         cell.mark = 0;
-        solve_sphere<D>(p, cell);
+        solve_sphere<D>(p, corner_error_max, cell);
     }
     measure_edges<D>(store);
     return link_facets<D>(store, why);

@@ -7,6 +7,38 @@
 namespace netmesh {
 namespace {
 
+// Three levels of the plane's curve at once. state: bit 1 exchanges the axes, bit 0 reflects both. step[64 * state + six
+// interleaved bits, x first] is 4 * (their position along the curve) + the next state.
+struct PlanarCurve {
+    std::uint8_t step[256];
+    constexpr PlanarCurve() : step{} {
+        for (unsigned start = 0; start < 4; ++start)
+            for (unsigned bits = 0; bits < 64; ++bits) {
+                unsigned exchange = start >> 1, reflect = start & 1, position = 0;
+                for (int level = 4; level >= 0; level -= 2) {
+                    unsigned x = (bits >> (level + 1) & 1) ^ reflect, y = (bits >> level & 1) ^ reflect;
+                    const unsigned t = (x ^ y) & exchange;
+                    x ^= t;
+                    y ^= t;
+                    position = position << 2 | x << 1 | (x ^ y);
+                    exchange ^= y ^ 1;
+                    reflect ^= x & (y ^ 1);
+                }
+                step[start << 6 | bits] = static_cast<std::uint8_t>(position << 2 | exchange << 1 | reflect);
+            }
+    }
+};
+constexpr PlanarCurve planar_curve;
+
+// Bit k of x goes to bit 2 k.
+inline std::uint64_t spread(std::uint64_t x) {
+    x = (x | x << 16) & 0x0000FFFF0000FFFFu;
+    x = (x | x << 8) & 0x00FF00FF00FF00FFu;
+    x = (x | x << 4) & 0x0F0F0F0F0F0F0F0Fu;
+    x = (x | x << 2) & 0x3333333333333333u;
+    return (x | x << 1) & 0x5555555555555555u;
+}
+
 template <int D> struct Curve {
     static constexpr int bits_max = 60 / D < 30 ? 60 / D : 30;
 
@@ -14,12 +46,14 @@ template <int D> struct Curve {
     static int bits_for(std::size_t count) {
         int bits = 3;
         for (std::size_t left = count; left > 1; left >>= D) ++bits;
+        if (D == 2) bits -= bits % 3;
         return bits < bits_max ? bits : bits_max;
     }
 
     // Position along the D-dimensional Hilbert curve of the grid point x, each x[i] < 2^bits (J. Skilling, Programming
     // the Hilbert curve, 2004: undo the rotations bit plane by bit plane, then Gray decode and interleave).
     static std::uint64_t position(std::uint32_t* x, int bits) {
+        if constexpr (D == 2) return planar_position(x, bits);
         for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1) {
             const std::uint32_t p = q - 1;
             for (int i = 0; i < D; ++i) {
@@ -36,6 +70,17 @@ template <int D> struct Curve {
         for (int i = 0; i < D; ++i) x[i] ^= t;
         for (int b = bits - 1; b >= 0; --b)
             for (int i = 0; i < D; ++i) key = (key << 1) | ((x[i] >> b) & 1u);
+        return key;
+    }
+    static std::uint64_t planar_position(const std::uint32_t* x, int bits) {
+        const std::uint64_t both = spread(x[0]) << 1 | spread(x[1]);
+        std::uint64_t key = 0;
+        unsigned state = 0;
+        for (int shift = 2 * bits - 6; shift >= 0; shift -= 6) {
+            const unsigned step = planar_curve.step[state << 6 | (both >> shift & 63u)];
+            key = key << 6 | step >> 2;
+            state = step & 3u;
+        }
         return key;
     }
 };
@@ -92,19 +137,21 @@ template <int D> struct Sorter {
     void sort_range(std::size_t begin, std::size_t end) {
         radix_sort(keys + begin, order + begin, spare_keys, spare_items, end - begin);
     }
-    void split_equal_keys(std::size_t count);
+    bool split_equal_keys(std::size_t count);
 };
 
 // Every run of equal keys that holds different points is keyed again on its own bounding box until none is left. The
 // two ends of the widest axis get different keys, so each pass splits the run. Below half the smallest normal number
-// halves round, and such points are told apart by insertion on their coordinates.
-template <int D> void Sorter<D>::split_equal_keys(std::size_t count) {
+// halves round, and such points are told apart by insertion on their coordinates. True when there may be equal points.
+template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
+    bool repeats = false;
     std::size_t begin = 0;
     while (begin < count) {
         std::size_t end = begin + 1;
         bool mixed = false;
         for (; end < count && keys[end] == keys[begin]; ++end) mixed |= !same(order[begin], order[end]);
         if (!mixed) {
+            repeats |= end - begin > 1;
             begin = end;
             continue;
         }
@@ -128,15 +175,18 @@ template <int D> void Sorter<D>::split_equal_keys(std::size_t count) {
             }
             order[j] = item;
         }
+        repeats = true;
         begin = end;
     }
+    return repeats;
 }
 
 }  // namespace
 
 template <int D>
 Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_bytes, std::uint32_t count,
-                     std::uint64_t seed, bool rounds, Arena& arena, std::uint32_t* order) {
+                     std::uint64_t seed, Arena& arena, std::uint32_t* order, bool* repeats) {
+    *repeats = false;
     if (count == 0) return Status::ok;
     ArenaScope scope(arena);
     Sorter<D> s;
@@ -150,26 +200,24 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
 
     for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
     s.key_range(0, count);
-    if (rounds) {
-        // A point is in the last round with probability 3/4, else in the one before with 3/4, and so on; equal points
-        // fall into the same round. Small sets need few rounds.
-        std::uint32_t rounds_max = 0;
-        for (std::uint32_t left = count; left > 64 && rounds_max < 15; left /= 4) ++rounds_max;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            std::uint64_t h = mix64(s.hash(i) ^ seed);
-            std::uint32_t round = rounds_max;
-            for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
-            s.keys[i] |= static_cast<std::uint64_t>(round) << 60;
-        }
+    // A point is in the last round with probability 3/4, else in the one before with 3/4, and so on; equal points
+    // fall into the same round. Small sets need few rounds.
+    std::uint32_t rounds_max = 0;
+    for (std::uint32_t left = count; left > 64 && rounds_max < 15; left /= 4) ++rounds_max;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        std::uint64_t h = mix64(s.hash(i) ^ seed);
+        std::uint32_t round = rounds_max;
+        for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
+        s.keys[i] |= static_cast<std::uint64_t>(round) << 60;
     }
     s.sort_range(0, count);
-    s.split_equal_keys(count);
+    *repeats = s.split_equal_keys(count);
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                        \
-    template Status spatial_order<D>(const unsigned char*, std::ptrdiff_t, std::uint32_t, std::uint64_t, bool, Arena&, \
-                                     std::uint32_t*);
+    template Status spatial_order<D>(const unsigned char*, std::ptrdiff_t, std::uint32_t, std::uint64_t, Arena&,       \
+                                     std::uint32_t*, bool*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

@@ -23,13 +23,76 @@ template <int D> inline double power(const Cell<D>& cell, const double* q, doubl
     return d2 - cell.radius2;
 }
 
-// The ball through D+1 points by solving for its centre; error is +infinity when no bound could be proven.
-template <int D> void solve_sphere(const double* const* p, Cell<D>& cell);
+// A ghost's ball: nothing is known of it, so that every question about it goes to ghost_in_conflict.
+template <int D> inline void make_ghost(Cell<D>& cell) {
+    for (int k = 0; k < D; ++k) cell.centre[k] = 0;
+    cell.radius2 = infinity;
+    cell.error = static_cast<float>(infinity);
+}
+
+// What the error bound of solve_sphere multiplies. A minor of order k of edges e_i is computed with at most
+// (D+1)(D+2)/2 + D + 8 roundings on each of its products, entries and b included, and the products' absolute values add up
+// to at most c_k |e_1| ... |e_k|, c_k = k! / k^(k/2) (predicates/float_stage.hpp). With b in one row, b_i = |e_i|^2 / 2, they add
+// up to at most c_(D-1) |e_1| ... |e_D| sum |e_i| / 2, and |e_i| <= 2 R. So each coordinate of the centre errs by at most
+// R k u (D c_(D-1) + c_D) |e_1| ... |e_D| / |det| (1 + small); sqrt(D) makes that Euclidean, 3 covers a determinant that is up
+// to half wrong and a radius that is up to a quarter wrong.
+template <int D> constexpr double shape_factor() {
+    constexpr double c[7] = {1, 1, 1, 1.15471, 1.5, 2.14664, 3.33334}, root[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
+    return 3 * root[D] * ((D + 1) * (D + 2) / 2 + D + 8) * unit_roundoff * (D * c[D - 1] + c[D]);
+}
+
+// Halves of squared edge lengths between which no product of up to D+1 entries of A and b underflows or overflows by
+// more than the error bounds allow for.
+constexpr double edge_square_min = 0x1p-150;
+constexpr double edge_square_max = 0x1p150;
+
+// For corners that results depend on.
+constexpr double corner_error_max = 0x1p-22;
+
+// The ball through D+1 points by solving for its centre, in about 100 bits when the error bound in doubles is above error_max
+// (<= 1/4); error is +infinity, and centre a vertex, when no bound could be proven then either.
+template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell);
 
 // The ball through q and the facet shared by `inside` (conflicts with q) and `outside` (does not): it belongs to the
 // pencil spanned by the two balls, so its centre is a convex combination of theirs. Returns false when the bound so
 // obtained is above error_max; then nothing is written. No square system is solved: O(D).
+//
+// With a = power of q outside (>= 0) and b = -power inside, the new centre is w c_in + v c_out, w = a / (a + b), v = b / (a + b).
+// Errors e_in, e_out of the two centres leave w e_in + v e_out of its own, whose square is at most w e_in^2 + v e_out^2. Errors
+// alpha of a and beta of b move w by (v alpha - w beta) / (a + b), exactly so with the true w, v and the computed a + b; the
+// computed w, v are as good with the true a + b, which is 1.02 times smaller at most. Add the rounding of the centre's coordinates:
+// (x + y + z)^2 <= 2.2 x^2 + 2.2 y^2 + 11 z^2.
 template <int D>
-bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, double error_max, Cell<D>& cell);
+inline bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, double error_max,
+                          Cell<D>& cell) {
+    constexpr double u = unit_roundoff;
+    double bound_in, bound_out;
+    const double b = -power<D>(inside, q, &bound_in);
+    const double a = power<D>(outside, q, &bound_out);
+    const double sum = a + b;
+    if (!(bound_in + bound_out < 0x1p-6 * sum)) return false;
+    const double inverse = 1 / sum;
+    const double w = a * inverse, v = b * inverse;
+    double apart2 = 0, radius2 = 0, size2 = 0;
+    double centre[D];
+    for (int i = 0; i < D; ++i) {
+        const double d = inside.centre[i] - outside.centre[i];
+        centre[i] = outside.centre[i] + w * d;
+        apart2 += d * d;
+        size2 += centre[i] * centre[i];
+        const double e = q[i] - centre[i];
+        radius2 += e * e;
+    }
+    const double in2 = static_cast<double>(inside.error) * inside.error * inside.radius2;
+    const double out2 = static_cast<double>(outside.error) * outside.error * outside.radius2;
+    const double w_error = 1.02 * (w * bound_in + v * bound_out) * inverse + 8 * u;
+    const double distance2 = 2.3 * (w * in2 + v * out2 + w_error * w_error * apart2) + (50 * u * u) * size2;
+    const double error2 = distance2 / radius2;
+    if (!(error2 < error_max * error_max) || !(radius2 > 0x1p-800)) return false;
+    for (int i = 0; i < D; ++i) cell.centre[i] = centre[i];
+    cell.radius2 = radius2;
+    cell.error = static_cast<float>(1.01 * square_root(error2));
+    return true;
+}
 
 }  // namespace netmesh

@@ -36,8 +36,6 @@ template <int D> void Store<D>::drop_ghosts() {
         if (infinite < 0 || !is_live(c)) continue;
         const std::uint32_t word = cells_[c].neighbour[infinite];
         cells_[word >> 3].neighbour[word & 7u] = none;
-        for (const std::uint32_t v : cells_[c].vertex)
-            if (v != none && vertex(v).cell == c) vertex(v).cell = word >> 3;
         cells_[c].vertex[0] = freed;
     }
 }
@@ -45,9 +43,8 @@ template <int D> void Store<D>::drop_ghosts() {
 template <int D> void Store<D>::move_cell(std::uint32_t from, std::uint32_t to) {
     cells_[to] = cells_[from];
     for (std::uint32_t i = 0; i <= D; ++i) {
-        const std::uint32_t word = cells_[to].neighbour[i], v = cells_[to].vertex[i];
+        const std::uint32_t word = cells_[to].neighbour[i];
         if (word != none) cells_[word >> 3].neighbour[word & 7u] = to << 3 | i;
-        if (vertex(v).cell == from) vertex(v).cell = to;
     }
 }
 
@@ -60,6 +57,8 @@ template <int D> void Store<D>::compact(std::size_t offset) {
         if (hole >= end) break;
         move_cell(--end, hole);
     }
+    for (std::uint32_t c = 0; c < end; ++c)
+        for (const std::uint32_t v : cells_[c].vertex) vertex(v).cell = c;
     const std::size_t bytes = end * sizeof(CellT);
     if (offset != state.cells_offset) __builtin_memmove(arena.at(offset), cells_, bytes);
     state.cells_offset = offset;

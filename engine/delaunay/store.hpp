@@ -137,4 +137,39 @@ private:
     VertexT* vertices_end_;
 };
 
+// new_cell and free_cell many times over, with the counts in registers; for a store that has_room.
+template <int D> class CellSupply {
+public:
+    explicit CellSupply(Store<D>& store)
+        : store_(store), cells_(&store.cell(0)), head_(store.state.free_head), slots_(store.state.cell_slots) {}
+    CellSupply(const CellSupply&) = delete;
+    CellSupply& operator=(const CellSupply&) = delete;
+    ~CellSupply() {
+        StoreState& state = store_.state;
+        store_.arena.extend_low((slots_ - state.cell_slots) * sizeof(Cell<D>));
+        state.cells_free += given_ + (slots_ - state.cell_slots) - taken_;
+        state.cells_created += taken_;
+        state.free_head = head_;
+        state.cell_slots = slots_;
+    }
+    std::uint32_t take() {
+        ++taken_;
+        const std::uint32_t c = head_;
+        if (c == none) return slots_++;
+        head_ = cells_[c].neighbour[0];
+        return c;
+    }
+    void give_back(std::uint32_t c) {
+        cells_[c].vertex[0] = Store<D>::freed;
+        cells_[c].neighbour[0] = head_;
+        head_ = c;
+        ++given_;
+    }
+
+private:
+    Store<D>& store_;
+    Cell<D>* const cells_;
+    std::uint32_t head_, slots_, taken_ = 0, given_ = 0;
+};
+
 }  // namespace netmesh

@@ -130,10 +130,11 @@ Status take_input(Store<D>& store, const double* points, std::size_t n, std::uin
     input->fingerprint = fingerprint.value();
     *order = store.arena.template take_low<std::uint32_t>(count);
     if (*order == nullptr) return Status::out_of_memory;
-    const Status status = spatial_order<D>(store.coordinate_base(), Store<D>::vertex_stride, count, seed, true,
-                                           store.arena, *order);
+    bool repeats;
+    const Status status = spatial_order<D>(store.coordinate_base(), Store<D>::vertex_stride, count, seed, store.arena,
+                                           *order, &repeats);
     if (status != Status::ok) return status;
-    const std::uint32_t kept = remove_duplicates<D>(store, *order, count);
+    const std::uint32_t kept = repeats ? remove_duplicates<D>(store, *order, count) : count;
     input->duplicates = count - kept;
     store.truncate_vertices(kept);
     return Status::ok;
@@ -150,7 +151,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     std::uint32_t ids[D + 1];
     if (!independent_points<D>(store, order, count, ids)) return Status::flat;
     if (store.open_cells() != Status::ok) return Status::out_of_memory;
-    Kernel<D> kernel(store, ball_error_max);
+    Kernel<D> kernel(store, ball_error_max, false);
     status = kernel.start(ids);
     if (status != Status::ok) return status;
 

@@ -24,6 +24,7 @@ constexpr double cage_epsilon = 1.0 / 2;
 // No vertex but the shell's lies between 1 and this many radii from the centre: 2 / e.
 constexpr double cage_clearance = 2 / cage_epsilon;
 constexpr double shell_factor = 0.9;
+template <int D> constexpr std::uint32_t shell_size = 2 * D;
 // Shell vertices are moved by at most this times the radius of their sphere in each coordinate.
 constexpr double shell_jitter = 0x1p-5;
 

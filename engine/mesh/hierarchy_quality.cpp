@@ -13,6 +13,7 @@ public:
 
     Status open();
     CheckResult find_domains();
+    CheckResult find_shells();
     CheckResult find_encroached();
     void measure_cells();
     void worst(HierarchyQuality* quality) const;
@@ -112,6 +113,23 @@ template <int D> CheckResult Measurement<D>::find_domains() {
     return {nullptr, none};
 }
 
+// Exempt vertices of a cage's domain are its shell: near its sphere, and as many as a cross-polytope has.
+template <int D> CheckResult Measurement<D>::find_shells() {
+    for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
+        Cage& cage = cages_[domain_[v]];
+        const double least = shell_factor * (1 - 2 * shell_jitter) * cage.radius;
+        if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least) ++cage.next;
+    }
+    CheckResult result = {nullptr, none};
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        if (cages_[d].next != shell_size<D>) result = {"a cage lacks its shell", cages_[d].centre};
+        cages_[d].next = none;
+    }
+    return result;
+}
+
 template <int D> CheckResult Measurement<D>::find_encroached() {
     for (std::uint32_t d = 0; d < count_; ++d) {
         Cage& cage = cages_[d];
@@ -137,7 +155,7 @@ template <int D> CheckResult Measurement<D>::find_encroached() {
 template <int D> bool Measurement<D>::corner(std::uint32_t c, Cell<D>* scratch) const {
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store_.point(store_.cell(c).vertex[i]);
-    solve_sphere<D>(p, *scratch);
+    solve_sphere<D>(p, corner_error_max, *scratch);
     return scratch->radius2 < infinity;
 }
 
@@ -255,7 +273,8 @@ Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, cons
     quality->encroached = measurement.find_domains();
     if (quality->encroached.violation != nullptr) return Status::ok;
     quality->is_hierarchy = true;
-    quality->encroached = measurement.find_encroached();
+    quality->encroached = measurement.find_shells();
+    if (quality->encroached.violation == nullptr) quality->encroached = measurement.find_encroached();
     measurement.measure_cells();
     measurement.worst(quality);
     if (ratios != nullptr) measurement.copy(ratios, domains);

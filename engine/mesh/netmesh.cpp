@@ -9,13 +9,10 @@
 namespace netmesh {
 namespace {
 
-// These four as in refine.cpp.
+// These three as in refine.cpp.
 constexpr double pull_back = 1.15;
 constexpr double yield_radius = 0.9;
 constexpr double tau_margin = 0x1p-20;
-constexpr double ball_error_max = 0x1p-22;
-
-constexpr int shell_size(int dim) { return 2 * dim; }
 
 // How the thesis's operations are carried out here, and why they differ where they do.
 //
@@ -62,7 +59,7 @@ private:
 template <int D> class NetMesh {
 public:
     NetMesh(Store<D>& store, const HierarchyOptions& options, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store, ball_error_max), monitor_(monitor), domain_(domain),
+        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain),
           tau_(options.tau * (1 - tau_margin)) {}
 
     Status open(const HierarchyOptions& options, InputReport* input);
@@ -153,7 +150,7 @@ template <int D> Status NetMesh<D>::fill(std::uint32_t v, const Cavity& cavity) 
 template <int D> void NetMesh<D>::update_star(const Cavity& cavity, std::uint32_t v) {
     Vertex<D>& centre = store_.vertex(v);
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const std::uint32_t c = kernel_.new_cell(cavity, k);
+        const std::uint32_t c = kernel_.new_cell(k);
         for (const std::uint32_t w : store_.cell(c).vertex) {
             // Linking leaves each neighbour pointing at one of the new cells: there it is visited.
             if (w == v || w == none || store_.vertex(w).cell != c) continue;
@@ -168,13 +165,13 @@ template <int D> void NetMesh<D>::update_star(const Cavity& cavity, std::uint32_
     }
     if (hierarchy_.live() > 0) {
         for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-            const std::uint32_t c = kernel_.new_cell(cavity, k);
+            const std::uint32_t c = kernel_.new_cell(k);
             for (const std::uint32_t w : store_.cell(c).vertex)
                 if (w != v && w != none && store_.vertex(w).cell == c) meet(w, centre.x, centre.marker != Marker::exempt);
         }
     }
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const std::uint32_t c = kernel_.new_cell(cavity, k);
+        const std::uint32_t c = kernel_.new_cell(k);
         queue_bad_vertices(c);
         if (hierarchy_.live() > 0) queue_bad_cages(c);
     }
@@ -320,7 +317,7 @@ template <int D> Status NetMesh<D>::insert_input(std::uint32_t p, std::uint32_t 
 // The cage of the inputs within `reach` of the nearest neighbour of p. There are no vertices in it yet, but for those of a
 // cage about the same centre that p is outside of.
 template <int D> Status NetMesh<D>::new_cage(std::uint32_t p, double reach) {
-    if (!store_.has_room(0, shell_size(D), 0)) return Status::out_of_memory;
+    if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
     const double radius = reach / cage_epsilon * (1 + tau_margin);
     const std::uint32_t u = near_, shell = store_.state.vertex_count;
     const std::uint32_t d = hierarchy_.make(u, radius, near_nearest2_, hierarchy_.of_input(p), shell);
@@ -331,19 +328,19 @@ template <int D> Status NetMesh<D>::new_cage(std::uint32_t p, double reach) {
     hierarchy_.set(p, d);
     const double* const c = store_.point(u);
     std::uint64_t random = mix64(std::uint64_t{u} << 32 | d);
-    for (int i = 0; i < shell_size(D); ++i) {
+    for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
         double x[D], d2;
         for (int k = 0; k < D; ++k) {
             random = mix64(random);
             const double jitter = shell_jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
-            const double axis = k != i / 2 ? 0 : i % 2 == 0 ? 1 : -1;
+            const double axis = k != static_cast<int>(i / 2) ? 0 : i % 2 == 0 ? 1 : -1;
             x[k] = c[k] + shell_factor * radius * (axis + jitter);
         }
         const std::uint32_t near = tree_.nearest(x, u, none, &d2);
         make_vertex<D>(store_, x, near, Marker::exempt);
         hierarchy_.hint(near, d);
     }
-    for (std::uint32_t v = shell; v < shell + shell_size(D); ++v) {
+    for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
         const Status status = insert(v, store_.vertex(u).cell);
         if (status == Status::ok) continue;
         // Half a shell is none: its vertices stay as a frame of sorts.
@@ -369,12 +366,12 @@ template <int D> Status NetMesh<D>::release_encroached() {
 template <int D> Status NetMesh<D>::release_cage(std::uint32_t d) {
     const std::uint32_t shell = hierarchy_.cage(d).shell;
     hierarchy_.release(d);
-    for (std::uint32_t v = shell; v < shell + shell_size(D); ++v) {
+    for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
         store_.vertex(v).marker = Marker::steiner;
         queue_.push(v);
     }
     // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are pushed.
-    for (std::uint32_t v = shell; v < shell + shell_size(D); ++v) {
+    for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
         const bool fits = kernel_.visit_star(v, [&](std::uint32_t c) {
             for (const std::uint32_t w : store_.cell(c).vertex)
                 if (w != none && store_.vertex(w).marker != Marker::exempt) queue_.push(w);

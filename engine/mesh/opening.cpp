@@ -71,7 +71,7 @@ template <int D> void settle_spheres(Store<D>& store) {
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
         const double* p[D + 1];
         for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
-        solve_sphere<D>(p, store.cell(c));
+        solve_sphere<D>(p, corner_error_max, store.cell(c));
     }
 }
 

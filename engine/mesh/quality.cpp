@@ -21,7 +21,7 @@ template <int D> const double* kept_corner(const Store<D>& store, std::uint32_t 
 template <int D> const double* fresh_corner(const Store<D>& store, std::uint32_t c, Cell<D>& scratch) {
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
-    solve_sphere<D>(p, scratch);
+    solve_sphere<D>(p, corner_error_max, scratch);
     return scratch.radius2 < infinity ? scratch.centre : nullptr;
 }
 

@@ -16,13 +16,10 @@ constexpr double yield_radius = 0.9;
 // Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;
 
-// Corners are what refinement measures.
-constexpr double ball_error_max = 0x1p-22;
-
 template <int D> class Refinement {
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store, ball_error_max), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
+        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
           certify_(options.certify && !options.reference), reference_(options.reference) {}
 
     Status check_input(InputReport* input);
@@ -129,7 +126,7 @@ template <int D> Status Refinement<D>::insert(std::uint32_t v, std::uint32_t fro
 template <int D> void Refinement<D>::update_star(const Cavity& cavity, std::uint32_t v) {
     Vertex<D>& centre = store_.vertex(v);
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const std::uint32_t c = kernel_.new_cell(cavity, k);
+        const std::uint32_t c = kernel_.new_cell(k);
         for (const std::uint32_t w : store_.cell(c).vertex) {
             // Linking leaves each neighbour pointing at one of the new cells: there it is visited.
             if (w == v || w == none || store_.vertex(w).cell != c) continue;
@@ -142,7 +139,7 @@ template <int D> void Refinement<D>::update_star(const Cavity& cavity, std::uint
             }
         }
     }
-    for (std::uint32_t k = 0; k < cavity.facets; ++k) queue_bad_vertices(kernel_.new_cell(cavity, k));
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) queue_bad_vertices(kernel_.new_cell(k));
 }
 
 // Queues the vertices that the new cell c makes bad. A crossing on an edge from an old outer cell need not be looked at:

@@ -3,6 +3,7 @@
 #include "predicates/exact_stage.hpp"
 #include "predicates/float_stage.hpp"
 #include "predicates/integer_stage.hpp"
+#include "predicates/planar_stage.hpp"
 #include "predicates/predicates.hpp"
 
 namespace netmesh {
@@ -27,6 +28,24 @@ inline int sign_of(double x) { return (x > 0) - (x < 0); }
 template <int D, bool lifted> bool is_exact(const FloatResult& result, int quantum) {
     constexpr int degree = lifted ? D + 2 : D;
     return result.magnitude > 0 && exponent_of(result.magnitude) < 53 + quantum * degree;
+}
+
+// The same for the least quantum that will do, without looking for the quantum itself. Adding and subtracting 1.5 * 2^52 rounds
+// a number below 2^51 to an integer.
+template <int D, bool lifted> bool is_exact_at_once(const double* const* points, double magnitude) {
+    constexpr int degree = lifted ? D + 2 : D;
+    if (!(magnitude > 0)) return false;
+    const int quantum = (exponent_of(magnitude) - 53 + 4096 * degree) / degree - 4096 + 1;
+    if (quantum < -1000 || quantum > 1000) return false;
+    const double scale = power_of_two(-quantum);
+    double fractions = 0, sizes = 0;
+    for (int i = 0; i < Frame<D, lifted>::points; ++i)
+        for (int c = 0; c < D; ++c) {
+            const double x = points[i][c] * scale;
+            fractions += __builtin_fabs((x + 0x1.8p52) - 0x1.8p52 - x);
+            sizes += __builtin_fabs(x);
+        }
+    return fractions == 0 && sizes < 0x1p51;
 }
 
 // Bits of the largest coordinate of a row in quanta. The lift wants one quantum, without it each column has its own:
@@ -80,12 +99,37 @@ template <int D, bool lifted>
     return decide(exact_stage<D, lifted>(frame, quantum, bits), frame.negate, stage_exact);
 }
 
-// points: D+1 for orient, D+2 (q last) for in_ball.
-template <int D, bool lifted> Decision decide(const double* const* points) {
-    const FloatResult first = float_stage<D, lifted>(points);
-    const double error = first.magnitude * FloatBounds<D, lifted>::error_factor;
-    if (__builtin_fabs(first.determinant) > error) return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
-    return decide_undecided<D, lifted>(points, first);
+template <int D, bool lifted> bool is_sure(const FloatResult& result) {
+    return __builtin_fabs(result.determinant) > result.magnitude * FloatBounds<D, lifted>::error_factor;
+}
+
+// points: D+1.
+template <int D> Decision decide_orient(const double* const* points) {
+    if constexpr (D == 2) {
+        const int sign = planar_stage<false>(points);
+        if (sign != 0) return decide(sign, false, stage_float);
+    }
+    const FloatResult first = float_stage<D, false>(points, nullptr);
+    if (is_sure<D, false>(first) || is_exact_at_once<D, false>(points, first.magnitude))
+        return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    return decide_undecided<D, false>(points, first);
+}
+
+// points: D+2, q last. *minors_exact: minors[D - i] is exactly the determinant of the rows (x - q) of all points but i
+// (and q).
+template <int D> Decision decide_in_ball(const double* const* points, double* minors, bool* minors_exact) {
+    *minors_exact = false;
+    if constexpr (D == 2) {
+        const int sign = planar_stage<true>(points);
+        if (sign != 0) return decide(sign, false, stage_float);
+    }
+    const FloatResult first = float_stage<D, true>(points, minors);
+    if (is_sure<D, true>(first)) return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    if (is_exact_at_once<D, true>(points, first.magnitude)) {
+        *minors_exact = true;
+        return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    }
+    return decide_undecided<D, true>(points, first);
 }
 
 }  // namespace netmesh

@@ -21,42 +21,51 @@
 
 namespace netmesh {
 
-template <int N, int K> struct FloatMinor {
+// T: double, or DoubleDouble where a double does not do.
+template <int N, int K, class T = double> struct FloatMinor {
     static constexpr const MinorLevel<N, K>& level = minor_level<N, K>;
 
     // Member K-1-J; a first operand is never negated, so that the sum starts with it.
-    template <int S, int J> static double term(const double (&a)[N][N], const double* below) {
+    template <int S, int J> static T term(const T (&a)[N][N], const T* below) {
         return a[level.term[S][K - 1 - J].row][K - 1] * below[level.term[S][K - 1 - J].below];
     }
     template <int S, int... J>
-    static double sum(const double (&a)[N][N], const double* below, std::integer_sequence<int, J...>) {
-        double s = term<S, 0>(a, below);
+    static T sum(const T (&a)[N][N], const T* below, std::integer_sequence<int, J...>) {
+        T s = term<S, 0>(a, below);
         ((s = (J & 1) == 0 ? s - term<S, J + 1>(a, below) : s + term<S, J + 1>(a, below)), ...);
         return s;
     }
     template <int... S>
-    static void all(const double (&a)[N][N], const double* below, double* out, std::integer_sequence<int, S...>) {
+    static void all(const T (&a)[N][N], const T* below, T* out, std::integer_sequence<int, S...>) {
         ((out[S] = sum<S>(a, below, std::make_integer_sequence<int, K - 1>{})), ...);
     }
     // The minors of order K from those of order K-1.
-    static void all(const double (&a)[N][N], const double* below, double* out) {
+    static void all(const T (&a)[N][N], const T* below, T* out) {
         all(a, below, out, std::make_integer_sequence<int, binomial(N, K)>{});
     }
 };
 
-template <int N, int K> double float_determinant_from(const double (&a)[N][N], const double* below) {
-    double minors[binomial(N, K)];
-    FloatMinor<N, K>::all(a, below, minors);
-    if constexpr (K == N)
-        return minors[0];
-    else
-        return float_determinant_from<N, K + 1>(a, minors);
+// The minors of order L, from those of order K-1.
+template <int N, int K, int L, class T> void float_minors(const T (&a)[N][N], const T* below, T* out) {
+    if constexpr (K == L) {
+        FloatMinor<N, K, T>::all(a, below, out);
+    } else {
+        T minors[binomial(N, K)];
+        FloatMinor<N, K, T>::all(a, below, minors);
+        float_minors<N, K + 1, L>(a, minors, out);
+    }
+}
+// The minors of order L of the first L columns.
+template <int L, int N, class T> void float_minors(const T (&a)[N][N], T* out) {
+    T first[N];
+    for (int i = 0; i < N; ++i) first[i] = a[i][0];
+    float_minors<N, 2, L>(a, first, out);
 }
 
 template <int N> double float_determinant(const double (&a)[N][N]) {
-    double first[N];
-    for (int i = 0; i < N; ++i) first[i] = a[i][0];
-    return float_determinant_from<N, 2>(a, first);
+    double determinant;
+    float_minors<N>(a, &determinant);
+    return determinant;
 }
 
 struct FloatResult {
@@ -88,8 +97,8 @@ template <int D, bool lifted> struct FloatBounds {
     static constexpr double error_factor = roundings() * 1.1102230246251565e-16 * 1.001;
 };
 
-// With the last of the points as base.
-template <int D, bool lifted> FloatResult float_stage(const double* const* points) {
+// With the last of the points as base. minors, if not null: what multiplies the lifts, minors[D - i] for row i.
+template <int D, bool lifted> FloatResult float_stage(const double* const* points, double* minors) {
     using Bounds = FloatBounds<D, lifted>;
     constexpr int n = Frame<D, lifted>::rows;
     double a[n][n], half[2] = {1, 1}, longest = 0;
@@ -109,7 +118,14 @@ template <int D, bool lifted> FloatResult float_stage(const double* const* point
     }
     if constexpr (lifted) half[n & 1] *= longest;
     if (!admitted) return {0, 0};
-    return {float_determinant<n>(a), __builtin_sqrt(half[0]) * __builtin_sqrt(half[1]) * Bounds::magnitude_factor};
+    double determinant;
+    if constexpr (lifted) {
+        float_minors<D>(a, minors);
+        FloatMinor<n, n>::all(a, minors, &determinant);
+    } else {
+        determinant = float_determinant<n>(a);
+    }
+    return {determinant, __builtin_sqrt(half[0]) * __builtin_sqrt(half[1]) * Bounds::magnitude_factor};
 }
 
 // x * 2^k for |k| <= 2044, in two exact steps unless it underflows.

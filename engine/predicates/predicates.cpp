@@ -9,21 +9,38 @@ template <int D> Sign orient(const double* const* p, PredicateCounts& counts) {
         ++counts.calls[stage_float];
         return static_cast<Sign>((p[1][0] > p[0][0]) - (p[1][0] < p[0][0]));
     } else {
-        const Decision d = decide<D, false>(p);
+        const Decision d = decide_orient<D>(p);
         ++counts.calls[d.stage];
         return d.sign;
     }
 }
 
-template <int D> Decision decide_in_ball(const double* const* cell, const double* q) {
+// A question about one cell and one point, and what the float stage found out on the way.
+template <int D> struct InBall {
     const double* points[D + 2];
-    for (int i = 0; i <= D; ++i) points[i] = cell[i];
-    points[D + 1] = q;
-    return decide<D, true>(points);
-}
+    double minors[D + 1];
+    bool minors_exact;
+    Decision decision;
+
+    InBall(const double* const* cell, const double* q) {
+        for (int i = 0; i <= D; ++i) points[i] = cell[i];
+        points[D + 1] = q;
+        decision = decide_in_ball<D>(points, minors, &minors_exact);
+    }
+    // Orientation of the cell with q in the place of point k. Moving q to the end as the base takes D - k transpositions,
+    // and the base at the end D more.
+    int orient_with(int k) {
+        if (minors_exact) return (k & 1) != 0 ? -sign_of(minors[D - k]) : sign_of(minors[D - k]);
+        const double* const kept = points[k];
+        points[k] = points[D + 1];
+        const Sign sign = decide_orient<D>(points).sign;
+        points[k] = kept;
+        return static_cast<int>(sign);
+    }
+};
 
 template <int D> Sign in_ball(const double* const* cell, const double* q, PredicateCounts& counts) {
-    const Decision d = decide_in_ball<D>(cell, q);
+    const Decision d = InBall<D>(cell, q).decision;
     ++counts.calls[d.stage];
     return d.sign;
 }
@@ -36,11 +53,7 @@ template <int D> Sign in_ball(const double* const* cell, const double* q, Predic
 // coefficient -1, so at the latest q decides. lambda_k has the sign of orient of the cell with q in the place of p_k.
 // As a weight depends on nothing but the index, all answers belong to one lifted point set; as the paraboloid is
 // strictly convex, weights this small hide no point.
-template <int D>
-[[gnu::noinline]] Sign break_tie(const double* const* cell, const std::uint32_t* ids, const double* q,
-                                 std::uint32_t q_id) {
-    const double* moved[D + 1];
-    for (int i = 0; i <= D; ++i) moved[i] = cell[i];
+template <int D> Sign break_tie(InBall<D>& question, const std::uint32_t* ids, std::uint32_t q_id) {
     std::uint32_t bound = 0;
     bool bounded = false;
     for (;;) {
@@ -52,10 +65,8 @@ template <int D>
                 next = i;
             }
         if (next < 0) return Sign::negative;
-        moved[next] = q;
-        const Sign lambda = decide<D, false>(moved).sign;
-        moved[next] = cell[next];
-        if (lambda != Sign::zero) return lambda;
+        const int lambda = question.orient_with(next);
+        if (lambda != 0) return static_cast<Sign>(lambda);
         bound = highest;
         bounded = true;
     }
@@ -64,13 +75,14 @@ template <int D>
 template <int D>
 Sign in_ball_perturbed(const double* const* cell, const std::uint32_t* ids, const double* q, std::uint32_t q_id,
                        PredicateCounts& counts) {
-    const Decision d = decide_in_ball<D>(cell, q);
+    InBall<D> question(cell, q);
+    const Decision d = question.decision;
     if (d.sign != Sign::zero) {
         ++counts.calls[d.stage];
         return d.sign;
     }
     ++counts.calls[stage_tie];
-    return break_tie<D>(cell, ids, q, q_id);
+    return break_tie<D>(question, ids, q_id);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

@@ -170,8 +170,10 @@ TEST_CASE("spatial order is a permutation with equal points together, for any sp
     const std::uint32_t n = static_cast<std::uint32_t>(points.size() / 2);
     Block block(std::size_t{1} << 20);
     std::vector<std::uint32_t> order(n);
-    REQUIRE(spatial_order<2>(reinterpret_cast<const unsigned char*>(points.data()), 16, n, 1, true, block.arena,
-                             order.data()) == Status::ok);
+    bool repeats = false;
+    REQUIRE(spatial_order<2>(reinterpret_cast<const unsigned char*>(points.data()), 16, n, 1, block.arena, order.data(),
+                             &repeats) == Status::ok);
+    CHECK(repeats);
     std::vector<std::uint32_t> sorted = order;
     std::sort(sorted.begin(), sorted.end());
     for (std::uint32_t i = 0; i < n; ++i) REQUIRE(sorted[i] == i);

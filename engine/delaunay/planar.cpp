@@ -1,0 +1,113 @@
+// The plane's own way of finding and filling a cavity: its boundary is a cycle, so nothing has to be searched for.
+#include "delaunay/kernel.hpp"
+
+namespace netmesh {
+namespace {
+
+// An edge from the new point, used by two new cells.
+struct Edge {
+    double x, y, half_square;
+    bool plain;  // nothing underflows or overflows
+};
+
+inline Edge edge_to(const double* q, const double* a) {
+    const double x = a[0] - q[0], y = a[1] - q[1], half_square = 0.5 * (x * x + y * y);
+    return {x, y, half_square, half_square > edge_square_min && half_square < edge_square_max};
+}
+
+// What solve_sphere does, for q and the ends of two edges. False when it has to be asked.
+inline bool circumscribe(const double* q, const Edge& a, const Edge& b, double error_max, Cell<2>& cell) {
+    constexpr double shape = shape_factor<2>();
+    const double inverse = 1 / (a.x * b.y - a.y * b.x);
+    const double x = q[0] + (a.half_square * b.y - a.y * b.half_square) * inverse;
+    const double y = q[1] + (a.x * b.half_square - a.half_square * b.x) * inverse;
+    const double dx = q[0] - x, dy = q[1] - y;
+    const double radius2 = dx * dx + dy * dy;
+    const double error2 = 2.1 * (shape * shape * (4 * a.half_square * b.half_square) * (inverse * inverse) +
+                                 8 * unit_roundoff * unit_roundoff * ((x * x + y * y) / radius2));
+    if (!(a.plain && b.plain && error2 < error_max * error_max)) return false;
+    cell.centre[0] = x;
+    cell.centre[1] = y;
+    cell.radius2 = radius2;
+    cell.error = static_cast<float>(1.01 * square_root(error2));
+    return true;
+}
+
+}  // namespace
+
+// In the plane the cells in conflict form a tree, as no vertex is inside the cavity. It is searched depth first and
+// counterclockwise, so no cell is met twice, none has to be marked, and the bounding facets come in their order. Facets that are
+// found and facets that wait number two more than the cells.
+template <>
+bool Kernel<2>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
+    constexpr std::uint32_t next[4] = {1, 2, 0, 0};
+    const std::size_t capacity = list_capacity();
+    Line* const end = list_end();
+    if (capacity < 3) return refuse_list(3);
+    const Cell<2>* const cells = &store_.cell(0);
+    end[0].made = first;
+    end[0].waiting = first << 3 | 2;
+    end[-1].waiting = first << 3 | 1;
+    std::uint32_t facet = first << 3;
+    std::ptrdiff_t count = 1, facets = 0, waiting = 2;
+    for (;;) {
+        const Cell<2>& cell = cells[facet >> 3];
+        const std::uint32_t word = cell.neighbour[facet & 3u], n = word >> 3;
+        if (in_conflict(n, q, id)) {
+            if (static_cast<std::size_t>(count) + 3 > capacity) return refuse_list(static_cast<std::size_t>(count) + 3);
+            const std::uint32_t i = next[word & 3u];
+            end[-count++].made = n;
+            end[-waiting++].waiting = n << 3 | next[i];
+            facet = n << 3 | i;
+            continue;
+        }
+        end[-facets].beyond = word;
+        end[-facets++].start = cell.vertex[next[facet & 3u]];
+        if (waiting == 0) break;
+        facet = end[-(--waiting)].waiting;
+    }
+    *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), 0};
+    return true;
+}
+
+// In the plane the facets come counterclockwise, so each new cell (id, a, b) has its neighbours before and after it; and as
+// its ball is solved from its points, which costs no more than from other balls, it can take the place of an old cell at once.
+template <> void Kernel<2>::fill(const Cavity& cavity, std::uint32_t id) {
+    Cell<2>* const cells = &store_.cell(0);
+    Line* const end = list_end();
+    const std::ptrdiff_t facets = cavity.facets;
+    end[2 - facets].made = store_.new_cell();
+    end[1 - facets].made = store_.new_cell();
+    store_.state.cells_created += cavity.cells;
+    std::uint32_t before = end[1 - facets].made, a = end[0].start;
+    const double* const q = store_.point(id);
+    Edge from = a == none ? Edge{} : edge_to(q, store_.point(a));
+    for (std::ptrdiff_t k = 0; k < facets; ++k) {
+        const std::uint32_t n = end[-k].made, word = end[-k].beyond;
+        const std::uint32_t b = end[k + 1 < facets ? -k - 1 : 0].start;
+        Cell<2>& fresh = cells[n];
+        fresh.vertex[0] = id;
+        fresh.vertex[1] = a;
+        fresh.vertex[2] = b;
+        fresh.neighbour[0] = word;
+        fresh.neighbour[2] = before << 3 | 1;
+        fresh.mark = 0;
+        cells[before].neighbour[1] = n << 3 | 2;
+        cells[word >> 3].neighbour[word & 7u] = n << 3;
+        const Edge to = b == none ? Edge{} : edge_to(q, store_.point(b));
+        if (a == none || b == none) {
+            make_ghost<2>(fresh);
+        } else if (!circumscribe(q, from, to, error_max_, fresh)) {
+            const double* const p[3] = {q, store_.point(a), store_.point(b)};
+            solve_sphere<2>(p, error_max_, fresh);
+        }
+        if (stars_ && a != none) store_.vertex(a).cell = n;
+        before = n;
+        a = b;
+        from = to;
+    }
+    if (stars_) store_.vertex(id).cell = before;
+    store_.state.last_cell = before;
+}
+
+}  // namespace netmesh
