@@ -3,14 +3,16 @@
 // A cage is a ball about an input, its centre, that has room on both sides. With e = cage_epsilon and r its radius:
 //
 //   distance from the centre   0 ......... e r ............ r ................... 2 r / e .....
-//                              | the inputs | the shell only | no vertex, no input | outside |
+//                              | the inputs | no input, shell | no vertex, no input | outside |
+//
+// (Shells of other cages may reach in, and the shell of a cage that has been released stays where it is.)
 //
 // The shell is a net on the sphere of radius shell_factor * r: the 2 D corners of a cross-polytope, whose covering radius
-// sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. Denser shells made
-// larger meshes, and a smaller e asks for wider gaps. A domain is a ball
-// without the balls of the cages directly inside it; the outermost domain is the mesh's own ball, domain.hpp. The cells
-// inside a cage keep their quality clipped to the ball of radius e r, as those of the outermost domain do clipped to
-// its ball; the cells of a cage's vertices together make up one cell of the domain around it, which keeps its quality too.
+// sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. A smaller e
+// asks for wider gaps. A domain is a ball without the balls of the cages directly inside it; the outermost domain is the mesh's
+// own ball, domain.hpp. The cells inside a cage keep their quality clipped to the ball of radius e r, as those of the
+// outermost domain do clipped to its ball; the cells of a cage's vertices together make up one cell of the domain around
+// it, which keeps its quality too.
 #pragma once
 #include <cstdint>
 

@@ -134,18 +134,15 @@ template <int D> CheckResult Measurement<D>::find_encroached() {
     for (std::uint32_t d = 0; d < count_; ++d) {
         Cage& cage = cages_[d];
         const double r2 = cage.radius * cage.radius, e2 = cage_epsilon * cage_epsilon * r2;
-        // A Steiner point on the sphere that cells are clipped to is there up to the rounding of its coordinates.
-        double reach = cage_epsilon * cage.radius * (1 + 0x1p-20);
-        for (int k = 0; k < D; ++k) reach += 0x1p-51 * absolute(store_.point(cage.centre)[k]);
         bool inner = false, outer = false;
         visit_ball(cage.centre, cage_clearance * cage.radius, [&](std::uint32_t v, double d2) {
             const Marker marker = store_.vertex(v).marker;
             if (d2 < r2)
-                inner |= (marker == Marker::input && d2 > e2) || (marker == Marker::steiner && domain_[v] == d && d2 > reach * reach);
+                inner |= marker == Marker::input && d2 > e2;
             else
                 outer |= d2 > r2 && (marker != Marker::exempt || domain_[v] == none);
         });
-        if (inner) return {"a vertex that is not of its shell encroaches on a cage from inside", cage.centre};
+        if (inner) return {"an input encroaches on a cage from inside", cage.centre};
         if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};
     }
     return {nullptr, none};
