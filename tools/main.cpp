@@ -18,6 +18,8 @@ Outcome run(const Options& options) {
         return write_files({{"", [&](TextWriter& out) { out << text; }}});
     }
     switch (options.command) {
+    case Command::vineyard:
+        return run_vineyard(options);
     case Command::size:
         return run_size(options);
     case Command::check:

@@ -13,6 +13,7 @@ namespace {
 constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
 constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
 constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
+constexpr unsigned vineyard = bit(Command::vineyard);
 constexpr unsigned engine = mesh | delaunay | persist;
 
 struct CommandEntry {
@@ -30,6 +31,9 @@ constexpr CommandEntry commands[] = {
     {Command::delaunay, "delaunay", "POINTS", "Delaunay triangulation", ""},
     {Command::persist, "persist", "POINTS", "persistence diagram",
      "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
+    {Command::vineyard, "vineyard", "POINTS", "diagrams of d_k for a range of k, and their vines",
+     "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of each k; a "
+     "vine\nfollows one class from k to k.\n"},
     {Command::size, "size", nullptr, "bytes of memory to plan for",
      "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
      "persist.\n"},
@@ -49,6 +53,15 @@ std::string apply_tau(Options& options, const std::string& text) {
     return {};
 }
 
+std::string apply_eps(Options& options, const std::string& text) {
+    return parse_finite(text, &options.eps) && options.eps > 0 ? "" : "must be a finite number above 0";
+}
+
+std::string apply_theta(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
+    return good ? "" : "must be a number above 0 and at most 1/9";
+}
+
 std::string apply_method(Options& options, const std::string& text) {
     for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH, NETMESH_METHOD_REFINE}) {
         if (text != method_name(method)) continue;
@@ -59,17 +72,34 @@ std::string apply_method(Options& options, const std::string& text) {
 }
 
 std::string apply_filter(Options& options, const std::string& text) {
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA}) {
+    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA,
+                                        NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT,
+                                        NETMESH_FILTER_SCALES}) {
         if (text != filter_name(filter)) continue;
         options.filter = filter;
         return {};
     }
-    return "this version has the filters complete, basic and alpha";
+    return "this version has the filters complete, basic, alpha, knn, kdistance, tight and scales";
 }
 
 std::string apply_values(Options& options, const std::string& text) {
     if (text != "certified" && text != "thesis") return "there are certified and thesis";
     options.values = text == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
+    return {};
+}
+
+std::string apply_k(Options& options, const std::string& text) {
+    const std::size_t dots = options.command == Command::vineyard ? text.find("..") : std::string::npos;
+    std::uint64_t first, last;
+    const bool good = parse_unsigned(text.substr(0, dots), &first) &&
+                      (dots == std::string::npos || parse_unsigned(text.substr(dots + 2), &last));
+    if (dots == std::string::npos) last = first;
+    if (!good || first == 0 || last < first || last >= 4294967295u) {
+        return options.command == Command::vineyard ? "must be a range of numbers of neighbours from 1 on: 1..20"
+                                                    : "must be a number of neighbours, 1 or more";
+    }
+    options.k = static_cast<std::uint32_t>(first);
+    if (options.command == Command::vineyard) options.k_last = static_cast<std::uint32_t>(last);
     return {};
 }
 
@@ -153,9 +183,11 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
     return text.empty() ? "must be a file name" : "";
 }
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
+std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_finish(Options& options, const std::string&) { return options.finish = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
+std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
 std::string apply_quiet(Options& options, const std::string&) { return options.quiet = true, ""; }
 
 struct OptionEntry {
@@ -170,6 +202,7 @@ constexpr OptionEntry option_entries[] = {
     {"-o", mesh | delaunay, "OUT", apply_out,
      ".node (with .ele and .neigh), .vtu (D = 2, 3) or .off; without it OFF on stdout"},
     {"-o", persist, "OUT.pers", apply_out, "the diagram; without it on stdout"},
+    {"-o", vineyard, "OUT.vines", apply_out, "the vines; without it on stdout"},
     {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
     {"-n", sample, "N", apply_count, "number of points"},
     {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
@@ -177,26 +210,39 @@ constexpr OptionEntry option_entries[] = {
     {"--points", check, "FILE", apply_points_path, "the points that the mesh or diagram was made of"},
     {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram was made of"},
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
-    {"--tau", mesh | persist | size | check, "T", apply_tau,
+    {"--tau", mesh | persist | vineyard | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
+    {"--eps", mesh | size | check, "E", apply_eps,
+     "also refine until no cell reaches farther than E times the distance to the second nearest input"},
+    {"--eps", persist, "E", apply_eps, "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
+    {"--theta", persist | size | check, "T", apply_theta, "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
     {"--method", mesh | persist | size, "M", apply_method,
      "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
     {"--finish", mesh | persist | size, nullptr, apply_finish, "go on from a hierarchical mesh to one of quality tau without cages"},
-    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic or alpha"},
-    {"--values", persist | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
-    {"--max-degree", persist | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
-    {"--memory", engine | size | check, "SIZE", apply_memory,
+    {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
+    {"--filter", persist | size | check, "F", apply_filter, "complete (default), basic, tight, scales, alpha, knn or kdistance"},
+    {"--k", persist | check, "K", apply_k,
+     "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square"},
+    {"--values", persist | vineyard | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
+    {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
+    {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree, "highest homology degree (D-1)"},
+    {"--memory", engine | vineyard | size | check, "SIZE", apply_memory,
      "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
-    {"--seed", engine | size | check | sample, "S", apply_seed, "of every random choice (1)"},
+    {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},
     {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
     {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
     {"--svg", mesh | delaunay, "FILE", apply_svg, "picture of a mesh in the plane"},
     {"--svg", persist, "FILE", apply_svg, "picture of barcode and diagram"},
-    {"--check", engine, nullptr, apply_check, "run the independent checkers on the result"},
+    {"--svg", vineyard, "FILE", apply_svg, "picture of the vines, k against radius"},
+    {"--analyse", mesh | delaunay, nullptr, apply_analyse,
+     "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
+    {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
+    {"--bounds", persist, nullptr, apply_bounds,
+     "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},
     {"--all", persist | size | check, nullptr, apply_all, "keep bars of length zero"},
-    {"--json", engine | size | check, nullptr, apply_json,
+    {"--json", engine | vineyard | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
-    {"--quiet", engine | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
+    {"--quiet", engine | vineyard | size | check | sample, nullptr, apply_quiet, "no progress, no summary"},
 };
 
 const CommandEntry* find_command(const std::string& name) {
@@ -327,6 +373,21 @@ const char* method_name(netmesh_method method) {
     }
 }
 
+bool promises_accuracy(const Options& options) {
+    return options.filter == NETMESH_FILTER_TIGHT || options.filter == NETMESH_FILTER_SCALES;
+}
+
+Outcome check_accuracy(const Options& options) {
+    if (options.theta > 0 && options.filter != NETMESH_FILTER_SCALES) return usage_error("--theta goes with --filter scales");
+    if (promises_accuracy(options)) {
+        return options.eps <= 0.5 ? Outcome{} : usage_error("--eps must be at most 1/2 for tight and scales");
+    }
+    if (options.eps > 0 && options.command == Command::persist) {
+        return usage_error("--eps goes with --filter tight or scales");
+    }
+    return {};
+}
+
 const char* filter_name(netmesh_filter filter) {
     switch (filter) {
     case NETMESH_FILTER_COMPLETE:
@@ -335,9 +396,24 @@ const char* filter_name(netmesh_filter filter) {
         return "basic";
     case NETMESH_FILTER_ALPHA:
         return "alpha";
+    case NETMESH_FILTER_KNN:
+        return "knn";
+    case NETMESH_FILTER_KDISTANCE:
+        return "kdistance";
+    case NETMESH_FILTER_TIGHT:
+        return "tight";
+    case NETMESH_FILTER_SCALES:
+        return "scales";
     default:
         return "none";
     }
+}
+
+std::string reference_name(const netmesh_report& report) {
+    const std::string space = " in R^" + std::to_string(report.dim), k = std::to_string(report.k);
+    if (report.filter == NETMESH_FILTER_KNN) return "sublevel sets of d_" + k + space;
+    if (report.filter == NETMESH_FILTER_KDISTANCE) return "sublevel sets of the k-distance, k = " + k + "," + space;
+    return "closed offsets of the points" + space;
 }
 
 const char* values_name(netmesh_values values) { return values == NETMESH_VALUES_THESIS ? "thesis" : "certified"; }

@@ -11,7 +11,7 @@
 
 namespace netmesh::tool {
 
-enum class Command { none, mesh, delaunay, persist, size, check, sample };
+enum class Command { none, mesh, delaunay, persist, size, check, sample, vineyard };
 
 struct Options {
     Command command = Command::none;
@@ -21,14 +21,17 @@ struct Options {
     std::string out;  // empty: stdout
     std::string svg;
     std::string mesh_out;  // persist: where the filtered mesh goes
-    bool json = false, check = false, all = false, quiet = false;
+    bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false;
 
     std::optional<double> tau;
     netmesh_method method = NETMESH_METHOD_SVR;
     bool finish = false;  // a hierarchical mesh
+    double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
+    double theta = 0;  // scales; 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
+    std::optional<std::uint32_t> k, k_last;  // knn, kdistance; of a vineyard the first and the last
     std::size_t memory_bytes = 0;  // 0: reserved lazily
     std::uint64_t seed = 1;
 
@@ -43,10 +46,17 @@ struct Options {
 // fault. Positionals are counted; whether required options are there is for the command to say.
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
 
+// Whether --eps is a promise about the diagram (tight, scales) and not a size of cells; and what is wrong with --eps and
+// --theta for the filter asked for.
+bool promises_accuracy(const Options& options);
+Outcome check_accuracy(const Options& options);
+
 const char* command_name(Command command);
 const char* method_name(netmesh_method method);
 const char* filter_name(netmesh_filter filter);
 const char* values_name(netmesh_values values);
+// The function that a certified ratio is about: "closed offsets of the points in R^3", "sublevel sets of d_5 in R^3", ...
+std::string reference_name(const netmesh_report& report);
 
 // What --help prints, for the program (Command::none) or one command.
 std::string help_text(Command command);

@@ -7,7 +7,9 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr std::uint64_t argument_point_count = 3;  // of netmesh_delaunay and netmesh_mesh: the one a user can get wrong
+// What a user can get wrong of netmesh_delaunay and netmesh_mesh: the number of points, and an --eps too small for them; of
+// netmesh_persist: k.
+constexpr std::uint64_t argument_point_count = 3, argument_size = 6, argument_k = 7, argument_scale_size = 8;
 constexpr std::size_t least_lazy_bytes = std::size_t{1} << 30;
 
 }  // namespace
@@ -22,9 +24,12 @@ Session::Session(const Options& options, std::uint32_t dim)
     : memory_bytes_(options.memory_bytes), dim_(dim), bar_(!options.quiet) {
     netmesh_options_init(&engine_options_, dim);
     if (options.tau) engine_options_.tau = *options.tau;
+    (promises_accuracy(options) ? engine_options_.eps : engine_options_.over_refine_eps) = options.eps;
+    engine_options_.theta = options.theta;
     engine_options_.seed = options.seed;
     engine_options_.method = options.method;
     engine_options_.finish = options.finish ? 1 : 0;
+    engine_options_.k = options.k.value_or(1);
     engine_options_.poll = poll;
     engine_options_.user = this;
 }
@@ -118,7 +123,9 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
                           ": outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
                           "2^-500 (3.1e-151)");
     case NETMESH_INVALID_ARGUMENT:
-        if (detail.index_a == argument_point_count) return data_error(cloud.name + ": " + said);
+        if (detail.index_a == argument_point_count || detail.index_a == argument_k)
+            return data_error(cloud.name + ": " + said);
+        if (detail.index_a == argument_size || detail.index_a == argument_scale_size) return data_error(cloud.where(detail.index_b) + ": near this point " + said);
         return {Exit::internal, "netmesh: internal error: " + said};
     case NETMESH_FLAT:
         return {Exit::degenerate, cloud.name + ": flat: fewer than " + std::to_string(dim_ + 1) +

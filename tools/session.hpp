@@ -15,7 +15,7 @@ namespace netmesh::tool {
 
 class Session {
 public:
-    // tau and seed come from the command line.
+    // tau, eps and seed come from the command line.
     Session(const Options& options, std::uint32_t dim);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -32,6 +32,7 @@ public:
     netmesh_context* context() const { return context_; }
     const netmesh_options& engine_options() const { return engine_options_; }
     void set_tau(double tau) { engine_options_.tau = tau; }
+    void set_eps(double eps) { engine_options_.over_refine_eps = eps; }
     netmesh_report report() const;
     const StageClock& clock() const { return clock_; }
 

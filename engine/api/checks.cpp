@@ -1,3 +1,5 @@
+#include "analysis/fatness.hpp"
+#include "analysis/size.hpp"
 #include "api/dispatch.hpp"
 #include "delaunay/load.hpp"
 #include "mesh/input_tree.hpp"
@@ -19,21 +21,52 @@ template <int D> CheckResult check_markers(const Store<D>& store) {
     return {nullptr, none};
 }
 
-template <int D> Status check_quality(Context& context, Store<D>& store, double tau, CheckResult* why) {
+// Quality by definition 4.5 where there are cages, of each clipped cell and its size where there are none.
+template <int D>
+Status check_quality(Context& context, Store<D>& store, double tau, const SizeRule& rule, CheckResult* why) {
     *why = check_markers<D>(store);
     if (why->violation != nullptr) return Status::check_failed;
     const Domain<D> domain = domain_of<D>(context);
     HierarchyQuality quality = {};
-    const Status status =
+    Status status =
         context.hierarchy.cages == 0
             ? recomputed_aspect_ratio<D>(store, domain, context.arena, &quality.worst, &quality.vertex)
             : measure_hierarchy<D>(store, cages_of(context), context.hierarchy.cages, domain, context.arena, &quality);
     if (status != Status::ok) return status;
     *why = quality.encroached;
     if (why->violation != nullptr) return Status::check_failed;
-    if (quality.worst <= tau * (1 + ratio_tolerance)) return Status::ok;
-    *why = {"a clipped Voronoi cell has an aspect ratio above tau", quality.vertex};
+    if (!(quality.worst <= tau * (1 + ratio_tolerance))) {
+        *why = {"a clipped Voronoi cell has an aspect ratio above tau", quality.vertex};
+        return Status::check_failed;
+    }
+    if (context.hierarchy.cages > 0) return Status::ok;
+    double worst;
+    status = worst_size_ratio<D>(store, domain, context.inputs, rule, Corners::recomputed, context.arena, &worst, &why->cell);
+    if (status != Status::ok || worst <= 1 + ratio_tolerance) return status;
+    why->violation = "a clipped Voronoi cell is larger than the size asked for";
     return Status::check_failed;
+}
+
+// What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and degrees.
+template <int D>
+Status check_bounds(Store<D>& store, const Context& context, const netmesh_options& options, Arena& arena,
+                    CheckResult* why) {
+    Monitor monitor = monitor_of(options);
+    monitor.begin(NETMESH_STAGE_ANALYSE, 0);
+    Status status = Status::ok;
+    if (context.is_mesh && context.hierarchy.cages == 0) {
+        SizeAnalysis size;
+        status = analyse_size<D>(store, domain_of<D>(context), context.inputs,
+                                 {tau_of(options), size_rule_of(options), infinity, 0}, arena, monitor, &size);
+        if (status == Status::ok) why->violation = violated_size_bound(size);
+    }
+    if (status != Status::ok || why->violation != nullptr) return status;
+    FatnessAnalysis fatness;
+    status = analyse_fatness<D>(store, domain_of<D>(context), arena, monitor, &fatness);
+    if (status != Status::ok) return status;
+    why->violation = violated_fatness_bound(fatness.bounded);
+    if (why->violation == nullptr) why->violation = violated_fatness_bound(fatness.inside);
+    return Status::ok;
 }
 
 // Nearest inputs of all vertices; inputs come first.
@@ -117,7 +150,8 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
         context->input_fingerprint = 0;
         context->mesh_mark = context->arena.low_mark();
         context->tau = tau_of(*options);
-        context->aspect_ratio_max = 0;
+        context->over_refine_eps = options->over_refine_eps;
+        context->aspect_ratio_max = context->size_ratio_max = 0;
         if (domain != nullptr) {
             Domain<D> ball;
             smallest_enclosing_ball<D>(store, inputs, ball);
@@ -130,7 +164,10 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
             if (context->enclosing_radius == 0) context->enclosing_radius = ball.enclosing_radius;
             context->domain_radius = domain[D];
             HierarchyQuality quality;
-            if (measure_mesh<D>(*context, store, &quality) != Status::ok) {
+            std::uint32_t worst;
+            if (measure_mesh<D>(*context, store, &quality) != Status::ok ||
+                worst_size_ratio<D>(store, domain_of<D>(*context), inputs, size_rule_of(*options), Corners::kept,
+                                    context->arena, &context->size_ratio_max, &worst) != Status::ok) {
                 clear(context);
                 return finish(context, Status::out_of_memory, netmesh_status_text(NETMESH_OUT_OF_MEMORY));
             }
@@ -192,7 +229,8 @@ netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netm
     if (what == 0 || (what & ~static_cast<uint32_t>(NETMESH_CHECK_ALL)) != 0)
         return finish(context, Status::invalid_argument, "unknown checks", 2);
     if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 3);
-    if (context->dim == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->dim == 0 || context->store.cell_slots == 0)
+        return finish(context, Status::no_result, "there is no triangulation or mesh");
     return with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, context->store);
@@ -203,7 +241,9 @@ netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netm
             why = check_geometric<D>(store);
         if (why.violation == nullptr && (what & NETMESH_CHECK_DELAUNAY) != 0) why = check_delaunay<D>(store);
         if (why.violation == nullptr && (what & NETMESH_CHECK_QUALITY) != 0 && context->is_mesh)
-            status = check_quality<D>(*context, store, tau_of(*options), &why);
+            status = check_quality<D>(*context, store, tau_of(*options), size_rule_of(*options), &why);
+        if (status == Status::ok && why.violation == nullptr && (what & NETMESH_CHECK_BOUNDS) != 0)
+            status = check_bounds<D>(store, *context, *options, context->arena, &why);
         if (why.violation != nullptr) return finish(context, Status::check_failed, why.violation, why.cell);
         return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
     });

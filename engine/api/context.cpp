@@ -38,11 +38,16 @@ double tau_of(const netmesh_options& options) {
     return options.tau != 0 ? options.tau : defaults[options.dim];
 }
 
+double theta_of(const netmesh_options& options) { return options.theta != 0 ? options.theta : 1.0 / 9; }
+
+double eps_of(const netmesh_options& options) { return options.eps != 0 ? options.eps : 0.5; }
+
 void clear_diagram(netmesh_context* context) {
-    context->has_values = context->has_diagram = false;
+    context->has_values = context->has_diagram = context->has_vineyard = context->has_bounds = false;
     context->pair_count = context->simplices = 0;
     context->certified_ratio = context->certified_ratio_best = context->certified_from = 0;
     context->filter = NETMESH_FILTER_NONE;
+    context->scales = 0;
     if (context->dim != 0) context->arena.release_low(context->mesh_mark);
 }
 

@@ -32,7 +32,7 @@ struct Context {
     StoreState store;
     std::uint64_t points, duplicates, input_fingerprint;
     std::uint32_t inputs;
-    double tau, aspect_ratio_max;
+    double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     netmesh_method method;
@@ -43,8 +43,19 @@ struct Context {
     std::uint64_t values_offset, pairs_offset, pair_count, simplices;
     netmesh_filter filter;
     netmesh_values values;
-    std::uint32_t max_degree;
+    std::uint32_t max_degree, k;
     double certified_ratio, certified_ratio_best, certified_from;
+
+    std::uint32_t scales, scale_points_max, scale_vertices_max;  // scales 0: another filter
+    std::uint64_t scale_vertices;
+    double separation;
+
+    bool has_bounds;
+    std::uint64_t bounds_offset;
+
+    bool has_vineyard;
+    std::uint32_t k_first, k_last, vines;
+    std::uint64_t vine_ratios_offset, vine_points_offset, vine_points, transpositions;
 };
 
 }  // namespace netmesh

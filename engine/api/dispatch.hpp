@@ -6,6 +6,7 @@
 #include "api/context.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/sizing.hpp"
 
 namespace netmesh {
 
@@ -33,6 +34,10 @@ template <class E> bool in_range(const E& e, E least, E most) {
     Value value;
     __builtin_memcpy(&value, &e, sizeof value);
     return value >= static_cast<Value>(least) && value <= static_cast<Value>(most);
+}
+
+inline SizeRule size_rule_of(const netmesh_options& options) {
+    return {options.over_refine_eps, options.size, options.size_user};
 }
 
 // Records a failure (or success) for netmesh_get_detail and translates it.
@@ -77,6 +82,10 @@ template <int D> Status measure_mesh(Context& context, Store<D>& store, Hierarch
 bool usable(netmesh_context* context);
 bool usable(const netmesh_options* options);
 double tau_of(const netmesh_options& options);
+double eps_of(const netmesh_options& options);  // of the tight filter and of scales
+double theta_of(const netmesh_options& options);
+inline bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
+inline bool is_valid_eps(double eps) { return eps > 0 && eps <= 0.5; }
 
 // Forgets the result held.
 void clear(netmesh_context* context);

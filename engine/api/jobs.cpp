@@ -1,5 +1,5 @@
 #include "api/dispatch.hpp"
-#include "filtration/alpha.hpp"
+#include "filtration/tight_filter.hpp"
 #include "mesh/refine.hpp"
 
 namespace netmesh {
@@ -44,11 +44,11 @@ netmesh_status check_arguments(netmesh_context* context, const double* points, s
 // Meshes by the method asked for; cages, if there are any, are noted in the context.
 template <int D>
 Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* points, std::size_t n, double tau,
-                      double factor, bool certify, const netmesh_options& options, Monitor& monitor, InputReport* input,
+                      double factor, bool certify, const SizeRule& rule, const netmesh_options& options, Monitor& monitor, InputReport* input,
                       Domain<D>* domain) {
     context->method = options.method;
     if (options.method != NETMESH_METHOD_NETMESH)
-        return refine<D>(store, points, n, {tau, factor, certify, options.seed, options.method == NETMESH_METHOD_REFINE},
+        return refine<D>(store, points, n, {tau, factor, certify, options.seed, rule, options.method == NETMESH_METHOD_REFINE},
                          monitor, input, domain);
     Cage* cages;
     const Status status = netmesh<D>(store, points, n, {tau, factor, options.finish != 0, options.seed}, monitor, input,
@@ -89,18 +89,29 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     const netmesh_status checked = check_arguments(context, points, n, options, 5);
     if (checked != NETMESH_OK) return checked;
-    if (!in_range(for_job, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST))
+    if (!in_range(for_job, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST_TIGHT) || for_job == NETMESH_JOB_PERSIST_ALPHA)
         return finish(context, Status::invalid_argument, "the job is neither a mesh nor persistence", 4);
     const double tau = tau_of(*options);
     if (!is_valid_tau(tau))
         return finish(context, Status::invalid_argument, "tau is not a finite number above 2", 5);
-    const double factor = options->domain_factor != 0 ? options->domain_factor : 1;
+    if (!(options->over_refine_eps >= 0) || !is_finite(options->over_refine_eps))
+        return finish(context, Status::invalid_argument, "over_refine_eps is neither 0 nor a finite number above", 5);
+    double factor = options->domain_factor != 0 ? options->domain_factor : 1;
     if (!(factor >= 1 && factor <= 8))
         return finish(context, Status::invalid_argument, "domain_factor is not between 1 and 8", 5);
     if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE))
         return finish(context, Status::invalid_argument, "unknown method", 5);
-    if (for_job == NETMESH_JOB_PERSIST && options->method == NETMESH_METHOD_NETMESH && options->finish == 0)
+    SizeRule rule = size_rule_of(*options);
+    if (for_job == NETMESH_JOB_PERSIST_TIGHT) {
+        const double eps = eps_of(*options);
+        if (!is_valid_eps(eps)) return finish(context, Status::invalid_argument, "eps is not in (0, 1/2]", 5);
+        if (!(rule.eps > 0 && rule.eps < tight_size(eps))) rule.eps = tight_size(eps);
+        if (factor < tight_domain_factor(eps)) factor = tight_domain_factor(eps);
+    }
+    if (options->method == NETMESH_METHOD_NETMESH && for_job != NETMESH_JOB_MESH && options->finish == 0)
         return finish(context, Status::invalid_argument, "a mesh with cages is not for persistence; finish it", 4);
+    if (options->method == NETMESH_METHOD_NETMESH && rule.asks())
+        return finish(context, Status::invalid_argument, "the method netmesh does not over-refine", 5);
     clear(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(options->dim, [&](auto dimension) {
@@ -109,7 +120,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         Store<D> store(context->arena, context->store);
         context->store = StoreState{};
         Domain<D> domain = {};
-        Status status = mesh_by_method<D>(context, store, points, n, tau, factor, for_job == NETMESH_JOB_PERSIST,
+        Status status = mesh_by_method<D>(context, store, points, n, tau, factor, for_job == NETMESH_JOB_PERSIST, rule,
                                           *options, monitor, &input, &domain);
         keep_store<D>(context, input, status);
         context->is_mesh = true;
@@ -117,81 +128,25 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         for (int k = 0; k < D; ++k) context->domain_centre[k] = domain.centre[k];
         context->domain_radius = domain.radius;
         context->enclosing_radius = domain.enclosing_radius;
-        context->aspect_ratio_max = 0;
+        context->over_refine_eps = rule.eps;
+        context->aspect_ratio_max = context->size_ratio_max = 0;
         if (context->store.cell_slots > 0) {
             HierarchyQuality quality;
             const Status measured = measure_mesh<D>(*context, store, &quality);
             context->aspect_ratio_max = quality.worst;
             if (status == Status::ok) status = measured;
             if (status == Status::ok && quality.encroached.violation != nullptr) status = Status::internal;
+            std::uint32_t worst;
+            if (status == Status::ok)
+                status = worst_size_ratio<D>(store, domain, context->inputs, rule, Corners::kept, context->arena,
+                                             &context->size_ratio_max, &worst);
+        }
+        if (status == Status::invalid_argument) {
+            clear(context);
+            return finish(context, status, "the size asked for is not positive or below what coordinates resolve", 6,
+                          input.row_a);
         }
         return finish_job(context, status, input);
-    });
-}
-
-netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
-                               uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 6);
-    if (!in_range(filter, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_ALPHA))
-        return finish(context, Status::invalid_argument, "unknown filter", 2);
-    if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS))
-        return finish(context, Status::invalid_argument, "unknown kind of values", 3);
-    if (context->dim == 0 || !context->complete)
-        return finish(context, Status::no_result, "there is no complete triangulation or mesh");
-    const bool alpha = filter == NETMESH_FILTER_ALPHA;
-    if (alpha == context->is_mesh)
-        return finish(context, Status::no_result,
-                      alpha ? "the alpha filter needs a Delaunay triangulation of the points alone"
-                            : "this filter needs a mesh");
-    if (context->hierarchy.cages > 0)
-        return finish(context, Status::no_result, "this filter needs a mesh without cages");
-    const std::uint32_t degree = max_degree < context->dim ? max_degree : context->dim - 1;
-    clear_diagram(context);
-    Monitor monitor = monitor_of(*options);
-    return with_dimension(context->dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store(context->arena, context->store);
-        PairList pairs = {};
-        std::uint64_t simplices = 0;
-        MeshCertificate certificate = {1, 1, 0};
-        Status status;
-        if (alpha) {
-            status = persist_alpha<D>(store.view(), store.point(0), Store<D>::vertex_stride, degree,
-                                      keep_zero_pairs != 0, context->arena, monitor, &pairs, &simplices);
-        } else {
-            double* const value = context->arena.take_low<double>(context->store.vertex_count);
-            const bool complete = filter == NETMESH_FILTER_COMPLETE;
-            monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
-            status = value == nullptr ? Status::out_of_memory : Status::ok;
-            if (status == Status::ok)
-                status = mesh_filter_values<D>(
-                    store, domain_of<D>(*context), complete ? MeshFilter::complete : MeshFilter::basic,
-                    values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified,
-                    context->arena, value, &certificate);
-            if (status == Status::ok)
-                status = persist_lower_star<D>(store.view(), value, complete ? context->inputs : 0, degree,
-                                               keep_zero_pairs != 0, context->arena, monitor, &pairs, &simplices);
-            if (status == Status::ok) {
-                context->has_values = true;
-                context->values_offset = context->arena.offset_of(value);
-            }
-        }
-        if (status != Status::ok) {
-            clear_diagram(context);
-            return finish(context, status, text_of(status));
-        }
-        context->has_diagram = true;
-        context->pairs_offset = context->arena.offset_of(pairs.pairs);
-        context->pair_count = pairs.count;
-        context->simplices = simplices;
-        context->filter = filter;
-        context->values = values;
-        context->max_degree = degree;
-        context->certified_ratio = certificate.ratio;
-        context->certified_ratio_best = certificate.ratio_best;
-        context->certified_from = certificate.from;
-        return finish(context, Status::ok, "");
     });
 }
 

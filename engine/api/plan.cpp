@@ -1,4 +1,5 @@
 #include "api/dispatch.hpp"
+#include "filtration/tight_filter.hpp"
 
 namespace netmesh {
 namespace {
@@ -11,6 +12,10 @@ constexpr double simplices_per_cell[] = {0, 0, 3.0, 4.35, 6.3, 9.1, 13.3};
 // Vertices a point: 1 + growth / (tau - 2)^(exponent / 8).
 constexpr double growth[] = {0, 0, 2.1, 4.1, 8.5, 12, 15};
 constexpr int exponent[] = {0, 0, 7, 10, 12, 13, 14};
+// Vertices a point of an over-refined mesh, times eps^D.
+constexpr double over_refined[] = {0, 0, 6, 15, 21, 26, 36};
+// The larger domain of the tight filter counts as that many points more.
+constexpr double tight_surroundings[] = {0, 0, 16, 32, 64, 128, 256};
 constexpr double gradient_bytes_per_simplex = 8;
 constexpr double alpha_bytes_per_simplex = 48;
 constexpr double hierarchy_bytes_per_point = 44;
@@ -23,18 +28,24 @@ double power_in_eighths(double x, int k) {
     return p;
 }
 
-template <int D> double planned_bytes(netmesh_job job, netmesh_method method, double tau, double points) {
-    const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST;
+template <int D>
+double planned_bytes(netmesh_job job, netmesh_method method, double tau, double eps, double points) {
+    const bool tight = job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES;
+    const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST || tight;
     double vertices = points, cells = points * delaunay_cells_per_point[D];
     if (meshes) {
         vertices = points * (1 + growth[D] / power_in_eighths(tau - 2, exponent[D])) + 100;
+        double fine = eps > 0 ? (points + (tight ? tight_surroundings[D] : 0)) * over_refined[D] : 0;
+        for (int k = 0; k < D && eps > 0; ++k) fine /= eps;
+        if (fine > vertices) vertices = fine;
         cells = vertices * mesh_cells_per_vertex[D];
     }
     double bytes = vertices * sizeof(Vertex<D>) + cells * sizeof(Cell<D>) + 9 * points;
     if (meshes && method == NETMESH_METHOD_NETMESH) bytes += hierarchy_bytes_per_point * points;
     const double simplices = cells * simplices_per_cell[D];
-    if (job == NETMESH_JOB_PERSIST) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
+    if (job == NETMESH_JOB_PERSIST || tight) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
+    if (job == NETMESH_JOB_PERSIST_SCALES) bytes += points * (sizeof(Vertex<D>) + 32);
     const double sorting = points * (sizeof(Vertex<D>) + sort_bytes_per_point);
     if (bytes < sorting) bytes = sorting;
     // Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
@@ -48,12 +59,20 @@ using namespace netmesh;
 
 extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points) {
     if (!usable(options) || points == 0 || points > (uint64_t{1} << 28)) return 0;
-    if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_ALPHA)) return 0;
+    if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_SCALES)) return 0;
     if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE)) return 0;
     const double tau = tau_of(*options);
     if (!(tau > 2) || !is_finite(tau)) return 0;
+    if (!(options->over_refine_eps >= 0)) return 0;
+    double size = options->over_refine_eps;
+    if (job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES) {
+        if (!is_valid_eps(eps_of(*options))) return 0;
+        const double tight = tight_size(eps_of(*options));
+        if (!(size > 0 && size < tight)) size = tight;
+    }
     const double bytes = with_dimension(options->dim, [&](auto dimension) {
-        return planned_bytes<decltype(dimension)::value>(job, options->method, tau, static_cast<double>(points));
+        return planned_bytes<decltype(dimension)::value>(job, options->method, tau, size,
+                                                         static_cast<double>(points));
     });
     if (!(bytes < 0x1p62) || bytes >= static_cast<double>(SIZE_MAX / 2)) return SIZE_MAX;
     return (static_cast<size_t>(bytes) + Arena::alignment) & ~(Arena::alignment - 1);

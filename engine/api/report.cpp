@@ -1,4 +1,5 @@
 #include "api/dispatch.hpp"
+#include "filtration/multifiltration.hpp"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {
@@ -6,6 +7,22 @@ namespace {
 
 const Pair* pairs_of(const netmesh_context* context) {
     return reinterpret_cast<const Pair*>(reinterpret_cast<const unsigned char*>(context) + context->pairs_offset);
+}
+
+const VinePoint* vine_points_of(const netmesh_context* context) {
+    return reinterpret_cast<const VinePoint*>(reinterpret_cast<const unsigned char*>(context) +
+                                              context->vine_points_offset);
+}
+
+void add_vineyard(const netmesh_context* context, Fingerprint& f) {
+    f.add(context->certified_ratio);
+    for (std::uint64_t i = 0; i < context->vine_points; ++i) {
+        const VinePoint& point = vine_points_of(context)[i];
+        f.add(static_cast<std::uint64_t>(point.vine) << 32 | point.k);
+        f.add(static_cast<std::uint64_t>(point.degree));
+        f.add(point.birth);
+        f.add(point.death);
+    }
 }
 
 // The store of a context that is only read. Its arena is given the block's present address.
@@ -49,6 +66,7 @@ template <int D> std::uint64_t fingerprint_of(const netmesh_context* context) {
             f.add(pair.death);
         }
     }
+    if (context->has_vineyard) add_vineyard(context, f);
     return f.value();
 }
 
@@ -92,6 +110,8 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
     if (context->is_mesh) {
         report->tau = context->tau;
         report->aspect_ratio_max = context->aspect_ratio_max;
+        report->over_refine_eps = context->over_refine_eps;
+        report->size_ratio_max = context->size_ratio_max;
         for (std::uint32_t k = 0; k < context->dim; ++k) report->domain[k] = context->domain_centre[k];
         report->domain[context->dim] = context->domain_radius;
         report->method = context->method;
@@ -100,10 +120,26 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
         report->touches = context->hierarchy.touches;
     }
     report->has_diagram = context->has_diagram;
-    if (context->has_diagram) {
+    report->has_vineyard = context->has_vineyard;
+    if (context->scales > 0) {
+        report->scales = context->scales;
+        report->separation = context->separation;
+        report->scale_points_max = context->scale_points_max;
+        report->scale_vertices_max = context->scale_vertices_max;
+        report->scale_vertices = context->scale_vertices;
+    }
+    if (context->has_vineyard) {
+        report->k_first = context->k_first;
+        report->k_last = context->k_last;
+        report->vines = context->vines;
+        report->vine_points = context->vine_points;
+        report->transpositions = context->transpositions;
+    }
+    if (context->has_diagram || context->has_vineyard) {
         report->filter = context->filter;
         report->values = context->values;
         report->max_degree = context->max_degree;
+        report->k = context->k;
         for (std::uint64_t k = 0; k < context->pair_count; ++k) ++report->pairs[pairs_of(context)[k].degree];
         report->simplices = context->simplices;
         report->certified_ratio = context->certified_ratio;
@@ -172,6 +208,23 @@ netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, 
     pair->degree = p.degree;
     pair->birth = p.birth;
     pair->death = p.death;
+    return NETMESH_OK;
+}
+
+netmesh_status netmesh_get_vine_point(const netmesh_context* context, uint64_t index, netmesh_vine_point* point) {
+    if (point == nullptr || !holds_result(context) || !context->has_vineyard || index >= context->vine_points)
+        return NETMESH_INVALID_ARGUMENT;
+    const VinePoint& p = vine_points_of(context)[index];
+    *point = {p.vine, p.degree, p.k, p.birth, p.death};
+    return NETMESH_OK;
+}
+
+netmesh_status netmesh_get_vine_ratio(const netmesh_context* context, uint32_t k, double* ratio) {
+    if (ratio == nullptr || !holds_result(context) || !context->has_vineyard || k < context->k_first ||
+        k > context->k_last)
+        return NETMESH_INVALID_ARGUMENT;
+    *ratio = reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(context) +
+                                             context->vine_ratios_offset)[k - context->k_first];
     return NETMESH_OK;
 }
 

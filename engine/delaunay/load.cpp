@@ -91,7 +91,7 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
         vertex.origin = v;
         vertex.marker = Marker::input;
         vertex.queued = 0;
-        vertex.unused = 0;
+        vertex.size_hint = 0;
     }
     for (std::uint32_t c = 0; c < cell_count; ++c) {
         const std::uint32_t made = store.new_cell();

@@ -50,7 +50,7 @@ constexpr double edge_square_max = 0x1p150;
 constexpr double corner_error_max = 0x1p-22;
 
 // The ball through D+1 points by solving for its centre, in about 100 bits when the error bound in doubles is above error_max
-// (<= 1/4); error is +infinity, and centre a vertex, when no bound could be proven then either.
+// (<= 1/4), in integers when that does not do either; error is +infinity, and centre a vertex, when no bound could be proven.
 template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell);
 
 // The ball through q and the facet shared by `inside` (conflicts with q) and `outside` (does not): it belongs to the

@@ -37,7 +37,7 @@ template <int D> struct Vertex {
     std::uint32_t origin;  // input: its row in the caller's array; otherwise the nearest input vertex
     Marker marker;
     std::uint8_t queued;
-    std::uint16_t unused;
+    std::uint16_t size_hint;  // 0, or the squared out-radius asked for (meshes)
 };
 
 // The part of a triangulation that outlives a call: offsets and counts, no addresses.

@@ -124,7 +124,7 @@ Status take_input(Store<D>& store, const double* points, std::size_t n, std::uin
         v.origin = i;
         v.marker = Marker::input;
         v.queued = 0;
-        v.unused = 0;
+        v.size_hint = 0;
     }
     input->rows = n;
     input->fingerprint = fingerprint.value();

@@ -210,7 +210,8 @@ Status persist_alpha(const TriangulationView<D>& complex, const double* coordina
     arena.release_low(low);
     arena.release_high(high);
     if (status != Status::ok) return status;
-    Pair* const pairs = arena.take_low<Pair>(static_cast<std::size_t>(found.count));  // below found.pairs: it fits
+    Pair* const pairs = arena.take_low<Pair>(static_cast<std::size_t>(found.count));  // at or below found.pairs
+    if (pairs == nullptr) return Status::out_of_memory;
     __builtin_memmove(pairs, found.pairs, sizeof(Pair) * static_cast<std::size_t>(found.count));
     *out = {pairs, found.count};
     return Status::ok;

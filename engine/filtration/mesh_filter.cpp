@@ -1,22 +1,9 @@
 #include "filtration/mesh_filter.hpp"
 
+#include "filtration/cell_bounds.hpp"
+
 namespace netmesh {
 namespace {
-
-constexpr double up = 1 + 0x1p-40, down = 1 - 0x1p-40;  // more than the roundings of a few operations
-
-template <int D> double distance(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return square_root(d2);
-}
-
-struct Interval {
-    double lo, hi;
-};
 
 template <int D> struct Bounds {
     const Store<D>& store;
@@ -24,25 +11,8 @@ template <int D> struct Bounds {
     double* out_radius;  // R_v, or more
     double* reach;       // largest distance from a corner of v's cell to v's nearest input, or more
 
-    std::uint32_t nearest_input(std::uint32_t v) const {
-        return store.vertex(v).marker == Marker::input ? v : store.vertex(v).origin;
-    }
-    void measure() {
-        const std::uint32_t count = store.state.vertex_count;
-        for (std::uint32_t v = 0; v < count; ++v) out_radius[v] = reach[v] = 0;
-        for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-            const Cell<D>& cell = store.cell(c);
-            const double radius = square_root(cell.radius2);
-            const double doubt = static_cast<double>(cell.error) * radius;
-            const double r = (radius + doubt) * up;
-            for (const std::uint32_t v : cell.vertex) {
-                const double far = (distance<D>(cell.centre, store.point(nearest_input(v))) + doubt) * up;
-                if (!(r <= out_radius[v])) out_radius[v] = r;
-                if (!(far <= reach[v])) reach[v] = far;
-            }
-        }
-    }
-    double input_distance(std::uint32_t v) const { return distance<D>(store.point(v), store.point(nearest_input(v))); }
+    void measure() { measure_cells<D>(store, out_radius, reach); }
+    double input_distance(std::uint32_t v) const { return distance<D>(store.point(v), store.point(nearest_input<D>(store, v))); }
     // lo_v and hi_v, both cut at rho.
     Interval interval(std::uint32_t v) const {
         const Vertex<D>& vertex = store.vertex(v);
@@ -72,7 +42,7 @@ template <int D> struct Bounds {
 
 template <int D>
 Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFilter filter, FilterValues values,
-                          Arena& arena, double* value, MeshCertificate* certificate) {
+                          Arena& arena, double* value, MeshCertificate* certificate, Interval* intervals) {
     ArenaScope scope(arena);
     const std::uint32_t count = store.state.vertex_count;
     Bounds<D> bounds{store, domain.enclosing_radius * up, arena.take_high<double>(count),
@@ -100,6 +70,7 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
             continue;
         }
         const Interval i = bounds.interval(v);
+        if (intervals != nullptr) intervals[v] = i;
         double t = bounds.own_value(v);
         if (values == FilterValues::certified) {
             const double least = i.hi / best, most = i.lo * best;
@@ -117,7 +88,7 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status mesh_filter_values<D>(const Store<D>&, const Domain<D>&, MeshFilter, FilterValues, Arena&,         \
-                                          double*, MeshCertificate*);
+                                          double*, MeshCertificate*, Interval*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

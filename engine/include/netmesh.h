@@ -62,7 +62,8 @@ typedef enum netmesh_stage {
     NETMESH_STAGE_GRADIENT = 6,   /* lower stars; unit: vertices */
     NETMESH_STAGE_REDUCE = 7,     /* columns */
     NETMESH_STAGE_CHECK = 8,      /* independent checkers; unit: cells */
-    NETMESH_STAGE_COUNT = 9
+    NETMESH_STAGE_ANALYSE = 9,    /* pace, integral, fatness, structure; unit: points, boxes, vertices or cells */
+    NETMESH_STAGE_COUNT = 10
 } netmesh_stage;
 
 typedef struct netmesh_progress {
@@ -80,6 +81,12 @@ typedef enum netmesh_method {
     NETMESH_METHOD_NETMESH = 1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the points' spread */
     NETMESH_METHOD_REFINE = 2   /* VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5: the reference */
 } netmesh_method;
+/* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone (results
+ * are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre, positive,
+ * and nowhere below 64 units in the last place of the coordinates: other values end the job with INVALID_ARGUMENT.
+ * Termination needs no more; the size bounds of 3.7.1 need it to be Lipschitz with a moderate constant. +infinity asks
+ * for nothing. Called a few times a vertex. Must not call into the context. */
+typedef double (*netmesh_size)(void* user, const double* x);
 
 typedef struct netmesh_options {
     uint32_t struct_bytes;  /* sizeof(netmesh_options); set by netmesh_options_init */
@@ -88,10 +95,20 @@ typedef struct netmesh_options {
     double domain_factor;   /* radius of the ball in which quality is promised over the radius of the smallest enclosing
                                ball, in [1, 8]; 0: 1 */
     uint64_t seed;          /* of every random choice */
+    double eps;             /* what the tight filter promises: a certified ratio of at most 1 + eps; in (0, 1/2]; 0: 1/2 */
+    double theta;           /* mediality that keeps points in one scale (7.6), in (0, 1/9]; 0: 1/9 */
+    uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
     netmesh_method method;  /* of netmesh_mesh */
     uint32_t finish;        /* 1: NETMESH_METHOD_NETMESH goes on to a mesh of quality tau without cages (4.7.6) */
+    /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most
+     * f(v) = min(over_refine_eps * f_P(v), size(size_user, v)), f_P the distance to the second nearest input, the point
+     * itself counted. R_v is taken, as everywhere, over corners inside the domain and points where Voronoi edges cross
+     * its sphere; a cell with none is refined too while it reaches farther, but the report has R_v = 0 for it. */
+    double over_refine_eps; /* > 0; 0: not asked for. The mesh has about over_refine_eps^-D times as many vertices */
+    netmesh_size size;      /* null: not asked for */
+    void* size_user;        /* handed to size */
 } netmesh_options;
 
 /* Defaults for dimension dim (clamped to 2..6): tau 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6); seed 1; no poll. */
@@ -110,7 +127,12 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_NONE = 0,
     NETMESH_FILTER_COMPLETE = 1, /* 7.4.2, on a mesh */
     NETMESH_FILTER_BASIC = 2,    /* 7.4.1, on a mesh */
-    NETMESH_FILTER_ALPHA = 3     /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_ALPHA = 3,    /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_KNN = 4,      /* d_k, the distance to the k-th nearest point (8.6), on a mesh; k = 1: complete */
+    NETMESH_FILTER_KDISTANCE = 5,/* root mean square of the distances to the k nearest points (8.6), on a mesh */
+    NETMESH_FILTER_FUNCTION = 6, /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
+    NETMESH_FILTER_TIGHT = 7,    /* 7.5, on a mesh made for NETMESH_JOB_PERSIST_TIGHT (or any other, with a weaker ratio) */
+    NETMESH_FILTER_SCALES = 8    /* 7.6, from points; by netmesh_persist_scales only */
 } netmesh_filter;
 
 typedef enum netmesh_values {
@@ -122,11 +144,13 @@ typedef enum netmesh_job {
     NETMESH_JOB_DELAUNAY = 1,        /* netmesh_delaunay */
     NETMESH_JOB_MESH = 2,            /* netmesh_mesh alone */
     NETMESH_JOB_PERSIST = 3,         /* netmesh_mesh for persistence, then netmesh_persist */
-    NETMESH_JOB_PERSIST_ALPHA = 4    /* netmesh_delaunay, then netmesh_persist with the alpha filter */
+    NETMESH_JOB_PERSIST_ALPHA = 4,   /* netmesh_delaunay, then netmesh_persist with the alpha filter */
+    NETMESH_JOB_PERSIST_TIGHT = 5,   /* netmesh_mesh for the tight filter and options.eps, then netmesh_persist with it */
+    NETMESH_JOB_PERSIST_SCALES = 6   /* netmesh_persist_scales, all points of one scale */
 } netmesh_job;
 
-/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others. SIZE_MAX when it does not
- * fit a size_t, 0 on an invalid argument. */
+/* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted.
+ * SIZE_MAX when it does not fit a size_t, 0 on an invalid argument. */
 size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points);
 
 /* Delaunay triangulation of points[n][D] (row-major, any finite doubles; -0.0 counts as 0). Exact duplicates are
@@ -143,10 +167,12 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * aspect ratio at most tau. With NETMESH_METHOD_NETMESH, unless finished, there are cages as well (see netmesh_cage), each
  * vertex's cell is clipped to the ball of its own domain, and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
- * `for_job`: NETMESH_JOB_MESH, or NETMESH_JOB_PERSIST to refine (SVR alone) a shell around the domain as well, as far as a
- * certified ratio of sqrt(2 + tau) needs it; not for meshes with cages.
- * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
- * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
+ * `for_job`: NETMESH_JOB_MESH; NETMESH_JOB_PERSIST to refine (SVR alone) a shell around the domain as well, as far as a
+ * certified ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of
+ * at least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
+ * point. Meshes with cages are not for persistence, and NETMESH_METHOD_NETMESH does not over-refine.
+ * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
+ * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
                             const netmesh_options* options);
 
@@ -180,25 +206,140 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* 
                                   const netmesh_options* options);
 
 /* Persistent homology over Z/2 of the filtration `filter` on what the context holds, in degrees 0..max_degree
- * (at most D-1; larger is clamped). Values are radii, not squared radii. COMPLETE and BASIC need a mesh without cages, ALPHA a
- * Delaunay triangulation. Zero-length pairs are dropped unless keep_zero_pairs is not 0.
- * Memory above the mesh: below 8 bytes a simplex (complete, basic), about 24 bytes a simplex plus fill (alpha).
- * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+ * (at most D-1; larger is clamped). Values are radii, not squared radii. ALPHA needs a Delaunay triangulation, the others a
+ * mesh without cages; one mesh serves every k. KNN and KDISTANCE take options.k. Zero-length pairs are dropped unless
+ * keep_zero_pairs is not 0. Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
+ * INVALID_ARGUMENT (7: options.k is more than the number of different points), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole
+ * on failure. */
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
+
+/* Persistent homology of points[n][D] scale by scale (7.6): recursively well-paced subsets, one mesh for each in the same memory with
+ * the tight filter of options.eps, their diagrams joined. certified_ratio is at most (1 + 3 theta) (1 + eps), at log distance
+ * 3 theta + eps from the offsets of all points; usually far less, as it is computed from how far the scales found are apart
+ * (report.separation). Peak memory is that of the largest scale and some 100 bytes a point, whatever the spread; distances are
+ * resolved relative to each scale. Cost besides the meshes: points times points of their scale.
+ * Replaces what the context held, also on failure; the context then holds a diagram and no mesh.
+ * INVALID_ARGUMENT (7: options; 8: coordinates near point index_b do not resolve the size asked for), NOT_FINITE, OUT_OF_RANGE,
+ * TOO_CLOSE, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_persist_scales(netmesh_context* context, const double* points, size_t n, netmesh_values values,
+                                      uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
+
+/* A function f >= 0 of the caller's with |f(x) - f(y)| <= lipschitz |x - y|. Homology beyond the mesh is what the caller answers for:
+ * 7.4.4's clipping argument is proven for distances to points, for a general f it is an assumption. */
+typedef struct netmesh_function {
+    double (*evaluate)(void* user, const double* x); /* f at x[D], finite; called once for each vertex, in their order; must
+                                                        not call into the context */
+    void* user;              /* handed to evaluate */
+    double lipschitz;        /* finite, >= 0 */
+    double distance_factor;  /* a c with f >= d_2 / c, d_2 the distance to the second nearest point (8.6.3), or 0: unknown */
+    double cut;              /* finite, >= 0: f >= cut outside the domain ball (report.domain), and the sublevel sets from cut
+                                on are contractible; values are cut there */
+} netmesh_function;
+
+/* The same for the sublevel sets of a function (8.6), on a mesh. certified_ratio is infinite where f is too small for its change
+ * across a Voronoi cell; a distance_factor keeps it finite.
+ * INVALID_ARGUMENT (2: null, or a number that is not what it has to be), NOT_FINITE (index_a: the vertex at which f is not finite
+ * or negative), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_function* function,
+                                        netmesh_values values, uint32_t max_degree, int keep_zero_pairs,
+                                        const netmesh_options* options);
+
+/* One mesh for all k: the diagrams of the filter (KNN or KDISTANCE) for k = k_first..k_last, and the vines that connect them (6.3,
+ * 8.6), by transpositions on R = D V while every simplex's value moves on a straight line from one k to the next. The diagram at
+ * each k is that of netmesh_persist. Replaces the diagram.
+ * Memory above the mesh: about 130 bytes a simplex of dimension up to max_degree + 1, and the columns. Time: O(log n) for each two
+ * simplices of a dimension that change their order between two k; that is millions for small meshes already.
+ * INVALID_ARGUMENT (2: filter, 3, 4: not 1 <= k_first <= k_last, 5: values, 7: k_last is more than the number of
+ * different points), NO_RESULT, OUT_OF_MEMORY,
+ * CANCELLED. The mesh stays whole on failure. */
+netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_filter filter, uint32_t k_first, uint32_t k_last,
+                                netmesh_values values, uint32_t max_degree, const netmesh_options* options);
 
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
     NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
-    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau (meshes only); with cages those of the
-                                        hierarchy, and that no cage is encroached (4.5) */
-    NETMESH_CHECK_ALL = 15
+    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau; sizes likewise (meshes only). With cages
+                                        the ratios of the hierarchy, and that no cage is encroached (4.5) */
+    NETMESH_CHECK_BOUNDS = 16,       /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes only) and 5 */
+    NETMESH_CHECK_ALL = 31
 } netmesh_check_what;
 
 /* Independent checkers: nothing that they read was cached by the code that made the result. O(cells).
- * `what`: a union of netmesh_check_what; tau is taken from options. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
+ * `what`: a union of netmesh_check_what; tau and sizes are taken from options. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
 netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netmesh_options* options);
+
+typedef enum netmesh_analyse_what {
+    NETMESH_ANALYSE_SIZE = 1,      /* a mesh only */
+    NETMESH_ANALYSE_STRUCTURE = 2,
+    NETMESH_ANALYSE_FATNESS = 4,
+    NETMESH_ANALYSE_ALL = 7
+} netmesh_analyse_what;
+
+/* Voronoi cells and what their fatness says about them (5); beta = out-radius / in-radius of a cell, its smallest enclosing
+ * and largest inscribed ball. Everything counts vertices of the part only. */
+typedef struct netmesh_fatness {
+    uint64_t cells;
+    double beta_max, beta_mean;
+    double aspect_ratio_max;   /* the same with both balls about the vertex, cells not clipped */
+    uint64_t edges, degree_max;
+    double edges_bound;        /* 5.3.1: (4 beta)^D cells */
+    double faces, faces_bound; /* at least the simplices of dimension 1 to D; 5.3.2: (4 beta)^(D^2) cells */
+    double degree_share;       /* 5.3.3: largest degree over (8 beta)^D (floor(log2 aspect ratio) + 1); at most 1 */
+    double planar_share;       /* 5.4.5: largest degree over 6 pi / arcsin(1 / (4 beta)); at most 1; 0 for D > 2 */
+    double corners_share;      /* 5.5.1: what corners of a cell are at least over what they are, largest; at most 1 */
+} netmesh_fatness;
+
+typedef struct netmesh_analysis {
+    uint32_t struct_bytes;     /* in: sizeof(netmesh_analysis) */
+    uint32_t what;             /* what was analysed; figures of other kinds are 0 */
+    uint64_t fingerprint;      /* of all figures; equal on every platform */
+    /* Size (3.4, 3.6, 3.8): theta_i is the distance of the i-th input to the nearest before it over that to the second
+     * nearest, in the ordering of netmesh_well_paced_order. */
+    uint64_t size;             /* |M|: vertices that are not exempt */
+    double size_lower;         /* every mesh of aspect ratio tau on this domain has more vertices (3.4.2) */
+    double size_upper;         /* every mesh of this feature_ratio has fewer (3.4.1) */
+    double feature_ratio;      /* largest f_P(v) / f_M(v), distances to the second nearest input and vertex */
+    double feature_ratio_bound;/* by 3.3.2, where inputs are yielded to, and 3.7.1; infinite where they say nothing */
+    double theta, theta_limit; /* least theta_i; no ordering that begins with a diameter has a least one above the limit */
+    double theta_log_sum;      /* sum of ln(1 / theta_i), i >= 3: the mesh size up to constants and O(n) (3.8.1) */
+    /* Bounds on the integral of f_P^-D over balls about the domain's centre: the domain; what also contains all vertices'
+     * in-balls; what contains three diameters about each input. */
+    double radius[3], integral_lower[3], integral_upper[3];
+    double pace_lower, pace_upper; /* what 3.8.7 and 3.8.5 say about the last */
+    uint64_t boxes;            /* where f_P was evaluated */
+    /* Structure (4.8.1, 4.11) */
+    uint64_t degree_max, star_max; /* neighbours and cells of a vertex that is not on the hull */
+    double degree_mean, star_mean;
+    uint64_t ply_points, ply_max;  /* circumscribed balls that contain a point: barycentres, centres in the domain */
+    double ply_mean;
+    uint64_t balls, intersections_max; /* other circumscribed balls that meet one */
+    double intersections_mean;
+    /* Fatness (5): cells of vertices neither exempt nor on the hull, whole; those of them inside the domain; all clipped to
+     * the domain (balls of corners; nothing is bounded by them) */
+    netmesh_fatness bounded, inside;
+    uint64_t clipped_cells;
+    double clipped_beta_max, clipped_beta_mean;
+} netmesh_analysis;
+
+/* Analyses what the context holds. `what`: a union of netmesh_analyse_what. tolerance: wanted upper / lower - 1 of the
+ * integrals; 0: 0.1, 0.25, 1, 4, 16 for D = 2..6; large inputs, and the boundary in high D, get less. tau and sizes are taken from
+ * options, as are those of the poll. Scratch: 8 to 40 bytes a vertex.
+ * INVALID_ARGUMENT, NO_RESULT (no triangulation; SIZE without a mesh), OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_analyse(netmesh_context* context, uint32_t what, double tolerance,
+                               const netmesh_options* options, netmesh_analysis* analysis);
+
+/* An ordering order[inputs] of the input vertices, from one far from input 0, always one of those farthest from all before,
+ * and its theta[inputs] (may be null; 1 for the first two). It is theta-well-paced (3.8) for its least theta_i, and no
+ * ordering that begins with a diameter is so for more than 2 theta / (1 - 3 theta), theta < 1/5. O(n log n) on inputs of
+ * moderate spread. Distances must have squares that a double holds, as those of meshes do.
+ * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY. */
+netmesh_status netmesh_well_paced_order(netmesh_context* context, uint32_t* order, double* theta);
+
+/* theta[inputs] of a given permutation order[inputs] of the input vertices. INVALID_ARGUMENT (2: no permutation), NO_RESULT,
+ * OUT_OF_MEMORY. */
+netmesh_status netmesh_pace(netmesh_context* context, const uint32_t* order, double* theta);
 
 typedef enum netmesh_predicate_stage {
     NETMESH_PREDICATE_CACHED = 0,  /* decided by a cached circumsphere and its error bound */
@@ -231,16 +372,30 @@ typedef struct netmesh_report {
     netmesh_filter filter;
     netmesh_values values;
     uint32_t max_degree;
+    uint32_t k;                 /* of the filters KNN and KDISTANCE, else 0 */
     uint64_t pairs[NETMESH_DIM_MAX]; /* per degree, essential ones included */
     uint64_t simplices;         /* of the filtered complex */
-    double certified_ratio;     /* c >= 1: log-bottleneck distance to the offsets' diagram is at most ln c */
+    double certified_ratio;     /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
+                                   the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best;/* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;      /* scale from which the ratio holds: 0, or r_P for the basic filter */
+    /* scales: how many, the least E = (distance from a scale's representative to the next point of the scale above) / (twice the
+     * radius of the scale), at least (1 - theta) / (2 theta), infinity for one scale; offsets are within E / (E - 1). Points and
+     * vertices of the largest scale; `simplices` counts those of all. */
+    uint64_t scales;
+    double separation;
+    uint64_t scale_points_max, scale_vertices_max, scale_vertices;
+    /* vineyard; filter, values, max_degree and simplices are its, certified_ratio is the largest */
+    uint32_t has_vineyard;
+    uint32_t k_first, k_last;
+    uint64_t vines, vine_points, transpositions;
     /* cost */
     uint64_t block_bytes, peak_bytes, used_bytes;
     uint64_t predicate_calls[NETMESH_PREDICATE_STAGES]; /* in-ball decisions ended in each stage */
     uint64_t orient_calls[NETMESH_PREDICATE_STAGES];
     uint64_t fingerprint;       /* of mesh and diagram; equal on every platform and for every block size */
+    double over_refine_eps;     /* asked for */
+    double size_ratio_max;      /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
 } netmesh_report;
 
 netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);
@@ -270,6 +425,28 @@ typedef struct netmesh_pair {
     double birth, death;
 } netmesh_pair;
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair);
+
+/* For each bar where the true one surely is, from the bounds of every cell instead of one ratio, and whether the bar surely stands for
+ * a class of the true diagram. Filters COMPLETE, TIGHT, KNN and KDISTANCE: by scale; ALPHA, SCALES, FUNCTION: by the certified
+ * ratio. The numbers stay with the diagram: 40 bytes a bar. The diagram stays whole on failure.
+ * NO_RESULT (no diagram, or the basic filter's), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_options* options);
+typedef struct netmesh_bar_bounds {
+    double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched */
+    double certain_after; /* psi(phi(birth)), certificates hold near the scale `birth` within sqrt(certain_after / birth) */
+    uint32_t certain;     /* 1: death > certain_after, so the bar is surely real */
+} netmesh_bar_bounds;
+netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds);
+
+/* Where a vine is at one k: a pair of that k's diagram. Sorted by vine, then k; vines are numbered from 0 by degree, the first k at
+ * which they have a length, birth and death there. A vine that loses its length and gets it again keeps its number. */
+typedef struct netmesh_vine_point {
+    uint32_t vine, degree, k;
+    double birth, death; /* death is +infinity for an essential class */
+} netmesh_vine_point;
+netmesh_status netmesh_get_vine_point(const netmesh_context* context, uint64_t index, netmesh_vine_point* point);
+/* The certified ratio of the diagram at one k of the vineyard. */
+netmesh_status netmesh_get_vine_ratio(const netmesh_context* context, uint32_t k, double* ratio);
 
 #ifdef __cplusplus
 }

@@ -12,6 +12,13 @@
 
 namespace netmesh {
 
+#ifdef NETMESH_SWEEP
+// Defined by tests/sweep, which makes chosen requests fail that would fit.
+bool sweep_refuses();
+#else
+constexpr bool sweep_refuses() { return false; }
+#endif
+
 class Arena {
 public:
     static constexpr std::size_t alignment = 16;
@@ -29,7 +36,7 @@ public:
     void rebase(void* base) { base_ = static_cast<unsigned char*>(base); }
 
     std::size_t bytes() const { return size_; }
-    std::size_t bytes_free() const { return high_ - low_; }
+    std::size_t bytes_free() const { return sweep_refuses() ? 0 : high_ - low_; }
     std::size_t bytes_used() const { return low_ + (size_ - high_); }
     // Largest bytes_used() so far; bytes_wanted: the largest total that a refused request asked for, 0 if none.
     std::size_t bytes_peak() const { return peak_; }
@@ -40,7 +47,7 @@ public:
     template <class T> T* take_low(std::size_t count) {
         const std::size_t start = (low_ + alignment - 1) & ~(alignment - 1);
         std::size_t need;
-        if (!fits(count, sizeof(T), start - low_, &need)) return nullptr;
+        if (sweep_refuses() || !fits(count, sizeof(T), start - low_, &need)) return nullptr;
         low_ = start + need;
         note_peak();
         return reinterpret_cast<T*>(base_ + start);
@@ -48,7 +55,7 @@ public:
     template <class T> T* take_high(std::size_t count) {
         const std::size_t end = high_ & ~(alignment - 1);
         std::size_t need;
-        if (!fits(count, sizeof(T), high_ - end, &need)) return nullptr;
+        if (sweep_refuses() || !fits(count, sizeof(T), high_ - end, &need)) return nullptr;
         high_ = (end - need) & ~(alignment - 1);
         note_peak();
         return reinterpret_cast<T*>(base_ + high_);

@@ -34,7 +34,11 @@ public:
     }
 
 private:
+#ifdef NETMESH_SWEEP
+    static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
+#else
     static constexpr std::uint32_t interval = 100000;  // about every ten milliseconds
+#endif
     netmesh_poll poll_ = nullptr;
     void* user_ = nullptr;
     netmesh_progress progress_ = {};

@@ -82,20 +82,19 @@ template <int D> int smallest_ball(const double** p, int m, double* centre) {
     return size;
 }
 
-}  // namespace
-
-template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain) {
+// Centre of the smallest ball of points point(0..count-1) and the square of the largest distance from it.
+template <int D, class PointOf> double enclose(PointOf&& point, std::uint32_t count, double* best) {
     const double* basis[D + 2];
     int size = 1;
-    basis[0] = store.point(0);
+    basis[0] = point(0);
     double centre[D];
-    for (int k = 0; k < D; ++k) centre[k] = domain.centre[k] = basis[0][k];
+    for (int k = 0; k < D; ++k) centre[k] = best[k] = basis[0][k];
     double best2 = infinity;  // smallest covering radius seen, squared
     for (int step = 0; step < 200; ++step) {
         double far2 = -1;
         std::uint32_t far = 0;
         for (std::uint32_t v = 0; v < count; ++v) {
-            const double d2 = distance2<D>(centre, store.point(v));
+            const double d2 = distance2<D>(centre, point(v));
             if (d2 > far2) {
                 far2 = d2;
                 far = v;
@@ -103,13 +102,20 @@ template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32
         }
         if (far2 < best2) {
             best2 = far2;
-            for (int k = 0; k < D; ++k) domain.centre[k] = centre[k];
+            for (int k = 0; k < D; ++k) best[k] = centre[k];
         }
         if (far2 <= distance2<D>(centre, basis[0]) * (1 + 0x1p-40)) break;
-        basis[size] = store.point(far);
+        basis[size] = point(far);
         size = smallest_ball<D>(basis, size + 1, centre);
         if (size == 0) break;
     }
+    return best2;
+}
+
+}  // namespace
+
+template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain) {
+    const double best2 = enclose<D>([&](std::uint32_t v) { return store.point(v); }, count, domain.centre);
     double magnitude = 1;
     for (int k = 0; k < D; ++k)
         if (absolute(domain.centre[k]) > magnitude) magnitude = absolute(domain.centre[k]);
@@ -117,10 +123,20 @@ template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32
     domain.radius = 0;
 }
 
-template void smallest_enclosing_ball<2>(const Store<2>&, std::uint32_t, Domain<2>&);
-template void smallest_enclosing_ball<3>(const Store<3>&, std::uint32_t, Domain<3>&);
-template void smallest_enclosing_ball<4>(const Store<4>&, std::uint32_t, Domain<4>&);
-template void smallest_enclosing_ball<5>(const Store<5>&, std::uint32_t, Domain<5>&);
-template void smallest_enclosing_ball<6>(const Store<6>&, std::uint32_t, Domain<6>&);
+template <int D>
+void smallest_enclosing_ball(const double* points, std::uint32_t count, double* centre, double* radius) {
+    const double best2 = enclose<D>([&](std::uint32_t i) { return points + std::size_t{i} * D; }, count, centre);
+    *radius = square_root(best2) * (1 + 8 * unit_roundoff);
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                    \
+    template void smallest_enclosing_ball<D>(const Store<D>&, std::uint32_t, Domain<D>&);         \
+    template void smallest_enclosing_ball<D>(const double*, std::uint32_t, double*, double*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

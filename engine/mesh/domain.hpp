@@ -28,6 +28,10 @@ template <int D> struct Domain {
 // magnitude, at least 1. domain.radius is left 0.
 template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain);
 
+// The same for points[count][D], count >= 1: *radius is 0 for a single point.
+template <int D>
+void smallest_enclosing_ball(const double* points, std::uint32_t count, double* centre, double* radius);
+
 // The points (0, 1 or 2) in which the segment a-b crosses the domain's sphere, written to z. Measured from the nearer end, as
 // the other one may be farther away than its digits reach.
 template <int D>

@@ -1,5 +1,7 @@
 #include "mesh/input_tree.hpp"
 
+#include "memory/sort.hpp"
+
 namespace netmesh {
 namespace {
 
@@ -7,14 +9,9 @@ struct Range {
     std::uint32_t begin, end;
 };
 
-template <int D> double distance2_of(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return d2;
-}
+constexpr auto is_nearer = [](const Neighbour& a, const Neighbour& b) {
+    return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.input < b.input);
+};
 
 }  // namespace
 
@@ -79,31 +76,18 @@ template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena,
         if (!rings) continue;
         double reach2 = 0;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const double d2 = distance2_of<D>(store.point(items_[i]), store.point(items_[middle]));
+            const double d2 = squared_distance(store.point(items_[middle]), items_[i]);
             if (d2 > reach2) reach2 = d2;
         }
         reach_[middle] = square_root(reach2) * (1 + 8 * unit_roundoff);
     }
+    touches_ = 0;
     return Status::ok;
 }
 
 template <int D>
-std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
-                                    double* distance2) const {
-    std::uint32_t best = none;
-    double best2 = infinity, best1 = infinity;  // squared, and its root where it is asked for
-    const auto consider = [&](std::uint32_t v) -> double {
-        if (v == except) return 0;
-        ++touches_;
-        const double d2 = distance2_of<D>(x, store_->point(v));
-        if (d2 < best2 || (d2 == best2 && v < best)) {
-            best2 = d2;
-            best = v;
-            if (reach_ != nullptr) best1 = square_root(d2);
-        }
-        return d2;
-    };
-    if (start != none) consider(start);
+template <class Consider, class Bound>
+void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) const {
     Range stack[40];
     double plane2[40];  // no point of the range is nearer than this, squared
     int depth = 0;
@@ -111,7 +95,7 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
     plane2[depth++] = 0;
     while (depth > 0) {
         Range range = stack[--depth];
-        if (plane2[depth] > best2) continue;
+        if (plane2[depth] > bound2()) continue;
         while (range.end - range.begin > leaf) {
             const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
             const int axis = axis_[middle];
@@ -119,7 +103,7 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
             const double d2 = consider(items_[middle]);
             if (reach_ != nullptr) {
                 // Clusters far smaller than their distance lie on both sides of planes that say nothing about it.
-                const double far = (best1 + reach_[middle]) * (1 + 8 * unit_roundoff);
+                const double far = (square_root(bound2()) + reach_[middle]) * (1 + 8 * unit_roundoff);
                 if (d2 > far * far) {
                     range.end = range.begin;
                     break;
@@ -132,8 +116,52 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
         }
         for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
     }
+}
+
+template <int D>
+std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
+                                    double* distance2) const {
+    std::uint32_t best = none;
+    double best2 = infinity;
+    const auto consider = [&](std::uint32_t v) -> double {
+        if (v == except) return 0;
+        const double d2 = squared_distance(x, v);
+        if (d2 < best2 || (d2 == best2 && v < best)) {
+            best2 = d2;
+            best = v;
+        }
+        return d2;
+    };
+    if (start != none) consider(start);
+    visit(x, consider, [&] { return best2; });
     *distance2 = best2;
     return best;
+}
+
+// The best so far are a heap with the worst of them on top.
+template <int D> void InputTree<D>::nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const {
+    std::uint32_t found = 0;
+    const auto consider = [&](std::uint32_t v) {
+        const Neighbour one = {squared_distance(x, v), v, 0};
+        if (found < k) {
+            std::uint32_t hole = found++;
+            for (; hole > 0 && is_nearer(neighbours[(hole - 1) / 2], one); hole = (hole - 1) / 2)
+                neighbours[hole] = neighbours[(hole - 1) / 2];
+            neighbours[hole] = one;
+            return one.distance2;
+        }
+        if (!is_nearer(one, neighbours[0])) return one.distance2;
+        std::uint32_t hole = 0;
+        for (std::uint32_t child; (child = 2 * hole + 1) < k; hole = child) {
+            if (child + 1 < k && is_nearer(neighbours[child], neighbours[child + 1])) ++child;
+            if (!is_nearer(one, neighbours[child])) break;
+            neighbours[hole] = neighbours[child];
+        }
+        neighbours[hole] = one;
+        return one.distance2;
+    };
+    visit(x, consider, [&] { return found < k ? infinity : neighbours[0].distance2; });
+    sort(neighbours, k, is_nearer);
 }
 
 template <int D>
@@ -141,8 +169,7 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
     std::uint32_t best = none;
     double best1 = inner, best2 = inner * inner;
     const auto consider = [&](std::uint32_t v) {
-        ++touches_;
-        const double d2 = distance2_of<D>(x, store_->point(v));
+        const double d2 = squared_distance(x, v);
         if (d2 <= outer * outer && (d2 > best2 || (d2 == best2 && v < best && best != none))) {
             best = v;
             best2 = d2;

@@ -1,4 +1,4 @@
-// Nearest input point, exactly: a k-d tree over the inputs, 5 bytes a point; 13 where rings are searched too.
+// Nearest input points, exactly: a k-d tree over the inputs, 5 bytes a point; 13 where rings are searched too.
 #pragma once
 #include <cstdint>
 
@@ -6,14 +6,41 @@
 
 namespace netmesh {
 
+// A part of the tree: items begin..end-1. A longer one than a leaf is split by its middle item.
+struct TreeRange {
+    static constexpr std::uint32_t leaf = 8;
+    std::uint32_t begin, end;
+
+    bool is_leaf() const { return end - begin <= leaf; }
+    std::uint32_t middle() const { return begin + (end - begin) / 2; }  // no two ranges have the same
+    TreeRange below() const { return {begin, middle()}; }
+    TreeRange above() const { return {middle() + 1, end}; }
+};
+
+// One of several nearest inputs.
+struct Neighbour {
+    double distance2;  // as computed
+    std::uint32_t input;
+    std::uint32_t unused;
+};
+
 template <int D> class InputTree {
 public:
-    // Over vertices 0..count-1, at the arena's low end; `rings`: to be asked for in_ring too. O(n log n). out_of_memory.
+    // Over vertices 0..count-1, at the arena's low end; `rings`: to be asked for farthest_in_ring too. O(n log n). out_of_memory.
     Status build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings = false);
 
     // The input nearest to x that is not `except`, smallest index among equals, in terms of the squared distance as
     // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
     std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
+
+    // Its layout, for other searches: items of a range below the middle have an axis(middle) coordinate at most that of the
+    // middle item, those above at least.
+    TreeRange root() const { return {0, count_}; }
+    std::uint32_t item(std::uint32_t i) const { return items_[i]; }
+    int axis(std::uint32_t middle) const { return axis_[middle]; }
+    // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index: unique,
+    // whatever the tree. Expected O(k log k + log n).
+    void nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const;
 
     // The input farthest from x among those whose distance is above `inner` and at most `outer`, with its squared distance;
     // `none` when there is none. Parts of the tree that cannot hold it are passed over at once.
@@ -23,13 +50,26 @@ public:
     std::uint64_t touches() const { return touches_; }
 
 private:
-    static constexpr std::uint32_t leaf = 8;
+    static constexpr std::uint32_t leaf = TreeRange::leaf;
     void split(std::uint32_t begin, std::uint32_t end);
+    double squared_distance(const double* x, std::uint32_t v) const {
+        ++touches_;
+        const double* const p = store_->point(v);
+        double d2 = 0;
+        for (int k = 0; k < D; ++k) {
+            const double d = x[k] - p[k];
+            d2 += d * d;
+        }
+        return d2;
+    }
+    // Calls consider(input), which returns the squared distance or 0, for every input that can be nearer than bound2() or as
+    // near, near parts first.
+    template <class Consider, class Bound> void visit(const double* x, Consider&& consider, Bound&& bound2) const;
 
     const Store<D>* store_;
     std::uint32_t* items_;
-    std::uint8_t* axis_;   // of the split at the middle item of a range
-    double* reach_;        // of a range about its middle item; null without rings
+    std::uint8_t* axis_;  // of the split at the middle item of a range
+    double* reach_;       // of a range about its middle item; null without rings
     std::uint32_t count_;
     mutable std::uint64_t touches_;
 };

@@ -9,9 +9,8 @@
 namespace netmesh {
 namespace {
 
-// These three as in refine.cpp.
+// These two as in refine.cpp.
 constexpr double pull_back = 1.15;
-constexpr double yield_radius = 0.9;
 constexpr double tau_margin = 0x1p-20;
 
 // How the thesis's operations are carried out here, and why they differ where they do.

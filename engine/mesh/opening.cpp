@@ -3,14 +3,6 @@
 #include "mesh/distance.hpp"
 
 namespace netmesh {
-namespace {
-
-constexpr double coordinate_max = 0x1p500;
-constexpr double separation_min = 0x1p-500;
-constexpr double resolution = 64 * 0x1p-52;
-
-}  // namespace
-
 template <int D> Status check_separation(const Store<D>& store, const InputTree<D>& tree, InputReport* input) {
     const std::uint32_t inputs = store.state.vertex_count;
     for (std::uint32_t v = 0; v < inputs; ++v)

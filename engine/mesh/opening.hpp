@@ -8,6 +8,11 @@
 
 namespace netmesh {
 
+// What meshing admits: magnitudes of coordinates, distances, and distances over magnitudes.
+constexpr double coordinate_max = 0x1p500;
+constexpr double separation_min = 0x1p-500;
+constexpr double resolution = 64 * 0x1p-52;
+
 // The store holds inputs alone, `tree` is over them. out_of_range: a coordinate above 2^500 or two inputs closer than 2^-500;
 // too_close: two inputs closer than 64 units in the last place. Rows in *input. O(n log n).
 template <int D> Status check_separation(const Store<D>& store, const InputTree<D>& tree, InputReport* input);
@@ -23,7 +28,7 @@ inline std::uint32_t make_vertex(Store<D>& store, const double* x, std::uint32_t
     v.origin = origin;
     v.marker = marker;
     v.queued = 0;
-    v.unused = 0;
+    v.size_hint = 0;
     return made;
 }
 

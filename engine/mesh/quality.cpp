@@ -27,7 +27,7 @@ template <int D> const double* fresh_corner(const Store<D>& store, std::uint32_t
 
 // out2[v] := squared out-radius of v's clipped cell, corners from corner_of.
 template <int D, class CornerOf>
-void clipped_out_radii(const Store<D>& store, const Domain<D>& domain, CornerOf&& corner_of, double* out2) {
+void measure_out_radii(const Store<D>& store, const Domain<D>& domain, CornerOf&& corner_of, double* out2) {
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) out2[v] = 0;
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
         const Cell<D>& cell = store.cell(c);
@@ -70,25 +70,27 @@ void worst_ratio(const Store<D>& store, const double* out2, const double* neares
 
 }  // namespace
 
+template <int D> void clipped_out_radii(const Store<D>& store, const Domain<D>& domain, Corners corners, double* out2) {
+    measure_out_radii<D>(
+        store, domain,
+        [&](std::uint32_t c, Cell<D>& s) {
+            return corners == Corners::kept ? kept_corner<D>(store, c, s) : fresh_corner<D>(store, c, s);
+        },
+        out2);
+}
+
 template <int D>
 Status worst_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
                           std::uint32_t* vertex) {
     ArenaScope scope(arena);
     double* const out2 = arena.take_low<double>(store.state.vertex_count);
     if (out2 == nullptr) return Status::out_of_memory;
-    clipped_out_radii<D>(store, domain, [&](std::uint32_t c, Cell<D>& s) { return kept_corner<D>(store, c, s); }, out2);
+    clipped_out_radii<D>(store, domain, Corners::kept, out2);
     worst_ratio<D>(store, out2, nullptr, worst, vertex);
     return Status::ok;
 }
 
-template <int D>
-Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
-                               std::uint32_t* vertex) {
-    ArenaScope scope(arena);
-    double* const out2 = arena.take_low<double>(store.state.vertex_count);
-    double* const nearest2 = arena.take_low<double>(store.state.vertex_count);
-    if (out2 == nullptr || nearest2 == nullptr) return Status::out_of_memory;
-    clipped_out_radii<D>(store, domain, [&](std::uint32_t c, Cell<D>& s) { return fresh_corner<D>(store, c, s); }, out2);
+template <int D> void recomputed_nearest2(const Store<D>& store, double* nearest2) {
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) nearest2[v] = infinity;
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
         const Cell<D>& cell = store.cell(c);
@@ -103,13 +105,26 @@ Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, A
                 if (d2 < nearest2[cell.vertex[i]]) nearest2[cell.vertex[i]] = d2;
             }
     }
+}
+
+template <int D>
+Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
+                               std::uint32_t* vertex) {
+    ArenaScope scope(arena);
+    double* const out2 = arena.take_low<double>(store.state.vertex_count);
+    double* const nearest2 = arena.take_low<double>(store.state.vertex_count);
+    if (out2 == nullptr || nearest2 == nullptr) return Status::out_of_memory;
+    clipped_out_radii<D>(store, domain, Corners::recomputed, out2);
+    recomputed_nearest2<D>(store, nearest2);
     worst_ratio<D>(store, out2, nearest2, worst, vertex);
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                     \
     template Status worst_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);         \
-    template Status recomputed_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);
+    template Status recomputed_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*); \
+    template void clipped_out_radii<D>(const Store<D>&, const Domain<D>&, Corners, double*);                       \
+    template void recomputed_nearest2<D>(const Store<D>&, double*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

@@ -21,4 +21,12 @@ template <int D>
 Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
                                std::uint32_t* vertex);
 
+// out2[v], for every vertex: squared out-radius of v's clipped cell, corners as the mesh has them or solved for anew.
+// O(cells), no scratch.
+enum class Corners { kept, recomputed };
+template <int D> void clipped_out_radii(const Store<D>& store, const Domain<D>& domain, Corners corners, double* out2);
+
+// nearest2[v], for every vertex: squared distance to the nearest other vertex, over the edges of cells. O(cells).
+template <int D> void recomputed_nearest2(const Store<D>& store, double* nearest2);
+
 }  // namespace netmesh

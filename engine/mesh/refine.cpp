@@ -10,9 +10,6 @@ namespace {
 // A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad: the cell then
 // loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
 constexpr double pull_back = 1.15;
-// An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
-// ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
-constexpr double yield_radius = 0.9;
 // Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;
 
@@ -20,13 +17,14 @@ template <int D> class Refinement {
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
         : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
-          certify_(options.certify && !options.reference), reference_(options.reference) {}
+          certify_(options.certify && !options.reference), reference_(options.reference), rule_(options.size) {}
 
     Status check_input(InputReport* input);
     Status open(const RefineOptions& options);
     Status open_net();
     Status run(const std::uint32_t* order);
     Status run_reference(const std::uint32_t* order);
+    Status reach_sizes(InputReport* input);
 
 private:
     struct CellView {
@@ -47,6 +45,13 @@ private:
     void queue_bad_vertices(std::uint32_t c);
     bool may_spoil_certificate(std::uint32_t v, const double* x) const;
     bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }
+    // Is a corner bad or, as far as the vertex's hint knows, farther than the size asked for?
+    bool may_be_bad(double corner2, const Vertex<D>& vertex) const {
+        return is_bad(corner2, vertex.nearest2) || (sized_ && corner2 > value_of_size_hint(vertex.size_hint));
+    }
+    bool is_oversize(std::uint32_t v, double corner2) const;
+    Status note_size(std::uint32_t v);
+    bool look_at_poles(std::uint32_t v, CellView* view);
 
     Store<D>& store_;
     Kernel<D> kernel_;
@@ -56,6 +61,9 @@ private:
     BucketQueue<D> queue_;
     double tau_;
     bool certify_, reference_;
+    SizeRule rule_;
+    bool sized_ = false;             // sizes are asked for by now
+    std::uint32_t refused_ = none;   // row of the input nearest to the vertex whose size is refused
     std::uint32_t inputs_ = 0, inserted_ = 0;
 };
 
@@ -150,7 +158,7 @@ template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
     unsigned far = 0;  // positions of the vertices for which this corner is far
     for (int i = 0; i <= D; ++i) {
         const Vertex<D>& vertex = store_.vertex(cell.vertex[i]);
-        if (!vertex.queued && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2)) far |= 1u << i;
+        if (!vertex.queued && vertex.marker != Marker::exempt && may_be_bad(cell.radius2, vertex)) far |= 1u << i;
     }
     if (far == 0) return;
     if (domain_.contains(cell.centre)) {
@@ -174,7 +182,7 @@ template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
         for (int j = 0; j < crossings; ++j)
             for (int k = 0; k <= D; ++k) {
                 const std::uint32_t w = cell.vertex[k];
-                if ((others >> k & 1u) && is_bad(distance2<D>(z[j], store_.point(w)), store_.vertex(w).nearest2))
+                if ((others >> k & 1u) && may_be_bad(distance2<D>(z[j], store_.point(w)), store_.vertex(w)))
                     queue_.push(w);
             }
     }
@@ -193,7 +201,9 @@ template <int D> bool Refinement<D>::may_spoil_certificate(std::uint32_t v, cons
 // Walks around v's cell. False when the gap is too small for that.
 template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
     *view = CellView{};
-    const double least2 = 0.25 * tau_ * tau_ * store_.vertex(v).nearest2;  // a corner that is not bad does not matter
+    double least2 = 0.25 * tau_ * tau_ * store_.vertex(v).nearest2;  // a corner that cannot be bad does not matter
+    if (sized_ && value_of_size_hint(store_.vertex(v).size_hint) < least2)
+        least2 = value_of_size_hint(store_.vertex(v).size_hint);
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](std::uint32_t c) {
@@ -215,7 +225,7 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
 template <int D>
 const Corner<D>* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
     const double nearest2 = store_.vertex(v).nearest2;
-    if (is_bad(view.clipped.distance2, nearest2)) return &view.clipped;
+    if (is_bad(view.clipped.distance2, nearest2) || is_oversize(v, view.clipped.distance2)) return &view.clipped;
     if (!certify_ || !is_bad(view.whole.distance2, nearest2)) return nullptr;
     const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
     const double hi = reach < rho ? reach : rho;
@@ -243,8 +253,12 @@ template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner<D>& c
         return insert(near, corner.cell);
     if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
     const std::uint32_t s = make_vertex<D>(store_, x, near, Marker::steiner);
-    const Status status = insert(s, corner.cell);
-    if (status == Status::out_of_memory) store_.truncate_vertices(s);
+    Status status = sized_ ? note_size(s) : Status::ok;
+    if (status == Status::ok) status = insert(s, corner.cell);
+    if (status == Status::out_of_memory || status == Status::invalid_argument)
+        store_.truncate_vertices(s);
+    else if (sized_)
+        queue_.push(s);
     return status;
 }
 
@@ -255,6 +269,7 @@ template <int D> Status Refinement<D>::clean() {
         if (v == none) return Status::ok;
         CellView view;
         if (!look(v, &view)) return Status::out_of_memory;
+        if (sized_ && view.clipped.distance2 < 0 && !look_at_poles(v, &view)) return Status::out_of_memory;
         const Corner<D>* const corner = bad_corner(v, view);
         if (corner == nullptr) continue;
         const Status status = split(v, *corner);
@@ -269,6 +284,52 @@ template <int D> Status Refinement<D>::run_reference(const std::uint32_t* order)
     for (std::uint32_t k = 0; k < inputs_ && status == Status::ok; ++k)
         if (store_.vertex(order[k]).cell == none) status = insert(order[k], store_.state.last_cell);
     return status == Status::ok ? clean() : status;
+}
+
+// Is a corner of v's cell farther than the size asked for?
+template <int D> bool Refinement<D>::is_oversize(std::uint32_t v, double corner2) const {
+    if (!sized_ || !(corner2 > value_of_size_hint(store_.vertex(v).size_hint))) return false;
+    const double size = wanted_size<D>(store_, tree_, rule_, v) * (1 - tau_margin);
+    return corner2 > size * size;
+}
+
+// The farthest point of a clipped cell without corners; no Voronoi edge meets the domain there.
+template <int D> bool Refinement<D>::look_at_poles(std::uint32_t v, CellView* view) {
+    std::uint32_t count = 0;
+    if (!kernel_.visit_star(v, [&](std::uint32_t) { ++count; })) return false;
+    Corner<D>& corner = view->clipped;
+    corner.distance2 = farthest_pole<D>(store_, domain_, v, store_.list_top(), count, corner.x, &corner.cell);
+    return true;
+}
+
+// Evaluates the size rule at v for the first time.
+template <int D> Status Refinement<D>::note_size(std::uint32_t v) {
+    const double size = wanted_size<D>(store_, tree_, rule_, v);
+    double magnitude = 0;
+    for (int k = 0; k < D; ++k)
+        if (absolute(store_.point(v)[k]) > magnitude) magnitude = absolute(store_.point(v)[k]);
+    if (!(size >= separation_min && size >= resolution * magnitude)) {
+        refused_ = store_.vertex(nearest_input(v)).origin;
+        return Status::invalid_argument;
+    }
+    store_.vertex(v).size_hint = size_hint_of((1 - 2 * tau_margin) * (size < coordinate_max ? size * size : infinity));
+    return Status::ok;
+}
+
+// Over-refinement, when all inputs are in: everything is looked at once more.
+template <int D> Status Refinement<D>::reach_sizes(InputReport* input) {
+    if (!rule_.asks()) return Status::ok;
+    const std::uint32_t count = store_.state.vertex_count;
+    sized_ = true;
+    Status status = Status::ok;
+    for (std::uint32_t v = 0; v < count && status == Status::ok; ++v) {
+        if (store_.vertex(v).marker == Marker::exempt) continue;
+        status = note_size(v);
+        queue_.push(v);
+    }
+    if (status == Status::ok) status = clean();
+    if (status == Status::invalid_argument) input->row_a = refused_;
+    return status;
 }
 
 template <int D> Status Refinement<D>::run(const std::uint32_t* order) {
@@ -295,6 +356,7 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
     status = refinement.check_input(input);
     if (status == Status::ok) status = refinement.open(options);
     if (status == Status::ok) status = options.reference ? refinement.run_reference(order) : refinement.run(order);
+    if (status == Status::ok) status = refinement.reach_sizes(input);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
     settle_spheres<D>(store);
     if (!options.reference) domain->radius = domain->enclosing_radius * options.domain_factor;

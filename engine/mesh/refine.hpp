@@ -4,14 +4,20 @@
 
 #include "delaunay/triangulate.hpp"
 #include "mesh/domain.hpp"
+#include "mesh/sizing.hpp"
 
 namespace netmesh {
+
+// An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
+// ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
+constexpr double yield_radius = 0.9;
 
 struct RefineOptions {
     double tau;            // > 2
     double domain_factor;  // domain radius over the radius of the smallest enclosing ball, >= 1
     bool certify;          // also bring the certified ratio of filtration/mesh_filter.hpp below sqrt(2 + tau)
     std::uint64_t seed;
+    SizeRule size = {};    // also bring the out-radius of every clipped cell down to what it asks for
     // VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5 instead, the reference for everything else:
     // all inputs first, then farthest corners, whole. domain_factor and certify do not matter. With rho the radius of the
     // smallest enclosing ball and delta = 2 rho >= diameter(P), the domain has the ball's centre and radius
@@ -36,8 +42,13 @@ struct RefineOptions {
 // proof as any other. Such a cell has d_P(v) < 2 rho / (2 + tau), so everything stays within 1 + (2 + 1.15 tau) / (2 + tau) < 2.2
 // enclosing radii, a compact set; only a thin shell around the domain is refined, only as far as the certificate needs.
 //
+// With a size rule (3.7) there is a second run, when all inputs are in: a cell is then also bad when its clipped out-radius
+// is above f(v), and its farthest corner (pole, where it has none), at a distance above f(v) from every vertex, is
+// inserted. So it ends as soon as f is bounded away from 0 on the domain, and 3.7.1 holds when f is Lipschitz.
+//
 // ok, out_of_memory, cancelled (both: a Delaunay mesh of what was inserted, tau not promised), out_of_range and too_close
-// (rows in *input), and what take_input says.
+// (rows in *input), invalid_argument (the size asked for at some vertex, row_a the nearest input, is not positive or not
+// resolved by its coordinates: below 64 units in the last place), and what take_input says.
 template <int D>
 Status refine(Store<D>& store, const double* points, std::size_t n, const RefineOptions& options, Monitor& monitor,
               InputReport* input, Domain<D>* domain);

@@ -2,6 +2,14 @@
 #pragma once
 #include "numerics/bits.hpp"
 
+// What the compiler says about its arithmetic; netmesh_init looks at what the processor does.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "netmesh: exact predicates need arithmetic without -ffast-math"
+#endif
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ < 0 || __FLT_EVAL_METHOD__ == 2)
+#error "netmesh: doubles must be computed as doubles (on i386: -msse2 -mfpmath=sse)"
+#endif
+
 namespace netmesh {
 
 inline bool is_finite(double x) { return (bits_of(x) & 0x7FF0000000000000u) != 0x7FF0000000000000u; }

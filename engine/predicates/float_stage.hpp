@@ -14,57 +14,14 @@
 // in the bound above 2^-960; at most 1,000 roundings below 2^-1074, each multiplied by no more than the lengths that
 // its minor lacks, add less than 2^-100 of the bound. Overflow cannot occur.
 #pragma once
-#include <utility>
-
 #include "numerics/minors.hpp"
 #include "predicates/frame.hpp"
 
 namespace netmesh {
 
-// T: double, or DoubleDouble where a double does not do.
-template <int N, int K, class T = double> struct FloatMinor {
-    static constexpr const MinorLevel<N, K>& level = minor_level<N, K>;
-
-    // Member K-1-J; a first operand is never negated, so that the sum starts with it.
-    template <int S, int J> static T term(const T (&a)[N][N], const T* below) {
-        return a[level.term[S][K - 1 - J].row][K - 1] * below[level.term[S][K - 1 - J].below];
-    }
-    template <int S, int... J>
-    static T sum(const T (&a)[N][N], const T* below, std::integer_sequence<int, J...>) {
-        T s = term<S, 0>(a, below);
-        ((s = (J & 1) == 0 ? s - term<S, J + 1>(a, below) : s + term<S, J + 1>(a, below)), ...);
-        return s;
-    }
-    template <int... S>
-    static void all(const T (&a)[N][N], const T* below, T* out, std::integer_sequence<int, S...>) {
-        ((out[S] = sum<S>(a, below, std::make_integer_sequence<int, K - 1>{})), ...);
-    }
-    // The minors of order K from those of order K-1.
-    static void all(const T (&a)[N][N], const T* below, T* out) {
-        all(a, below, out, std::make_integer_sequence<int, binomial(N, K)>{});
-    }
-};
-
-// The minors of order L, from those of order K-1.
-template <int N, int K, int L, class T> void float_minors(const T (&a)[N][N], const T* below, T* out) {
-    if constexpr (K == L) {
-        FloatMinor<N, K, T>::all(a, below, out);
-    } else {
-        T minors[binomial(N, K)];
-        FloatMinor<N, K, T>::all(a, below, minors);
-        float_minors<N, K + 1, L>(a, minors, out);
-    }
-}
-// The minors of order L of the first L columns.
-template <int L, int N, class T> void float_minors(const T (&a)[N][N], T* out) {
-    T first[N];
-    for (int i = 0; i < N; ++i) first[i] = a[i][0];
-    float_minors<N, 2, L>(a, first, out);
-}
-
 template <int N> double float_determinant(const double (&a)[N][N]) {
     double determinant;
-    float_minors<N>(a, &determinant);
+    minors_of_order<N>(a, &determinant);
     return determinant;
 }
 
@@ -120,8 +77,8 @@ template <int D, bool lifted> FloatResult float_stage(const double* const* point
     if (!admitted) return {0, 0};
     double determinant;
     if constexpr (lifted) {
-        float_minors<D>(a, minors);
-        FloatMinor<n, n>::all(a, minors, &determinant);
+        minors_of_order<D>(a, minors);
+        Minors<n, n, double>::all(a, minors, &determinant);
     } else {
         determinant = float_determinant<n>(a);
     }

@@ -5,8 +5,10 @@
   check.py includes --engine engine                      headers by allow-list, rooms by floor
   check.py stack    --records DIR [--bytes N] [--bytes-low-dim N] [--recursion-only]
                                                          worst call chain of every public function
+  check.py size     --records DIR [--bytes N]            code and constants by room and dimension
 
 --plain: inner symbols may be global (an archive that could not be finished).
+--helpers: the target has no unit for doubles or 64-bit division; the compiler's own routines may be called.
 """
 import argparse
 import os
@@ -16,6 +18,8 @@ import sys
 
 PUBLIC = "netmesh_"
 UNDEFINED_ALLOWED = {"memcpy", "memmove", "memset", "memcmp"}
+HELPERS = re.compile(r"__aeabi_\w+$|__c[lt]z[sd]i2$|__(add|sub|mul|div|neg|fix|fixuns|float|floatun|floatuns|extend|trunc|eq|ne|lt|le|gt|ge|cmp"
+                     r"|unord)[dst][ifd]\w*$|sqrt$")
 
 
 def run(*command):
@@ -34,7 +38,8 @@ def undefined_symbols(archive, tools):
             continue
         (wanted if field[1] in "Uwv" else defined).add(field[0])
     # The compiler's mark for position-independent code, made by the linker itself.
-    return sorted(wanted - defined - UNDEFINED_ALLOWED - {"_GLOBAL_OFFSET_TABLE_"})
+    names = wanted - defined - UNDEFINED_ALLOWED - {"_GLOBAL_OFFSET_TABLE_"}
+    return sorted(n for n in names if not (tools.helpers and HELPERS.match(n)))
 
 
 def global_symbols(archive, tools):
@@ -46,19 +51,36 @@ def global_symbols(archive, tools):
     return sorted(names)
 
 
+SECTION = re.compile(r"\[ *\d+\] (\S+) +(\S+) +[0-9a-f]+ [0-9a-f]+ ([0-9a-f]+) [0-9a-f]+ +([A-Za-z]*) ")
+SECTIONS_ALLOWED = re.compile(r"\.(text|rodata|data\.rel\.ro|rela?|debug|comment|note|symtab|strtab|shstrtab|group|llvm_addrsig"
+                              r"|ARM\.(attributes|exidx|extab)|riscv\.attributes)(\.|_|$)")
+
+
+def sections(archive, tools):
+    """Name, bytes and flags of each section that is not empty."""
+    for line in run(tools.readelf, "-SW", archive).splitlines():
+        m = SECTION.search(line)
+        if m and int(m.group(3), 16) > 0:
+            yield m.group(1), int(m.group(3), 16), m.group(4)
+
+
 def mutable_sections(archive, tools):
     """Sections that are writable at run time and not empty. Constants with relocations (.data.rel.ro) are not: the
     loader protects them once they are filled in."""
-    found = []
-    line_of = re.compile(r"\[ *\d+\] (\S+) +(\S+) +[0-9a-f]+ [0-9a-f]+ ([0-9a-f]+) [0-9a-f]+ +([A-Za-z]*) ")
+    return ["%s (%d bytes)" % (name, size) for name, size, flags in sections(archive, tools)
+            if "W" in flags and "A" in flags and not name.startswith(".data.rel.ro")]
+
+
+def unknown_sections(archive, tools):
+    """Sections of a kind that a linker script need not know: code that runs by itself, tables for unwinding, placement
+    by attribute; and the mark that asks for an executable stack."""
+    found = [name for name, _, flags in sections(archive, tools)
+             if not SECTIONS_ALLOWED.match(name) and not ("W" in flags and "A" in flags)]
     for line in run(tools.readelf, "-SW", archive).splitlines():
-        m = line_of.search(line)
-        if not m:
-            continue
-        name, size, flags = m.group(1), int(m.group(3), 16), m.group(4)
-        if "W" in flags and "A" in flags and size > 0 and not name.startswith(".data.rel.ro"):
-            found.append("%s (%d bytes)" % (name, size))
-    return found
+        m = SECTION.search(line)
+        if m and m.group(1) == ".note.GNU-stack" and "X" in m.group(4):
+            found.append("executable stack")
+    return sorted(set(found))
 
 
 # Fused multiply-add of x86 and of Arm; x87 on x86-64, where nothing but long double brings it in.
@@ -86,7 +108,7 @@ def forbidden_instructions(archive, tools):
 
 def check_archive(tools):
     parts = [("undefined symbols beyond " + " ".join(sorted(UNDEFINED_ALLOWED)), undefined_symbols),
-             ("mutable data", mutable_sections), ("fused or x87 instructions", forbidden_instructions)]
+             ("mutable data", mutable_sections), ("sections of an unexpected kind", unknown_sections), ("fused or x87 instructions", forbidden_instructions)]
     if not tools.plain:
         parts.append(("global symbols that are not " + PUBLIC + "*", global_symbols))
     public = [s for s in run(tools.nm, "-P", "-g", "--defined-only", tools.archive).split("\n") if s.startswith(PUBLIC)]
@@ -117,8 +139,9 @@ SEES = {
     "homology": {"complex", "memory", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
     "diagram": {"homology", "complex", "memory", "numerics", "include"},
     "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "include"},
-    "api": {"filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory",
-            "include"},
+    "analysis": {"mesh", "delaunay", "predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
+    "api": {"analysis", "filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
+            "memory", "include"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
 
@@ -178,7 +201,8 @@ EDGE = re.compile(r'^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"(?: lab
 OUTSIDE_BYTES = 128   # what memcpy and its like may take, with their return address
 RED_ZONE_BYTES = 128  # used below the frame by functions that call nothing; the compiler's figure leaves it out
 INDIRECT = "__indirect_call"
-INDIRECT_ALLOWED = "memory/monitor.hpp"  # the poll: its stack is the caller's affair
+# The poll and the caller's functions: their stack is the caller's affair.
+INDIRECT_ALLOWED = ("memory/monitor.hpp", "memory/callback.hpp", "mesh/sizing.hpp")
 
 
 class Graph:
@@ -216,7 +240,7 @@ class Graph:
         if m:
             caller, callee, where = m.groups()
             if callee == INDIRECT:
-                if INDIRECT_ALLOWED not in (where or ""):
+                if not any(file in (where or "") for file in INDIRECT_ALLOWED):
                     self.faults.append("indirect call in %s at %s" % (self.label.get(caller, caller), where))
                 return
             self.calls.setdefault(caller, set()).add(callee)
@@ -342,9 +366,45 @@ def check_stack(records, limit, limit_low, recursion_only):
     for fault in faults:
         print("FAULT " + fault)
     if not faults:
-        print("ok    no recursion, no dynamic frame, no indirect call but the poll" +
+        print("ok    no recursion, no dynamic frame, no indirect call but the caller's functions" +
               ("" if recursion_only else "; at most %d bytes, %d for D <= 4" % (limit, limit_low)))
     return len(faults)
+
+
+# ----------------------------------------------------------------------------------------------------------- size
+
+
+def check_size(records, nm, limit):
+    """Bytes of code and constants, a line for each room and a column for each dimension, from the objects of the rooms."""
+    table = {}
+    for folder, _, names in sorted(os.walk(records)):
+        for name in sorted(names):
+            if not name.endswith((".o", ".obj")):
+                continue
+            room = os.path.basename(folder)
+            row = table.setdefault(room, {})
+            seen = {}
+            for line in run(nm, "-P", "-S", "--defined-only", os.path.join(folder, name)).splitlines():
+                field = line.split()
+                if len(field) >= 4 and field[1].lower() in "trvwdbnu":
+                    seen[(field[0], field[2])] = int(field[3], 16)
+            for (symbol, _), size in seen.items():
+                dim = dimension_of(symbol)
+                row[dim] = row.get(dim, 0) + size
+    columns = [2, 3, 4, 5, 6, None]
+    print("%-12s" % "bytes" + "".join("%10s" % ("any D" if d is None else "D = %d" % d) for d in columns) + "%10s" % "sum")
+    total = 0
+    for room, row in sorted(table.items()):
+        print("%-12s" % room + "".join("%10d" % row.get(d, 0) for d in columns) + "%10d" % sum(row.values()))
+        total += sum(row.values())
+    print("%-12s" % "all rooms" + "".join("%10d" % sum(r.get(d, 0) for r in table.values()) for d in columns) + "%10d" % total)
+    if total == 0:
+        print("FAULT no code under %s" % records)
+    elif total > limit:
+        print("FAULT %d bytes, %d are the limit" % (total, limit))
+    else:
+        print("ok    at most %d bytes" % limit)
+    return 0 if 0 < total <= limit else 1
 
 
 def main():
@@ -353,6 +413,7 @@ def main():
     archive = sub.add_parser("archive")
     archive.add_argument("--archive", required=True)
     archive.add_argument("--plain", action="store_true")
+    archive.add_argument("--helpers", action="store_true")
     for tool in ("nm", "objdump", "readelf"):
         archive.add_argument("--" + tool, default=tool)
     includes = sub.add_parser("includes")
@@ -362,8 +423,14 @@ def main():
     stack.add_argument("--bytes", type=int, default=32768)
     stack.add_argument("--bytes-low-dim", type=int, default=16384)
     stack.add_argument("--recursion-only", action="store_true")
+    size = sub.add_parser("size")
+    size.add_argument("--records", required=True)
+    size.add_argument("--bytes", type=int, default=2 << 20)
+    size.add_argument("--nm", default="nm")
     options = parser.parse_args()
-    if options.check == "archive":
+    if options.check == "size":
+        faults = check_size(options.records, options.nm, options.bytes)
+    elif options.check == "archive":
         faults = check_archive(options)
     elif options.check == "includes":
         faults = check_includes(options.engine)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Shows that a check can fail: builds one planted fault and demands that the check names it.
 
-  planted.py FAULT --cxx g++ --engine engine --work DIR --flags "..." [--ld ld --objcopy objcopy --ld-flags "..."]
+  planted.py CHECK FAULT --cxx g++ --engine engine --work DIR --flags "..." [--ld ld --objcopy objcopy --ld-flags "..."]
 """
 import argparse
 import os
@@ -21,6 +21,9 @@ ARCHIVE = {
     "constructor": ("FAULT mutable data: .", ""),
     "fused": ("FAULT fused or x87 instructions: vfmadd", "-O2 -mfma -ffp-contract=fast"),
     "extended": ("FAULT fused or x87 instructions: f", ""),
+    "special_section": ("FAULT sections of an unexpected kind: .at_my_place", ""),
+    "thread_local": ("FAULT mutable data: .tbss", ""),
+    "library": ("undefined symbols beyond memcmp memcpy memmove memset: sin", ""),
     "extra_global": ("FAULT global symbols that are not netmesh_*: _ZN7netmesh5innerEd", ""),
 }
 STACK = {
@@ -29,6 +32,16 @@ STACK = {
     "dynamic_frame": ("FAULT frame of double netmesh_dynamic_frame", ""),
     "deep_stack": ("FAULT netmesh_deep_stack needs 40", ""),
     "indirect": ("FAULT indirect call in double netmesh_indirect", ""),
+}
+SIZE = {
+    "clean": (None, ""),
+    "large": ("FAULT 3", ""),
+}
+# fault: (words of the compiler, flags)
+COMPILE = {
+    "clean": (None, ""),
+    "fast_math": ("without -ffast-math", "-ffast-math"),
+    "finite_math": ("without -ffast-math", "-ffinite-math-only"),
 }
 # fault: (file, its text, words)
 INCLUDES = {
@@ -75,6 +88,22 @@ def plant_stack(options, fault):
     return words, check("stack", "--records", options.work)
 
 
+def plant_size(options, fault):
+    words, flags = SIZE[fault]
+    compile_fault(options, fault, "-O2", os.path.join(options.work, fault + ".cpp.o"))
+    return words, check("size", "--records", options.work)
+
+
+def plant_compile(options, fault):
+    words, flags = COMPILE[fault]
+    source = os.path.join(options.work, "arithmetic.cpp")
+    with open(source, "w", encoding="utf-8") as f:
+        f.write('#include "numerics/real.hpp"\n')
+    done = subprocess.run([options.cxx] + shlex.split(options.flags) + ["-std=c++17", "-I", options.engine] + shlex.split(flags) +
+                          ["-fsyntax-only", source], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    return words, (done.returncode, done.stdout)
+
+
 def plant_includes(options, fault):
     path, text, words = INCLUDES[fault]
     for name in ("delaunay/kernel.hpp", "mesh/mesh.hpp", path):
@@ -90,7 +119,7 @@ def plant_includes(options, fault):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("check", choices=["archive", "stack", "includes"])
+    parser.add_argument("check", choices=["archive", "stack", "includes", "size", "compile"])
     parser.add_argument("fault")
     parser.add_argument("--work", required=True)
     parser.add_argument("--engine")
@@ -103,7 +132,8 @@ def main():
     options = parser.parse_args()
     shutil.rmtree(options.work, ignore_errors=True)
     os.makedirs(options.work)
-    plant = {"archive": plant_archive, "stack": plant_stack, "includes": plant_includes}[options.check]
+    plant = {"archive": plant_archive, "stack": plant_stack, "includes": plant_includes, "size": plant_size,
+             "compile": plant_compile}[options.check]
     words, (code, output) = plant(options, options.fault)
     print(output, end="")
     if words is None:

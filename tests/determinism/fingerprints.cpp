@@ -1,6 +1,6 @@
 // Prints the fingerprints of a fixed set of jobs, one a line: job, input, dimension, fingerprint of the input,
-// fingerprint of the result, sizes. Inputs are made with + - * / alone, so every line must be the same on every
-// compiler, optimisation level and processor.
+// fingerprint of the result (of an analysis: of all its figures), sizes. Inputs are made with + - * / alone, so every line
+// must be the same on every compiler, optimisation level and processor.
 //
 //   fingerprints [small]      small: without the Clifford set
 #include <cinttypes>
@@ -27,12 +27,24 @@ void print(const char* job, const char* input, const Session& session, netmesh_s
     std::fflush(stdout);
 }
 
+void print_analysis(const char* input, Session& session, std::uint32_t what) {
+    netmesh_analysis a = {};
+    a.struct_bytes = sizeof a;
+    const netmesh_status status = netmesh_analyse(session.context, what, 30, &session.options, &a);
+    failed = failed || status != NETMESH_OK;
+    std::printf("analyse %s D%" PRIu32 " status %d result %016" PRIx64 " boxes %" PRIu64 " ply %" PRIu64
+                " degree %" PRIu64 "\n",
+                input, session.options.dim, static_cast<int>(status), a.fingerprint, a.boxes, a.ply_max, a.degree_max);
+    std::fflush(stdout);
+}
+
 void dimension(int dim) {
     const std::size_t d = static_cast<std::size_t>(dim);
     const std::size_t points[] = {0, 0, 2000, 1000, 300, 120, 50}, meshed[] = {0, 0, 400, 150, 40, 12, 6};
     const int side[] = {0, 0, 20, 6, 4, 3, 2};
     Session session(dim);
     print("delaunay", "uniform", session, session.delaunay(inputs::uniform(dim, points[d])));
+    print_analysis("uniform-delaunay", session, NETMESH_ANALYSE_ALL & ~NETMESH_ANALYSE_SIZE);
     print("delaunay", "clusters", session, session.delaunay(inputs::clusters(dim, points[d])));
     print("delaunay", "grid", session, session.delaunay(inputs::grid(dim, side[d])));
     print("delaunay", "zoom", session, session.delaunay(inputs::zoom(dim, 1000, 20)));
@@ -48,9 +60,41 @@ void dimension(int dim) {
     session.options.method = NETMESH_METHOD_REFINE;
     if (dim < 4) print("refine", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4)));
     session.options.method = NETMESH_METHOD_SVR;
+    print_analysis("clusters-mesh", session, NETMESH_ANALYSE_ALL);
+    session.options.over_refine_eps = dim < 4 ? 0.5 : 1;
+    print("mesh-eps", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4 + 3)));
+    session.options.over_refine_eps = 0;
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
+    for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
+        session.options.k = 5;
+        print(filter == NETMESH_FILTER_KNN ? "persist-knn" : "persist-kdistance", "uniform", session,
+              session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
+    }
+    if (dim <= 3) {
+        const inputs::Points zoom = inputs::zoom(dim, 40, dim == 2 ? 4 : 10);
+        print("persist-scales", "zoom", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            return netmesh_persist_scales(session.context, zoom.data(), zoom.size() / d, NETMESH_VALUES_CERTIFIED,
+                                          NETMESH_DIM_MAX, 0, &session.options);
+        }));
+        const inputs::Points sparse = inputs::uniform(dim, dim == 2 ? 20 : 5);
+        print("persist-tight", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            const netmesh_status status =
+                netmesh_mesh(session.context, sparse.data(), sparse.size() / d, NETMESH_JOB_PERSIST_TIGHT, &session.options);
+            return status != NETMESH_OK ? status
+                                        : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, NETMESH_VALUES_CERTIFIED,
+                                                          NETMESH_DIM_MAX, 0, &session.options);
+        }));
+        const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
+        print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+            const netmesh_status status =
+                netmesh_mesh(session.context, few.data(), few.size() / d, NETMESH_JOB_PERSIST, &session.options);
+            return status != NETMESH_OK ? status
+                                        : netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, 5,
+                                                           NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, &session.options);
+        }));
+    }
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, points[d] / 2)));
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? side[d] : 3)));
 }

@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 
     Monitor monitor;
     InputReport input;
     Domain<D> domain;
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {3, 1, false, 1, true}, monitor, &input, &domain) == Status::ok);
+    REQUIRE(refine<D>(store, points.data(), points.size() / D, {3, 1, false, 1, {}, true}, monitor, &input, &domain) == Status::ok);
     CHECK(violation<D>(store) == nullptr);
     const double delta = 2 * domain.enclosing_radius;
     CHECK(domain.radius >= (6 * std::sqrt(2) + 2) * delta * (1 - 1e-9));

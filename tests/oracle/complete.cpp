@@ -1,66 +1,20 @@
 // The complete filter against the exact diagram: on every set the log-bottleneck distance, by GUDHI's exact algorithm, is
 // at most the logarithm of the ratio that the mesh certifies, for both kinds of values and in every degree.
 #include <doctest/doctest.h>
-#include <gudhi/Bottleneck.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "common/session.hpp"
+#include "oracle/log_distance.hpp"
 
 namespace {
-
-using Bars = std::vector<std::pair<double, double>>;
-
-std::map<std::uint32_t, Bars> diagram(const Session& session) {
-    std::map<std::uint32_t, Bars> bars;
-    netmesh_pair pair;
-    for (std::uint64_t i = 0; netmesh_get_pair(session.context, i, &pair) == NETMESH_OK; ++i)
-        bars[pair.degree].push_back({pair.birth, pair.death});
-    return bars;
-}
-
-netmesh_report report(const Session& session) {
-    netmesh_report r;
-    r.struct_bytes = sizeof r;
-    REQUIRE(netmesh_get_report(session.context, &r) == NETMESH_OK);
-    return r;
-}
-
-// Births at 0 are infinitely far from all others on the log scale, so these bars are matched to each other, in order of
-// death, which is best; the one that never dies to its like.
-double log_distance_of_degree_0(Bars a, Bars b) {
-    REQUIRE(a.size() == b.size());
-    std::sort(a.begin(), a.end());
-    std::sort(b.begin(), b.end());
-    double distance = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        REQUIRE(a[i].first == 0);
-        REQUIRE(b[i].first == 0);
-        if (a[i].second != b[i].second)
-            distance = std::max(distance, std::fabs(std::log(a[i].second) - std::log(b[i].second)));
-    }
-    return distance;
-}
-
-Bars logarithms(const Bars& bars) {
-    Bars logs;
-    for (const auto& [birth, death] : bars) logs.push_back({std::log(birth), std::log(death)});
-    return logs;
-}
-
-// Bars of degree 0 that are not born at 0 come from Steiner vertices that are minima; they count as noise.
-void split_degree_0(const Bars& bars, Bars* from_zero, Bars* others) {
-    for (const auto& bar : bars) (bar.first == 0 ? from_zero : others)->push_back(bar);
-}
 
 template <int D> void within_certificate(const std::string& name, const inputs::Points& points, double tau = 0) {
     CAPTURE(name);
     Session exact(D);
     REQUIRE(exact.alpha(points) == NETMESH_OK);
-    const std::map<std::uint32_t, Bars> truth = diagram(exact);
+    const Diagram truth = diagram(exact);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         Session session(D);
         session.options.tau = tau;
@@ -68,25 +22,15 @@ template <int D> void within_certificate(const std::string& name, const inputs::
         const netmesh_report r = report(session);
         CHECK(r.certified_ratio <= r.tau);
         if (values == NETMESH_VALUES_CERTIFIED) CHECK(r.certified_ratio <= std::sqrt(2 + r.tau));
-        std::map<std::uint32_t, Bars> ours = diagram(session);
-        double distance = 0;
-        for (std::uint32_t degree = 0; degree < D; ++degree) {
-            Bars a = ours[degree], b = truth.count(degree) ? truth.at(degree) : Bars{};
-            if (degree == 0) {
-                Bars zero;
-                Bars rest;
-                split_degree_0(a, &zero, &rest);
-                distance = std::max(distance, log_distance_of_degree_0(zero, b));
-                a = rest;
-                b.clear();
-            }
-            distance = std::max(distance, Gudhi::persistence_diagram::bottleneck_distance(logarithms(a), logarithms(b), 0));
-        }
+        const double distance = log_distance(diagram(session), truth, D);
         const double ratio = std::exp(distance);
         CHECK(ratio <= r.certified_ratio);
         CHECK(ratio >= 1);
+        std::size_t certain = 0;
+        CHECK(bounds_hold(session, truth, &certain));
+        CHECK(certain > 0);
         MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified") << " values: true ratio "
-                     << ratio << ", certified " << r.certified_ratio << ", tau " << r.tau);
+                     << ratio << ", certified " << r.certified_ratio << ", tau " << r.tau << ", " << certain << " bars surely real");
     }
 }
 

@@ -15,8 +15,15 @@ std::string candidate_text(const Candidate& candidate) {
 // The filters that a diagram or a vertex value may come from, by the options.
 std::vector<Candidate> candidates(const Options& options, bool on_mesh, bool on_delaunay) {
     std::vector<Candidate> list;
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA}) {
-        if (options.filter && *options.filter != filter) continue;
+    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA,
+                                        NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT,
+                                        NETMESH_FILTER_SCALES}) {
+        const bool counts = filter == NETMESH_FILTER_KNN || filter == NETMESH_FILTER_KDISTANCE;
+        if (options.filter ? *options.filter != filter : counts && !options.k) continue;  // no k is tried by itself
+        // Where there is no mesh yet, its making depends on the filter: these have to be named.
+        const bool from_points = options.mesh_path.empty() && ending_of(options.positionals[0]) == ".pers";
+        if (filter == NETMESH_FILTER_TIGHT && from_points && !options.filter) continue;
+        if (filter == NETMESH_FILTER_SCALES && !(from_points && options.filter)) continue;
         if (!(filter == NETMESH_FILTER_ALPHA ? on_delaunay : on_mesh)) continue;
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
             if (options.values && *options.values != values && filter != NETMESH_FILTER_ALPHA) continue;
@@ -42,7 +49,8 @@ Outcome run_check(const Options& options) {
     RunReport run;
     run.options = &options;
     run.checked.emplace();
-    Outcome outcome;
+    Outcome outcome = check_accuracy(options);
+    if (!outcome.good()) return outcome;
     if (ending == ".node") {
         MeshFiles files;
         outcome = read_mesh_files(options.positionals[0], &files);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "tools/commands/check_parts.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 
@@ -71,6 +72,11 @@ Outcome recompute(const Options& options, const DiagramFile& file, const std::ve
         netmesh_status status = prepare(s);
         for (std::size_t i = 0; i < list.size() && status == NETMESH_OK; i++) {
             status = s.call(NETMESH_STAGE_REDUCE, [&] {
+                if (list[i].filter == NETMESH_FILTER_SCALES) {
+                    return netmesh_persist_scales(s.context(), cloud.coordinates.data(), cloud.rows(), list[i].values,
+                                                  options.max_degree.value_or(cloud.dim - 1),
+                                                  options.all || file.has_zero_bars ? 1 : 0, &s.engine_options());
+                }
                 return netmesh_persist(s.context(), list[i].filter, list[i].values,
                                        options.max_degree.value_or(cloud.dim - 1),
                                        options.all || file.has_zero_bars ? 1 : 0, &s.engine_options());
@@ -107,11 +113,13 @@ Outcome check_diagram_with_points(const Options& options, const DiagramFile& fil
     Comparison best;
     Candidate found = {};
     const double* const x = points.coordinates.data();
+    const netmesh_job job = options.filter && promises_accuracy(options) ? job_of(*options.filter) : NETMESH_JOB_PERSIST;
     outcome = recompute(
-        options, file, candidates(options, true, false), points, NETMESH_JOB_PERSIST,
+        options, file, candidates(options, true, false), points, job,
         [&](Session& s) {
+            if (job == NETMESH_JOB_PERSIST_SCALES) return NETMESH_OK;  // points are all that it needs
             return s.call(NETMESH_STAGE_REFINE, [&] {
-                return netmesh_mesh(s.context(), x, points.rows(), NETMESH_JOB_PERSIST, &s.engine_options());
+                return netmesh_mesh(s.context(), x, points.rows(), job, &s.engine_options());
             });
         },
         session, &best, &found);

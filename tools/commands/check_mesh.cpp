@@ -116,6 +116,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     }
     if (!outcome.good()) return outcome;
     if (!options.tau && files.node.tau > 0) session.set_tau(files.node.tau);
+    if (options.eps == 0 || promises_accuracy(options)) session.set_eps(files.node.eps);
     outcome = session.run(NETMESH_JOB_PERSIST, files.node.cloud, [&](Session& s) {
         const netmesh_status status = load_mesh(s, files);
         if (status != NETMESH_OK) return status;
@@ -136,6 +137,13 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
         run->checked->push_back(grouped_text(files.node.cages.size()) +
                                 " cages nested about inputs, none encroached; their cells and all others in their domains");
     }
+    if (run->engine->size_ratio_max > 0) {
+        run->checked->push_back("cells reach " + rounded_text(run->engine->size_ratio_max, 6) +
+                                " of the size asked for (eps " +
+                                rounded_text(session.engine_options().over_refine_eps, 6) + ")");
+    }
+    run->checked->push_back(files.node.domain.empty() ? "degrees within the bounds of fat cells (chapter 5)"
+                                                      : "size and degrees within the bounds of chapters 3 and 5");
     if (!options.points_path.empty()) {
         run->checked->push_back("inputs equal " + points.name + " bit for bit, duplicates merged");
     }

@@ -7,6 +7,8 @@ namespace netmesh::tool {
 
 std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at) {
     std::size_t essential = 0;
+    double least = bars.empty() ? 0 : bars[0].birth;
+    for (const Bar& bar : bars) least = bar.birth < least ? bar.birth : least;
     for (std::size_t i = 0; i < bars.size(); i++) {
         const Bar& bar = bars[i];
         if (at != nullptr) *at = i;
@@ -15,7 +17,7 @@ std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at) {
         if (i > 0 && comes_before(bar, bars[i - 1])) return "bars that are not sorted by degree, birth, death";
         if (std::isfinite(bar.death)) continue;
         essential++;
-        if (bar.degree != 0 || bar.birth != 0) return "an essential class that is not of degree 0, born at 0";
+        if (bar.degree != 0 || bar.birth != least) return "an essential class that is not of degree 0, born first";
         if (essential > 1) return "more than one essential class";
     }
     if (at != nullptr) *at = bars.size();

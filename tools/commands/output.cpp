@@ -56,6 +56,7 @@ ContextMesh::ContextMesh(const netmesh_context* context) : context_(context) {
     vertex_count = report.vertices;
     cell_count = report.cells;
     tau = report.tau;
+    eps = report.over_refine_eps;
     for (std::uint32_t k = 0; k <= dim; k++) domain[k] = report.domain[k];
     if (vertex_count > 0) has_values = vertex(0).has_value != 0;
     netmesh_cage cage;
@@ -89,6 +90,13 @@ std::vector<Bar> bars_of(const netmesh_context* context) {
         bars.push_back({pair.degree, pair.birth, pair.death});
     }
     return bars;
+}
+
+std::vector<netmesh_bar_bounds> bounds_of(const netmesh_context* context) {
+    std::vector<netmesh_bar_bounds> bounds;
+    netmesh_bar_bounds b;
+    for (std::uint64_t i = 0; netmesh_get_bar_bounds(context, i, &b) == NETMESH_OK; i++) bounds.push_back(b);
+    return bounds;
 }
 
 Outcome check_mesh_ending(const std::string& path, std::uint32_t dim) {

@@ -37,6 +37,8 @@ private:
 };
 
 // The diagram inside a context.
+// Empty unless the context holds bounds.
+std::vector<netmesh_bar_bounds> bounds_of(const netmesh_context* context);
 std::vector<Bar> bars_of(const netmesh_context* context);
 
 // Exit::usage unless `path` is empty (stdout, OFF) or has an ending that meshes can be written to; with a dimension

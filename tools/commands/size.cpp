@@ -12,11 +12,14 @@ Outcome run_size(const Options& options) {
     netmesh_options engine_options;
     netmesh_options_init(&engine_options, options.dim);
     if (options.tau) engine_options.tau = *options.tau;
+    const Outcome outcome = check_accuracy(options);
+    if (!outcome.good()) return outcome;
+    (promises_accuracy(options) ? engine_options.eps : engine_options.over_refine_eps) = options.eps;
     engine_options.seed = options.seed;
     engine_options.method = options.method;
     std::vector<netmesh_job> jobs = {NETMESH_JOB_DELAUNAY, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST};
     if (options.filter) {
-        jobs = {*options.filter == NETMESH_FILTER_ALPHA ? NETMESH_JOB_PERSIST_ALPHA : NETMESH_JOB_PERSIST};
+        jobs = {job_of(*options.filter)};
     }
     std::uint64_t bytes = 0;
     for (const netmesh_job job : jobs) {

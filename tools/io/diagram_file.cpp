@@ -12,8 +12,16 @@ bool comes_before(const Bar& a, const Bar& b) {
     return a.death < b.death;
 }
 
-void write_diagram(const std::vector<Bar>& bars, TextWriter& out) {
-    for (const Bar& bar : bars) out << bar.degree << ' ' << bar.birth << ' ' << bar.death << '\n';
+void write_diagram(const std::vector<Bar>& bars, const std::vector<netmesh_bar_bounds>& bounds, TextWriter& out) {
+    for (std::size_t i = 0; i < bars.size(); i++) {
+        out << bars[i].degree << ' ' << bars[i].birth << ' ' << bars[i].death;
+        if (i < bounds.size()) {
+            const netmesh_bar_bounds& b = bounds[i];
+            out << " # birth " << b.birth_low << ' ' << b.birth_high << " death " << b.death_low << ' ' << b.death_high;
+            if (b.certain != 0) out << " real";
+        }
+        out << '\n';
+    }
 }
 
 namespace {

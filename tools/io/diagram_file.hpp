@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "netmesh.h"
 #include "tools/io/text_writer.hpp"
 #include "tools/outcome.hpp"
 
@@ -22,7 +23,8 @@ inline bool operator==(const Bar& a, const Bar& b) {
 // The order of .pers files: degree, birth, death.
 bool comes_before(const Bar& a, const Bar& b);
 
-void write_diagram(const std::vector<Bar>& bars, TextWriter& out);
+// With bounds, one for each bar, every line ends in a comment: `# birth A B death C D real`, the last word where it is.
+void write_diagram(const std::vector<Bar>& bars, const std::vector<netmesh_bar_bounds>& bounds, TextWriter& out);
 
 // Comments and blank lines are skipped; births are finite and >= 0, deaths >= births. Any order. lines[i], when asked
 // for, is the physical line of bar i. Faults are Exit::data with file and line.

@@ -5,10 +5,10 @@ namespace netmesh::tool {
 
 namespace {
 
-// `# domain c1 .. cD r`, `# tau T` and `# cage V R`; other comments say nothing.
+// `# domain c1 .. cD r`, `# tau T`, `# eps E` and `# cage V R`; other comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
-    if (words.empty() || (words[0] != "domain" && words[0] != "tau" && words[0] != "cage")) return {};
+    if (words.empty() || (words[0] != "domain" && words[0] != "tau" && words[0] != "eps" && words[0] != "cage")) return {};
     std::vector<double> numbers;
     for (std::size_t i = 1; i < words.size(); i++) {
         double value;
@@ -25,6 +25,11 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
             return "a cage is the id of its centre and a radius above 0";
         }
         node->cages.push_back({static_cast<std::uint32_t>(numbers[0]), NETMESH_NONE, numbers[1]});
+        return {};
+    }
+    if (words[0] == "eps") {
+        if (numbers.size() != 1 || !(numbers[0] > 0)) return "eps is one number above 0";
+        node->eps = numbers[0];
         return {};
     }
     if (numbers.size() < dim_min + 1 || numbers.size() > dim_max + 1 || !(numbers.back() > 0)) {

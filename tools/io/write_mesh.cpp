@@ -7,6 +7,7 @@ void write_node(const MeshSource& mesh, TextWriter& out) {
         out << "# domain";
         for (std::uint32_t k = 0; k <= mesh.dim; k++) out << ' ' << mesh.domain[k];
         out << "\n# tau " << mesh.tau << '\n';
+        if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
         for (const netmesh_cage& cage : mesh.cages) out << "# cage " << cage.centre << ' ' << cage.radius << '\n';
     }
     out << mesh.vertex_count << ' ' << mesh.dim << (mesh.has_values ? " 1 1\n" : " 0 1\n");

@@ -34,10 +34,11 @@ std::string subtitle(const netmesh_report& report) {
 
 std::string certificate(const netmesh_report& report) {
     const double c = report.certified_ratio;
-    if (c == 1 && report.certified_from == 0) return "certified ratio c = 1: the exact diagram of the offsets";
+    const std::string of = report.k > 0 ? reference_name(report) : "offsets";
+    if (c == 1 && report.certified_from == 0) return "certified ratio c = 1: the exact diagram of the " + of;
     std::string text = "certified ratio c = " + rounded_text(c, 4);
     if (report.certified_from > 0) text += " from radius " + rounded_text(report.certified_from, 4);
-    return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the offsets";
+    return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the " + of;
 }
 
 void draw_key(Svg& svg, double x, double y, const netmesh_report& report, std::uint32_t max_degree) {

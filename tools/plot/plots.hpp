@@ -6,6 +6,7 @@
 #include "netmesh.h"
 #include "tools/io/diagram_file.hpp"
 #include "tools/io/mesh_files.hpp"
+#include "tools/io/vine_file.hpp"
 
 namespace netmesh::tool {
 
@@ -13,6 +14,10 @@ namespace netmesh::tool {
 // arrows; of a degree with many bars the barcode shows the longest (ratio death / birth) and says so, the diagram shows
 // all. Bars that the certified ratio c vouches for (death > c^2 birth) are drawn solid, others faint.
 std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report);
+
+// A whole SVG document: for each degree a panel with k upwards against the radius on a natural-log scale; the longest vines of
+// each.
+std::string vineyard_picture(const Vines& vines, const netmesh_report& report);
 
 // A whole SVG document: cells, inputs, Steiner points, domain. D = 2.
 void write_mesh_picture(const MeshSource& mesh, TextWriter& out);

@@ -8,7 +8,7 @@ namespace {
 
 void write_options(Json& json, const RunReport& run) {
     const Options& options = *run.options;
-    const bool persists = options.command == Command::persist;
+    const bool persists = options.command == Command::persist || options.command == Command::vineyard;
     json.key("options");
     json.open('{');
     const bool meshes = run.engine && run.engine->is_mesh != 0;
@@ -20,6 +20,10 @@ void write_options(Json& json, const RunReport& run) {
     } else {
         json.null();
     }
+    json.key("theta");
+    options.theta > 0 ? json.value(options.theta) : json.null();
+    json.key("eps");
+    options.eps > 0 ? json.value(options.eps) : json.null();
     json.key("method");
     meshes ? json.value(method_name(options.method)) : json.null();
     json.entry("finish", options.finish);
@@ -29,6 +33,8 @@ void write_options(Json& json, const RunReport& run) {
     persists&& run.engine ? json.value(values_name(run.engine->values)) : json.null();
     json.key("max_degree");
     persists&& run.engine ? json.value(run.engine->max_degree) : json.null();
+    json.key("k");
+    persists&& run.engine && run.engine->k > 0 ? json.value(run.engine->k) : json.null();
     json.key("memory");
     options.memory_bytes != 0 ? json.value(static_cast<std::uint64_t>(options.memory_bytes)) : json.null();
     json.entry("seed", options.seed);
@@ -67,6 +73,7 @@ void write_mesh(Json& json, const RunReport& run) {
     if (engine.is_mesh != 0) {
         json.entry("aspect_ratio_max", engine.aspect_ratio_max);
         json.entry("tau", engine.tau);
+        if (engine.size_ratio_max > 0) json.entry("size_ratio_max", engine.size_ratio_max);
         json.key("domain");
         json.open('[');
         for (std::uint32_t k = 0; k <= engine.dim; k++) json.value(engine.domain[k]);
@@ -84,6 +91,103 @@ void write_mesh(Json& json, const RunReport& run) {
     json.close('}');
 }
 
+void write_numbers(Json& json, const char* name, const double* values, int count) {
+    json.key(name);
+    json.open('[');
+    for (int k = 0; k < count; k++) json.value(values[k]);
+    json.close(']');
+}
+
+void write_fatness(Json& json, const char* name, const netmesh_fatness& part) {
+    json.key(name);
+    json.open('{');
+    json.entry("cells", part.cells);
+    json.entry("beta_max", part.beta_max);
+    json.entry("beta_mean", part.beta_mean);
+    json.entry("aspect_ratio_max", part.aspect_ratio_max);
+    json.entry("edges", part.edges);
+    json.entry("edges_bound", part.edges_bound);
+    json.entry("faces", part.faces);
+    json.entry("faces_bound", part.faces_bound);
+    json.entry("degree_max", part.degree_max);
+    json.entry("degree_share", part.degree_share);
+    json.entry("planar_share", part.planar_share);
+    json.entry("corners_share", part.corners_share);
+    json.close('}');
+}
+
+void write_size(Json& json, const netmesh_analysis& a) {
+    json.key("size");
+    if ((a.what & NETMESH_ANALYSE_SIZE) == 0) {
+        json.null();
+        return;
+    }
+    json.open('{');
+    json.entry("vertices", a.size);
+    json.entry("lower", a.size_lower);
+    json.entry("upper", a.size_upper);
+    json.entry("feature_ratio", a.feature_ratio);
+    json.entry("feature_ratio_bound", a.feature_ratio_bound);
+    json.entry("theta", a.theta);
+    json.entry("theta_limit", a.theta_limit);
+    json.entry("theta_log_sum", a.theta_log_sum);
+    write_numbers(json, "radii", a.radius, 3);
+    write_numbers(json, "integral_lower", a.integral_lower, 3);
+    write_numbers(json, "integral_upper", a.integral_upper, 3);
+    json.entry("pace_lower", a.pace_lower);
+    json.entry("pace_upper", a.pace_upper);
+    json.entry("boxes", a.boxes);
+    json.close('}');
+}
+
+void write_analysis(Json& json, const netmesh_analysis& a) {
+    json.key("analysis");
+    json.open('{');
+    write_size(json, a);
+    json.key("structure");
+    json.open('{');
+    json.entry("degree_max", a.degree_max);
+    json.entry("degree_mean", a.degree_mean);
+    json.entry("star_max", a.star_max);
+    json.entry("star_mean", a.star_mean);
+    json.entry("ply_points", a.ply_points);
+    json.entry("ply_max", a.ply_max);
+    json.entry("ply_mean", a.ply_mean);
+    json.entry("balls", a.balls);
+    json.entry("intersections_max", a.intersections_max);
+    json.entry("intersections_mean", a.intersections_mean);
+    json.close('}');
+    json.key("fatness");
+    json.open('{');
+    write_fatness(json, "bounded", a.bounded);
+    write_fatness(json, "inside", a.inside);
+    json.entry("clipped_cells", a.clipped_cells);
+    json.entry("clipped_beta_max", a.clipped_beta_max);
+    json.entry("clipped_beta_mean", a.clipped_beta_mean);
+    json.close('}');
+    json.key("fingerprint");
+    json.fingerprint(a.fingerprint);
+    json.close('}');
+}
+
+// Next to the bars, in their order: birth from, to, death from, to, and whether the bar is surely real.
+void write_bounds(Json& json, const RunReport& run) {
+    json.key("certain");
+    json.open('[');
+    for (const std::uint64_t count : run.certain) json.value(count);
+    json.close(']');
+    if (run.bars == nullptr) return;
+    json.key("bounds");
+    json.open('[');
+    for (const netmesh_bar_bounds& b : *run.bounds) {
+        json.open('[');
+        for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high}) json.value(x);
+        json.value(b.certain != 0);
+        json.close(']');
+    }
+    json.close(']');
+}
+
 void write_bars(Json& json, const std::vector<Bar>& bars) {
     json.key("bars");
     json.open('[');
@@ -95,6 +199,20 @@ void write_bars(Json& json, const std::vector<Bar>& bars) {
         json.close(']');
     }
     json.close(']');
+}
+
+// `extended_ball`: the least radius of a ball that belongs to a scale alone, in radii of the scale (7.6: at least
+// (1 - theta) / (2 theta)); the joined diagram needs `extended_ball_needed`.
+void write_scales(Json& json, const netmesh_report& engine) {
+    json.key("scales");
+    json.open('{');
+    json.entry("count", engine.scales);
+    json.entry("extended_ball", engine.separation);
+    json.entry("extended_ball_needed", 2.0);
+    json.entry("largest_points", engine.scale_points_max);
+    json.entry("largest_vertices", engine.scale_vertices_max);
+    json.entry("vertices", engine.scale_vertices);
+    json.close('}');
 }
 
 void write_diagram(Json& json, const RunReport& run) {
@@ -110,12 +228,33 @@ void write_diagram(Json& json, const RunReport& run) {
     for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) json.value(engine.pairs[degree]);
     json.close(']');
     json.entry("certified_ratio", engine.certified_ratio);
-    json.entry("reference", "closed offsets of the points in R^" + std::to_string(engine.dim));
+    json.entry("reference", reference_name(engine));
     json.entry("from", engine.certified_from);
     json.entry("units", "radius");
     json.entry("field", "Z/2");
     json.entry("simplices", engine.simplices);
+    if (engine.scales > 0) write_scales(json, engine);
+    if (run.bounds != nullptr) write_bounds(json, run);
     if (run.bars != nullptr) write_bars(json, *run.bars);
+    json.close('}');
+}
+
+void write_vineyard(Json& json, const RunReport& run) {
+    const netmesh_report& engine = *run.engine;
+    json.key("vineyard");
+    json.open('{');
+    json.entry("k_first", engine.k_first);
+    json.entry("k_last", engine.k_last);
+    json.entry("vines", engine.vines);
+    json.entry("points", engine.vine_points);
+    json.entry("transpositions", engine.transpositions);
+    json.key("certified_ratios");
+    json.open('[');
+    for (const double ratio : run.vines->ratios) json.value(ratio);
+    json.close(']');
+    json.entry("units", "radius");
+    json.entry("field", "Z/2");
+    json.entry("simplices", engine.simplices);
     json.close('}');
 }
 
@@ -177,6 +316,8 @@ std::string json_report(const RunReport& run) {
     write_input(json, run);
     write_mesh(json, run);
     write_diagram(json, run);
+    if (run.analysis) write_analysis(json, *run.analysis);
+    if (run.vines != nullptr) write_vineyard(json, run);
     if (run.checked) {
         json.key("checked");
         json.open('[');

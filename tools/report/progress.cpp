@@ -26,6 +26,8 @@ const char* stage_name(netmesh_stage stage) {
         return "reduce";
     case NETMESH_STAGE_CHECK:
         return "check";
+    case NETMESH_STAGE_ANALYSE:
+        return "analyse";
     default:
         return "start";
     }

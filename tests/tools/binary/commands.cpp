@@ -47,7 +47,7 @@ TEST_CASE("usage errors: exit 2, the argument named, nothing on stdout, no file"
                                     {"mesh p.txt -o m.xyz", "m.xyz"},
                                     {"mesh p.txt -o m", "m: "},
                                     {"persist p.txt -o d.txt", "d.txt"},
-                                    {"persist p.txt --filter rips", "complete, basic and alpha"},
+                                    {"persist p.txt --filter rips", "complete, basic, alpha"},
                                     {"persist p.txt --memory 0", "--memory 0"},
                                     {"size --dim 3", "--points"},
                                     {"size --points 3", "--dim"},
@@ -148,6 +148,20 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(check.out.find("(tau 3)") != std::string::npos);
     CHECK(check.out.find("bit for bit") != std::string::npos);
     CHECK(folder.run("check m.node --tau 2.1").exit == 7);
+    CHECK(folder.run("check m.node --eps 0.01").exit == 7);
+    CHECK(folder.run("mesh p.txt -o fine.node --eps 0.4 --check").exit == 0);
+    CHECK(folder.run("check fine.node").out.find("of the size asked for (eps 0.4)") != std::string::npos);
+    CHECK(folder.run("mesh p.txt -o none.node --eps 1e-18").exit == 3);
+    CHECK(check.out.find("within the bounds of chapters 3 and 5") != std::string::npos);
+    const Result analysed = folder.run("mesh p.txt -o m.node --analyse --json");
+    CHECK(analysed.exit == 0);
+    for (const char* key : {"\"analysis\"", "\"theta\"", "\"integral_lower\"", "\"ply_max\"", "\"beta_max\"", "\"feature_ratio\""})
+        CHECK(analysed.out.find(key) != std::string::npos);
+    const Result triangulated = folder.run("delaunay p.txt -o d.node --analyse");
+    CHECK(triangulated.exit == 0);
+    CHECK(triangulated.err.find("fatness") != std::string::npos);
+    CHECK(triangulated.err.find("feature size") == std::string::npos);
+    CHECK(folder.run("persist p.txt --analyse").exit == 2);
     CHECK(folder.run("sample ball -n 60 --dim 3 --seed 2 -o q.txt").exit == 0);
     check = folder.run("check m.node --points q.txt");
     CHECK(check.exit == 7);
@@ -230,6 +244,121 @@ TEST_CASE("persist: diagrams that are checked, tampering found") {
         folder.write("d.pers", bars + "1 2 x\n");
         CHECK(folder.run("check d.pers").exit == 3);
     }
+}
+
+TEST_CASE("persist: bounds of single bars") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 60 -o p.csv").exit == 0);
+    for (const char* filter : {"complete", "alpha", "knn --k 3", "scales"}) {
+        CAPTURE(filter);
+        const std::string line = std::string("persist p.csv --bounds --filter ") + filter;
+        CHECK(folder.run(line + " -o d.pers --quiet").exit == 0);
+        const std::string bars = folder.read("d.pers");
+        CHECK(bars.find(" # birth ") != std::string::npos);
+        CHECK(bars.find(" inf # birth ") != std::string::npos);
+        CHECK(bars.find(" real\n") != std::string::npos);
+        CHECK(folder.run(std::string("check d.pers --points p.csv --filter ") + filter).exit == 0);
+        const Result json = folder.run(line + " --json");
+        CHECK(json.out.find("\"certain\": [") != std::string::npos);
+        CHECK(json.out.find("\"bounds\": [[") != std::string::npos);
+    }
+    CHECK(folder.run("persist p.csv --bounds --filter basic").exit == 2);
+}
+
+TEST_CASE("persist: tight, and scale by scale") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 25 -o p.csv").exit == 0);
+    Result result = folder.run("persist p.csv --filter tight --eps .5 -o d.pers --json --check --svg d.svg --mesh m.node");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(number_in(result.out, "certified_ratio") > 1);
+    CHECK(number_in(result.out, "certified_ratio") <= 1.5);
+    CHECK(folder.run("check d.pers --points p.csv --filter tight --eps .5").exit == 0);
+    CHECK(folder.run("check d.pers --points p.csv --filter tight").exit == 0);  // 1/2 is the default
+    CHECK(folder.run("check d.pers --points p.csv --filter tight --eps .4").exit == 7);
+    result = folder.run("check d.pers --mesh m.node");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(result.out.find("for filter tight, certified values") != std::string::npos);
+
+    CHECK(folder.run("sample zoom -n 30 --dim 2 -o q.csv").exit == 0);
+    result = folder.run("persist q.csv --filter scales --theta .1 --eps .5 -o s.pers --json --check");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(number_in(result.out, "certified_ratio") <= 1.3 * 1.5);
+    CHECK(number_in(result.out, "extended_ball_needed") == 2);
+    CHECK(folder.run("check s.pers --points q.csv --filter scales --theta .1").exit == 0);
+    CHECK(folder.run("check s.pers --points p.csv --filter scales --theta .1").exit == 7);
+    for (const char* line : {"--filter tight --eps 0", "--filter tight --eps .6", "--eps .5", "--theta .1", "--filter scales --theta .2",
+                             "--filter scales --mesh m.node"}) {
+        CAPTURE(line);
+        CHECK(folder.run(std::string("persist p.csv ") + line).exit == 2);
+    }
+}
+
+TEST_CASE("persist: d_k and the k-distance") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 80 -o p.csv").exit == 0);
+    for (const std::string filter : {"knn", "kdistance"}) {
+        CAPTURE(filter);
+        const std::string k = " --k 4 --filter " + filter;
+        const Result result = folder.run("persist p.csv -o d.pers --json --check --svg d.svg --mesh m.node" + k);
+        CHECK(result.exit == 0);
+        CHECK(result.err == "");
+        CHECK(number_in(result.out, "k") == 4);
+        CHECK(text_in(result.out, "reference").find("sublevel sets of") == 0);
+        CHECK(number_in(result.out, "certified_ratio") < 2.6);
+        CHECK(folder.read("d.pers").rfind("0 0 ", 0) == std::string::npos);  // nothing is born at 0
+        for (const std::string source : {"--points p.csv", "--mesh m.node"}) {
+            const Result check = folder.run("check d.pers " + source + k);
+            CHECK(check.err == "");
+            CHECK(check.exit == 0);
+            CHECK(check.out.find("filter " + filter + ", certified values") != std::string::npos);
+            CHECK(folder.run("check d.pers " + source + " --k 4").exit == 0);
+            CHECK(folder.run("check d.pers " + source + " --k 5").exit == 7);
+        }
+        CHECK(folder.run("persist p.csv --k 0 --filter " + filter).exit == 2);
+        const Result many = folder.run("persist p.csv --k 81 --filter " + filter);
+        CHECK(many.exit == 3);
+        CHECK(many.says("more than the number of different points"));
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter).out == folder.run("persist p.csv --quiet").out);
+    }
+}
+
+TEST_CASE("vineyard: diagrams of all k, each equal to its own run") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 30 -o p.csv").exit == 0);
+    const Result result = folder.run("vineyard p.csv --k 1..4 -o v.vines --svg v.svg --check --json");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(number_in(result.out, "k_last") == 4);
+    CHECK(number_in(result.out, "transpositions") > 0);
+    CHECK(folder.read("v.svg").rfind("<svg ", 0) == 0);
+    const std::string vines = folder.read("v.vines");
+    CHECK(vines.rfind("# netmesh vineyard 1: vine degree k birth death\n# filter knn, certified values\n# k 1 certified", 0) == 0);
+    CHECK(folder.run("vineyard p.csv --k 1..4 --quiet").out == vines);
+    // The lines of k = 3, without vine and k, are the diagram.
+    std::istringstream lines(vines);
+    std::vector<std::string> bars, due;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string vine, degree, k, birth, death;
+        if (line[0] != '#' && words >> vine >> degree >> k >> birth >> death && k == "3") {
+            bars.push_back(degree + " " + birth + " " + death);
+        }
+    }
+    std::istringstream diagram(folder.run("persist p.csv --filter knn --k 3 --quiet").out);
+    for (std::string line; std::getline(diagram, line);) due.push_back(line);
+    std::sort(bars.begin(), bars.end());
+    std::sort(due.begin(), due.end());
+    CHECK(!due.empty());
+    CHECK(bars == due);
+    CHECK(folder.run("vineyard p.csv").says("--k FIRST..LAST"));
+    for (const char* line : {"--k 0..3", "--k 3..1", "--k 1..x", "--k 1..3 --filter alpha", "--k 1..3 -o v.pers"}) {
+        CAPTURE(line);
+        CHECK(folder.run(std::string("vineyard p.csv ") + line).exit == 2);
+    }
+    CHECK(folder.run("vineyard p.csv --k 1..31").exit == 3);
 }
 
 TEST_CASE("persist: the mesh that was filtered vouches for the diagram") {

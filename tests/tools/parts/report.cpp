@@ -130,7 +130,8 @@ TEST_CASE("what every diagram must satisfy") {
     CHECK(diagram_complaint({{0, 0, 1}}) == "no essential class");
     CHECK(diagram_complaint({essential, essential}) == "more than one essential class");
     CHECK(diagram_complaint({essential, {1, 0, HUGE_VAL}}) != "");
-    CHECK(diagram_complaint({{0, .5, HUGE_VAL}}) != "");
+    CHECK(diagram_complaint({{0, .5, HUGE_VAL}}) == "");  // of a function that is not 0 anywhere
+    CHECK(diagram_complaint({{0, .25, 1}, {0, .5, HUGE_VAL}}) != "");
     CHECK(diagram_complaint({essential, {1, 2, 1}}) != "");
     CHECK(diagram_complaint({essential, {0, 0, 1}}) != "");
     std::size_t at = 0;

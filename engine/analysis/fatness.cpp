@@ -1,0 +1,316 @@
+#include "analysis/fatness.hpp"
+
+#include "analysis/corners.hpp"
+#include "analysis/in_ball.hpp"
+#include "delaunay/kernel.hpp"
+#include "numerics/elementary.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr double up = 1 + 0x1p-40;
+constexpr double least_square = 0x1p-960;  // shorter edges have squares that doubles do not hold
+constexpr int clipping_rounds = 12;        // cutting planes for an in-ball at the sphere
+
+template <int D> double distance2(const double* a, const double* b) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = a[k] - b[k];
+        d2 += d * d;
+    }
+    return d2;
+}
+
+enum Part : std::uint8_t { part_inside = 0, part_bounded = 1, part_none = 2 };
+
+// What is measured of one vertex. Lengths are relative to nothing, points to the vertex.
+struct CellMeasure {
+    std::uint32_t corners;
+    std::uint32_t degree[2];       // neighbours in the part
+    double faces[2];               // simplices with them, each as often as it is in a cell
+    double in_radius, out_radius;  // of in-ball and out-ball
+    double nearest, farthest;      // distance to the nearest neighbour and to the farthest corner
+    double doubt;                  // of a corner
+    bool among[2];                 // all neighbours are in the part
+};
+
+// Points about one vertex, in scratch memory.
+template <int D> struct Points {
+    double* x;
+    std::uint32_t count;
+
+    bool take(Arena& arena, std::size_t capacity) {
+        count = 0;
+        x = arena.take_low<double>(capacity * D);
+        return x != nullptr;
+    }
+    void add(const double* p, const double* origin) {
+        for (int k = 0; k < D; ++k) x[std::size_t{count} * D + k] = p[k] - origin[k];
+        ++count;
+    }
+};
+
+template <int D> class Fatness {
+public:
+    Fatness(Store<D>& store, const Domain<D>& domain, Arena& arena, FatnessAnalysis* analysis)
+        : store_(store), domain_(domain), arena_(arena), kernel_(store, 1, true), analysis_(*analysis) {}
+
+    Status open();
+    // Two passes: fatness first, then what depends on its maximum.
+    Status run(Monitor& monitor);
+
+private:
+    bool holds(int part, std::uint32_t v) const { return part_[v] <= part; }
+    FatPart& of(int part) { return part == part_inside ? analysis_.inside : analysis_.bounded; }
+    Status measure(std::uint32_t v, bool balls, CellMeasure* m, double* clipped);
+    void collect(std::uint32_t v, std::uint32_t c, CellMeasure* m, Points<D>* neighbours);
+    void add_clipped(std::uint32_t v, std::uint32_t c, Points<D>* corners);
+    double clipped_fatness(std::uint32_t v, const CellMeasure& m, Points<D> corners, Points<D> neighbours);
+    void add(const CellMeasure& m, int which);
+    void compare(const CellMeasure& m, int part);
+
+    Store<D>& store_;
+    const Domain<D>& domain_;
+    Arena& arena_;
+    Kernel<D> kernel_;
+    FatnessAnalysis& analysis_;
+    std::uint8_t* part_;  // [vertices]: the smallest part that the vertex belongs to
+};
+
+template <int D> Status Fatness<D>::open() {
+    analysis_ = {};
+    const std::uint32_t count = store_.state.vertex_count;
+    part_ = arena_.take_low<std::uint8_t>(count);
+    if (part_ == nullptr) return Status::out_of_memory;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        part_[v] = store_.vertex(v).marker == Marker::exempt || store_.vertex(v).cell == none ? part_none : part_inside;
+        store_.vertex(v).next = none;
+    }
+    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
+        const Cell<D>& cell = store_.cell(c);
+        const bool known = cell.radius2 < infinity && static_cast<double>(cell.error) < 0x1p-10;
+        for (int i = 0; i <= D; ++i)
+            for (int j = 0; j < i; ++j)
+                if (!(distance2<D>(store_.point(cell.vertex[i]), store_.point(cell.vertex[j])) > least_square))
+                    part_[cell.vertex[i]] = part_[cell.vertex[j]] = part_none;
+        const std::uint8_t least = !known ? part_none : domain_.contains(cell.centre) ? part_inside : part_bounded;
+        for (int i = 0; i <= D; ++i) {
+            if (part_[cell.vertex[i]] < least) part_[cell.vertex[i]] = least;
+            if (cell.neighbour[i] != none) continue;
+            for (int j = 0; j <= D; ++j)
+                if (j != i) part_[cell.vertex[j]] = part_none;
+        }
+    }
+    return Status::ok;
+}
+
+// One cell of v's star: its corner's distance, and the neighbours not met before.
+template <int D> void Fatness<D>::collect(std::uint32_t v, std::uint32_t c, CellMeasure* m, Points<D>* neighbours) {
+    const Cell<D>& cell = store_.cell(c);
+    const double* const x = store_.point(v);
+    const double error = static_cast<double>(cell.error), radius = square_root(cell.radius2);
+    if (error * radius > m->doubt) m->doubt = error * radius;
+    if (radius * (1 + error) * up > m->farthest) m->farthest = radius * (1 + error) * up;
+    unsigned subsets[2] = {1, 1};  // of the cell's other vertices, as far as they are in the part
+    for (const std::uint32_t w : cell.vertex) {
+        for (int part = part_inside; part <= part_bounded && w != v; ++part)
+            if (holds(part, w)) subsets[part] *= 2;
+        if (w == v || store_.vertex(w).next == v) continue;
+        store_.vertex(w).next = v;
+        neighbours->add(store_.point(w), x);
+        const double length = square_root(distance2<D>(store_.point(w), x));
+        if (length < m->nearest) m->nearest = length;
+        for (int part = part_inside; part <= part_bounded; ++part) {
+            m->degree[part] += holds(part, w);
+            m->among[part] = m->among[part] && holds(part, w);
+        }
+    }
+    for (int part = part_inside; part <= part_bounded; ++part) m->faces[part] += subsets[part] - 1;
+}
+
+// Corners of v's clipped cell at corner c: itself inside, crossings of its edges outside.
+template <int D> void Fatness<D>::add_clipped(std::uint32_t v, std::uint32_t c, Points<D>* corners) {
+    const Cell<D>& cell = store_.cell(c);
+    if (domain_.contains(cell.centre)) {
+        corners->add(cell.centre, store_.point(v));
+        return;
+    }
+    for (int i = 0; i <= D; ++i) {
+        if (cell.vertex[i] == v) continue;
+        const std::uint32_t n = cell.neighbour[i] >> 3;
+        if (n < c && !domain_.contains(store_.cell(n).centre)) continue;  // seen from the other end
+        double z[2][D];
+        const int crossings = sphere_crossings<D>(domain_, cell.centre, store_.cell(n).centre, z);
+        for (int j = 0; j < crossings; ++j) corners->add(z[j], store_.point(v));
+    }
+}
+
+// Out-radius over in-radius of the clipped cell; 0 when no corner of it is known. In-balls are kept in the domain by
+// cutting planes: a tangent plane of the sphere is a bisector with the vertex's mirror image.
+template <int D>
+double Fatness<D>::clipped_fatness(std::uint32_t v, const CellMeasure& m, Points<D> corners, Points<D> neighbours) {
+    double out_radius, centre[D] = {};
+    if (corners.count < 2 || !domain_.contains(store_.point(v))) return 0;
+    smallest_enclosing_ball<D>(corners.x, corners.count, centre, &out_radius);
+    double best = 0;
+    for (int round = 0; round < clipping_rounds; ++round) {
+        const double radius = largest_inscribed_ball<D>(neighbours.x, neighbours.count, m.nearest, centre);
+        double away2 = 0, toward = 0;
+        for (int k = 0; k < D; ++k) {
+            const double d = store_.point(v)[k] + centre[k] - domain_.centre[k];
+            away2 += d * d;
+            toward += d * (store_.point(v)[k] - domain_.centre[k]);
+        }
+        const double away = square_root(away2), room = domain_.radius - away;
+        const double inside = radius < room ? radius : room;
+        if (inside > best) best = inside;
+        if (radius <= room * up || !(away > 0)) break;
+        // u = d / away, b = R - u . (v - c); the mirror image is 2 b u away.
+        const double b = domain_.radius - toward / away;
+        double mirror[D];
+        const double zero[D] = {};
+        for (int k = 0; k < D; ++k) mirror[k] = 2 * b * (store_.point(v)[k] + centre[k] - domain_.centre[k]) / away;
+        neighbours.add(mirror, zero);
+    }
+    return best > 0 ? out_radius / best : 0;
+}
+
+template <int D> Status Fatness<D>::measure(std::uint32_t v, bool balls, CellMeasure* m, double* clipped) {
+    *m = {0, {0, 0}, {0, 0}, 0, 0, infinity, 0, 0, {true, true}};
+    *clipped = 0;
+    if (!kernel_.visit_star(v, [&](std::uint32_t) { ++m->corners; })) return Status::out_of_memory;
+    ArenaScope scope(arena_);
+    const bool clips = part_[v] == part_bounded && domain_.radius > 0;
+    Points<D> corners, neighbours, cut;
+    if (!corners.take(arena_, m->corners) || !neighbours.take(arena_, std::size_t{m->corners} * D + clipping_rounds) ||
+        !cut.take(arena_, clips ? std::size_t{m->corners} * 2 * D : 0))
+        return Status::out_of_memory;
+    const bool room = kernel_.visit_star(v, [&](std::uint32_t c) {
+        collect(v, c, m, &neighbours);
+        corners.add(store_.cell(c).centre, store_.point(v));
+        if (clips && balls) add_clipped(v, c, &cut);
+    });
+    if (!room) return Status::out_of_memory;
+    if (!balls) return Status::ok;
+    double centre[D];
+    smallest_enclosing_ball<D>(corners.x, corners.count, centre, &m->out_radius);
+    m->out_radius = (m->out_radius + m->doubt) * up;
+    // The ball about the vertex encloses the cell too.
+    if (m->farthest < m->out_radius) m->out_radius = m->farthest;
+    m->in_radius = largest_inscribed_ball<D>(neighbours.x, neighbours.count, m->nearest, centre) / up;
+    const double least = 0.5 * m->nearest / up;
+    if (!(m->in_radius > least)) m->in_radius = least;
+    if (clips) *clipped = clipped_fatness(v, *m, cut, neighbours);
+    if (part_[v] == part_inside) *clipped = m->out_radius / m->in_radius;
+    return Status::ok;
+}
+
+// S of fatness.hpp: the volume of the regular d-simplex in the unit ball.
+double regular_simplex_volume(int d) {
+    double volume = square_root(static_cast<double>(d + 1));
+    for (int k = 1; k <= d; ++k) volume *= square_root((d + 1.0) / d) / k;
+    return volume;
+}
+
+template <int D> void Fatness<D>::add(const CellMeasure& m, int which) {
+    FatPart* const part = &of(which);
+    const std::uint32_t degree = m.degree[which];
+    const double faces = m.faces[which];
+    const double beta = m.out_radius / m.in_radius * up, aspect = 2 * m.farthest / m.nearest * up;
+    if (beta > part->beta_max) part->beta_max = beta;
+    if (aspect > part->aspect_max) part->aspect_max = aspect;
+    part->beta_mean += beta;
+    ++part->cells;
+    part->edges += degree;
+    if (degree > part->degree_max) part->degree_max = degree;
+    // Simplices at the vertex: each is one of some cell, and of some of the neighbours.
+    double choices = 1, sum = 0;
+    for (int j = 1; j <= D; ++j) {
+        choices *= (static_cast<double>(degree) - j + 1) / j;
+        sum += choices > 0 ? choices : 0;
+    }
+    part->faces += sum < faces ? sum : faces;
+    const double least = 2 * unit_ball_volume(D - 1) / (regular_simplex_volume(D - 1) * power(2 * beta, D));
+    const double share = least / static_cast<double>(m.corners);
+    if (share > part->corners_share) part->corners_share = share;
+}
+
+// The bounds that hold vertex by vertex.
+template <int D> void Fatness<D>::compare(const CellMeasure& m, int which) {
+    FatPart& part = of(which);
+    const double beta = part.beta_max, degree = static_cast<double>(m.degree[which]);
+    int layers = 1;
+    for (double ratio = 2 * m.farthest / m.nearest; ratio >= 2 && layers < 2048; ratio *= 0.5) ++layers;
+    const double share = degree / (power(8 * beta, D) * layers);
+    if (share > part.degree_share) part.degree_share = share;
+    if (D > 2 || !m.among[which]) return;
+    const double planar = degree * arcsine(1 / (4 * beta)) / 18.849555921538759;
+    if (planar > part.planar_share) part.planar_share = planar;
+}
+
+template <int D> void finish(FatPart* part) {
+    const double cells = static_cast<double>(part->cells);
+    if (part->cells > 0) part->beta_mean /= cells;
+    part->edges /= 2;
+    part->edges_bound = power(4 * part->beta_max, D) * cells;
+    part->faces_bound = power(4 * part->beta_max, D * D) * cells;
+}
+
+template <int D> Status Fatness<D>::run(Monitor& monitor) {
+    const std::uint32_t count = store_.state.vertex_count;
+    CellMeasure m;
+    double clipped;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        if (!holds(part_bounded, v)) continue;
+        const Status status = measure(v, true, &m, &clipped);
+        if (status != Status::ok) return status;
+        for (int part = part_[v]; part <= part_bounded; ++part) add(m, part);
+        if (clipped > 0) ++analysis_.clipped;
+        analysis_.clipped_mean += clipped;
+        if (clipped > analysis_.clipped_max) analysis_.clipped_max = clipped;
+        if (monitor.advance(v, 4 * m.corners)) return Status::cancelled;
+    }
+    for (std::uint32_t v = 0; v < count; ++v) store_.vertex(v).next = none;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        if (!holds(part_bounded, v)) continue;
+        const Status status = measure(v, false, &m, &clipped);
+        if (status != Status::ok) return status;
+        for (int part = part_[v]; part <= part_bounded; ++part) compare(m, part);
+    }
+    finish<D>(&analysis_.bounded);
+    finish<D>(&analysis_.inside);
+    if (analysis_.clipped > 0) analysis_.clipped_mean /= static_cast<double>(analysis_.clipped);
+    return Status::ok;
+}
+
+}  // namespace
+
+template <int D>
+Status analyse_fatness(Store<D>& store, const Domain<D>& domain, Arena& arena, Monitor& monitor,
+                       FatnessAnalysis* analysis) {
+    ArenaScope scope(arena);
+    recompute_balls<D>(store);
+    Fatness<D> fatness(store, domain, arena, analysis);
+    const Status status = fatness.open();
+    return status == Status::ok ? fatness.run(monitor) : status;
+}
+
+const char* violated_fatness_bound(const FatPart& a) {
+    if (!(static_cast<double>(a.edges) <= a.edges_bound)) return "more edges than fat cells have (5.3.1)";
+    if (!(a.faces <= a.faces_bound)) return "more faces than fat cells have (5.3.2)";
+    if (!(a.degree_share <= 1)) return "more neighbours than a fat cell has (5.3.3)";
+    if (!(a.planar_share <= 1)) return "more neighbours than a fat cell in the plane has (5.4.5)";
+    if (!(a.corners_share <= 1)) return "fewer corners than a fat cell has (5.5.1)";
+    return nullptr;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status analyse_fatness<D>(Store<D>&, const Domain<D>&, Arena&, Monitor&, FatnessAnalysis*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,196 @@
+#include "analysis/feature_integral.hpp"
+
+#include "numerics/elementary.hpp"
+
+namespace netmesh {
+namespace {
+
+// eta: h / f_P(centre) of a box that is never split. What is lost in bounds is won in boxes, 2^D for each factor of
+// two.
+constexpr double coarsest[] = {0, 0, 0.5, 0.5, 0.5, 0.6, 0.7};
+constexpr double rounding = 0x1p-26;  // more than that of sums of 2^24 terms
+constexpr double mean_over_max =
+    0.57736;  // mean distance from the centre of a box over half its diagonal, at most 1/sqrt(3)
+constexpr int levels_max = 2200;
+
+// How the value at the centre of a box bounds the mean over the box, h / f = eta: 1 / f^D lies between those at f + |x
+// - c| and f - |x - c|, both convex in |x - c|, whose mean is at most h / sqrt(3): Jensen below, the chord above.
+template <int D> double mean_at_least(double eta) { return 1 / power(1 + mean_over_max * eta, D); }
+template <int D> double mean_at_most(double eta) { return 1 - mean_over_max + mean_over_max / power(1 - eta, D); }
+
+struct Share {
+    double least, most;
+};
+
+template <int D> class Boxes {
+public:
+    Boxes(const Store<D>& store, const InputTree<D>& tree, const double* centre, const double* radius, int balls)
+        : store_(store), tree_(tree), centre_(centre), radius_(radius), balls_(balls) {}
+
+    Status open(Arena& arena, std::uint32_t inputs);
+    Status run(double eta, Monitor& monitor, FeatureIntegral* integral);
+
+private:
+    double* at(int level) const { return centres_ + static_cast<std::size_t>(level) * D; }
+    double feature_size(const double* x);
+    Share share(const double* x, double half, double radius) const;
+    bool settle(const double* x, double half, double eta, bool finest, FeatureIntegral* integral);
+
+    const Store<D>& store_;
+    const InputTree<D>& tree_;
+    const double* centre_;
+    const double* radius_;
+    int balls_;
+    double* centres_;       // [levels][D]
+    std::uint8_t* child_;   // [levels]: the next child to go to
+    double feature_least_;  // f_P is nowhere smaller
+    std::uint32_t first_ = none, second_ = none;
+};
+
+template <int D> Status Boxes<D>::open(Arena& arena, std::uint32_t inputs) {
+    centres_ = arena.take_high<double>(std::size_t{levels_max} * D);
+    child_ = arena.take_high<std::uint8_t>(levels_max);
+    if (centres_ == nullptr || child_ == nullptr) return Status::out_of_memory;
+    double least2 = infinity;
+    for (std::uint32_t v = 0; v < inputs; ++v) {
+        double d2;
+        tree_.nearest(store_.point(v), v > 0 ? v - 1 : 1, v, &d2);
+        if (d2 < least2) least2 = d2;
+    }
+    feature_least_ = 0.5 * square_root(least2) * (1 - rounding);
+    return Status::ok;
+}
+
+template <int D> double Boxes<D>::feature_size(const double* x) {
+    double d2;
+    const std::uint32_t hint = first_;
+    first_ = tree_.nearest(x, first_, none, &d2);
+    if (second_ == first_) second_ = hint != first_ ? hint : none;
+    second_ = tree_.nearest(x, second_, first_, &d2);
+    return square_root(d2);
+}
+
+// Bounds on the share of a box inside the ball of this radius. Of two points opposite about the box's centre x at most
+// one is inside when x is not, and at least one when |x - c|^2 + h^2 <= radius^2.
+template <int D> Share Boxes<D>::share(const double* x, double half, double radius) const {
+    double near2 = 0, far2 = 0, middle2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = absolute(x[k] - centre_[k]), near = d > half ? d - half : 0;
+        near2 += near * near;
+        far2 += (d + half) * (d + half);
+        middle2 += d * d;
+    }
+    const double r2 = radius * radius;
+    if (far2 <= r2) return {1, 1};
+    if (near2 >= r2) return {0, 0};
+    if (middle2 >= r2) return {0, 0.5};
+    return {middle2 + D * half * half <= r2 ? 0.5 : 0, 1};
+}
+
+// Adds a box to the bounds unless it has to be split.
+template <int D>
+bool Boxes<D>::settle(const double* x, double half, double eta, bool finest, FeatureIntegral* integral) {
+    Share inside[FeatureIntegral::balls_max];
+    bool crosses = false;
+    for (int j = 0; j < balls_; ++j) {
+        inside[j] = share(x, half, radius_[j]);
+        crosses = crosses || inside[j].least != inside[j].most;
+    }
+    if (!(inside[balls_ - 1].most > 0)) return true;
+    ++integral->boxes;
+    const double f = feature_size(x), h = half * square_root(static_cast<double>(D));
+    if (h > (crosses && D < 4 ? 0.5 * eta : eta) * f && !finest) return false;
+    const double side = power(2 * half / f, D), ratio = h / f;
+    const double floor = f - h > feature_least_ ? f - h : feature_least_;
+    const double greatest = power(f / floor, D), least = 1 / power(1 + ratio, D);
+    const double mean_upper = ratio <= coarsest[D] ? mean_at_most<D>(ratio) : greatest;
+    for (int j = 0; j < balls_; ++j) {
+        integral->lower[j] += side * inside[j].least * (inside[j].least == 1 ? mean_at_least<D>(ratio) : least);
+        integral->upper[j] +=
+            side * inside[j].most * (inside[j].most == 1 && inside[j].least == 1 ? mean_upper : greatest);
+    }
+    return true;
+}
+
+// Depth first. Box corners are multiples of their sides, so centres are exact as long as doubles have them.
+template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureIntegral* integral) {
+    *integral = {};
+    const double reach = radius_[balls_ - 1];
+    double half = 1;
+    while (half < 2 * reach) half *= 2;
+    while (half >= 4 * reach) half *= 0.5;
+    for (int k = 0; k < D; ++k) {
+        const double corner = (centre_[k] - reach) / half;
+        const bool aligned = absolute(corner) < 0x1p51;
+        double whole = aligned ? static_cast<double>(static_cast<std::int64_t>(corner)) : corner;
+        if (whole > corner) whole -= 1;
+        at(0)[k] = whole * half + half;
+    }
+    int level = 0;
+    bool entered = true;
+    while (level >= 0) {
+        if (entered) {
+            bool finest = level + 1 == levels_max;
+            for (int k = 0; k < D; ++k) finest = finest || at(level)[k] + 0.5 * half == at(level)[k];
+            if (settle(at(level), half, eta, finest, integral)) {
+                --level;
+                half *= 2;
+                entered = false;
+                continue;
+            }
+            if (monitor.advance(integral->boxes, 8)) return Status::cancelled;
+            child_[level] = 0;
+        }
+        if (child_[level] == 1u << D) {
+            --level;
+            half *= 2;
+            entered = false;
+            continue;
+        }
+        const unsigned corner = child_[level]++;
+        half *= 0.5;
+        for (int k = 0; k < D; ++k) at(level + 1)[k] = at(level)[k] + (corner >> k & 1u ? half : -half);
+        ++level;
+        entered = true;
+    }
+    for (int j = 0; j < balls_; ++j) {
+        integral->lower[j] *= 1 - rounding;
+        integral->upper[j] *= 1 + rounding;
+    }
+    return Status::ok;
+}
+
+}  // namespace
+
+template <int D>
+Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs, const double* centre,
+                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, Arena& arena,
+                        Monitor& monitor, FeatureIntegral* integral) {
+    ArenaScope scope(arena);
+    Boxes<D> boxes(store, tree, centre, radius, balls);
+    Status status = boxes.open(arena, inputs);
+    if (status == Status::ok) status = boxes.run(coarsest[D], monitor, integral);
+    if (status != Status::ok) return status;
+    // The number of boxes grows by 2^(D/2) a step.
+    double eta = coarsest[D], boxes_next = static_cast<double>(integral->boxes);
+    const double step = 0.70710678118654752, growth = square_root(static_cast<double>(1u << D));
+    while (mean_at_most<D>(eta) / mean_at_least<D>(eta) > 1 + tolerance &&
+           boxes_next * growth <= static_cast<double>(boxes_max)) {
+        eta *= step;
+        boxes_next *= growth;
+    }
+    return eta < coarsest[D] ? boxes.run(eta, monitor, integral) : Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const double*,            \
+                                        const double*, int, double, std::uint64_t, Arena&, Monitor&,                   \
+                                        FeatureIntegral*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,29 @@
+// The feature size integral (thesis 3.4, 3.8): how many vertices a mesh needs, up to a constant.
+#pragma once
+#include <cstdint>
+
+#include "memory/monitor.hpp"
+#include "mesh/input_tree.hpp"
+
+namespace netmesh {
+
+// Bounds on the integral of dx / f_P(x)^D over balls about one centre.
+struct FeatureIntegral {
+    static constexpr int balls_max = 3;
+    double lower[balls_max], upper[balls_max];
+    std::uint64_t boxes;  // that f_P was evaluated in
+};
+
+// radius[0..balls), increasing. A tree of boxes is refined where half their diagonal h exceeds eta f_P(centre): as f_P
+// is 1-Lipschitz, the value in a box is then known within a factor, which eta is chosen for; what a box that crosses a
+// sphere has inside counts as one half or less, or more, as its centre says. The bounds are certain, with room for
+// rounding; upper / lower - 1 is at most about `tolerance` (boundary aside) if boxes_max boxes do; with less it is what
+// they allow, eta being 0.7 at most. Vertices 0..inputs-1, two at least, are the inputs. Deterministic. Cost: about
+// (D^1.5 / (2 eta))^D times the integral, in nearest-neighbour searches. Scratch: 8 D + 1 bytes for each level of
+// boxes, some 2,200 levels. out_of_memory, cancelled.
+template <int D>
+Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs, const double* centre,
+                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, Arena& arena,
+                        Monitor& monitor, FeatureIntegral* integral);
+
+}  // namespace netmesh

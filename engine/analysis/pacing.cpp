@@ -1,0 +1,188 @@
+#include "analysis/pacing.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> double distance2(const double* a, const double* b) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = a[k] - b[k];
+        d2 += d * d;
+    }
+    return d2;
+}
+
+// A range of the tree to be looked at, all of whose points are at least sqrt(plane2) away.
+struct Part {
+    TreeRange range;
+    double plane2;
+};
+
+// Calls at_item(v) for the items of a range that is not pruned, near ranges first. prune(range, plane2) is asked once a
+// range.
+template <int D, class Prune, class AtItem>
+void search(const Store<D>& store, const InputTree<D>& tree, const double* x, Prune&& prune, AtItem&& at_item) {
+    Part stack[64];
+    int depth = 0;
+    stack[depth++] = {tree.root(), 0};
+    while (depth > 0) {
+        const Part part = stack[--depth];
+        if (prune(part.range, part.plane2)) continue;
+        if (part.range.is_leaf()) {
+            for (std::uint32_t i = part.range.begin; i < part.range.end; ++i) at_item(tree.item(i));
+            continue;
+        }
+        const std::uint32_t middle = part.range.middle(), v = tree.item(middle);
+        const int axis = tree.axis(middle);
+        at_item(v);
+        const double offset = x[axis] - store.point(v)[axis], plane2 = offset * offset;
+        const Part below = {{part.range.begin, middle}, offset > 0 && plane2 > part.plane2 ? plane2 : part.plane2};
+        const Part above = {{middle + 1, part.range.end}, offset < 0 && plane2 > part.plane2 ? plane2 : part.plane2};
+        stack[depth++] = offset < 0 ? above : below;
+        stack[depth++] = offset < 0 ? below : above;
+    }
+}
+
+// value[middle] of each range := the least (greatest) of its items by `of`, from the leaves up.
+template <int D, class T, class Of, class Better>
+T summary(const InputTree<D>& tree, TreeRange range, const T* value, Of&& of, Better&& better) {
+    T best = of(tree.item(range.middle()));
+    if (range.is_leaf()) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            if (better(of(tree.item(i)), best)) best = of(tree.item(i));
+        return best;
+    }
+    const T below = value[range.below().middle()], above = value[range.above().middle()];
+    if (better(below, best)) best = below;
+    return better(above, best) ? above : best;
+}
+
+// All ranges, parents before children. list has room for count entries.
+template <int D> std::uint32_t list_ranges(const InputTree<D>& tree, TreeRange* list) {
+    std::uint32_t count = 0;
+    list[count++] = tree.root();
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const TreeRange range = list[k];
+        if (range.is_leaf()) continue;
+        list[count++] = range.below();
+        list[count++] = range.above();
+    }
+    return count;
+}
+
+}  // namespace
+
+template <int D>
+Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t* order, std::uint32_t count,
+            Arena& arena, Monitor& monitor, double* theta) {
+    ArenaScope scope(arena);
+    std::uint32_t* const rank = arena.take_high<std::uint32_t>(count);
+    std::uint32_t* const least = arena.take_high<std::uint32_t>(count);
+    if (rank == nullptr || least == nullptr) return Status::out_of_memory;
+    for (std::uint32_t i = 0; i < count; ++i) rank[order[i]] = i;
+    {
+        ArenaScope inner(arena);
+        TreeRange* const ranges = arena.take_high<TreeRange>(count);
+        if (ranges == nullptr) return Status::out_of_memory;
+        for (std::uint32_t k = list_ranges<D>(tree, ranges); k-- > 0;)
+            least[ranges[k].middle()] = summary<D>(
+                tree, ranges[k], least, [&](std::uint32_t v) { return rank[v]; },
+                [](std::uint32_t a, std::uint32_t b) { return a < b; });
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        theta[i] = 1;
+        if (i < 2) continue;
+        const double* const x = store.point(order[i]);
+        double first2 = infinity, second2 = infinity;
+        search<D>(
+            store, tree, x,
+            [&](TreeRange range, double plane2) { return plane2 > second2 || least[range.middle()] >= i; },
+            [&](std::uint32_t v) {
+                if (rank[v] >= i) return;
+                const double d2 = distance2<D>(x, store.point(v));
+                if (d2 < first2) {
+                    second2 = first2;
+                    first2 = d2;
+                } else if (d2 < second2) {
+                    second2 = d2;
+                }
+            });
+        theta[i] = square_root(first2) / square_root(second2);
+        if (monitor.advance(i, 8)) return Status::cancelled;
+    }
+    return Status::ok;
+}
+
+template <int D>
+Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, Arena& arena,
+                            Monitor& monitor, std::uint32_t* order) {
+    ArenaScope scope(arena);
+    // Squared distance to the points ordered so far, -1 for those themselves; its maximum over each range.
+    double* const near2 = arena.take_high<double>(count);
+    double* const far2 = arena.take_high<double>(count);
+    TreeRange* const visited = arena.take_high<TreeRange>(count);
+    if (near2 == nullptr || far2 == nullptr || visited == nullptr) return Status::out_of_memory;
+    std::uint32_t next = 0;
+    double reach2 = -1;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        near2[v] = far2[v] = infinity;
+        const double d2 = distance2<D>(store.point(0), store.point(v));
+        if (!(d2 > reach2)) continue;
+        reach2 = d2;
+        next = v;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        order[i] = next;
+        const double* const x = store.point(next);
+        near2[next] = -1;
+        std::uint32_t visits = 0;
+        search<D>(
+            store, tree, x,
+            [&](TreeRange range, double plane2) {
+                // The range that holds `next` itself is always visited: its plane is at most 0 away.
+                if (plane2 > far2[range.middle()]) return true;
+                visited[visits++] = range;
+                return false;
+            },
+            [&](std::uint32_t v) {
+                const double d2 = distance2<D>(x, store.point(v));
+                if (d2 < near2[v]) near2[v] = d2;
+            });
+        for (std::uint32_t k = visits; k-- > 0;)
+            far2[visited[k].middle()] = summary<D>(
+                tree, visited[k], far2, [&](std::uint32_t v) { return near2[v]; },
+                [](double a, double b) { return a > b; });
+        // Down to a farthest point, the first in the tree's order among equals.
+        for (TreeRange range = tree.root();;) {
+            const double most = far2[range.middle()];
+            next = tree.item(range.middle());
+            if (range.is_leaf()) {
+                for (std::uint32_t k = range.end; k-- > range.begin;)
+                    if (near2[tree.item(k)] == most) next = tree.item(k);
+                break;
+            }
+            if (far2[range.below().middle()] == most)
+                range = range.below();
+            else if (far2[range.above().middle()] == most)
+                range = range.above();
+            else
+                break;
+        }
+        if (monitor.advance(i, 1 + visits)) return Status::cancelled;
+    }
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status pace<D>(const Store<D>&, const InputTree<D>&, const std::uint32_t*, std::uint32_t, Arena&,         \
+                            Monitor&, double*);                                                                        \
+    template Status farthest_first_order<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, Arena&, Monitor&,     \
+                                            std::uint32_t*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,132 @@
+#include "analysis/size.hpp"
+
+#include "analysis/pacing.hpp"
+#include "mesh/refine.hpp"
+#include "numerics/elementary.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr double tolerance = 0x1p-15;  // of tau and of distances, where a bound is compared
+
+template <int D> double distance(const double* a, const double* b) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = a[k] - b[k];
+        d2 += d * d;
+    }
+    return square_root(d2);
+}
+
+// |M|, the feature ratio and how far in-balls reach from the domain's centre.
+template <int D>
+Status measure_vertices(const Store<D>& store, const Domain<D>& domain, const InputTree<D>& tree, Arena& arena,
+                        SizeAnalysis* analysis) {
+    ArenaScope scope(arena);
+    double* const nearest2 = arena.take_high<double>(store.state.vertex_count);
+    if (nearest2 == nullptr) return Status::out_of_memory;
+    recomputed_nearest2<D>(store, nearest2);
+    double reach = domain.radius;
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
+        if (store.vertex(v).cell == none || store.vertex(v).marker == Marker::exempt) continue;
+        ++analysis->size;
+        const double nearest = square_root(nearest2[v]);
+        const double ratio = feature_size<D>(store, tree, v) / nearest;
+        if (ratio > analysis->feature_ratio) analysis->feature_ratio = ratio;
+        const double out = distance<D>(store.point(v), domain.centre) + 0.5 * nearest;
+        if (out > reach) reach = out;
+    }
+    analysis->radius[ball_domain] = domain.radius;
+    analysis->radius[ball_vertices] = reach;
+    const double wide = 7 * domain.enclosing_radius;
+    analysis->radius[ball_wide] = wide > reach ? wide : reach;
+    return Status::ok;
+}
+
+// The theta_i of the farthest-first ordering and what they say about the wide integral.
+template <int D>
+Status measure_pace(const Store<D>& store, const Domain<D>& domain, const InputTree<D>& tree, std::uint32_t inputs,
+                    Arena& arena, Monitor& monitor, SizeAnalysis* analysis) {
+    ArenaScope scope(arena);
+    std::uint32_t* const order = arena.take_high<std::uint32_t>(inputs);
+    double* const theta = arena.take_high<double>(inputs);
+    if (order == nullptr || theta == nullptr) return Status::out_of_memory;
+    Status status = farthest_first_order<D>(store, tree, inputs, arena, monitor, order);
+    if (status == Status::ok) status = pace<D>(store, tree, order, inputs, arena, monitor, theta);
+    if (status != Status::ok) return status;
+    const double first = distance<D>(store.point(order[0]), store.point(order[1]));
+    const double c = (distance<D>(store.point(order[0]), domain.centre) + analysis->radius[ball_wide]) / first;
+    // 3.8.3 is V_D (1 + D ln(2c)); 3.8.5 adds 1 + D ln(3D / theta_i), 3.8.6 at least D ln(1 / theta_i) / 3^D +
+    // theta_i^D - 1.
+    double lower = 0, upper = 1 + D * logarithm(2 * c);
+    for (std::uint32_t i = 2; i < inputs; ++i) {
+        const double log_inverse = -logarithm(theta[i]);
+        const double gain = D * log_inverse / power(3, D) + power(theta[i], D) - 1;
+        analysis->theta_log_sum += log_inverse;
+        if (theta[i] < analysis->theta) analysis->theta = theta[i];
+        if (gain > 0) lower += gain;
+        upper += 1 + D * (log_inverse + logarithm(3.0 * D));
+    }
+    const double t = analysis->theta;
+    if (inputs > 2 && 5 * t < 1) analysis->theta_limit = 2 * t / (1 - 3 * t);
+    analysis->pace_lower = unit_ball_volume(D) * lower * (1 - tolerance);
+    analysis->pace_upper = unit_ball_volume(D) * upper * (1 + tolerance);
+    return Status::ok;
+}
+
+}  // namespace
+
+double feature_ratio_bound(double tau, const SizeRule& rule) {
+    const double loss = 2 / (yield_radius * tau * (1 - tolerance));
+    if (rule.function != nullptr || !(loss < 1)) return infinity;
+    const double k = (2 + 1 / yield_radius) / (1 - loss);
+    return rule.eps > 0 && rule.eps < 1 ? k / rule.eps : k;
+}
+
+template <int D>
+Status analyse_size(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const SizeOptions& options,
+                    Arena& arena, Monitor& monitor, SizeAnalysis* analysis) {
+    *analysis = {};
+    analysis->theta = analysis->theta_limit = 1;
+    analysis->feature_ratio_bound = feature_ratio_bound(options.tau, options.rule);
+    analysis->size_upper = infinity;
+    ArenaScope scope(arena);
+    InputTree<D> tree;
+    if (tree.build(store, arena, inputs) != Status::ok) return Status::out_of_memory;
+    Status status = measure_vertices<D>(store, domain, tree, arena, analysis);
+    if (status != Status::ok || inputs < 2) return status;
+    status = measure_pace<D>(store, domain, tree, inputs, arena, monitor, analysis);
+    if (status == Status::ok)
+        status = feature_integral<D>(store, tree, inputs, domain.centre, analysis->radius, FeatureIntegral::balls_max,
+                                     options.tolerance, options.boxes_max, arena, monitor, &analysis->integral);
+    if (status != Status::ok) return status;
+    const double volume = unit_ball_volume(D);
+    analysis->size_lower = analysis->integral.lower[ball_domain] / (volume * power(options.tau, D)) * (1 - tolerance);
+    analysis->size_upper =
+        analysis->integral.upper[ball_vertices] / volume * power(2 * analysis->feature_ratio + 1, D) * (1 + tolerance);
+    return Status::ok;
+}
+
+const char* violated_size_bound(const SizeAnalysis& a) {
+    const double size = static_cast<double>(a.size);
+    if (!(a.size_lower <= size)) return "fewer vertices than any mesh of this quality has (3.4.2)";
+    if (!(size <= a.size_upper)) return "more vertices than their distances to each other allow (3.4.1)";
+    if (a.integral.boxes > 0 && !(a.feature_ratio <= a.feature_ratio_bound))
+        return "two vertices are nearer to each other than the feature size allows (3.3.2)";
+    if (a.integral.boxes > 0 &&
+        !(a.pace_lower <= a.integral.upper[ball_wide] && a.integral.lower[ball_wide] <= a.pace_upper))
+        return "the feature size integral is not what the pace of the inputs says (3.8.1)";
+    return nullptr;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status analyse_size<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const SizeOptions&, Arena&,      \
+                                    Monitor&, SizeAnalysis*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,164 @@
+#include "analysis/structure.hpp"
+
+#include "analysis/corners.hpp"
+#include "delaunay/kernel.hpp"
+
+namespace netmesh {
+namespace {
+
+// Looks at a cell that a point's or a ball's flood takes, as measured on quality meshes in D = 2..6.
+constexpr std::uint32_t ply_expected[] = {0, 0, 4, 20, 120, 700, 4000};
+constexpr std::uint32_t intersections_expected[] = {0, 0, 24, 240, 3000, 40000, 400000};
+constexpr std::uint32_t looks_max = 1u << 24;
+
+template <int D> double distance2(const double* a, const double* b) {
+    double d2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double d = a[k] - b[k];
+        d2 += d * d;
+    }
+    return d2;
+}
+
+// The number of cells connected with `from` through cells that `take`. `none` when the gap has no room for their list.
+template <int D, class Take> std::uint32_t flood(Store<D>& store, std::uint32_t from, Take&& take) {
+    const std::uint32_t stamp = store.new_stamp();
+    const std::size_t capacity = store.list_capacity();
+    std::uint32_t* const list = store.list_top();
+    std::uint32_t count = 1;
+    if (capacity < 1) return none;
+    list[-1] = from;
+    store.cell(from).mark = stamp;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
+        for (const std::uint32_t word : store.cell(c).neighbour) {
+            if (word == none) continue;
+            const std::uint32_t n = word >> 3;
+            if (store.cell(n).mark == stamp || !take(store.cell(n))) continue;
+            if (count >= capacity) {
+                store.arena.refuse(4);
+                return none;
+            }
+            store.cell(n).mark = stamp;
+            list[-1 - static_cast<std::ptrdiff_t>(count++)] = n;
+        }
+    }
+    return count;
+}
+
+template <int D> std::uint32_t stride_of(const Store<D>& store, std::uint32_t expected) {
+    const std::uint64_t looks = std::uint64_t{store.state.cell_slots} * expected;
+    return static_cast<std::uint32_t>(1 + looks / looks_max);
+}
+
+void note(std::uint64_t value, std::uint64_t* count, std::uint64_t* most, double* sum) {
+    ++*count;
+    *sum += static_cast<double>(value);
+    if (value > *most) *most = value;
+}
+
+template <int D> Status measure_stars(Store<D>& store, Arena& arena, StructureAnalysis* analysis) {
+    ArenaScope scope(arena);
+    const std::uint32_t count = store.state.vertex_count;
+    std::uint8_t* const open = arena.take_low<std::uint8_t>(count);
+    if (open == nullptr) return Status::out_of_memory;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        open[v] = store.vertex(v).cell == none;
+        store.vertex(v).next = none;
+    }
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i)
+            for (int j = 0; j <= D && store.cell(c).neighbour[i] == none; ++j)
+                if (j != i) open[store.cell(c).vertex[j]] = 1;
+    Kernel<D> kernel(store, 1, true);
+    std::uint64_t stars = 0;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        if (open[v]) continue;
+        std::uint64_t degree = 0, star = 0;
+        const bool room = kernel.visit_star(v, [&](std::uint32_t c) {
+            ++star;
+            for (const std::uint32_t w : store.cell(c).vertex) {
+                if (w == v || store.vertex(w).next == v) continue;
+                store.vertex(w).next = v;
+                ++degree;
+            }
+        });
+        if (!room) return Status::out_of_memory;
+        note(degree, &analysis->vertices, &analysis->degree_max, &analysis->degree_mean);
+        note(star, &stars, &analysis->star_max, &analysis->star_mean);
+    }
+    return Status::ok;
+}
+
+template <int D> Status measure_ply(Store<D>& store, std::uint32_t c, const double* x, StructureAnalysis* analysis) {
+    const std::uint32_t ply =
+        flood<D>(store, c, [&](const Cell<D>& cell) { return distance2<D>(x, cell.centre) < cell.radius2; });
+    if (ply == none) return Status::out_of_memory;
+    note(ply, &analysis->ply_points, &analysis->ply_max, &analysis->ply_mean);
+    return Status::ok;
+}
+
+template <int D> Status measure_intersections(Store<D>& store, std::uint32_t c, StructureAnalysis* analysis) {
+    const Cell<D>& ball = store.cell(c);
+    const double radius = square_root(ball.radius2);
+    const std::uint32_t met = flood<D>(store, c, [&](const Cell<D>& cell) {
+        const double sum = radius + square_root(cell.radius2);
+        return distance2<D>(ball.centre, cell.centre) < sum * sum;
+    });
+    if (met == none) return Status::out_of_memory;
+    note(met - 1, &analysis->balls, &analysis->intersections_max, &analysis->intersections_mean);
+    return Status::ok;
+}
+
+template <int D> bool is_ordinary(const Store<D>& store, std::uint32_t c) {
+    if (!(store.cell(c).radius2 < infinity)) return false;
+    for (const std::uint32_t v : store.cell(c).vertex)
+        if (store.vertex(v).marker == Marker::exempt) return false;
+    return true;
+}
+
+}  // namespace
+
+template <int D>
+Status analyse_structure(Store<D>& store, const double* centre, double reach, Arena& arena, Monitor& monitor,
+                         StructureAnalysis* analysis) {
+    *analysis = {};
+    recompute_balls<D>(store);
+    Status status = measure_stars<D>(store, arena, analysis);
+    const std::uint32_t cells = store.state.cell_slots;
+    for (std::uint32_t c = 0, stride = stride_of<D>(store, ply_expected[D]); c < cells && status == Status::ok;
+         c += stride) {
+        double x[D] = {};
+        for (const std::uint32_t v : store.cell(c).vertex)
+            for (int k = 0; k < D; ++k) x[k] += store.point(v)[k] / (D + 1);
+        status = measure_ply<D>(store, c, x, analysis);
+        const Cell<D>& cell = store.cell(c);
+        if (status == Status::ok && cell.radius2 < infinity && distance2<D>(cell.centre, centre) < reach * reach)
+            status = measure_ply<D>(store, c, cell.centre, analysis);
+        if (status == Status::ok && monitor.advance(c, ply_expected[D])) status = Status::cancelled;
+    }
+    for (std::uint32_t c = 0, stride = stride_of<D>(store, intersections_expected[D]);
+         c < cells && status == Status::ok; c += stride) {
+        if (is_ordinary<D>(store, c)) status = measure_intersections<D>(store, c, analysis);
+        if (status == Status::ok && monitor.advance(c, intersections_expected[D])) status = Status::cancelled;
+    }
+    const auto mean = [](double* sum, std::uint64_t count) {
+        *sum = count > 0 ? *sum / static_cast<double>(count) : 0;
+    };
+    mean(&analysis->degree_mean, analysis->vertices);
+    mean(&analysis->star_mean, analysis->vertices);
+    mean(&analysis->ply_mean, analysis->ply_points);
+    mean(&analysis->intersections_mean, analysis->balls);
+    return status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status analyse_structure<D>(Store<D>&, const double*, double, Arena&, Monitor&, StructureAnalysis*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,57 @@
+// Lower-star filters of Lipschitz functions on a quality mesh (thesis 8.6), and the ratio that the mesh proves for them.
+//
+// A vertex v gets a value t(v), a simplex the largest value of its vertices. Let lo_v <= F <= hi_v on all of v's Voronoi cell
+// for the function F whose sublevel sets are meant. The union of the cells with t <= b contains the sublevel set at b / c and
+// is contained in the one at c b, c = max over v of max(hi_v / t_v, t_v / lo_v), and the cells' nerve is the filtration (8.6.1):
+// the diagrams are within ln c on the log scale. The best values reach c* = max sqrt(hi_v / lo_v), see mesh_filter.hpp; the
+// function's own values reach 1 / (1 - c t eps) on an eps-refined mesh (8.6.3).
+//
+// Distances. d_k(x), the distance to the k-th nearest input, and the k-distance D_k(x), the root mean square of the distances
+// to the k nearest, are 1-Lipschitz; so for the out-radius R_v of the cell, hi = d_k(v) + R_v and lo = d_k(v) - R_v. In v's cell
+// no input is nearer than v itself, hence d_k(x) >= d_1(x) >= |x - v|, so that lo = d_k(v) / 2 holds too. From rho, the radius of
+// the smallest enclosing ball of the inputs, on the sublevel sets are star-shaped about its centre (where a ball about an
+// input, or the ball about a mean of k inputs that D_k is made of, contains x and the centre, it contains the segment between
+// them), so everything is cut at rho: F = min(d_k, rho). A cell of out-radius (tau/2) nn(v) has hi <= (2 + tau) lo, as for
+// k >= 2 the nearest neighbour of v in the mesh is no farther than d_k(v): c* <= sqrt(2 + tau) where the whole cell is that good.
+// For k = 1 both functions are the distance to the inputs, 0 at the inputs: that is the complete filter.
+//
+// General functions. f(v) - L R_v <= f <= f(v) + L R_v; where f >= d_2 / c is known (8.6.3), also f(x) >= |x - v| / c as above, so that
+// lo = f(v) / (1 + c L). For a general f the clipping argument of 7.4.4 is an assumption: the caller names a value `cut` and
+// answers for it that f >= cut outside the domain ball of the mesh and that the sublevel sets from cut on are contractible. Then
+// F = min(f, cut), and cells outside the domain have the value cut. Where f(v) <= L R_v and no c is known the mesh proves no
+// ratio: it is infinite.
+#pragma once
+#include <cstdint>
+
+#include "filtration/mesh_filter.hpp"
+#include "memory/monitor.hpp"
+#include "mesh/input_tree.hpp"
+
+namespace netmesh {
+
+struct LipschitzBounds {
+    double lipschitz;        // L
+    double distance_factor;  // c, 0: unknown
+    double cut;
+};
+
+enum class InputDistance { kth, root_mean_square };
+
+// d_k or D_k at x, 1 <= k <= number of inputs. scratch[k].
+template <int D>
+double input_distance(const InputTree<D>& tree, InputDistance kind, const double* x, std::uint32_t k, Neighbour* scratch);
+
+// value[v] for every vertex of a compact, complete mesh: d_k or D_k at v, clamped for certified values, cut at rho.
+// 2 <= k <= number of inputs. intervals[v], when asked for: lo_v and hi_v. Scratch: 8 bytes a vertex, 5 an input, 16 k. out_of_memory, cancelled.
+template <int D>
+Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, InputDistance kind,
+                              std::uint32_t k, FilterValues values, Arena& arena, Monitor& monitor, double* value,
+                              MeshCertificate* certificate, Interval* intervals = nullptr);
+
+// The same for any function with such bounds. value[v]: f(v) >= 0 at first, the filter's value then.
+// Scratch: 8 bytes a vertex. out_of_memory.
+template <int D>
+Status function_filter_values(const Store<D>& store, const Domain<D>& domain, const LipschitzBounds& bounds,
+                              FilterValues values, Arena& arena, double* value, MeshCertificate* certificate);
+
+}  // namespace netmesh

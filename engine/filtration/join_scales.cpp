@@ -1,0 +1,163 @@
+// One tight diagram after the other, joined.
+#include "diagram/sort.hpp"
+#include "filtration/cell_bounds.hpp"
+#include "filtration/scales.hpp"
+#include "filtration/tight_filter.hpp"
+#include "mesh/refine.hpp"
+#include "numerics/double_double.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> class ScalesJoin {
+public:
+    ScalesJoin(const Store<D>& points, const ScalesRequest& request, Arena& arena, Monitor& monitor,
+               ScalesResult* result)
+        : points_(points), request_(request), arena_(arena), monitor_(monitor), result_(result) {}
+
+    // Everything but moving the pairs to where they stay.
+    Status run(std::uint32_t count);
+
+private:
+    Status add_cluster();
+    Status persist_mesh(const double* x, std::uint32_t n, PairList* list);
+    bool add_pairs(const PairList& list, std::size_t low);
+    void copy_points(double* x) const;
+
+    const Store<D>& points_;
+    const ScalesRequest& request_;
+    Arena& arena_;
+    Monitor& monitor_;
+    ScalesResult* result_;
+    ScalePartition<D> partition_;
+};
+
+// The chosen points: from the first of them where all differences are exact, else as they are.
+template <int D> void ScalesJoin<D>::copy_points(double* x) const {
+    const std::uint32_t n = partition_.chosen_count();
+    const double* const first = points_.point(partition_.chosen()[0]);
+    bool exact = true;
+    for (std::uint32_t i = 0; i < n; ++i)
+        for (int k = 0; k < D; ++k) {
+            const DoubleDouble d = two_difference(points_.point(partition_.chosen()[i])[k], first[k]);
+            exact = exact && d.low == 0;
+            x[std::size_t{i} * D + static_cast<std::size_t>(k)] = d.high;
+        }
+    if (exact) return;
+    for (std::uint32_t i = 0; i < n; ++i)
+        for (int k = 0; k < D; ++k)
+            x[std::size_t{i} * D + static_cast<std::size_t>(k)] = points_.point(partition_.chosen()[i])[k];
+}
+
+// Appends the bars of a cluster, without the essential one but for the first cluster. They stand somewhere above `low`, where
+// the ones before them end.
+template <int D> bool ScalesJoin<D>::add_pairs(const PairList& list, std::size_t low) {
+    std::uint64_t kept = 0;
+    for (std::uint64_t i = 0; i < list.count; ++i)
+        if (partition_.clusters() == 1 || list.pairs[i].death < infinity) list.pairs[kept++] = list.pairs[i];
+    arena_.release_low(low);
+    Pair* to = result_->pairs.pairs + result_->pairs.count;
+    if (result_->pairs.count == 0) {
+        to = result_->pairs.pairs = arena_.take_low<Pair>(static_cast<std::size_t>(kept));  // not above where they are
+        if (to == nullptr) return false;
+    } else if (!arena_.extend_low(static_cast<std::size_t>(kept) * sizeof(Pair))) {
+        return false;
+    }
+    __builtin_memmove(to, list.pairs, static_cast<std::size_t>(kept) * sizeof(Pair));
+    result_->pairs.count += kept;
+    return true;
+}
+
+template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list) {
+    StoreState state = {};
+    Store<D> store(arena_, state);
+    InputReport input;
+    Domain<D> domain = {};
+    SizeRule size;
+    size.eps = tight_size(request_.eps);
+    const RefineOptions options = {request_.tau, tight_domain_factor(request_.eps), false, request_.seed, size};
+    Status status = refine<D>(store, x, n, options, monitor_, &input, &domain);
+    if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
+        const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
+        const std::uint64_t b = points_.vertex(partition_.chosen()[input.row_b]).origin;
+        result_->row_a = a < b ? a : b;
+        result_->row_b = a < b ? b : a;
+    }
+    if (status != Status::ok) return status;
+    double* const value = arena_.take_low<double>(state.vertex_count);
+    if (value == nullptr) return Status::out_of_memory;
+    MeshCertificate certificate;
+    status = tight_filter_values<D>(store, domain, n, request_.values, arena_, value, &certificate);
+    std::uint64_t simplices = 0;
+    if (status == Status::ok)
+        status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, arena_,
+                                       monitor_, list, &simplices);
+    if (status != Status::ok) return status;
+    result_->simplices += simplices;
+    result_->vertices += state.vertex_count;
+    if (n > result_->most_points) result_->most_points = n;
+    if (state.vertex_count > result_->most_vertices) result_->most_vertices = state.vertex_count;
+    if (!(certificate.ratio <= result_->ratio)) result_->ratio = certificate.ratio;
+    if (!(certificate.ratio_best <= result_->ratio_best)) result_->ratio_best = certificate.ratio_best;
+    return Status::ok;
+}
+
+template <int D> Status ScalesJoin<D>::add_cluster() {
+    const std::size_t low = arena_.low_mark(), high = arena_.high_mark();
+    const std::uint32_t n = partition_.chosen_count();
+    double* const x = arena_.take_high<double>(std::size_t{n} * D);
+    if (x == nullptr) return Status::out_of_memory;
+    copy_points(x);
+    PairList list = {};
+    const Status status = persist_mesh(x, n, &list);
+    arena_.release_high(high);
+    if (status != Status::ok) return status;
+    return add_pairs(list, low) ? Status::ok : Status::out_of_memory;
+}
+
+template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
+    Status status = partition_.open(points_, count, request_.theta, arena_);
+    bool stopped = false;
+    while (status == Status::ok && partition_.next(monitor_, &stopped)) status = add_cluster();
+    if (status == Status::ok && stopped) status = Status::cancelled;
+    if (status != Status::ok) return status;
+    result_->clusters = partition_.clusters();
+    result_->separation = partition_.separation();
+    if (partition_.clusters() == 1) return Status::ok;
+    const double e = partition_.separation();
+    const double join = e >= 2 ? e / (e - 1) * up : infinity;
+    result_->ratio *= join * up;
+    result_->ratio_best *= join * up;
+    return Status::ok;
+}
+
+}  // namespace
+
+template <int D>
+Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, Arena& arena,
+                      Monitor& monitor, ScalesResult* result) {
+    const std::size_t low = arena.low_mark(), high = arena.high_mark();
+    *result = ScalesResult{};
+    result->ratio = result->ratio_best = 1;
+    monitor.begin(NETMESH_STAGE_SORT, count);
+    ScalesJoin<D> join(points, request, arena, monitor, result);
+    const Status status = join.run(count);
+    arena.release_low(low);
+    arena.release_high(high);
+    if (status != Status::ok) return status;
+    Pair* const pairs = arena.take_low<Pair>(static_cast<std::size_t>(result->pairs.count));  // below: it fits
+    __builtin_memmove(pairs, result->pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(result->pairs.count));
+    result->pairs.pairs = pairs;
+    sort_pairs(pairs, result->pairs.count);
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                        template Status persist_scales<D>(const Store<D>&, std::uint32_t, const ScalesRequest&, Arena&, Monitor&,                                       ScalesResult*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

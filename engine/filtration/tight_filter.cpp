@@ -1,0 +1,136 @@
+#include "filtration/tight_filter.hpp"
+
+#include "filtration/clamp.hpp"
+#include "mesh/input_tree.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> class Clumps {
+public:
+    Clumps(const Store<D>& store, double rho, std::uint32_t inputs) : store_(store), rho_(rho), inputs_(inputs) {}
+
+    Status open(Arena& arena);
+    // What the mesh says about v: F on its cell, or on its clump's, is at most hi; lo stands for r_p there.
+    Interval interval(std::uint32_t v) const {
+        const std::uint32_t p = clump_[v];
+        Interval i;
+        if (p != none) {
+            i = {inner_[p], outer_[p]};
+        } else {
+            const double d = distance<D>(store_.point(v), store_.point(nearest_input<D>(store_, v)));
+            i = {cell_distance(d, v), store_.vertex(v).marker == Marker::exempt ? infinity : reach_[v]};
+        }
+        if (!(i.hi <= rho_)) i.hi = rho_;
+        if (!(i.lo <= rho_)) i.lo = rho_;
+        return i;
+    }
+    // s'(v), cut.
+    double own_value(std::uint32_t v) const {
+        const std::uint32_t n = nearest_input<D>(store_, v);
+        const double d = distance<D>(store_.point(v), store_.point(n));
+        const double s = d > half_[n] ? d : half_[n];
+        return s < rho_ ? s : rho_;
+    }
+
+private:
+    // Lower bound of the distance to v's cell from an input at distance d of v, not v itself.
+    double cell_distance(double d, std::uint32_t v) const {
+        const double inner = store_.vertex(v).marker == Marker::exempt ? 0 : (d - out_radius_[v]) * down;
+        return (inner > 0.5 * d ? inner : 0.5 * d) * down;
+    }
+    void gather(const InputTree<D>& tree);
+    void look_outside();
+
+    const Store<D>& store_;
+    double rho_;
+    std::uint32_t inputs_;
+    double *out_radius_ = nullptr, *reach_ = nullptr;  // [vertex]
+    std::uint32_t* clump_ = nullptr;                   // [vertex] its input, `none`: in no clump
+    double *half_ = nullptr, *inner_ = nullptr, *outer_ = nullptr;  // [input] f_P / 2, r_p, hi(W)
+};
+
+template <int D> Status Clumps<D>::open(Arena& arena) {
+    const std::uint32_t count = store_.state.vertex_count;
+    out_radius_ = arena.take_high<double>(count);
+    reach_ = arena.take_high<double>(count);
+    clump_ = arena.take_high<std::uint32_t>(count);
+    half_ = arena.take_high<double>(inputs_);
+    inner_ = arena.take_high<double>(inputs_);
+    outer_ = arena.take_high<double>(inputs_);
+    InputTree<D> tree;
+    if (out_radius_ == nullptr || reach_ == nullptr || clump_ == nullptr || half_ == nullptr || inner_ == nullptr ||
+        outer_ == nullptr || tree.build(store_, arena, inputs_) != Status::ok)
+        return Status::out_of_memory;
+    measure_cells<D>(store_, out_radius_, reach_);
+    gather(tree);
+    look_outside();
+    return Status::ok;
+}
+
+// The clumps, hi(W), and what r_p has from the other inputs' distances to W.
+template <int D> void Clumps<D>::gather(const InputTree<D>& tree) {
+    for (std::uint32_t p = 0; p < inputs_; ++p) {
+        double d2;
+        tree.nearest(store_.point(p), none, p, &d2);
+        half_[p] = 0.5 * square_root(d2);
+        inner_[p] = infinity;
+        outer_[p] = 0;
+    }
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        const std::uint32_t n = nearest_input<D>(store_, v);
+        const bool joins = store_.vertex(v).marker != Marker::exempt &&
+                           distance<D>(store_.point(v), store_.point(n)) <= half_[n];
+        clump_[v] = joins ? n : none;
+        if (!joins) continue;
+        double d2;
+        tree.nearest(store_.point(v), none, n, &d2);
+        const double others = cell_distance(square_root(d2), v);
+        if (others < inner_[n]) inner_[n] = others;
+        if (!(reach_[v] <= outer_[n])) outer_[n] = reach_[v];
+    }
+}
+
+// What r_p has from the cells outside W: the way from p to the nearest of them leaves W into a cell that is adjacent to W.
+template <int D> void Clumps<D>::look_outside() {
+    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
+        const Cell<D>& cell = store_.cell(c);
+        for (const std::uint32_t w : cell.vertex) {
+            const std::uint32_t p = clump_[w];
+            if (p == none) continue;
+            for (const std::uint32_t u : cell.vertex) {
+                if (clump_[u] == p) continue;
+                const double away = cell_distance(distance<D>(store_.point(p), store_.point(u)), u);
+                if (away < inner_[p]) inner_[p] = away;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+template <int D>
+Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, FilterValues values,
+                           Arena& arena, double* value, MeshCertificate* certificate, Interval* intervals) {
+    ArenaScope scope(arena);
+    const double rho = domain.enclosing_radius * up;
+    Clumps<D> clumps(store, rho, inputs);
+    const Status status = clumps.open(arena);
+    if (status != Status::ok) return status;
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) value[v] = clumps.own_value(v);
+    clamp_values(store.state.vertex_count, rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, value,
+                 certificate, intervals);
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                              \
+    template Status tight_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, FilterValues, \
+                                           Arena&, double*, MeshCertificate*, Interval*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,60 @@
+// How fine a mesh has to be beyond its quality (thesis 3.7): the out-radius R_v that each clipped cell may have.
+#pragma once
+#include <cstdint>
+
+#include "mesh/domain.hpp"
+#include "mesh/input_tree.hpp"
+#include "mesh/quality.hpp"
+
+namespace netmesh {
+
+// f(v) = min(eps * f_P(v), function(user, x)); a rule that is 0 or null asks for nothing.
+struct SizeRule {
+    double eps = 0;
+    double (*function)(void* user, const double* x) = nullptr;
+    void* user = nullptr;
+
+    bool asks() const { return eps > 0 || function != nullptr; }
+};
+
+// Distance from vertex v to its second nearest input, v itself counted when it is one (3.3): +infinity when there is
+// only one input. Inputs have the smallest indices, origin is final. Expected O(log n).
+template <int D> double feature_size(const Store<D>& store, const InputTree<D>& tree, std::uint32_t v) {
+    const Vertex<D>& vertex = store.vertex(v);
+    double d2;
+    tree.nearest(vertex.x, none, vertex.marker == Marker::input ? v : vertex.origin, &d2);
+    return square_root(d2);
+}
+
+// f(v), +infinity when nothing is asked. What the caller's function says is passed on as it is.
+template <int D>
+double wanted_size(const Store<D>& store, const InputTree<D>& tree, const SizeRule& rule, std::uint32_t v) {
+    double size = rule.eps > 0 ? rule.eps * feature_size<D>(store, tree, v) : infinity;
+    if (rule.function != nullptr) {
+        const double asked = rule.function(rule.user, store.point(v));
+        if (!(asked >= size)) size = asked;
+    }
+    return size;
+}
+
+// A positive double in 16 bits, rounded down (5 bits of fraction), so that it fits a vertex.
+inline std::uint16_t size_hint_of(double x) { return static_cast<std::uint16_t>(bits_of(x) >> 47); }
+inline double value_of_size_hint(std::uint16_t hint) { return double_of_bits(static_cast<std::uint64_t>(hint) << 47); }
+
+// Largest R_v / f(v) over inserted vertices that are not exempt; Corners::recomputed: from vertices, neighbour words
+// and coordinates alone; vertices 0..inputs-1 are the inputs. 0 when the rule asks for nothing; +infinity when f is not
+// positive. O(cells + v log n); scratch: 8 bytes a vertex, 5 an input. out_of_memory.
+template <int D>
+Status worst_size_ratio(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const SizeRule& rule,
+                        Corners corners, Arena& arena, double* worst, std::uint32_t* vertex);
+
+// Where a cell whose clipped part has no corner reaches farthest. Such a cell meets the domain's sphere in whole
+// spheres of its faces, and the farthest of their poles, as seen from v, is its farthest point: for each face (v and up
+// to D-1 others of a cell of its star) the point of the sphere on the face's flat that is opposite to v's foot, if it
+// is in Vor(v). star[-1 - k], k < count: the cells at v. Returns the squared distance from v, negative when there is no
+// pole, the pole in *x and a cell that it is near in *cell. O(2^D D^2 + D count) a cell of the star.
+template <int D>
+double farthest_pole(const Store<D>& store, const Domain<D>& domain, std::uint32_t v, const std::uint32_t* star,
+                     std::uint32_t count, double* x, std::uint32_t* cell);
+
+}  // namespace netmesh

@@ -1,0 +1,2 @@
+// Fault: three mebibytes of constants.
+extern "C" const unsigned char netmesh_large[3 << 20] = {1};

@@ -1,0 +1,48 @@
+/* A stop that a signal handler asks for. The handler may do next to nothing; it sets a flag of the one type that is allowed,
+ * and the engine's poll looks at it. */
+#include <netmesh.h>
+#include <signal.h>
+#include <stdio.h>
+
+#define POINTS 20000
+#define BLOCK_BYTES ((size_t)64 << 20)
+
+static double points[2 * POINTS];
+static uint64_t memory[BLOCK_BYTES / 8 + 2];
+static volatile sig_atomic_t stop_wanted;
+
+static void on_signal(int number) {
+    (void)number;
+    stop_wanted = 1;
+}
+
+static int poll(void *user, const netmesh_progress *progress) {
+    int *polls = user;
+    if (++*polls == 2) raise(SIGINT); /* so that this program needs no one at the keyboard */
+    (void)progress;
+    return stop_wanted;
+}
+
+int main(void) {
+    const uintptr_t at = (uintptr_t)memory;
+    uint64_t state = 1;
+    netmesh_context *context;
+    netmesh_options options;
+    int i, polls = 0;
+    for (i = 0; i < 2 * POINTS; ++i) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        points[i] = (double)(state >> 40);
+    }
+    signal(SIGINT, on_signal);
+    if (netmesh_init((unsigned char *)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 1;
+    netmesh_options_init(&options, 2);
+    options.poll = poll;
+    options.user = &polls;
+    if (netmesh_mesh(context, points, POINTS, NETMESH_JOB_MESH, &options) != NETMESH_CANCELLED) return 2;
+    if (polls != 2) return 3;
+    stop_wanted = 0;
+    options.poll = NULL;
+    if (netmesh_check(context, NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY, &options) != NETMESH_OK) return 4;
+    printf("%s, and what is held is a Delaunay triangulation\n", netmesh_status_text(NETMESH_CANCELLED));
+    return 0;
+}

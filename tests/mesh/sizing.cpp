@@ -1,0 +1,262 @@
+#include "mesh/sizing.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+#include "common/session.hpp"
+#include "mesh/refine.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+double distance(const double* a, const double* b, int dim) {
+    double d2 = 0;
+    for (int k = 0; k < dim; ++k) d2 += (a[k] - b[k]) * (a[k] - b[k]);
+    return std::sqrt(d2);
+}
+
+// Distance to the second nearest input by looking at all of them.
+double feature_size_by_scan(const inputs::Points& points, int dim, const double* x) {
+    double first = infinity, second = infinity;
+    for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim)) {
+        const double d = distance(&points[i], x, dim);
+        second = std::min(second, std::max(first, d));
+        first = std::min(first, d);
+    }
+    return second;
+}
+
+// Largest R_v / f(v) over clipped cells, by the public interface alone: a cell's farthest point is a corner inside the
+// domain or a crossing of its sphere; sampled here along the segments between the corners of neighbouring cells.
+template <class Size> double worst_by_corners(const Session& session, Size&& size) {
+    const netmesh_report r = session.report();
+    const int dim = static_cast<int>(r.dim);
+    std::vector<netmesh_vertex> vertices(r.vertices);
+    for (std::uint64_t v = 0; v < r.vertices; ++v) netmesh_get_vertex(session.context, v, &vertices[v]);
+    double worst = 0;
+    for (std::uint64_t c = 0; c < r.cells; ++c) {
+        netmesh_cell cell;
+        netmesh_get_cell(session.context, c, &cell);
+        // Circumcentre by Gaussian elimination on the bisectors with the first vertex.
+        double a[6][7], x[6];
+        const double* const p = vertices[cell.vertices[0]].coordinates;
+        for (int i = 0; i < dim; ++i) {
+            a[i][dim] = 0;
+            for (int k = 0; k < dim; ++k) {
+                a[i][k] = vertices[cell.vertices[i + 1]].coordinates[k] - p[k];
+                a[i][dim] += a[i][k] * a[i][k] / 2;
+            }
+        }
+        for (int k = 0; k < dim; ++k) {
+            int pivot = k;
+            for (int i = k; i < dim; ++i)
+                if (std::fabs(a[i][k]) > std::fabs(a[pivot][k])) pivot = i;
+            std::swap(a[k], a[pivot]);
+            for (int i = 0; i < dim; ++i)
+                for (int j = dim; i != k && j >= k; --j) a[i][j] -= a[i][k] / a[k][k] * a[k][j];
+        }
+        for (int k = 0; k < dim; ++k) x[k] = p[k] + a[k][dim] / a[k][k];
+        if (distance(x, r.domain, dim) > r.domain[dim]) continue;
+        for (int i = 0; i <= dim; ++i) {
+            const netmesh_vertex& v = vertices[cell.vertices[i]];
+            if (v.marker != 2) worst = std::max(worst, distance(x, v.coordinates, dim) / size(v.coordinates));
+        }
+    }
+    return worst;
+}
+
+struct Funnel {
+    int dim;
+    double least, slope;
+    static double size(void* user, const double* x) {
+        const Funnel& f = *static_cast<const Funnel*>(user);
+        double d2 = 0;
+        for (int k = 0; k < f.dim; ++k) d2 += (x[k] - 0.4) * (x[k] - 0.4);
+        return f.least + f.slope * std::sqrt(d2);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("hints are below the value by less than a thirty-second") {
+    inputs::Random random(7);
+    for (int i = 0; i < 10000; ++i) {
+        const double x = std::ldexp(1 + random.uniform(), static_cast<int>(random.below(2000)) - 1000);
+        const double hint = value_of_size_hint(size_hint_of(x));
+        CHECK(hint <= x);
+        CHECK(hint > x * (1 - 1.0 / 32));
+    }
+    CHECK(value_of_size_hint(size_hint_of(infinity)) == infinity);
+    CHECK(value_of_size_hint(0) == 0);
+}
+
+TEST_CASE("feature sizes are the distances to the second nearest input") {
+    const inputs::Points points = inputs::clusters(3, 150);
+    Block block(std::size_t{1} << 26);
+    StoreState state = {};
+    Store<3> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    Domain<3> domain = {};
+    REQUIRE(refine<3>(store, points.data(), 150, {3, 1, false, 1}, monitor, &input, &domain) == Status::ok);
+    InputTree<3> tree;
+    REQUIRE(tree.build(store, block.arena, 150) == Status::ok);
+    for (std::uint32_t v = 0; v < state.vertex_count; v += 3)
+        CHECK(feature_size<3>(store, tree, v) ==
+              doctest::Approx(feature_size_by_scan(points, 3, store.point(v))).epsilon(1e-12));
+}
+
+TEST_CASE("meshes over-refined to eps f_P") {
+    for (int dim = 2; dim <= 5; ++dim) {
+        const std::size_t n[] = {0, 0, 150, 60, 20, 16};
+        const double eps[] = {0, 0, 0.25, 0.5, 0.8, 0.9};
+        for (const inputs::Points& points : {inputs::uniform(dim, n[dim]), inputs::clusters(dim, n[dim] / 2)}) {
+            INFO("D = " << dim);
+            Session session(dim);
+            REQUIRE(session.mesh(points) == NETMESH_OK);
+            const std::uint64_t before = session.report().vertices;
+            session.options.over_refine_eps = eps[dim];
+            REQUIRE(session.mesh(points) == NETMESH_OK);
+            const netmesh_report r = session.report();
+            CHECK(r.vertices > before);
+            CHECK(r.aspect_ratio_max <= r.tau);
+            CHECK(r.size_ratio_max <= 1);
+            CHECK(r.size_ratio_max > 0.5);
+            CHECK(worst_by_corners(session, [&](const double* x) {
+                      return eps[dim] * feature_size_by_scan(points, dim, x);
+                  }) <= 1 + 1e-9);
+            CHECK(session.check() == NETMESH_OK);
+            // The same mesh does not keep a smaller promise.
+            session.options.over_refine_eps = eps[dim] / 2;
+            CHECK(netmesh_check(session.context, NETMESH_CHECK_QUALITY, &session.options) == NETMESH_CHECK_FAILED);
+        }
+    }
+}
+
+TEST_CASE("meshes follow a sizing function, alone and together with eps") {
+    for (int dim = 2; dim <= 4; ++dim) {
+        INFO("D = " << dim);
+        Funnel funnel{dim, dim == 4 ? 0.2 : 0.03, dim == 4 ? 0.5 : 0.3};
+        const inputs::Points points = inputs::uniform(dim, 20);
+        Session session(dim);
+        session.options.size = Funnel::size;
+        session.options.size_user = &funnel;
+        REQUIRE(session.mesh(points) == NETMESH_OK);
+        const std::uint64_t alone = session.report().vertices;
+        CHECK(session.report().size_ratio_max <= 1);
+        CHECK(worst_by_corners(session, [&](const double* x) { return Funnel::size(&funnel, x); }) <= 1 + 1e-9);
+        CHECK(session.check() == NETMESH_OK);
+        session.options.over_refine_eps = 0.7;
+        REQUIRE(session.mesh(points) == NETMESH_OK);
+        CHECK(session.report().vertices > alone);
+        CHECK(worst_by_corners(session, [&](const double* x) {
+                  return std::min(Funnel::size(&funnel, x), 0.7 * feature_size_by_scan(points, dim, x));
+              }) <= 1 + 1e-9);
+        CHECK(session.check() == NETMESH_OK);
+    }
+}
+
+TEST_CASE("the number of vertices grows as eps^-D") {
+    const inputs::Points points = inputs::uniform(2, 50);
+    Session session(2);
+    std::uint64_t count[3];
+    for (int i = 0; i < 3; ++i) {
+        session.options.over_refine_eps = 0.2 / (1 << i);
+        REQUIRE(session.mesh(points) == NETMESH_OK);
+        count[i] = session.report().vertices;
+    }
+    CHECK(static_cast<double>(count[1]) / static_cast<double>(count[0]) == doctest::Approx(4).epsilon(0.25));
+    CHECK(static_cast<double>(count[2]) / static_cast<double>(count[1]) == doctest::Approx(4).epsilon(0.25));
+}
+
+TEST_CASE("no point of the domain is farther from its vertex than asked for, by sampling") {
+    for (int dim = 2; dim <= 4; ++dim)
+        for (std::size_t n : {1, 2, 3, 12}) {
+            INFO("D = " << dim << ", " << n << " points");
+            Funnel funnel{dim, dim == 2 ? 0.05 : dim == 3 ? 0.15 : 0.4, 0.2};
+            Session session(dim);
+            session.options.size = Funnel::size;
+            session.options.size_user = &funnel;
+            REQUIRE(session.mesh(inputs::uniform(dim, n)) == NETMESH_OK);
+            CHECK(session.check() == NETMESH_OK);
+            const netmesh_report r = session.report();
+            std::vector<netmesh_vertex> vertices(r.vertices);
+            for (std::uint64_t v = 0; v < r.vertices; ++v) netmesh_get_vertex(session.context, v, &vertices[v]);
+            inputs::Random random(3);
+            int beyond = 0;
+            for (int sample = 0; sample < 3000; ++sample) {
+                double x[6], d2;
+                do {
+                    d2 = 0;
+                    for (int k = 0; k < dim; ++k) {
+                        x[k] = 2 * random.uniform() - 1;
+                        d2 += x[k] * x[k];
+                    }
+                } while (d2 > 1);
+                const double scale = sample % 2 == 0 ? 1 : 1 / std::sqrt(d2);  // every other one on the sphere
+                for (int k = 0; k < dim; ++k) x[k] = r.domain[k] + r.domain[dim] * scale * x[k];
+                const netmesh_vertex* nearest = &vertices[0];
+                for (const netmesh_vertex& v : vertices)
+                    if (distance(x, v.coordinates, dim) < distance(x, nearest->coordinates, dim)) nearest = &v;
+                beyond +=
+                    distance(x, nearest->coordinates, dim) > Funnel::size(&funnel, nearest->coordinates) * (1 + 1e-9);
+            }
+            CHECK(beyond == 0);
+        }
+}
+
+TEST_CASE("one point: eps asks for nothing") {
+    Session session(2);
+    session.options.over_refine_eps = 0.1;
+    REQUIRE(session.mesh({3, 4}) == NETMESH_OK);
+    CHECK(session.report().vertices == 5);
+    CHECK(session.report().size_ratio_max == 0);
+    CHECK(session.check() == NETMESH_OK);
+}
+
+TEST_CASE("sizes that cannot be reached are refused") {
+    const inputs::Points points = inputs::uniform(2, 20);
+    Session session(2);
+    double value = 0;
+    session.options.size = [](void* user, const double*) { return *static_cast<double*>(user); };
+    session.options.size_user = &value;
+    for (double bad : {0.0, -1.0, 1e-17, std::nan("")}) {
+        value = bad;
+        CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_get_detail(session.context).index_a == 6);
+        CHECK(session.report().vertices == 0);
+    }
+    value = infinity;
+    CHECK(session.mesh(points) == NETMESH_OK);
+    session.options.size = nullptr;
+    for (double bad : {-1.0, infinity, std::nan("")}) {
+        session.options.over_refine_eps = bad;
+        CHECK(netmesh_mesh(session.context, points.data(), 20, NETMESH_JOB_MESH, &session.options) ==
+              NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_get_detail(session.context).index_a == 5);
+    }
+}
+
+TEST_CASE("any block size leaves a Delaunay mesh when over-refinement runs out of memory") {
+    const inputs::Points points = inputs::uniform(2, 12);
+    Session session(2);
+    session.options.over_refine_eps = 0.3;
+    int partial = 0;
+    for (std::size_t bytes = 8192; bytes < 400000; bytes += 9000) {
+        session.reserve(bytes);
+        const netmesh_status status =
+            netmesh_mesh(session.context, points.data(), 12, NETMESH_JOB_MESH, &session.options);
+        REQUIRE((status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY));
+        const netmesh_report r = session.report();
+        if (status == NETMESH_OK || r.cells == 0) continue;
+        CHECK(r.complete == 0);
+        CHECK(netmesh_check(session.context, 7, &session.options) == NETMESH_OK);
+        partial += r.inputs == 12;
+    }
+    CHECK(partial > 5);
+}

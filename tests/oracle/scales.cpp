@@ -1,0 +1,99 @@
+// Scale by scale (7.6) against the exact diagram of all points, on spreads up to 1e12: the log-bottleneck distance is at most
+// 3 theta + eps, and at most the logarithm of the certified ratio. Peak memory is that of the largest scale.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "common/session.hpp"
+#include "oracle/log_distance.hpp"
+
+namespace {
+
+// `levels` scales about the origin, each `ratio` times as large as the one before.
+inputs::Points nested(int dim, int levels, double ratio, std::size_t each, std::uint64_t seed) {
+    inputs::Random random(seed);
+    inputs::Points p;
+    const std::size_t d = static_cast<std::size_t>(dim);
+    double scale = 1;
+    for (int level = 0; level < levels; ++level, scale *= ratio) {
+        for (std::size_t i = 0; i < each; ++i)
+            for (std::size_t a = 0; a < d; ++a) p.push_back(scale * (2 * random.uniform() - 1));
+    }
+    return p;
+}
+
+// Small copies of a set around each of its points, far from the origin.
+inputs::Points fractal(int dim, std::size_t each, double ratio, std::uint64_t seed) {
+    const inputs::Points base = inputs::uniform(dim, each, seed);
+    inputs::Points p;
+    const std::size_t d = static_cast<std::size_t>(dim);
+    for (std::size_t i = 0; i < each; ++i)
+        for (std::size_t j = 0; j < each; ++j)
+            for (std::size_t a = 0; a < d; ++a) p.push_back(1 + base[i * d + a] + ratio * base[j * d + a]);
+    return p;
+}
+
+netmesh_status scales(Session& session, const inputs::Points& points, netmesh_values values = NETMESH_VALUES_CERTIFIED) {
+    const std::size_t n = points.size() / session.options.dim;
+    return session.until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_SCALES, &session.options, n), [&] {
+        return netmesh_persist_scales(session.context, points.data(), n, values, NETMESH_DIM_MAX, 0, &session.options);
+    });
+}
+
+template <int D> void within_promise(const std::string& name, const inputs::Points& points, double theta, double eps) {
+    CAPTURE(name);
+    Session exact(D);
+    REQUIRE(exact.alpha(points) == NETMESH_OK);
+    const Diagram truth = diagram(exact);
+    Session session(D);
+    session.options.theta = theta;
+    session.options.eps = eps;
+    for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
+        REQUIRE(scales(session, points, values) == NETMESH_OK);
+        const netmesh_report r = report(session);
+        const double distance = log_distance(diagram(session), truth, D);
+        CHECK(r.scales > 1);
+        CHECK(r.separation >= (1 - theta) / (2 * theta) * (1 - 1e-9));
+        CHECK(distance <= 3 * theta + eps);
+        CHECK(distance <= std::log(r.certified_ratio));
+        CHECK(std::log(r.certified_ratio) <= 3 * theta + eps);
+        std::size_t certain = 0;
+        CHECK(bounds_hold(session, truth, &certain));
+        CHECK(certain > 0);
+        MESSAGE(name << " D=" << D << ", theta " << theta << ", eps " << eps << ": " << r.scales << " scales, separation " << r.separation
+                     << ", log distance " << distance << ", certified ratio " << r.certified_ratio << ", largest mesh "
+                     << r.scale_vertices_max << " vertices, peak " << r.peak_bytes << " bytes");
+    }
+}
+
+}  // namespace
+
+TEST_CASE("plane") {
+    within_promise<2>("spread 1e12", nested(2, 5, 1e-3, 8, 31), 1.0 / 9, 0.5);
+    within_promise<2>("spread 1e12", nested(2, 5, 1e-3, 8, 32), 0.05, 0.25);
+    within_promise<2>("spread 1e12, close scales", nested(2, 8, 0.02, 4, 33), 1.0 / 9, 0.5);
+    within_promise<2>("fractal", fractal(2, 6, 1e-2, 34), 1.0 / 9, 0.5);
+    within_promise<2>("fractal, far from the origin", fractal(2, 6, 1e-9, 35), 1.0 / 9, 0.5);
+    within_promise<2>("clusters", inputs::clusters(2, 60), 1.0 / 9, 0.5);
+}
+
+TEST_CASE("space") { within_promise<3>("spread 1e12", nested(3, 4, 1e-4, 5, 36), 1.0 / 9, 0.5); }
+
+TEST_CASE("peak memory is that of the largest scale") {
+    // One scale of 40 points, and the same with four smaller scales within it.
+    const inputs::Points large = inputs::uniform(2, 40, 41);
+    inputs::Points all = large;
+    for (const double scale : {1e-3, 1e-6, 1e-9, 1e-12})
+        for (const double x : inputs::uniform(2, 10, 42)) all.push_back(large[0] + scale * x);
+    Session one(2), many(2);
+    one.options.eps = many.options.eps = 0.5;
+    REQUIRE(scales(one, large) == NETMESH_OK);
+    REQUIRE(scales(many, all) == NETMESH_OK);
+    const netmesh_report a = one.report(), b = many.report();
+    CHECK(b.scales > a.scales);
+    CHECK(b.scale_vertices > a.scale_vertices);
+    const double ratio = static_cast<double>(b.peak_bytes) / static_cast<double>(a.peak_bytes);
+    CHECK(ratio <= 1.1);
+    MESSAGE("largest scale alone " << a.peak_bytes << " bytes, all " << b.scales << " scales " << b.peak_bytes << " bytes: " << ratio);
+}

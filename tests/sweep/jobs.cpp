@@ -1,0 +1,122 @@
+#include "sweep/jobs.hpp"
+
+#include <map>
+
+#include "common/inputs.hpp"
+
+namespace {
+
+const inputs::Points& points_of(const Job& job) {
+    static std::map<std::pair<int, std::size_t>, inputs::Points> made;
+    inputs::Points& points = made[{job.dim, job.points}];
+    if (points.empty()) points = inputs::uniform(job.dim, job.points, 40);
+    return points;
+}
+
+netmesh_status delaunay(const Job& job, netmesh_context* context, netmesh_options* options) {
+    return netmesh_delaunay(context, points_of(job).data(), job.points, options);
+}
+
+netmesh_status repeated(const Job& job, netmesh_context* context, netmesh_options* options) {
+    static std::map<int, inputs::Points> made;
+    inputs::Points& points = made[job.dim];
+    if (points.empty()) points = inputs::repeated(job.dim, points_of(job), 3);
+    return netmesh_delaunay(context, points.data(), 3 * job.points, options);
+}
+
+netmesh_status alpha(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = delaunay(job, context, options);
+    if (status != NETMESH_OK) return status;
+    return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
+}
+
+netmesh_status mesh(const Job& job, netmesh_context* context, netmesh_options* options) {
+    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_PERSIST, options);
+}
+
+template <netmesh_filter filter, netmesh_values values>
+netmesh_status persist(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = mesh(job, context, options);
+    return status != NETMESH_OK ? status : netmesh_persist(context, filter, values, NETMESH_DIM_MAX, 1, options);
+}
+
+netmesh_status check(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = mesh(job, context, options);
+    return status != NETMESH_OK ? status : netmesh_check(context, NETMESH_CHECK_ALL, options);
+}
+
+// A mesh as a file would bring it.
+struct Loaded {
+    std::vector<double> vertices, domain;
+    std::vector<std::uint8_t> markers;
+    std::vector<std::uint32_t> cells;
+};
+
+Loaded mesh_to_load(const Job& job) {
+    Loaded loaded;
+    std::vector<std::uint64_t> block((std::size_t{1} << 22) / 8 + 2);
+    netmesh_options options;
+    netmesh_options_init(&options, static_cast<std::uint32_t>(job.dim));
+    void* const base = reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(block.data()) + 15) / 16 * 16);
+    netmesh_context* context;
+    if (netmesh_init(base, std::size_t{1} << 22, &context) != NETMESH_OK || mesh(job, context, &options) != NETMESH_OK)
+        return loaded;
+    netmesh_vertex vertex;
+    for (std::uint64_t i = 0; netmesh_get_vertex(context, i, &vertex) == NETMESH_OK; ++i) {
+        loaded.vertices.insert(loaded.vertices.end(), vertex.coordinates, vertex.coordinates + job.dim);
+        loaded.markers.push_back(static_cast<std::uint8_t>(vertex.marker));
+    }
+    netmesh_cell cell;
+    for (std::uint64_t i = 0; netmesh_get_cell(context, i, &cell) == NETMESH_OK; ++i)
+        loaded.cells.insert(loaded.cells.end(), cell.vertices, cell.vertices + job.dim + 1);
+    netmesh_report report;
+    report.struct_bytes = sizeof report;
+    netmesh_get_report(context, &report);
+    loaded.domain.assign(report.domain, report.domain + job.dim + 1);
+    return loaded;
+}
+
+netmesh_status load(const Job& job, netmesh_context* context, netmesh_options* options) {
+    static std::map<int, Loaded> made;
+    Loaded& m = made[job.dim];
+    if (m.markers.empty()) m = mesh_to_load(job);  // in the first run, when nothing is refused
+    return netmesh_load(context, m.vertices.data(), m.markers.data(), m.markers.size(), m.cells.data(),
+                        m.cells.size() / (static_cast<std::size_t>(job.dim) + 1), m.domain.data(), options);
+}
+
+}  // namespace
+
+const std::vector<Job>& all_jobs() {
+    constexpr auto complete = persist<NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED>;
+    constexpr auto basic = persist<NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS>;
+    static const std::vector<Job> jobs = {
+        {"delaunay", 2, 24, delaunay},
+        {"delaunay", 3, 14, delaunay},
+        {"delaunay", 4, 9, delaunay},
+        {"repeated", 2, 12, repeated},
+        {"alpha", 2, 24, alpha},
+        {"alpha", 3, 12, alpha},
+        {"alpha", 4, 8, alpha},
+        {"mesh", 2, 8, mesh},
+        {"mesh", 3, 5, mesh},
+        {"mesh", 4, 3, mesh},
+        {"complete", 2, 6, complete},
+        {"complete", 3, 4, complete},
+        {"complete", 4, 2, complete},
+        {"basic", 2, 6, basic},
+        {"basic", 3, 4, basic},
+        {"basic", 4, 2, basic},
+        {"check", 2, 6, check},
+        {"check", 3, 4, check},
+        {"check", 4, 2, check},
+        {"load", 2, 6, load},
+        {"load", 3, 4, load},
+        {"load", 4, 2, load},
+        {"alpha", 3, 40, alpha, true},
+        {"delaunay", 4, 30, delaunay, true},
+        {"complete", 2, 30, complete, true},
+        {"complete", 3, 9, complete, true},
+        {"complete", 4, 4, complete, true},
+    };
+    return jobs;
+}
