@@ -71,10 +71,13 @@ std::string apply_theta(Options& options, const std::string& text) {
     return good ? "" : "must be a number above 0 and at most 1/9";
 }
 
-std::string apply_method(Options&, const std::string& text) {
-    if (text == "svr") return {};
-    if (text == "netmesh" || text == "refine") return "this version meshes with svr only";
-    return "there is svr";
+std::string apply_method(Options& options, const std::string& text) {
+    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH, NETMESH_METHOD_REFINE}) {
+        if (text != method_name(method)) continue;
+        options.method = method;
+        return {};
+    }
+    return "there are svr, netmesh and refine";
 }
 
 std::string apply_filter(Options& options, const std::string& text) {
@@ -197,6 +200,7 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
 std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
+std::string apply_finish(Options& options, const std::string&) { return options.finish = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_log(Options& options, const std::string&) { return options.log = true, ""; }
 std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
@@ -228,7 +232,9 @@ constexpr OptionEntry option_entries[] = {
      "also refine until no cell reaches farther than E times the distance to the second nearest input"},
     {"--eps", persist, "E", apply_eps, "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
     {"--theta", persist | size | check, "T", apply_theta, "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
-    {"--method", mesh | persist | size, "M", apply_method, "svr"},
+    {"--method", mesh | persist | size, "M", apply_method,
+     "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
+    {"--finish", mesh | persist | size, nullptr, apply_finish, "go on from a hierarchical mesh to one of quality tau without cages"},
     {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
     {"--filter", persist | size | check, "F", apply_filter,
      "complete (default), basic, tight, scales, alpha, knn or kdistance; of few points rips, cech, barycentric-cech or\n"
@@ -365,6 +371,11 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
             if (!parsed.good()) return parsed;
         }
     }
+    const bool hierarchical = options->method == NETMESH_METHOD_NETMESH;
+    if (options->finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
+    if (options->command == Command::persist && hierarchical && !options->finish) {
+        return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");
+    }
     const CommandEntry& command = entry_of(options->command);
     const std::size_t due = command.positional_count;
     bool empty = options->positionals.size() < due;
@@ -379,6 +390,17 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
 }
 
 const char* command_name(Command command) { return command == Command::none ? "" : entry_of(command).name; }
+
+const char* method_name(netmesh_method method) {
+    switch (method) {
+    case NETMESH_METHOD_NETMESH:
+        return "netmesh";
+    case NETMESH_METHOD_REFINE:
+        return "refine";
+    default:
+        return "svr";
+    }
+}
 
 bool promises_accuracy(const Options& options) {
     return options.filter == NETMESH_FILTER_TIGHT || options.filter == NETMESH_FILTER_SCALES;

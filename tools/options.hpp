@@ -25,6 +25,8 @@ struct Options {
     bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false, log = false;
 
     std::optional<double> tau;
+    netmesh_method method = NETMESH_METHOD_SVR;
+    bool finish = false;  // a hierarchical mesh
     double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
     double theta = 0;  // scales; 0: not given
     std::optional<netmesh_filter> filter;
@@ -51,6 +53,7 @@ bool promises_accuracy(const Options& options);
 Outcome check_accuracy(const Options& options);
 
 const char* command_name(Command command);
+const char* method_name(netmesh_method method);
 const char* filter_name(netmesh_filter filter);
 const char* values_name(netmesh_values values);
 // Filters on the points themselves, without a triangulation.

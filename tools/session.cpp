@@ -27,6 +27,8 @@ Session::Session(const Options& options, std::uint32_t dim)
     (promises_accuracy(options) ? engine_options_.eps : engine_options_.over_refine_eps) = options.eps;
     engine_options_.theta = options.theta;
     engine_options_.seed = options.seed;
+    engine_options_.method = options.method;
+    engine_options_.finish = options.finish ? 1 : 0;
     engine_options_.k = options.k.value_or(1);
     engine_options_.poll = poll;
     engine_options_.user = this;

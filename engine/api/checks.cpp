@@ -3,7 +3,6 @@
 #include "api/dispatch.hpp"
 #include "delaunay/load.hpp"
 #include "mesh/input_tree.hpp"
-#include "mesh/quality.hpp"
 
 namespace netmesh {
 namespace {
@@ -22,32 +21,40 @@ template <int D> CheckResult check_markers(const Store<D>& store) {
     return {nullptr, none};
 }
 
+// Quality by definition 4.5 where there are cages, of each clipped cell and its size where there are none.
 template <int D>
-Status check_quality(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, double tau, const SizeRule& rule,
-                     Arena& arena, CheckResult* why) {
+Status check_quality(Context& context, Store<D>& store, double tau, const SizeRule& rule, CheckResult* why) {
     *why = check_markers<D>(store);
     if (why->violation != nullptr) return Status::check_failed;
-    double worst;
-    Status status = recomputed_aspect_ratio<D>(store, domain, arena, &worst, &why->cell);
+    const Domain<D> domain = domain_of<D>(context);
+    HierarchyQuality quality = {};
+    Status status =
+        context.hierarchy.cages == 0
+            ? recomputed_aspect_ratio<D>(store, domain, context.arena, &quality.worst, &quality.vertex)
+            : measure_hierarchy<D>(store, cages_of(context), context.hierarchy.cages, domain, context.arena, &quality);
     if (status != Status::ok) return status;
-    if (!(worst <= tau * (1 + ratio_tolerance))) {
-        why->violation = "a clipped Voronoi cell has an aspect ratio above tau";
+    *why = quality.encroached;
+    if (why->violation != nullptr) return Status::check_failed;
+    if (!(quality.worst <= tau * (1 + ratio_tolerance))) {
+        *why = {"a clipped Voronoi cell has an aspect ratio above tau", quality.vertex};
         return Status::check_failed;
     }
-    status = worst_size_ratio<D>(store, domain, inputs, rule, Corners::recomputed, arena, &worst, &why->cell);
+    if (context.hierarchy.cages > 0) return Status::ok;
+    double worst;
+    status = worst_size_ratio<D>(store, domain, context.inputs, rule, Corners::recomputed, context.arena, &worst, &why->cell);
     if (status != Status::ok || worst <= 1 + ratio_tolerance) return status;
     why->violation = "a clipped Voronoi cell is larger than the size asked for";
     return Status::check_failed;
 }
 
-// What chapters 3 (of meshes) and 5 say about sizes and degrees.
+// What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and degrees.
 template <int D>
 Status check_bounds(Store<D>& store, const Context& context, const netmesh_options& options, Arena& arena,
                     CheckResult* why) {
     Monitor monitor = monitor_of(options);
     monitor.begin(NETMESH_STAGE_ANALYSE, 0);
     Status status = Status::ok;
-    if (context.is_mesh) {
+    if (context.is_mesh && context.hierarchy.cages == 0) {
         SizeAnalysis size;
         status = analyse_size<D>(store, domain_of<D>(context), context.inputs,
                                  {tau_of(options), size_rule_of(options), infinity, 0}, arena, monitor, &size);
@@ -156,15 +163,63 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
             }
             if (context->enclosing_radius == 0) context->enclosing_radius = ball.enclosing_radius;
             context->domain_radius = domain[D];
+            HierarchyQuality quality;
             std::uint32_t worst;
-            if (worst_aspect_ratio<D>(store, domain_of<D>(*context), context->arena, &context->aspect_ratio_max,
-                                      &worst) != Status::ok ||
+            if (measure_mesh<D>(*context, store, &quality) != Status::ok ||
                 worst_size_ratio<D>(store, domain_of<D>(*context), inputs, size_rule_of(*options), Corners::kept,
                                     context->arena, &context->size_ratio_max, &worst) != Status::ok) {
                 clear(context);
                 return finish(context, Status::out_of_memory, netmesh_status_text(NETMESH_OUT_OF_MEMORY));
             }
+            context->aspect_ratio_max = quality.worst;
         }
+        return finish(context, Status::ok, "");
+    });
+}
+
+netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, uint32_t* domains) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    if (ratios == nullptr || domains == nullptr)
+        return finish(context, Status::invalid_argument, "an array is null", ratios == nullptr ? 2 : 3);
+    if (context->dim == 0 || !context->is_mesh) return finish(context, Status::no_result, "there is no mesh");
+    return with_dimension(context->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->store);
+        HierarchyQuality quality;
+        const Status status = measure_hierarchy<D>(store, cages_of(*context), context->hierarchy.cages,
+                                                   domain_of<D>(*context), context->arena, &quality, ratios, domains);
+        return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
+    });
+}
+
+netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* cages, size_t count,
+                                  const netmesh_options* options) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    if (cages == nullptr && count > 0) return finish(context, Status::invalid_argument, "cages is null", 2);
+    if (count >= NETMESH_NONE) return finish(context, Status::invalid_argument, "too many cages", 3);
+    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 4);
+    if (context->dim == 0 || !context->is_mesh)
+        return finish(context, Status::no_result, "there is no mesh with a domain");
+    clear_diagram(context);
+    context->hierarchy = HierarchyReport{};
+    Cage* const kept = context->arena.take_low<Cage>(count);
+    if (kept == nullptr) return finish(context, Status::out_of_memory, netmesh_status_text(NETMESH_OUT_OF_MEMORY));
+    for (size_t d = 0; d < count; ++d) kept[d] = {cages[d].centre, none, none, none, cages[d].radius, infinity};
+    return with_dimension(context->dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->store);
+        HierarchyQuality quality = {};
+        const Status status = measure_hierarchy<D>(store, kept, static_cast<std::uint32_t>(count),
+                                                   domain_of<D>(*context), context->arena, &quality);
+        if (status != Status::ok || !quality.is_hierarchy) {
+            context->arena.release_low(context->mesh_mark);
+            const char* const why = status != Status::ok ? netmesh_status_text(NETMESH_OUT_OF_MEMORY) : quality.encroached.violation;
+            return finish(context, status != Status::ok ? status : Status::check_failed, why, quality.encroached.cell);
+        }
+        context->cages_offset = context->arena.offset_of(kept);
+        context->hierarchy.cages = static_cast<std::uint32_t>(count);
+        context->mesh_mark = context->arena.low_mark();
+        context->aspect_ratio_max = quality.worst;
         return finish(context, Status::ok, "");
     });
 }
@@ -186,8 +241,7 @@ netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netm
             why = check_geometric<D>(store);
         if (why.violation == nullptr && (what & NETMESH_CHECK_DELAUNAY) != 0) why = check_delaunay<D>(store);
         if (why.violation == nullptr && (what & NETMESH_CHECK_QUALITY) != 0 && context->is_mesh)
-            status = check_quality<D>(store, domain_of<D>(*context), context->inputs, tau_of(*options), size_rule_of(*options),
-                                      context->arena, &why);
+            status = check_quality<D>(*context, store, tau_of(*options), size_rule_of(*options), &why);
         if (status == Status::ok && why.violation == nullptr && (what & NETMESH_CHECK_BOUNDS) != 0)
             status = check_bounds<D>(store, *context, *options, context->arena, &why);
         if (why.violation != nullptr) return finish(context, Status::check_failed, why.violation, why.cell);

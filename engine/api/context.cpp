@@ -57,6 +57,9 @@ void clear(netmesh_context* context) {
     clear_diagram(context);
     context->dim = 0;
     context->is_mesh = context->complete = context->is_complex = context->has_cycles = false;
+    context->method = NETMESH_METHOD_SVR;
+    context->cages_offset = 0;
+    context->hierarchy = HierarchyReport{};
     context->arena.adopt(context, context->arena.bytes());
     context->arena.release_low(context->start);
 }

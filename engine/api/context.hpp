@@ -9,6 +9,7 @@
 #include "include/netmesh.h"
 #include "memory/arena.hpp"
 #include "mesh/domain.hpp"
+#include "mesh/netmesh.hpp"
 
 namespace netmesh {
 
@@ -16,12 +17,12 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736801u;
 
 // The block while a result is held:
 //
-//   | Context | cells | filter values | pairs |        gap        | vertices |
-//             ^ start                ^ diagram_mark
+//   | Context | cages | cells | filter values | pairs |        gap        | vertices |
+//             ^ start         ^ mesh_mark
 //
-// with representatives, where pairs are listed once more:
+// (cages that were loaded stand behind the cells), with representatives, where pairs are listed once more:
 //
-//   | Context | cells | filter values | pairs | facets, values | KeptComplex | pairs |   gap   | cycles | vertices |
+//   | Context | cages | cells | filter values | pairs | facets, values | KeptComplex | pairs |   gap   | cycles | vertices |
 //
 // or, after homology of a complex, the parts in brackets when representatives are kept:
 //
@@ -46,6 +47,10 @@ struct Context {
     std::uint32_t inputs;
     double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
+
+    netmesh_method method;
+    std::uint64_t cages_offset;
+    HierarchyReport hierarchy;
 
     std::uint64_t mesh_mark;  // low end of the mesh alone
     std::uint64_t values_offset, pairs_offset, pair_count, simplices;

@@ -4,6 +4,8 @@
 #include <type_traits>
 
 #include "api/context.hpp"
+#include "mesh/hierarchy_quality.hpp"
+#include "mesh/quality.hpp"
 #include "mesh/sizing.hpp"
 
 namespace netmesh {
@@ -59,6 +61,21 @@ template <int D> Domain<D> domain_of(const Context& context) {
     domain.radius = context.domain_radius;
     domain.enclosing_radius = context.enclosing_radius;
     return domain;
+}
+
+inline Cage* cages_of(const Context& context) {
+    // The context stands at the start of the block, wherever that is now.
+    const auto* const base = reinterpret_cast<const unsigned char*>(&context);
+    return reinterpret_cast<Cage*>(const_cast<unsigned char*>(base) + context.cages_offset);
+}
+
+// Aspect ratio and cages of the mesh that the context holds. out_of_memory.
+template <int D> Status measure_mesh(Context& context, Store<D>& store, HierarchyQuality* quality) {
+    const Domain<D> domain = domain_of<D>(context);
+    *quality = HierarchyQuality{};
+    return context.hierarchy.cages == 0
+               ? worst_aspect_ratio<D>(store, domain, context.arena, &quality->worst, &quality->vertex)
+               : measure_hierarchy<D>(store, cages_of(context), context.hierarchy.cages, domain, context.arena, quality);
 }
 
 // Checks what every job checks: the context and its block, the options' size, the dimension.

@@ -1,6 +1,5 @@
 #include "api/dispatch.hpp"
 #include "filtration/tight_filter.hpp"
-#include "mesh/quality.hpp"
 #include "mesh/refine.hpp"
 
 namespace netmesh {
@@ -40,6 +39,22 @@ netmesh_status check_arguments(netmesh_context* context, const double* points, s
         return finish(context, Status::invalid_argument, "options are not initialised or the dimension is not 2..6",
                       static_cast<std::uint64_t>(options_position));
     return NETMESH_OK;
+}
+
+// Meshes by the method asked for; cages, if there are any, are noted in the context.
+template <int D>
+Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* points, std::size_t n, double tau,
+                      double factor, bool certify, const SizeRule& rule, const netmesh_options& options, Monitor& monitor, InputReport* input,
+                      Domain<D>* domain) {
+    context->method = options.method;
+    if (options.method != NETMESH_METHOD_NETMESH)
+        return refine<D>(store, points, n, {tau, factor, certify, options.seed, rule, options.method == NETMESH_METHOD_REFINE},
+                         monitor, input, domain);
+    Cage* cages;
+    const Status status = netmesh<D>(store, points, n, {tau, factor, options.finish != 0, options.seed}, monitor, input,
+                                     domain, &cages, &context->hierarchy);
+    if (cages != nullptr) context->cages_offset = context->arena.offset_of(cages);
+    return status;
 }
 
 bool is_valid_tau(double tau) { return tau > 2 && is_finite(tau); }
@@ -84,6 +99,8 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     double factor = options->domain_factor != 0 ? options->domain_factor : 1;
     if (!(factor >= 1 && factor <= 8))
         return finish(context, Status::invalid_argument, "domain_factor is not between 1 and 8", 5);
+    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE))
+        return finish(context, Status::invalid_argument, "unknown method", 5);
     SizeRule rule = size_rule_of(*options);
     if (for_job == NETMESH_JOB_PERSIST_TIGHT) {
         const double eps = eps_of(*options);
@@ -91,6 +108,10 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         if (!(rule.eps > 0 && rule.eps < tight_size(eps))) rule.eps = tight_size(eps);
         if (factor < tight_domain_factor(eps)) factor = tight_domain_factor(eps);
     }
+    if (options->method == NETMESH_METHOD_NETMESH && for_job != NETMESH_JOB_MESH && options->finish == 0)
+        return finish(context, Status::invalid_argument, "a mesh with cages is not for persistence; finish it", 4);
+    if (options->method == NETMESH_METHOD_NETMESH && rule.asks())
+        return finish(context, Status::invalid_argument, "the method netmesh does not over-refine", 5);
     clear(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(options->dim, [&](auto dimension) {
@@ -99,8 +120,8 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         Store<D> store(context->arena, context->store);
         context->store = StoreState{};
         Domain<D> domain = {};
-        Status status = refine<D>(store, points, n, {tau, factor, for_job == NETMESH_JOB_PERSIST, options->seed, rule}, monitor,
-                                  &input, &domain);
+        Status status = mesh_by_method<D>(context, store, points, n, tau, factor, for_job == NETMESH_JOB_PERSIST, rule,
+                                          *options, monitor, &input, &domain);
         keep_store<D>(context, input, status);
         context->is_mesh = true;
         context->tau = tau;
@@ -110,10 +131,12 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         context->over_refine_eps = rule.eps;
         context->aspect_ratio_max = context->size_ratio_max = 0;
         if (context->store.cell_slots > 0) {
-            std::uint32_t worst;
-            const Status measured =
-                worst_aspect_ratio<D>(store, domain, context->arena, &context->aspect_ratio_max, &worst);
+            HierarchyQuality quality;
+            const Status measured = measure_mesh<D>(*context, store, &quality);
+            context->aspect_ratio_max = quality.worst;
             if (status == Status::ok) status = measured;
+            if (status == Status::ok && quality.encroached.violation != nullptr) status = Status::internal;
+            std::uint32_t worst;
             if (status == Status::ok)
                 status = worst_size_ratio<D>(store, domain, context->inputs, rule, Corners::kept, context->arena,
                                              &context->size_ratio_max, &worst);

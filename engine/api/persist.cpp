@@ -38,6 +38,8 @@ netmesh_status check_request(netmesh_context* context, const netmesh_filter& fil
         return finish(context, Status::no_result,
                       alpha ? "the alpha filter needs a Delaunay triangulation of the points alone"
                             : "this filter needs a mesh");
+    if (context->hierarchy.cages > 0)
+        return finish(context, Status::no_result, "this filter needs a mesh without cages");
     return NETMESH_OK;
 }
 

@@ -18,6 +18,7 @@ constexpr double over_refined[] = {0, 0, 6, 15, 21, 26, 36};
 constexpr double tight_surroundings[] = {0, 0, 16, 32, 64, 128, 256};
 constexpr double gradient_bytes_per_simplex = 8;
 constexpr double alpha_bytes_per_simplex = 48;
+constexpr double hierarchy_bytes_per_point = 44;
 constexpr double sort_bytes_per_point = 24;
 
 double power_in_eighths(double x, int k) {
@@ -27,7 +28,8 @@ double power_in_eighths(double x, int k) {
     return p;
 }
 
-template <int D> double planned_bytes(netmesh_job job, double tau, double eps, double points) {
+template <int D>
+double planned_bytes(netmesh_job job, netmesh_method method, double tau, double eps, double points) {
     const bool tight = job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES;
     const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST || tight;
     double vertices = points, cells = points * delaunay_cells_per_point[D];
@@ -39,6 +41,7 @@ template <int D> double planned_bytes(netmesh_job job, double tau, double eps, d
         cells = vertices * mesh_cells_per_vertex[D];
     }
     double bytes = vertices * sizeof(Vertex<D>) + cells * sizeof(Cell<D>) + 9 * points;
+    if (meshes && method == NETMESH_METHOD_NETMESH) bytes += hierarchy_bytes_per_point * points;
     const double simplices = cells * simplices_per_cell[D];
     if (job == NETMESH_JOB_PERSIST || tight) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
@@ -57,6 +60,7 @@ using namespace netmesh;
 extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points) {
     if (!usable(options) || points == 0 || points > (uint64_t{1} << 28)) return 0;
     if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_SCALES)) return 0;
+    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE)) return 0;
     const double tau = tau_of(*options);
     if (!(tau > 2) || !is_finite(tau)) return 0;
     if (!(options->over_refine_eps >= 0)) return 0;
@@ -67,8 +71,8 @@ extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* opt
         if (!(size > 0 && size < tight)) size = tight;
     }
     const double bytes = with_dimension(options->dim, [&](auto dimension) {
-        return planned_bytes<decltype(dimension)::value>(job, tau, size,
-                                                                 static_cast<double>(points));
+        return planned_bytes<decltype(dimension)::value>(job, options->method, tau, size,
+                                                         static_cast<double>(points));
     });
     if (!(bytes < 0x1p62) || bytes >= static_cast<double>(SIZE_MAX / 2)) return SIZE_MAX;
     return (static_cast<size_t>(bytes) + Arena::alignment) & ~(Arena::alignment - 1);

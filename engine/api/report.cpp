@@ -56,6 +56,11 @@ template <int D> std::uint64_t fingerprint_of(const netmesh_context* context) {
             const std::uint32_t word = store.cell(c).neighbour[i];
             f.add(static_cast<std::uint64_t>(store.cell(c).vertex[i]) << 32 | (word == none ? none : word >> 3));
         }
+    const Cage* const cages = cages_of(*context);
+    for (std::uint32_t d = 0; d < context->hierarchy.cages; ++d) {
+        f.add(static_cast<std::uint64_t>(cages[d].centre) << 32 | cages[d].parent);
+        f.add(cages[d].radius);
+    }
     if (context->has_diagram) {
         f.add(context->certified_ratio);
         for (std::uint64_t k = 0; k < context->pair_count; ++k) {
@@ -143,6 +148,10 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
         report->size_ratio_max = context->size_ratio_max;
         for (std::uint32_t k = 0; k < context->dim; ++k) report->domain[k] = context->domain_centre[k];
         report->domain[context->dim] = context->domain_radius;
+        report->method = context->method;
+        report->cages = context->hierarchy.cages;
+        report->cages_made = context->hierarchy.cages_made;
+        report->touches = context->hierarchy.touches;
     }
     report->has_vineyard = context->has_vineyard;
     if (context->scales > 0) {
@@ -205,6 +214,13 @@ netmesh_status netmesh_get_cell(const netmesh_context* context, uint64_t index, 
             cell->neighbours[i] = view.neighbour(c, i);
         }
     });
+    return NETMESH_OK;
+}
+
+netmesh_status netmesh_get_cage(const netmesh_context* context, uint64_t index, netmesh_cage* cage) {
+    if (cage == nullptr || !holds_result(context) || index >= context->hierarchy.cages) return NETMESH_INVALID_ARGUMENT;
+    const Cage& kept = cages_of(*context)[index];
+    *cage = {kept.centre, kept.parent, kept.radius};
     return NETMESH_OK;
 }
 

@@ -57,6 +57,13 @@ public:
     // The cells in conflict with q, found from `first`, one of them. False when the gap is too small for the list;
     // nothing but marks has changed.
     bool find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity);
+    // Its cells, k < cavity.cells, until it is filled.
+    std::uint32_t cavity_cell(std::uint32_t k) const {
+        if constexpr (D == 2)
+            return line(k).made;
+        else
+            return line(k).cell;
+    }
     // Is there room to fill this cavity (and for `vertices` new vertices)?
     bool can_fill(const Cavity& cavity, std::uint32_t vertices) {
         const std::size_t lines = cavity.cells > cavity.facets ? cavity.cells : cavity.facets;

@@ -81,6 +81,11 @@ typedef struct netmesh_progress {
  * NETMESH_CANCELLED. Must not call into the context. */
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
+typedef enum netmesh_method {
+    NETMESH_METHOD_SVR = 0,     /* Sparse Voronoi Refinement (4.4) */
+    NETMESH_METHOD_NETMESH = 1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the points' spread */
+    NETMESH_METHOD_REFINE = 2   /* VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5: the reference */
+} netmesh_method;
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone (results
  * are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre, positive,
  * and nowhere below 64 units in the last place of the coordinates: other values end the job with INVALID_ARGUMENT.
@@ -100,6 +105,8 @@ typedef struct netmesh_options {
     uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
     netmesh_poll poll;      /* may be null */
     void* user;             /* handed to poll */
+    netmesh_method method;  /* of netmesh_mesh */
+    uint32_t finish;        /* 1: NETMESH_METHOD_NETMESH goes on to a mesh of quality tau without cages (4.7.6) */
     /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most
      * f(v) = min(over_refine_eps * f_P(v), size(size_user, v)), f_P the distance to the second nearest input, the point
      * itself counted. R_v is taken, as everywhere, over corners inside the domain and points where Voronoi edges cross
@@ -165,14 +172,15 @@ size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint6
 netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, size_t n,
                                 const netmesh_options* options);
 
-/* Quality mesh of points[n][D] by Sparse Voronoi Refinement (4.4): a Delaunay triangulation of the points and of
+/* Quality mesh of points[n][D] by options->method: a Delaunay triangulation of the points and of
  * Steiner points in which each vertex that is not exempt has a Voronoi cell that, clipped to the domain ball, has
- * aspect ratio at most tau. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
+ * aspect ratio at most tau. With NETMESH_METHOD_NETMESH, unless finished, there are cages as well (see netmesh_cage), each
+ * vertex's cell is clipped to the ball of its own domain, and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
  * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
- * `for_job`: NETMESH_JOB_MESH; NETMESH_JOB_PERSIST to refine a shell around the domain as well, as far as a certified
- * ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of at
- * least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
- * point.
+ * `for_job`: NETMESH_JOB_MESH; NETMESH_JOB_PERSIST to refine (SVR alone) a shell around the domain as well, as far as a
+ * certified ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of
+ * at least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
+ * point. Meshes with cages are not for persistence, and NETMESH_METHOD_NETMESH does not over-refine.
  * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
  * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
@@ -186,10 +194,31 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
                             size_t vertex_count, const uint32_t* cells, size_t cell_count, const double* domain,
                             const netmesh_options* options);
 
+/* A cage (4.5, epsilon = 1/2): its centre, an input; inputs within half of its radius; between there and the radius its shell,
+ * 2 D exempt vertices; nothing between one and four radii but shells of other cages. Its domain is its ball without the balls
+ * of the cages directly inside it; cells of a domain's vertices are clipped to the ball of half of the radius. The cell of
+ * the cage is the union of its vertices' cells, its in-radius as in 4.6. */
+typedef struct netmesh_cage {
+    uint32_t centre; /* vertex */
+    uint32_t parent; /* index of the cage around it, NETMESH_NONE for none */
+    double radius;
+} netmesh_cage;
+netmesh_status netmesh_get_cage(const netmesh_context* context, uint64_t index, netmesh_cage* cage);
+
+/* Measures each vertex's cell in a mesh: ratios[vertices] gets its clipped aspect ratio, 0 for exempt vertices; domains[vertices]
+ * the innermost cage that it is in, NETMESH_NONE for none. Scratch in the block. NO_RESULT, OUT_OF_MEMORY. */
+netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, uint32_t* domains);
+
+/* Adds the cages of a mesh taken over by netmesh_load, in place of those that it has; parents are found anew. Drops the
+ * diagram. INVALID_ARGUMENT, NO_RESULT (no mesh with a domain), OUT_OF_MEMORY, CHECK_FAILED (not a hierarchy of balls about
+ * inputs); the mesh then has no cages. */
+netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* cages, size_t count,
+                                  const netmesh_options* options);
+
 /* Persistent homology over Z/2 of the filtration `filter` on what the context holds, in degrees 0..max_degree
  * (at most D-1; larger is clamped). Values are radii, not squared radii. ALPHA needs a Delaunay triangulation, the others a
- * mesh; one mesh serves every k. KNN and KDISTANCE take options.k. Zero-length pairs are dropped unless keep_zero_pairs is
- * not 0. Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
+ * mesh without cages; one mesh serves every k. KNN and KDISTANCE take options.k. Zero-length pairs are dropped unless
+ * keep_zero_pairs is not 0. Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
  * INVALID_ARGUMENT (7: options.k is more than the number of different points), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole
  * on failure. */
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
@@ -280,7 +309,8 @@ typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
     NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
-    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau; sizes likewise (meshes only) */
+    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau; sizes likewise (meshes only). With cages
+                                        the ratios of the hierarchy, and that no cage is encroached (4.5) */
     NETMESH_CHECK_BOUNDS = 16,       /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes only) and 5 */
     NETMESH_CHECK_ALL = 31
 } netmesh_check_what;
@@ -383,6 +413,9 @@ typedef struct netmesh_report {
     double tau;                 /* bound asked for; 0 for a Delaunay triangulation */
     double aspect_ratio_max;    /* actual worst clipped aspect ratio over vertices that are not exempt; 0 if none */
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D; radius 0 for a Delaunay triangulation */
+    netmesh_method method;      /* of the mesh; SVR after load */
+    uint64_t cages, cages_made; /* of a hierarchical mesh; made: those released again are counted too */
+    uint64_t touches;           /* NETMESH_METHOD_NETMESH: inputs looked at by searches, domains passed by point location */
     /* diagram */
     uint32_t has_diagram;
     netmesh_filter filter;

@@ -92,6 +92,11 @@ public:
         for (std::uint64_t i = 0; netmesh_get_cell(context_, i, &cell) == NETMESH_OK; ++i) visit(i, cell);
     }
 
+    template <class Visit> void for_each_cage(Visit&& visit) const {
+        netmesh_cage cage;
+        for (std::uint64_t i = 0; netmesh_get_cage(context_, i, &cage) == NETMESH_OK; ++i) visit(i, cage);
+    }
+
 private:
     netmesh_context* context_ = nullptr;
     netmesh_status status_;

@@ -21,12 +21,14 @@ public:
         return Status::ok;
     }
 
-    void push(std::uint32_t v) {
+    void push(std::uint32_t v) { push(v, store_->vertex(v).nearest2); }
+    // The same with another squared distance in place of the vertex's own.
+    void push(std::uint32_t v, double nearest2) {
         Vertex<D>& vertex = store_->vertex(v);
         if (vertex.queued) return;
         vertex.queued = 1;
         vertex.next = none;
-        int b = count - 1 - (top_ - exponent_of(vertex.nearest2));
+        int b = count - 1 - (top_ - exponent_of(nearest2));
         if (b < 0) b = 0;
         if (b >= count) b = count - 1;
         Bucket& bucket = buckets_[b];

@@ -32,9 +32,15 @@ template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32
 template <int D>
 void smallest_enclosing_ball(const double* points, std::uint32_t count, double* centre, double* radius);
 
-// The points (0, 1 or 2) in which the segment a-b crosses the domain's sphere, written to z.
+// The points (0, 1 or 2) in which the segment a-b crosses the domain's sphere, written to z. Measured from the nearer end, as
+// the other one may be farther away than its digits reach.
 template <int D>
 inline int sphere_crossings(const Domain<D>& domain, const double* a, const double* b, double (&z)[2][D]) {
+    if (domain.distance2(b) < domain.distance2(a)) {
+        const double* const nearer = b;
+        b = a;
+        a = nearer;
+    }
     double along = 0, length2 = 0, from2 = 0;
     for (int k = 0; k < D; ++k) {
         const double e = b[k] - a[k], f = a[k] - domain.centre[k];
@@ -43,17 +49,18 @@ inline int sphere_crossings(const Domain<D>& domain, const double* a, const doub
         from2 += f * f;
     }
     const double rest = from2 - domain.radius * domain.radius;
-    if (rest > 0 && !(along < 0)) return 0;  // outside, and leading away
-    const double root2 = along * along - length2 * rest;
-    if (!(root2 >= 0) || !(length2 > 0)) return 0;
-    // The two parameters without cancellation: one from the larger sum, the other from their product.
-    const double root = square_root(root2);
-    const double sum = along > 0 ? -along - root : -along + root;
-    const double s[2] = {sum / length2, sum != 0 ? rest / sum : 0};
+    if ((rest > 0 && !(along < 0)) || !(length2 > 0)) return 0;  // outside and leading away, or no segment
+    // Distances from a, with no more than squares of lengths on the way, so that any scale will do.
+    const double length = square_root(length2), height = along / length;
+    const double root2 = height * height - rest;
+    if (!(root2 >= 0)) return 0;
+    // One from the larger sum, the other from their product: no cancellation.
+    const double root = square_root(root2), sum = height > 0 ? -height - root : root - height;
+    const double distances[2] = {sum, sum != 0 ? rest / sum : 0};
     int found = 0;
-    for (const double t : s) {
-        if (!(t > 0 && t < 1)) continue;
-        for (int k = 0; k < D; ++k) z[found][k] = a[k] + t * (b[k] - a[k]);
+    for (const double t : distances) {
+        if (!(t > 0 && t < length)) continue;
+        for (int k = 0; k < D; ++k) z[found][k] = a[k] + t / length * (b[k] - a[k]);
         ++found;
     }
     return found;

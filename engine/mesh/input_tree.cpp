@@ -54,12 +54,14 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
     }
 }
 
-template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count) {
+template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings) {
     items_ = arena.take_low<std::uint32_t>(count);
     axis_ = arena.take_low<std::uint8_t>(count);
-    if (items_ == nullptr || axis_ == nullptr) return Status::out_of_memory;
+    reach_ = rings ? arena.take_low<double>(count) : nullptr;
+    if (items_ == nullptr || axis_ == nullptr || (rings && reach_ == nullptr)) return Status::out_of_memory;
     store_ = &store;
     count_ = count;
+    touches_ = 0;
     for (std::uint32_t i = 0; i < count; ++i) items_[i] = i;
     Range stack[40];
     int depth = 0;
@@ -71,7 +73,15 @@ template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena,
         const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
         stack[depth++] = {range.begin, middle};
         stack[depth++] = {middle + 1, range.end};
+        if (!rings) continue;
+        double reach2 = 0;
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const double d2 = squared_distance(store.point(items_[middle]), items_[i]);
+            if (d2 > reach2) reach2 = d2;
+        }
+        reach_[middle] = square_root(reach2) * (1 + 8 * unit_roundoff);
     }
+    touches_ = 0;
     return Status::ok;
 }
 
@@ -90,7 +100,15 @@ void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) c
             const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
             const int axis = axis_[middle];
             const double offset = x[axis] - store_->point(items_[middle])[axis];
-            consider(items_[middle]);
+            const double d2 = consider(items_[middle]);
+            if (reach_ != nullptr) {
+                // Clusters far smaller than their distance lie on both sides of planes that say nothing about it.
+                const double far = (square_root(bound2()) + reach_[middle]) * (1 + 8 * unit_roundoff);
+                if (d2 > far * far) {
+                    range.end = range.begin;
+                    break;
+                }
+            }
             const Range below = {range.begin, middle}, above = {middle + 1, range.end};
             stack[depth] = offset < 0 ? above : below;
             plane2[depth++] = offset * offset;
@@ -105,13 +123,14 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
                                     double* distance2) const {
     std::uint32_t best = none;
     double best2 = infinity;
-    const auto consider = [&](std::uint32_t v) {
-        if (v == except) return;
+    const auto consider = [&](std::uint32_t v) -> double {
+        if (v == except) return 0;
         const double d2 = squared_distance(x, v);
         if (d2 < best2 || (d2 == best2 && v < best)) {
             best2 = d2;
             best = v;
         }
+        return d2;
     };
     if (start != none) consider(start);
     visit(x, consider, [&] { return best2; });
@@ -129,9 +148,9 @@ template <int D> void InputTree<D>::nearest_k(const double* x, std::uint32_t k, 
             for (; hole > 0 && is_nearer(neighbours[(hole - 1) / 2], one); hole = (hole - 1) / 2)
                 neighbours[hole] = neighbours[(hole - 1) / 2];
             neighbours[hole] = one;
-            return;
+            return one.distance2;
         }
-        if (!is_nearer(one, neighbours[0])) return;
+        if (!is_nearer(one, neighbours[0])) return one.distance2;
         std::uint32_t hole = 0;
         for (std::uint32_t child; (child = 2 * hole + 1) < k; hole = child) {
             if (child + 1 < k && is_nearer(neighbours[child], neighbours[child + 1])) ++child;
@@ -139,9 +158,42 @@ template <int D> void InputTree<D>::nearest_k(const double* x, std::uint32_t k, 
             neighbours[hole] = neighbours[child];
         }
         neighbours[hole] = one;
+        return one.distance2;
     };
     visit(x, consider, [&] { return found < k ? infinity : neighbours[0].distance2; });
     sort(neighbours, k, is_nearer);
+}
+
+template <int D>
+std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, double outer, double* distance2) const {
+    std::uint32_t best = none;
+    double best1 = inner, best2 = inner * inner;
+    const auto consider = [&](std::uint32_t v) {
+        const double d2 = squared_distance(x, v);
+        if (d2 <= outer * outer && (d2 > best2 || (d2 == best2 && v < best && best != none))) {
+            best = v;
+            best2 = d2;
+            best1 = square_root(d2);
+        }
+        return d2;
+    };
+    Range stack[40];
+    int depth = 0;
+    stack[depth++] = {0, count_};
+    while (depth > 0) {
+        const Range range = stack[--depth];
+        if (range.end - range.begin <= leaf) {
+            for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
+            continue;
+        }
+        const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
+        const double d = square_root(consider(items_[middle])), reach = reach_[middle];
+        if ((d + reach) * (1 + 8 * unit_roundoff) < best1 || (d - reach) * (1 - 8 * unit_roundoff) > outer) continue;
+        stack[depth++] = {range.begin, middle};
+        stack[depth++] = {middle + 1, range.end};
+    }
+    *distance2 = best2;
+    return best;
 }
 
 template class InputTree<2>;

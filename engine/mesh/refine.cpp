@@ -1,7 +1,8 @@
 #include "mesh/refine.hpp"
 
 #include "mesh/bucket_queue.hpp"
-#include "mesh/input_tree.hpp"
+#include "mesh/corner.hpp"
+#include "mesh/opening.hpp"
 
 namespace netmesh {
 namespace {
@@ -9,62 +10,36 @@ namespace {
 // A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad: the cell then
 // loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
 constexpr double pull_back = 1.15;
-// Frame distance over domain radius: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in which
-// everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
-constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
 // Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;
-
-constexpr double coordinate_max = 0x1p500;
-constexpr double separation_min = 0x1p-500;
-constexpr double resolution = 64 * 0x1p-52;
-
-template <int D> double distance2(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return d2;
-}
 
 template <int D> class Refinement {
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
         : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
-          certify_(options.certify), rule_(options.size) {}
+          certify_(options.certify && !options.reference), reference_(options.reference), rule_(options.size) {}
 
     Status check_input(InputReport* input);
     Status open(const RefineOptions& options);
+    Status open_net();
     Status run(const std::uint32_t* order);
+    Status run_reference(const std::uint32_t* order);
     Status reach_sizes(InputReport* input);
 
 private:
-    struct Corner {
-        double x[D];
-        double distance2;  // from the vertex; negative: none yet
-        std::uint32_t cell;
-    };
     struct CellView {
-        Corner clipped;  // farthest corner of the clipped cell
-        Corner whole;    // farthest corner of the whole cell
+        Corner<D> clipped;  // farthest corner of the clipped cell
+        Corner<D> whole;    // farthest corner of the whole cell
         double reach2;   // squared distance from the nearest input to the farthest corner from it
     };
 
     Status insert(std::uint32_t v, std::uint32_t from);
-    Status split(std::uint32_t v, const Corner& corner);
+    Status split(std::uint32_t v, const Corner<D>& corner);
     Status clean();
     bool look(std::uint32_t v, CellView* view);
-    void corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* corner);
-    const Corner* bad_corner(std::uint32_t v, const CellView& view) const;
+    const Corner<D>* bad_corner(std::uint32_t v, const CellView& view) const;
     std::uint32_t nearest_input(std::uint32_t v) const {
         return store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
-    }
-    static void offer(const double* x, double distance2, std::uint32_t cell, Corner* corner) {
-        if (!(distance2 > corner->distance2)) return;
-        corner->distance2 = distance2;
-        corner->cell = cell;
-        for (int k = 0; k < D; ++k) corner->x[k] = x[k];
     }
     void update_star(const Cavity& cavity, std::uint32_t v);
     void queue_bad_vertices(std::uint32_t c);
@@ -85,7 +60,7 @@ private:
     InputTree<D> tree_;
     BucketQueue<D> queue_;
     double tau_;
-    bool certify_;
+    bool certify_, reference_;
     SizeRule rule_;
     bool sized_ = false;             // sizes are asked for by now
     std::uint32_t refused_ = none;   // row of the input nearest to the vertex whose size is refused
@@ -94,63 +69,50 @@ private:
 
 template <int D> Status Refinement<D>::check_input(InputReport* input) {
     inputs_ = store_.state.vertex_count;
-    for (std::uint32_t v = 0; v < inputs_; ++v)
-        for (int k = 0; k < D; ++k)
-            if (!(absolute(store_.point(v)[k]) <= coordinate_max)) {
-                input->row_a = store_.vertex(v).origin;
-                return Status::out_of_range;
-            }
     const Status status = tree_.build(store_, store_.arena, inputs_);
-    if (status != Status::ok || inputs_ == 1) return status;
-    for (std::uint32_t v = 0; v < inputs_; ++v) {
-        double d2;
-        const std::uint32_t near = tree_.nearest(store_.point(v), v > 0 ? v - 1 : 1, v, &d2);
-        double size = 0;
-        for (int k = 0; k < D; ++k)
-            if (absolute(store_.point(v)[k]) > size) size = absolute(store_.point(v)[k]);
-        const bool tiny = d2 < separation_min * separation_min;
-        if (!tiny && d2 >= (resolution * size) * (resolution * size)) continue;
-        const std::uint64_t a = store_.vertex(v).origin, b = store_.vertex(near).origin;
-        input->row_a = a < b ? a : b;
-        input->row_b = a < b ? b : a;
-        return tiny && d2 > (resolution * size) * (resolution * size) ? Status::out_of_range : Status::too_close;
-    }
-    return Status::ok;
+    return status == Status::ok ? check_separation<D>(store_, tree_, input) : status;
 }
 
-// The frame: vertices on both sides of the domain along each axis.
 template <int D> Status Refinement<D>::open(const RefineOptions& options) {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     // A hair larger than what is promised, so that no corner on the sphere itself depends on roundings.
     domain_.radius = domain_.enclosing_radius * options.domain_factor * (1 + tau_margin);
-    const double reach = frame_factor[D] * domain_.radius;
-    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
-    if (store_.open_cells() != Status::ok || !store_.has_room(0, 2 * D, 0)) return Status::out_of_memory;
-    std::uint32_t frame[2 * D];
-    for (int i = 0; i < 2 * D; ++i) {
-        frame[i] = store_.new_vertex();
-        Vertex<D>& v = store_.vertex(frame[i]);
-        for (int k = 0; k < D; ++k) v.x[k] = domain_.centre[k];
-        v.x[i / 2] += i % 2 == 0 ? reach : -reach;
-        v.nearest2 = infinity;
-        v.cell = none;
-        v.next = none;
-        v.marker = Marker::exempt;
-        v.queued = 0;
-        v.size_hint = 0;
-        double d2;
-        v.origin = tree_.nearest(v.x, 0, none, &d2);
+    double reach = frame_factor[D] * domain_.radius;
+    if (reference_) {
+        const double k = 2 * options.tau / (options.tau - 2);
+        reach = domain_.radius = (k * square_root(2) + 2) * 2 * domain_.enclosing_radius;
     }
-    std::uint32_t ids[D + 1];
-    if (!independent_points<D>(store_, frame, 2 * D, ids)) return Status::internal;
-    Status status = kernel_.start(ids);
-    for (int i = 0; i < 2 * D && status == Status::ok; ++i)
-        if (store_.vertex(frame[i]).cell == none) status = insert(frame[i], store_.state.last_cell);
-    for (int i = 0; i < 2 * D; ++i)
-        for (int j = 0; j < 2 * D; ++j) {
-            const double d2 = distance2<D>(store_.point(frame[i]), store_.point(frame[j]));
-            if (i != j && d2 < store_.vertex(frame[i]).nearest2) store_.vertex(frame[i]).nearest2 = d2;
+    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok || store_.open_cells() != Status::ok)
+        return Status::out_of_memory;
+    return open_frame<D>(store_, kernel_, tree_, domain_, reach);
+}
+
+// The boundary net: with an input inside, each cell joins it to a facet of the net's hull, and the point of the sphere
+// farthest from the facet's vertices, which is where the line from the centre through the cell's corner meets the sphere, is
+// inserted while it is farther than delta.
+template <int D> Status Refinement<D>::open_net() {
+    const double delta2 = 4 * domain_.enclosing_radius * domain_.enclosing_radius;
+    Status status = insert(0, store_.state.last_cell);
+    for (bool covered = false; !covered && status == Status::ok;) {
+        covered = true;
+        for (std::uint32_t c = 0; c < store_.state.cell_slots && status == Status::ok; ++c) {
+            if (!store_.is_live(c) || store_.is_ghost(c) || !(store_.cell(c).radius2 < infinity)) continue;
+            const Cell<D>& cell = store_.cell(c);
+            const std::uint32_t w = cell.vertex[cell.vertex[0] == 0 ? 1 : 0];
+            const double length = square_root(domain_.distance2(cell.centre));
+            if (!(length > 0)) continue;
+            double z[D];
+            for (int k = 0; k < D; ++k)
+                z[k] = domain_.centre[k] + domain_.radius / length * (cell.centre[k] - domain_.centre[k]);
+            if (!(distance2<D>(z, store_.point(w)) > delta2)) continue;
+            double d2;
+            if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
+            const std::uint32_t v = make_vertex<D>(store_, z, tree_.nearest(z, 0, none, &d2), Marker::exempt);
+            status = insert(v, c);
+            if (status == Status::out_of_memory) store_.truncate_vertices(v);
+            covered = false;
         }
+    }
     return status;
 }
 
@@ -236,29 +198,12 @@ template <int D> bool Refinement<D>::may_spoil_certificate(std::uint32_t v, cons
     return 4 * hi2 > (2 + tau_) * (2 + tau_) * distance2<D>(store_.point(v), input);
 }
 
-// Crossings of the sphere with the edges of v's cell that end in corner c, which is outside.
-template <int D>
-void Refinement<D>::corners_on_sphere(std::uint32_t v, std::uint32_t c, Corner* corner) {
-    const Cell<D>& cell = store_.cell(c);
-    for (int i = 0; i <= D; ++i) {
-        if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
-        const std::uint32_t n = cell.neighbour[i] >> 3;
-        const Cell<D>& other = store_.cell(n);
-        if (!(other.radius2 < infinity)) continue;
-        // A crossing is no farther from v than the farther end; one that is not bad does not matter.
-        const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
-        if (!(bound2 > corner->distance2) || !may_be_bad(bound2 * (1 + 0x1p-20), store_.vertex(v))) continue;
-        if (n < c && !domain_.contains(other.centre)) continue;  // seen from the other end
-        double z[2][D];
-        const int crossings = sphere_crossings<D>(domain_, cell.centre, other.centre, z);
-        for (int j = 0; j < crossings; ++j) offer(z[j], distance2<D>(z[j], store_.point(v)), c, corner);
-    }
-}
-
 // Walks around v's cell. False when the gap is too small for that.
 template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
-    view->clipped.distance2 = view->whole.distance2 = -1;
-    view->reach2 = 0;
+    *view = CellView{};
+    double least2 = 0.25 * tau_ * tau_ * store_.vertex(v).nearest2;  // a corner that cannot be bad does not matter
+    if (sized_ && value_of_size_hint(store_.vertex(v).size_hint) < least2)
+        least2 = value_of_size_hint(store_.vertex(v).size_hint);
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](std::uint32_t c) {
@@ -266,11 +211,11 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
         if (!(cell.radius2 < infinity)) return;  // a ghost, or so flat that its corner is not known
         const double d2 = distance2<D>(cell.centre, p);
         if (domain_.contains(cell.centre))
-            offer(cell.centre, d2, c, &view->clipped);
+            view->clipped.offer(cell.centre, d2, c);
         else
-            corners_on_sphere(v, c, &view->clipped);
+            offer_crossings<D>(store_, domain_, v, c, least2, &view->clipped);
         if (!certify_) return;
-        offer(cell.centre, d2, c, &view->whole);
+        view->whole.offer(cell.centre, d2, c);
         const double reach2 = distance2<D>(cell.centre, input);
         if (reach2 > view->reach2) view->reach2 = reach2;
     });
@@ -278,7 +223,7 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
 
 // The corner to refine, null when the cell is good.
 template <int D>
-const typename Refinement<D>::Corner* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
+const Corner<D>* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
     const double nearest2 = store_.vertex(v).nearest2;
     if (is_bad(view.clipped.distance2, nearest2) || is_oversize(v, view.clipped.distance2)) return &view.clipped;
     if (!certify_ || !is_bad(view.whole.distance2, nearest2)) return nullptr;
@@ -292,30 +237,22 @@ const typename Refinement<D>::Corner* Refinement<D>::bad_corner(std::uint32_t v,
 }
 
 // Inserts a Steiner point between v and a bad corner of its cell, or yields to an input near that place.
-template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner& corner) {
+template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner<D>& corner) {
     const double nearest2 = store_.vertex(v).nearest2;
-    const double wanted = pull_back * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
+    const double wanted = reference_ ? infinity : pull_back * 0.5 * tau_ * square_root(nearest2);
+    const double whole = square_root(corner.distance2);
     const double fraction = wanted < whole ? wanted / whole : 1;
-    if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
-    const std::uint32_t s = store_.new_vertex();
-    Vertex<D>& steiner = store_.vertex(s);
     const double* const p = store_.point(v);
-    for (int k = 0; k < D; ++k) steiner.x[k] = p[k] + fraction * (corner.x[k] - p[k]);
-    const double empty2 = distance2<D>(steiner.x, p);
+    double x[D];
+    for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
+    const double empty2 = distance2<D>(x, p);
 
     double input2;
-    const std::uint32_t near = tree_.nearest(steiner.x, nearest_input(v), none, &input2);
-    if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none) {
-        store_.truncate_vertices(s);
+    const std::uint32_t near = tree_.nearest(x, nearest_input(v), none, &input2);
+    if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none)
         return insert(near, corner.cell);
-    }
-    steiner.nearest2 = infinity;
-    steiner.cell = none;
-    steiner.next = none;
-    steiner.origin = near;
-    steiner.marker = Marker::steiner;
-    steiner.queued = 0;
-    steiner.size_hint = 0;
+    if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
+    const std::uint32_t s = make_vertex<D>(store_, x, near, Marker::steiner);
     Status status = sized_ ? note_size(s) : Status::ok;
     if (status == Status::ok) status = insert(s, corner.cell);
     if (status == Status::out_of_memory || status == Status::invalid_argument)
@@ -333,12 +270,20 @@ template <int D> Status Refinement<D>::clean() {
         CellView view;
         if (!look(v, &view)) return Status::out_of_memory;
         if (sized_ && view.clipped.distance2 < 0 && !look_at_poles(v, &view)) return Status::out_of_memory;
-        const Corner* const corner = bad_corner(v, view);
+        const Corner<D>* const corner = bad_corner(v, view);
         if (corner == nullptr) continue;
         const Status status = split(v, *corner);
         if (status != Status::ok) return status;
         queue_.push(v);
     }
+}
+
+template <int D> Status Refinement<D>::run_reference(const std::uint32_t* order) {
+    monitor_.begin(NETMESH_STAGE_REFINE, inputs_);
+    Status status = open_net();
+    for (std::uint32_t k = 0; k < inputs_ && status == Status::ok; ++k)
+        if (store_.vertex(order[k]).cell == none) status = insert(order[k], store_.state.last_cell);
+    return status == Status::ok ? clean() : status;
 }
 
 // Is a corner of v's cell farther than the size asked for?
@@ -352,7 +297,7 @@ template <int D> bool Refinement<D>::is_oversize(std::uint32_t v, double corner2
 template <int D> bool Refinement<D>::look_at_poles(std::uint32_t v, CellView* view) {
     std::uint32_t count = 0;
     if (!kernel_.visit_star(v, [&](std::uint32_t) { ++count; })) return false;
-    Corner& corner = view->clipped;
+    Corner<D>& corner = view->clipped;
     corner.distance2 = farthest_pole<D>(store_, domain_, v, store_.list_top(), count, corner.x, &corner.cell);
     return true;
 }
@@ -398,16 +343,6 @@ template <int D> Status Refinement<D>::run(const std::uint32_t* order) {
     return Status::ok;
 }
 
-// Replaces balls that were derived from others by balls that depend on the cell alone, so that what is read off the mesh is
-// the same however it was made, and again after it has been written to a file and loaded.
-template <int D> void settle_spheres(Store<D>& store) {
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        const double* p[D + 1];
-        for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
-        solve_sphere<D>(p, corner_error_max, store.cell(c));
-    }
-}
-
 }  // namespace
 
 template <int D>
@@ -420,11 +355,11 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
     Refinement<D> refinement(store, options, monitor, *domain);
     status = refinement.check_input(input);
     if (status == Status::ok) status = refinement.open(options);
-    if (status == Status::ok) status = refinement.run(order);
+    if (status == Status::ok) status = options.reference ? refinement.run_reference(order) : refinement.run(order);
     if (status == Status::ok) status = refinement.reach_sizes(input);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
     settle_spheres<D>(store);
-    domain->radius = domain->enclosing_radius * options.domain_factor;
+    if (!options.reference) domain->radius = domain->enclosing_radius * options.domain_factor;
     return status;
 }
 

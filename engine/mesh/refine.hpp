@@ -18,6 +18,12 @@ struct RefineOptions {
     bool certify;          // also bring the certified ratio of filtration/mesh_filter.hpp below sqrt(2 + tau)
     std::uint64_t seed;
     SizeRule size = {};    // also bring the out-radius of every clipped cell down to what it asks for
+    // VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5 instead, the reference for everything else:
+    // all inputs first, then farthest corners, whole. domain_factor and certify do not matter. With rho the radius of the
+    // smallest enclosing ball and delta = 2 rho >= diameter(P), the domain has the ball's centre and radius
+    // (K sqrt 2 + 2) delta, K = 2 tau / (tau - 2); a delta-net of exempt vertices on its sphere takes the frame's place. It has about
+    // (radius / delta)^(D-1) vertices, too many to be of use in D = 5 and 6.
+    bool reference = false;
 };
 
 // Meshes points[n][D]. Afterwards the store is compact; vertices are the inputs (input order), then Steiner and exempt

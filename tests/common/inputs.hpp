@@ -100,6 +100,44 @@ inline Points zoom(int dim, int i_max, int step, std::uint64_t seed = 4) {
     return p;
 }
 
+// The origin and points at distance ratio^-i from it, i = 0 .. count-1, as far as distances of 2^-490 go.
+inline Points geometric(int dim, double ratio, std::size_t count, std::uint64_t seed = 6) {
+    Random random(seed);
+    Points p(static_cast<std::size_t>(dim), 0.0);
+    double size = 1;
+    for (std::size_t i = 0; i < count && size > 0x1p-490; ++i, size /= ratio) {
+        double squared = 0;
+        Points x(static_cast<std::size_t>(dim));
+        while (!(squared > 0.01 && squared <= 1)) {
+            squared = 0;
+            for (double& c : x) {
+                c = 2 * random.uniform() - 1;
+                squared += c * c;
+            }
+        }
+        for (double c : x) p.push_back(c / std::sqrt(squared) * size);
+    }
+    return p;
+}
+
+// `count` pairs of points, the two of a pair about `gap` apart.
+inline Points close_pairs(int dim, std::size_t count, double gap, std::uint64_t seed = 8) {
+    Random random(seed);
+    const Points first = uniform(dim, count, seed + 1);
+    Points p = first;
+    for (double c : first) p.push_back(c + gap * (0.1 + random.uniform()));
+    return p;
+}
+
+// Cubes of points about the origin, each 1 / ratio the size of the one before.
+inline Points nested(int dim, int levels, std::size_t count, double ratio, std::uint64_t seed = 9) {
+    Points p;
+    double size = 1;
+    for (int level = 0; level < levels; ++level, size /= ratio)
+        for (double c : uniform(dim, count, seed + static_cast<std::uint64_t>(level))) p.push_back(size * (c - 0.5));
+    return p;
+}
+
 // (cos, sin) of the angle i/n of a turn, by + - * / alone: within 2 ulp, the same on every platform.
 inline std::pair<double, double> turn(std::uint64_t i, std::uint64_t n) {
     i %= n;

@@ -71,6 +71,15 @@ void dimension(int dim) {
     print("delaunay", "repeated", session, session.delaunay(inputs::repeated(dim, inputs::uniform(dim, points[d] / 2), 2)));
     print("mesh", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d])));
     print("mesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
+    session.options.method = NETMESH_METHOD_NETMESH;
+    print("netmesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
+    print("netmesh", "geometric", session, session.mesh(inputs::geometric(dim, 1000, dim < 5 ? 40 : 10)));
+    session.options.finish = 1;
+    print("netmesh-finish", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d] / 4)));
+    session.options.finish = 0;
+    session.options.method = NETMESH_METHOD_REFINE;
+    if (dim < 4) print("refine", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4)));
+    session.options.method = NETMESH_METHOD_SVR;
     print_analysis("clusters-mesh", session, NETMESH_ANALYSE_ALL);
     session.options.over_refine_eps = dim < 4 ? 0.5 : 1;
     print("mesh-eps", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4 + 3)));

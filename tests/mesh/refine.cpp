@@ -8,6 +8,7 @@
 #include "common/block.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/check.hpp"
+#include "mesh/distance.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality.hpp"
 
@@ -89,6 +90,46 @@ TEST_CASE_TEMPLATE_DEFINE("meshes are Delaunay, of quality tau, and hold their i
 TEST_CASE_TEMPLATE_INVOKE(quality, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
                           std::integral_constant<int, 4>, std::integral_constant<int, 5>,
                           std::integral_constant<int, 6>);
+
+TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 and covers its sphere", T, reference) {
+    constexpr int D = T::value;
+    const inputs::Points points = inputs::uniform(D, D == 2 ? 100 : 20);
+    Block block(std::size_t{1} << 25);
+    StoreState state = {};
+    Store<D> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    Domain<D> domain;
+    REQUIRE(refine<D>(store, points.data(), points.size() / D, {3, 1, false, 1, {}, true}, monitor, &input, &domain) == Status::ok);
+    CHECK(violation<D>(store) == nullptr);
+    const double delta = 2 * domain.enclosing_radius;
+    CHECK(domain.radius >= (6 * std::sqrt(2) + 2) * delta * (1 - 1e-9));
+    int outside = 0;
+    for (std::uint32_t c = 0; c < state.cell_slots; ++c) outside += !domain.contains(store.cell(c).centre);
+    CHECK(outside == 0);
+    std::vector<const double*> net;
+    for (std::uint32_t v = 0; v < state.vertex_count; ++v)
+        if (store.vertex(v).marker == Marker::exempt) net.push_back(store.point(v));
+    inputs::Random random(3);
+    for (int sample = 0; sample < 2000; ++sample) {
+        double x[D], length2 = 0;
+        for (double& c : x) {
+            c = 2 * random.uniform() - 1;
+            length2 += c * c;
+        }
+        for (int k = 0; k < D; ++k) x[k] = domain.centre[k] + domain.radius / std::sqrt(length2) * x[k];
+        double nearest2 = infinity;
+        for (const double* p : net) nearest2 = std::min(nearest2, distance2<D>(x, p));
+        CHECK(nearest2 <= delta * delta * (1 + 1e-9));
+    }
+    for (std::size_t i = 0; i < net.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) REQUIRE(distance2<D>(net[i], net[j]) >= delta * delta * (1 - 1e-9));
+    double worst;
+    std::uint32_t v;
+    REQUIRE(recomputed_aspect_ratio<D>(store, domain, block.arena, &worst, &v) == Status::ok);
+    CHECK(worst <= 3);
+}
+TEST_CASE_TEMPLATE_INVOKE(reference, std::integral_constant<int, 2>, std::integral_constant<int, 3>);
 
 TEST_CASE("clipped cells sampled at random keep the bound") {
     const inputs::Points points = inputs::uniform(2, 100, 9);

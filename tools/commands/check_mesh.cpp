@@ -12,9 +12,12 @@ namespace netmesh::tool {
 netmesh_status load_mesh(Session& session, const MeshFiles& files) {
     const NodeFile& node = files.node;
     return session.call(NETMESH_STAGE_DELAUNAY, [&] {
-        return netmesh_load(session.context(), node.cloud.coordinates.data(), node.markers.data(), node.cloud.rows(),
-                            files.cells.entries.data(), files.cells.lines.size(),
-                            node.domain.empty() ? nullptr : node.domain.data(), &session.engine_options());
+        const netmesh_status status =
+            netmesh_load(session.context(), node.cloud.coordinates.data(), node.markers.data(), node.cloud.rows(),
+                         files.cells.entries.data(), files.cells.lines.size(),
+                         node.domain.empty() ? nullptr : node.domain.data(), &session.engine_options());
+        if (status != NETMESH_OK || node.cages.empty()) return status;
+        return netmesh_load_cages(session.context(), node.cages.data(), node.cages.size(), &session.engine_options());
     });
 }
 
@@ -129,6 +132,10 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     if (!files.node.domain.empty()) {
         run->checked->push_back("aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6) + " (tau " +
                                 rounded_text(session.engine_options().tau, 6) + ")");
+    }
+    if (!files.node.cages.empty()) {
+        run->checked->push_back(grouped_text(files.node.cages.size()) +
+                                " cages nested about inputs, none encroached; their cells and all others in their domains");
     }
     if (run->engine->size_ratio_max > 0) {
         run->checked->push_back("cells reach " + rounded_text(run->engine->size_ratio_max, 6) +

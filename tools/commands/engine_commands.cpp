@@ -227,7 +227,9 @@ Outcome run_engine_command(const Options& options) {
         }
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: diagram: " + complaint};
     }
-    const ContextMesh mesh(session.context());
+    ContextMesh mesh(session.context());
+    const std::string& mesh_path = options.command == Command::persist ? options.mesh_out : options.out;
+    if (mesh.tau > 0 && ending_of(mesh_path) == ".vtu") mesh.measure(session.context());
     outcome = write_files(result_jobs(options, session.context(), mesh, bars, bounds, *run.engine));
     if (!outcome.good()) return outcome;
     run.write_seconds = platform::seconds_now() - computed;

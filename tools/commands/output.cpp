@@ -59,6 +59,8 @@ ContextMesh::ContextMesh(const netmesh_context* context) : context_(context) {
     eps = report.over_refine_eps;
     for (std::uint32_t k = 0; k <= dim; k++) domain[k] = report.domain[k];
     if (vertex_count > 0) has_values = vertex(0).has_value != 0;
+    netmesh_cage cage;
+    for (std::uint64_t i = 0; netmesh_get_cage(context_, i, &cage) == NETMESH_OK; i++) cages.push_back(cage);
 }
 
 netmesh_vertex ContextMesh::vertex(std::uint64_t index) const {
@@ -71,6 +73,14 @@ netmesh_cell ContextMesh::cell(std::uint64_t index) const {
     netmesh_cell result = {};
     netmesh_get_cell(context_, index, &result);
     return result;
+}
+
+void ContextMesh::measure(netmesh_context* context) {
+    ratios.resize(vertex_count);
+    domains.resize(vertex_count);
+    if (netmesh_measure_cells(context, ratios.data(), domains.data()) == NETMESH_OK) return;
+    ratios.clear();
+    domains.clear();
 }
 
 std::vector<Bar> bars_of(const netmesh_context* context) {

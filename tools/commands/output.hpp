@@ -29,6 +29,8 @@ public:
     explicit ContextMesh(const netmesh_context* context);
     netmesh_vertex vertex(std::uint64_t index) const override;
     netmesh_cell cell(std::uint64_t index) const override;
+    // Fills ratios and domains; leaves them empty when there is no memory left for that.
+    void measure(netmesh_context* context);
 
 private:
     const netmesh_context* context_;

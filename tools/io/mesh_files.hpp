@@ -25,17 +25,21 @@ public:
     double eps = 0;                           // of over-refinement; 0 when there was none
     double domain[NETMESH_DIM_MAX + 1] = {};  // centre, radius at index dim; radius 0 for a Delaunay triangulation
     bool has_values = false;                  // vertices carry filter values
+    std::vector<netmesh_cage> cages;          // of a hierarchical mesh
+    std::vector<double> ratios;               // of vertices' clipped cells, where they have been measured
+    std::vector<std::uint32_t> domains;       // innermost cages of vertices, with the ratios
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
-// `# domain c1 .. cD r` and `# tau T`, for a mesh, `# eps E` for an over-refined one.
+// `# domain c1 .. cD r` and `# tau T`, for a mesh, `# eps E` for an over-refined one, `# cage V R` for each cage: its centre's id
+// and its radius.
 void write_node(const MeshSource& mesh, TextWriter& out);
 void write_ele(const MeshSource& mesh, TextWriter& out);
 // -1 outside; neighbour i is opposite vertex i.
 void write_neigh(const MeshSource& mesh, TextWriter& out);
 // OFF for D = 3, nOFF otherwise; a face for each cell, of its D+1 vertices.
 void write_off(const MeshSource& mesh, TextWriter& out);
-// VTK's unstructured grid, D = 2 and 3, with point data `marker` and `value`.
+// VTK's unstructured grid, D = 2 and 3, with point data `marker`, `value`, `aspect_ratio` and `domain` (-1: the outermost), as far as they are known.
 void write_vtu(const MeshSource& mesh, TextWriter& out);
 
 // A .node file as it stands.
@@ -48,6 +52,7 @@ struct NodeFile {
     std::uint64_t first_id = 0;         // 0 or 1
     std::vector<double> domain;         // dim + 1 numbers, or empty
     double tau = 0, eps = 0;            // 0 when the file does not say
+    std::vector<netmesh_cage> cages;    // centres counted from 0; no parents
 };
 
 // Every fault is Exit::data with file and line. node->cloud.name is used for messages.

@@ -5,10 +5,10 @@ namespace netmesh::tool {
 
 namespace {
 
-// `# domain c1 .. cD r`, `# tau T` and `# eps E`; other comments say nothing.
+// `# domain c1 .. cD r`, `# tau T`, `# eps E` and `# cage V R`; other comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
-    if (words.empty() || (words[0] != "domain" && words[0] != "tau" && words[0] != "eps")) return {};
+    if (words.empty() || (words[0] != "domain" && words[0] != "tau" && words[0] != "eps" && words[0] != "cage")) return {};
     std::vector<double> numbers;
     for (std::size_t i = 1; i < words.size(); i++) {
         double value;
@@ -18,6 +18,13 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
     if (words[0] == "tau") {
         if (numbers.size() != 1 || !(numbers[0] > 2)) return "tau is one number above 2";
         node->tau = numbers[0];
+        return {};
+    }
+    if (words[0] == "cage") {
+        if (numbers.size() != 2 || !is_count(numbers[0]) || !(numbers[0] < NETMESH_NONE) || !(numbers[1] > 0)) {
+            return "a cage is the id of its centre and a radius above 0";
+        }
+        node->cages.push_back({static_cast<std::uint32_t>(numbers[0]), NETMESH_NONE, numbers[1]});
         return {};
     }
     if (words[0] == "eps") {
@@ -124,6 +131,12 @@ Outcome parse_node(std::string_view content, NodeFile* node) {
         return line_error(node->cloud.name, last,
                           "the file ends after " + std::to_string(row) + " of " + std::to_string(header.count) +
                               " vertices");
+    }
+    for (netmesh_cage& cage : node->cages) {
+        if (cage.centre < node->first_id || cage.centre - node->first_id >= header.count || node->domain.empty()) {
+            return line_error(node->cloud.name, last, "a cage about a vertex that is not there, or without a domain");
+        }
+        cage.centre -= static_cast<std::uint32_t>(node->first_id);
     }
     if (!node->domain.empty() && node->domain.size() != node->cloud.dim + 1) {
         return line_error(node->cloud.name, last, "the domain has another dimension than the vertices");

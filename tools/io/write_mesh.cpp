@@ -8,6 +8,7 @@ void write_node(const MeshSource& mesh, TextWriter& out) {
         for (std::uint32_t k = 0; k <= mesh.dim; k++) out << ' ' << mesh.domain[k];
         out << "\n# tau " << mesh.tau << '\n';
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
+        for (const netmesh_cage& cage : mesh.cages) out << "# cage " << cage.centre << ' ' << cage.radius << '\n';
     }
     out << mesh.vertex_count << ' ' << mesh.dim << (mesh.has_values ? " 1 1\n" : " 0 1\n");
     for (std::uint64_t i = 0; i < mesh.vertex_count; i++) {
@@ -113,6 +114,16 @@ void write_vtu_point_data(const MeshSource& mesh, TextWriter& out) {
     if (mesh.has_values) {
         open_array(out, "Float64", "value", 1);
         for (std::uint64_t i = 0; i < mesh.vertex_count; i++) out << mesh.vertex(i).value << '\n';
+        out << "        </DataArray>\n";
+    }
+    if (!mesh.ratios.empty()) {
+        open_array(out, "Float64", "aspect_ratio", 1);
+        for (const double ratio : mesh.ratios) out << ratio << '\n';
+        out << "        </DataArray>\n";
+        open_array(out, "Int64", "domain", 1);
+        for (const std::uint32_t domain : mesh.domains) {
+            domain == NETMESH_NONE ? out << "-1\n" : out << domain << '\n';
+        }
         out << "        </DataArray>\n";
     }
     out << "      </PointData>\n";

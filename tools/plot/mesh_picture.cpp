@@ -86,6 +86,12 @@ void write_mesh_picture(const MeshSource& mesh, TextWriter& out) {
         centre.coordinates[1] = mesh.domain[1];
         svg.ring(view.x(centre), view.y(centre), mesh.domain[2] * view.scale, "#c98a1b", 1.5, "7 5");
     }
+    for (const netmesh_cage& cage : mesh.cages) {
+        const netmesh_vertex centre = mesh.vertex(cage.centre);
+        if (cage.radius * view.scale < 0.5) continue;
+        svg.ring(view.x(centre), view.y(centre), cage.radius * view.scale, "#6a4c93", 1.2);
+        svg.ring(view.x(centre), view.y(centre), cage.radius / 2 * view.scale, "#c98a1b", 1, "7 5");
+    }
     draw_vertices(mesh, view, 2, 0.6 * dot, "#c98a1b", svg);
     draw_vertices(mesh, view, 1, 0.6 * dot, "#1b7f79", svg);
     draw_vertices(mesh, view, 0, std::max(dot, 1.4), "#d1495b", svg);

@@ -25,7 +25,8 @@ void write_options(Json& json, const RunReport& run) {
     json.key("eps");
     options.eps > 0 ? json.value(options.eps) : json.null();
     json.key("method");
-    meshes ? json.value("svr") : json.null();
+    meshes ? json.value(method_name(options.method)) : json.null();
+    json.entry("finish", options.finish);
     json.key("filter");
     persists&& run.engine ? json.value(filter_name(run.engine->filter)) : json.null();
     json.key("values");
@@ -87,6 +88,11 @@ void write_mesh(Json& json, const RunReport& run) {
         json.open('[');
         for (std::uint32_t k = 0; k <= engine.dim; k++) json.value(engine.domain[k]);
         json.close(']');
+        if (engine.method == NETMESH_METHOD_NETMESH) {
+            json.entry("cages", engine.cages);
+            json.entry("cages_made", engine.cages_made);
+            json.entry("touches", engine.touches);
+        }
     } else {
         json.null_entry("aspect_ratio_max");
         json.null_entry("tau");

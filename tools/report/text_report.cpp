@@ -24,6 +24,9 @@ std::string mesh_lines(const netmesh_report& engine) {
                 " on the boundary)";
     }
     text += ", " + counted(engine.cells, "cell", "cells") + "\n";
+    if (engine.cages > 0) {
+        text += "cages    " + grouped_text(engine.cages) + " kept of " + grouped_text(engine.cages_made) + " made\n";
+    }
     if (engine.is_mesh != 0) {
         text += "quality  aspect ratio at most " + rounded_text(engine.aspect_ratio_max, 5) + " (tau " +
                 rounded_text(engine.tau, 5) + ")\n";

@@ -189,6 +189,38 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(folder.run("check m.node --quiet").exit == 0);
 }
 
+TEST_CASE("mesh --method netmesh: cages written, drawn and checked from the files, tampering found") {
+    const Folder folder;
+    folder.write("p.txt", "0 0\n1 0\n-1e-3 1e-3\n1e-6 1e-6\n0 -1e-9\n1e-12 0\n");
+    const Result result = folder.run("mesh p.txt -o m.node --method netmesh --check --json --svg m.svg");
+    CHECK(result.exit == 0);
+    CHECK(text_in(result.out, "method") == "netmesh");
+    CHECK(number_in(result.out, "cages") == 4);
+    CHECK(number_in(result.out, "aspect_ratio_max") <= 2.5);
+    Result check = folder.run("check m.node --points p.txt");
+    CHECK(check.exit == 0);
+    CHECK(check.out.find("4 cages") != std::string::npos);
+    CHECK(folder.read("m.svg").find("#6a4c93") != std::string::npos);
+    CHECK(folder.run("mesh p.txt -o m.vtu --method netmesh --quiet").exit == 0);
+    CHECK(folder.read("m.vtu").find("Name=\"domain\"") != std::string::npos);
+    CHECK(folder.read("m.vtu").find("Name=\"aspect_ratio\"") != std::string::npos);
+
+    const std::string nodes = folder.read("m.node");
+    const std::size_t line = nodes.find("# cage "), end = nodes.find('\n', line);
+    folder.write("m.node", nodes.substr(0, line) + nodes.substr(end + 1));
+    CHECK(folder.run("check m.node").exit == 7);
+    const std::size_t radius = nodes.find(' ', line + 7);
+    folder.write("m.node", nodes.substr(0, radius) + " 0.3" + nodes.substr(end));
+    CHECK(folder.run("check m.node").exit == 7);
+    folder.write("m.node", nodes.substr(0, line) + "# cage 99999 1" + nodes.substr(end));
+    CHECK(folder.run("check m.node").exit == 3);
+    CHECK(folder.run("mesh p.txt -o f.node --method netmesh --finish --quiet").exit == 0);
+    CHECK(folder.read("f.node").find("# cage") == std::string::npos);
+    CHECK(folder.run("check f.node --points p.txt").exit == 0);
+    CHECK(folder.run("mesh p.txt -o r.node --method refine --quiet").exit == 0);
+    CHECK(folder.run("check r.node --points p.txt").exit == 0);
+}
+
 TEST_CASE("persist: diagrams that are checked, tampering found") {
     const Folder folder;
     CHECK(folder.run("sample annulus -n 80 -o p.csv").exit == 0);

@@ -74,6 +74,30 @@ TEST_CASE("node of a mesh: domain, tau and filter values") {
     CHECK(node.first_id == 0);
 }
 
+TEST_CASE("cages in a node file and in fields of a vtu") {
+    Square square;
+    square.domain[2] = 1;
+    square.tau = 3;
+    square.cages = {{2, NETMESH_NONE, 0.125}, {1, 0, 1e-3}};
+    const std::string text = text_of(write_node, square);
+    CHECK(text.find("# tau 3\n# cage 2 0.125\n# cage 1 0.001\n4 2 0 1\n") != std::string::npos);
+    NodeFile node;
+    REQUIRE(parse_node(text, &node).good());
+    REQUIRE(node.cages.size() == 2);
+    CHECK(node.cages[0].centre == 2);
+    CHECK(node.cages[1].radius == 1e-3);
+    for (const char* remark : {"# cage 1", "# cage 9 1", "# cage 1 0", "# cage -1 1", "# cage 0.5 1", "# cage x 1"}) {
+        NodeFile other;
+        const Outcome outcome = parse_node("# domain 0 0 1\n" + std::string(remark) + "\n1 2 0 1\n0 0 0 0\n", &other);
+        CHECK(outcome.exit == Exit::data);
+    }
+    square.ratios = {2.5, 1.5, 0, 2};
+    square.domains = {NETMESH_NONE, 1, 0, 1};
+    const std::string vtu = text_of(write_vtu, square);
+    CHECK(vtu.find("\n2.5\n1.5\n0\n2\n") != std::string::npos);
+    CHECK(vtu.find("\n-1\n1\n0\n1\n") != std::string::npos);
+}
+
 TEST_CASE("off and vtu") {
     const Square square;
     CHECK(text_of(write_off, square) == "nOFF\n2\n4 2 0\n0 0\n1 0\n1 0.1\n0 1e-17\n3 0 1 2\n3 0 2 3\n");

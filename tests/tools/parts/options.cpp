@@ -98,7 +98,10 @@ TEST_CASE("numbers out of range name their argument") {
 
 TEST_CASE("methods, filters and values that this version has not") {
     good({"mesh", "p", "--method", "svr"});
-    CHECK(names(fault({"mesh", "p", "--method", "netmesh"}), "svr only"));
+    good({"mesh", "p", "--method", "refine"});
+    good({"mesh", "p", "--method", "netmesh", "--finish"});
+    CHECK(names(fault({"mesh", "p", "--finish"}), "--finish goes with --method netmesh"));
+    CHECK(names(fault({"persist", "p", "--method", "netmesh"}), "--finish"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
     for (const char* filter : {"frob", "cechs"}) {
         CHECK(names(fault({"persist", "p", "--filter", filter}), "complete, basic, alpha"));

@@ -1,0 +1,70 @@
+// Cages and the hierarchy of domains that they bound (thesis 4.5).
+//
+// A cage is a ball about an input, its centre, that has room on both sides. With e = cage_epsilon and r its radius:
+//
+//   distance from the centre   0 ......... e r ............ r ................... 2 r / e .....
+//                              | the inputs | no input, shell | no vertex, no input | outside |
+//
+// (Shells of other cages may reach in, and the shell of a cage that has been released stays where it is.)
+//
+// The shell is a net on the sphere of radius shell_factor * r: the 2 D corners of a cross-polytope, whose covering radius
+// sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. A smaller e
+// asks for wider gaps. A domain is a ball without the balls of the cages directly inside it; the outermost domain is the mesh's
+// own ball, domain.hpp. The cells inside a cage keep their quality clipped to the ball of radius e r, as those of the
+// outermost domain do clipped to its ball; the cells of a cage's vertices together make up one cell of the domain around
+// it, which keeps its quality too.
+#pragma once
+#include <cstdint>
+
+#include "delaunay/store.hpp"
+#include "mesh/distance.hpp"
+#include "mesh/domain.hpp"
+
+namespace netmesh {
+
+constexpr double cage_epsilon = 1.0 / 2;
+// No vertex but the shell's lies between 1 and this many radii from the centre: 2 / e.
+constexpr double cage_clearance = 2 / cage_epsilon;
+constexpr double shell_factor = 0.9;
+template <int D> constexpr std::uint32_t shell_size = 2 * D;
+// Shell vertices are moved by at most this times the radius of their sphere in each coordinate.
+constexpr double shell_jitter = 0x1p-5;
+
+// Domains are named by the index of their cage, the outermost one by `none`.
+struct Cage {
+    std::uint32_t centre;  // an input
+    std::uint32_t parent;  // the domain around it
+    std::uint32_t shell;   // first of its 2 D shell vertices; none when released
+    std::uint32_t next;    // scratch of whoever walks over cages
+    double radius;
+    double nearest2;       // squared distance from the centre to the nearest vertex outside: f_M of the cage, squared
+};
+
+template <int D> inline bool is_inside(const Store<D>& store, const Cage& cage, const double* x) {
+    return distance2<D>(x, store.point(cage.centre)) < cage.radius * cage.radius;
+}
+
+// In-radius of the cell of a cage (thesis 4.6): half of the way to the nearest vertex outside, measured from the shell.
+template <int D> inline double in_radius(const Cage& cage) {
+    return 0.5 * (square_root(cage.nearest2) + shell_factor * (1 - 2 * shell_jitter) * cage.radius);
+}
+
+// The ball that the cells of a domain's vertices are clipped to.
+template <int D>
+inline Domain<D> domain_ball(const Store<D>& store, const Cage* cages, std::uint32_t domain, const Domain<D>& outermost) {
+    if (domain == none) return outermost;
+    Domain<D> ball;
+    for (int k = 0; k < D; ++k) ball.centre[k] = store.point(cages[domain].centre)[k];
+    ball.radius = ball.enclosing_radius = cage_epsilon * cages[domain].radius;
+    return ball;
+}
+
+// Does cell c have vertices inside and outside of the cage? Infinity is outside.
+template <int D> inline bool is_on_boundary(const Store<D>& store, const Cage& cage, std::uint32_t c) {
+    bool inside = false, outside = false;
+    for (const std::uint32_t v : store.cell(c).vertex)
+        (v != none && is_inside<D>(store, cage, store.point(v)) ? inside : outside) = true;
+    return inside && outside;
+}
+
+}  // namespace netmesh

@@ -1,0 +1,45 @@
+// Corners of Voronoi cells clipped to a ball: what refinement inserts.
+#pragma once
+#include <cstdint>
+
+#include "mesh/distance.hpp"
+#include "mesh/domain.hpp"
+
+namespace netmesh {
+
+// The farthest corner seen so far.
+template <int D> struct Corner {
+    double x[D] = {};
+    double distance2 = -1;  // from the vertex; negative: none yet
+    std::uint32_t cell = none;
+
+    void offer(const double* at, double d2, std::uint32_t from) {
+        if (!(d2 > distance2)) return;
+        distance2 = d2;
+        cell = from;
+        for (int k = 0; k < D; ++k) x[k] = at[k];
+    }
+};
+
+// Offers where edges of v's cell that end in corner c, which is outside the ball, cross its sphere. Crossings that
+// cannot be farther than least2 (squared) are left out.
+template <int D>
+void offer_crossings(const Store<D>& store, const Domain<D>& ball, std::uint32_t v, std::uint32_t c, double least2,
+                     Corner<D>* corner) {
+    const Cell<D>& cell = store.cell(c);
+    for (int i = 0; i <= D; ++i) {
+        if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
+        const std::uint32_t n = cell.neighbour[i] >> 3;
+        const Cell<D>& other = store.cell(n);
+        if (!(other.radius2 < infinity)) continue;
+        // A crossing is no farther from v than the farther end.
+        const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
+        if (!(bound2 > corner->distance2) || !(bound2 * (1 + 0x1p-20) > least2)) continue;
+        if (n < c && !ball.contains(other.centre)) continue;  // seen from the other end
+        double z[2][D];
+        const int crossings = sphere_crossings<D>(ball, cell.centre, other.centre, z);
+        for (int j = 0; j < crossings; ++j) corner->offer(z[j], distance2<D>(z[j], store.point(v)), c);
+    }
+}
+
+}  // namespace netmesh

@@ -1,0 +1,74 @@
+// Which domain a vertex is in while a hierarchical mesh grows.
+#pragma once
+#include <cstdint>
+
+#include "mesh/cage.hpp"
+
+namespace netmesh {
+
+// Nothing but inputs remembers its domain: that of any other vertex is found from its nearest input, whose domains
+// from the innermost outwards contain it from some one on.
+template <int D> class Hierarchy {
+public:
+    // For meshes of up to `inputs` inputs, at the arena's low end: 36 bytes each, the cages first. out_of_memory.
+    Status open(const Store<D>& store, Arena& arena, std::uint32_t inputs) {
+        store_ = &store;
+        cages_ = arena.take_low<Cage>(inputs);
+        domain_ = arena.take_low<std::uint32_t>(inputs);
+        if (cages_ == nullptr || domain_ == nullptr) return Status::out_of_memory;
+        for (std::uint32_t v = 0; v < inputs; ++v) domain_[v] = none;
+        return Status::ok;
+    }
+
+    Cage& cage(std::uint32_t d) { return cages_[d]; }
+    Cage* cages() { return cages_; }
+    std::uint32_t made() const { return made_; }
+    std::uint32_t live() const { return live_; }
+    bool is_live(std::uint32_t d) const { return cages_[d].shell != none; }
+
+    // Each cage is made for the insertion of an input, so there is room for all.
+    std::uint32_t make(std::uint32_t centre, double radius, double nearest2, std::uint32_t parent, std::uint32_t shell) {
+        cages_[made_] = {centre, parent, shell, none, radius, nearest2};
+        ++live_;
+        return made_++;
+    }
+    void release(std::uint32_t d) {
+        cages_[d].shell = none;
+        --live_;
+    }
+
+    // The domain around domain d, and d itself or what has taken its place.
+    std::uint32_t parent(std::uint32_t d) { return cages_[d].parent = present(cages_[d].parent); }
+    std::uint32_t present(std::uint32_t d) const {
+        while (d != none && !is_live(d)) d = cages_[d].parent;
+        return d;
+    }
+    bool contains(std::uint32_t d, const double* x) const { return d == none || is_inside<D>(*store_, cages_[d], x); }
+
+    // The domain of an inserted vertex.
+    std::uint32_t of(std::uint32_t v) {
+        if (live_ == 0) return none;
+        const Vertex<D>& vertex = store_->vertex(v);
+        std::uint32_t& near = domain_[vertex.marker == Marker::input ? v : vertex.origin];
+        std::uint32_t d = near = present(near);
+        while (!contains(d, vertex.x)) d = parent(d);
+        return d;
+    }
+    // That of an input, inserted or not, as far as it is known.
+    std::uint32_t of_input(std::uint32_t input) const { return present(domain_[input]); }
+    void set(std::uint32_t input, std::uint32_t d) { domain_[input] = d; }
+    // Vertex in domain d has this nearest input: an input not inserted yet takes the innermost such domain for its own.
+    void hint(std::uint32_t input, std::uint32_t d) {
+        if (store_->vertex(input).cell != none) return;
+        const std::uint32_t e = domain_[input] = present(domain_[input]);
+        if (e == none || (d != none && cages_[d].radius < cages_[e].radius)) domain_[input] = d;
+    }
+
+private:
+    const Store<D>* store_;
+    Cage* cages_;
+    std::uint32_t* domain_;  // of each input; of one not inserted yet the innermost known
+    std::uint32_t made_ = 0, live_ = 0;
+};
+
+}  // namespace netmesh

@@ -1,0 +1,291 @@
+#include "mesh/hierarchy_quality.hpp"
+
+#include "delaunay/sphere.hpp"
+#include "memory/sort.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> class Measurement {
+public:
+    Measurement(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena)
+        : store_(store), cages_(cages), count_(count), outermost_(outermost), arena_(arena) {}
+
+    Status open();
+    CheckResult find_domains();
+    CheckResult find_shells();
+    CheckResult find_encroached();
+    void measure_cells();
+    void worst(HierarchyQuality* quality) const;
+    void copy(double* ratios, std::uint32_t* domains) const;
+
+private:
+    template <class Visit> void visit_ball(std::uint32_t centre, double radius, Visit&& visit);
+    bool corner(std::uint32_t c, Cell<D>* scratch) const;
+    double ratio(std::uint32_t v) const {
+        const bool counts = store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt;
+        return counts ? 2 * square_root(out2_[v] / nearest2_[v]) : 0;
+    }
+    void raise_vertices(std::uint32_t c, const Cell<D>& corner);
+    void raise_cages(std::uint32_t c, const Cell<D>& corner);
+    template <class Offer> void clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& corner, Offer&& offer) const;
+
+    Store<D>& store_;
+    Cage* cages_;
+    std::uint32_t count_;
+    const Domain<D>& outermost_;
+    Arena& arena_;
+    std::uint32_t *order_, *domain_, *list_, *mark_;
+    std::uint32_t stamp_ = 0;
+    double *nearest2_, *out2_, *cage_out2_;
+};
+
+template <int D> Status Measurement<D>::open() {
+    const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
+    order_ = arena_.template take_low<std::uint32_t>(count_);
+    cage_out2_ = arena_.template take_low<double>(count_);
+    domain_ = arena_.template take_low<std::uint32_t>(vertices);
+    nearest2_ = arena_.template take_low<double>(vertices);
+    out2_ = arena_.template take_low<double>(vertices);
+    list_ = arena_.template take_low<std::uint32_t>(cells);
+    mark_ = arena_.template take_low<std::uint32_t>(cells);
+    if (order_ == nullptr || cage_out2_ == nullptr || domain_ == nullptr || nearest2_ == nullptr || out2_ == nullptr ||
+        list_ == nullptr || mark_ == nullptr)
+        return Status::out_of_memory;
+    for (std::uint32_t c = 0; c < cells; ++c) mark_[c] = 0;
+    return Status::ok;
+}
+
+// Calls visit(vertex, squared distance) for each vertex within the ball, perhaps several times: any vertex has a Delaunay
+// neighbour nearer to the centre, so the cells at vertices of a ball are connected.
+template <int D>
+template <class Visit>
+void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& visit) {
+    const double* const x = store_.point(centre);
+    ++stamp_;
+    std::uint32_t count = 0;
+    list_[count++] = store_.vertex(centre).cell;
+    mark_[list_[0]] = stamp_;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const Cell<D>& cell = store_.cell(list_[k]);
+        unsigned inside = 0;
+        for (int i = 0; i <= D; ++i) {
+            const double d2 = distance2<D>(store_.point(cell.vertex[i]), x);
+            if (!(d2 < radius * radius)) continue;
+            inside |= 1u << i;
+            visit(cell.vertex[i], d2);
+        }
+        for (int i = 0; i <= D; ++i) {
+            // The neighbour has all vertices of the cell but the i-th.
+            if ((inside & ~(1u << i)) == 0 || cell.neighbour[i] == none) continue;
+            const std::uint32_t n = cell.neighbour[i] >> 3;
+            if (mark_[n] == stamp_) continue;
+            mark_[n] = stamp_;
+            list_[count++] = n;
+        }
+    }
+}
+
+// From the largest cage to the smallest: each takes its vertices from the one around it.
+template <int D> CheckResult Measurement<D>::find_domains() {
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) domain_[v] = none;
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        order_[d] = d;
+        const Cage& cage = cages_[d];
+        if (cage.centre >= store_.state.vertex_count || store_.vertex(cage.centre).marker != Marker::input ||
+            store_.vertex(cage.centre).cell == none || !(cage.radius > 0 && cage.radius < infinity))
+            return {"a cage's centre is not an input, or its radius not positive", cage.centre};
+    }
+    sort(order_, count_, [&](std::uint32_t a, std::uint32_t b) {
+        return cages_[a].radius > cages_[b].radius || (cages_[a].radius == cages_[b].radius && a < b);
+    });
+    for (std::uint32_t k = 0; k < count_; ++k) {
+        const std::uint32_t d = order_[k];
+        Cage& cage = cages_[d];
+        cage.parent = domain_[cage.centre];
+        if (cage.parent != none) {
+            const Cage& around = cages_[cage.parent];
+            const double offset = square_root(distance2<D>(store_.point(cage.centre), store_.point(around.centre)));
+            if (!(offset + cage.radius <= around.radius)) return {"a cage sticks out of the one around it", cage.centre};
+        }
+        visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double) { domain_[v] = d; });
+    }
+    return {nullptr, none};
+}
+
+// Exempt vertices of a cage's domain are its shell: near its sphere, and as many as a cross-polytope has.
+template <int D> CheckResult Measurement<D>::find_shells() {
+    for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
+        Cage& cage = cages_[domain_[v]];
+        const double least = shell_factor * (1 - 2 * shell_jitter) * cage.radius;
+        if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least) ++cage.next;
+    }
+    CheckResult result = {nullptr, none};
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        if (cages_[d].next != shell_size<D>) result = {"a cage lacks its shell", cages_[d].centre};
+        cages_[d].next = none;
+    }
+    return result;
+}
+
+template <int D> CheckResult Measurement<D>::find_encroached() {
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        Cage& cage = cages_[d];
+        const double r2 = cage.radius * cage.radius, e2 = cage_epsilon * cage_epsilon * r2;
+        bool inner = false, outer = false;
+        visit_ball(cage.centre, cage_clearance * cage.radius, [&](std::uint32_t v, double d2) {
+            const Marker marker = store_.vertex(v).marker;
+            if (d2 < r2)
+                inner |= marker == Marker::input && d2 > e2;
+            else
+                outer |= d2 > r2 && (marker != Marker::exempt || domain_[v] == none);
+        });
+        if (inner) return {"an input encroaches on a cage from inside", cage.centre};
+        if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};
+    }
+    return {nullptr, none};
+}
+
+// The corner of cell c, in centre and radius2; false when the cell is too flat for doubles to know it.
+template <int D> bool Measurement<D>::corner(std::uint32_t c, Cell<D>* scratch) const {
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store_.point(store_.cell(c).vertex[i]);
+    solve_sphere<D>(p, corner_error_max, *scratch);
+    return scratch->radius2 < infinity;
+}
+
+// offer(point, facet) for the corner of cell c, when the ball contains it (facet -1), or the crossings of its edges.
+template <int D>
+template <class Offer>
+void Measurement<D>::clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& here, Offer&& offer) const {
+    if (ball.contains(here.centre)) return offer(here.centre, -1);
+    for (int i = 0; i <= D; ++i) {
+        const std::uint32_t word = store_.cell(c).neighbour[i];
+        Cell<D> there;
+        if (word == none || !corner(word >> 3, &there)) continue;
+        double z[2][D];
+        const int crossings = sphere_crossings<D>(ball, here.centre, there.centre, z);
+        for (int j = 0; j < crossings; ++j) offer(z[j], i);
+    }
+}
+
+template <int D> void Measurement<D>::raise_vertices(std::uint32_t c, const Cell<D>& here) {
+    const Cell<D>& cell = store_.cell(c);
+    unsigned left = (2u << D) - 1;
+    for (int first = 0; first <= D; ++first) {
+        if ((left >> first & 1u) == 0) continue;
+        const std::uint32_t d = domain_[cell.vertex[first]];
+        unsigned equal = 0;
+        for (int i = first; i <= D; ++i)
+            if (domain_[cell.vertex[i]] == d) equal |= 1u << i;
+        left &= ~equal;
+        clip(domain_ball<D>(store_, cages_, d, outermost_), c, here, [&](const double* x, int facet) {
+            for (int i = 0; i <= D; ++i) {
+                if (i == facet || (equal >> i & 1u) == 0) continue;
+                const double d2 = distance2<D>(x, store_.point(cell.vertex[i]));
+                if (d2 > out2_[cell.vertex[i]]) out2_[cell.vertex[i]] = d2;
+            }
+        });
+    }
+}
+
+// The corner belongs to each cage that has some of the cell's vertices but not all.
+template <int D> void Measurement<D>::raise_cages(std::uint32_t c, const Cell<D>& here) {
+    const Cell<D>& cell = store_.cell(c);
+    for (int i = 0; i <= D; ++i)
+        for (std::uint32_t d = domain_[cell.vertex[i]]; d != none && is_on_boundary<D>(store_, cages_[d], c);
+             d = cages_[d].parent) {
+            const double* const centre = store_.point(cages_[d].centre);
+            for (const std::uint32_t v : cell.vertex)
+                if (!is_inside<D>(store_, cages_[d], store_.point(v))) {
+                    const double d2 = distance2<D>(store_.point(v), centre);
+                    if (d2 < cages_[d].nearest2) cages_[d].nearest2 = d2;
+                }
+            clip(domain_ball<D>(store_, cages_, cages_[d].parent, outermost_), c, here, [&](const double* x, int facet) {
+                if (facet >= 0 && !is_on_boundary<D>(store_, cages_[d], cell.neighbour[facet] >> 3)) return;
+                const double d2 = distance2<D>(x, centre);
+                if (d2 > cage_out2_[d]) cage_out2_[d] = d2;
+            });
+        }
+}
+
+template <int D> void Measurement<D>::measure_cells() {
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        nearest2_[v] = infinity;
+        out2_[v] = 0;
+    }
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        cages_[d].nearest2 = infinity;
+        cage_out2_[d] = 0;
+    }
+    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
+        const Cell<D>& cell = store_.cell(c);
+        bool equal = true;
+        for (int i = 0; i <= D; ++i) {
+            equal &= domain_[cell.vertex[i]] == domain_[cell.vertex[0]];
+            for (int j = 0; j < i; ++j) {
+                const double d2 = distance2<D>(store_.point(cell.vertex[i]), store_.point(cell.vertex[j]));
+                if (d2 < nearest2_[cell.vertex[i]]) nearest2_[cell.vertex[i]] = d2;
+                if (d2 < nearest2_[cell.vertex[j]]) nearest2_[cell.vertex[j]] = d2;
+            }
+        }
+        Cell<D> here;
+        if (!corner(c, &here)) continue;
+        raise_vertices(c, here);
+        if (!equal) raise_cages(c, here);
+    }
+}
+
+template <int D> void Measurement<D>::worst(HierarchyQuality* quality) const {
+    quality->worst = 0;
+    quality->vertex = none;
+    const auto offer = [&](double ratio, std::uint32_t v) {
+        if (!(ratio > quality->worst)) return;
+        quality->worst = ratio;
+        quality->vertex = v;
+    };
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) offer(ratio(v), v);
+    for (std::uint32_t d = 0; d < count_; ++d)
+        offer(square_root(cage_out2_[d]) / in_radius<D>(cages_[d]), cages_[d].centre);
+}
+
+template <int D> void Measurement<D>::copy(double* ratios, std::uint32_t* domains) const {
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        ratios[v] = ratio(v);
+        domains[v] = domain_[v];
+    }
+}
+
+}  // namespace
+
+template <int D>
+Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena,
+                         HierarchyQuality* quality, double* ratios, std::uint32_t* domains) {
+    ArenaScope scope(arena);
+    *quality = {0, none, false, {nullptr, none}};
+    Measurement<D> measurement(store, cages, count, outermost, arena);
+    if (measurement.open() != Status::ok) return Status::out_of_memory;
+    quality->encroached = measurement.find_domains();
+    if (quality->encroached.violation != nullptr) return Status::ok;
+    quality->is_hierarchy = true;
+    quality->encroached = measurement.find_shells();
+    if (quality->encroached.violation == nullptr) quality->encroached = measurement.find_encroached();
+    measurement.measure_cells();
+    measurement.worst(quality);
+    if (ratios != nullptr) measurement.copy(ratios, domains);
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                  \
+    template Status measure_hierarchy<D>(Store<D>&, Cage*, std::uint32_t, const Domain<D>&, Arena&, HierarchyQuality*, \
+                                         double*, std::uint32_t*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

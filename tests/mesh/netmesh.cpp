@@ -1,0 +1,229 @@
+#include "mesh/netmesh.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+#include "delaunay/check.hpp"
+#include "mesh/hierarchy_quality.hpp"
+#include "mesh/input_tree.hpp"
+#include "mesh/quality.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+template <int D> struct Hierarchical {
+    Hierarchical(const inputs::Points& points, double tau, bool finish = false, std::size_t bytes = std::size_t{1} << 25)
+        : block(bytes), store(block.arena, state) {
+        status = netmesh::netmesh<D>(store, points.data(), points.size() / D, {tau, 1, finish, 1}, monitor, &input,
+                                     &domain, &cages, &report);
+    }
+    HierarchyQuality quality() {
+        HierarchyQuality q;
+        REQUIRE(measure_hierarchy<D>(store, cages, report.cages, domain, block.arena, &q) == Status::ok);
+        return q;
+    }
+    const char* violation() const {
+        CheckResult r = check_combinatorial<D>(store);
+        if (r.violation == nullptr) r = check_geometric<D>(store);
+        if (r.violation == nullptr) r = check_delaunay<D>(store);
+        return r.violation;
+    }
+    double vertices_per_input() const { return double(state.vertex_count) / double(input.rows); }
+    Block block;
+    StoreState state = {};
+    Store<D> store;
+    Monitor monitor;
+    InputReport input;
+    Domain<D> domain = {};
+    Cage* cages;
+    HierarchyReport report;
+    Status status;
+};
+
+template <int D> std::uint32_t plain_size(const inputs::Points& points, double tau) {
+    Block block(std::size_t{1} << 25);
+    StoreState state = {};
+    Store<D> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    Domain<D> domain;
+    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, false, 1}, monitor, &input, &domain) == Status::ok);
+    return state.vertex_count;
+}
+
+template <int D> using Dimensions = std::integral_constant<int, D>;
+
+}  // namespace
+
+TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are Delaunay and of quality tau by definition 4.5", T, quality) {
+    constexpr int D = T::value;
+    constexpr std::size_t sizes[] = {0, 0, 400, 150, 40, 10, 5};
+    constexpr double taus[] = {0, 0, 2.2, 2.5, 3, 4, 4};
+    for (const inputs::Points& points :
+         {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D] / 2), inputs::nested(D, 5, sizes[D] / 5, 1e3),
+          inputs::geometric(D, 1e3, D < 5 ? 100 : 8), inputs::close_pairs(D, sizes[D] / 4, 1e-12),
+          inputs::grid(D, D < 4 ? 4 : 2)}) {
+        Hierarchical<D> m(points, taus[D]);
+        REQUIRE(m.status == Status::ok);
+        CHECK(m.violation() == nullptr);
+        const HierarchyQuality q = m.quality();
+        INFO(doctest::String(q.encroached.violation ? q.encroached.violation : ""), " ", q.encroached.cell, " n ", points.size());
+        CHECK(q.encroached.violation == nullptr);
+        if (points.size() > 8 * D) CHECK(q.worst > 1);
+        CHECK(q.worst <= taus[D]);
+        CHECK(m.report.cages == m.report.cages_made - m.report.cages_released);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            REQUIRE(m.store.vertex(static_cast<std::uint32_t>(i / D)).x[i % D] == points[i]);
+    }
+}
+TEST_CASE_TEMPLATE_INVOKE(quality, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+
+TEST_CASE_TEMPLATE_DEFINE("the size per input does not depend on gaps", T, gaps) {
+    constexpr int D = T::value;
+    double low = infinity, high = 0;
+    for (const double ratio : {1e2, 1e3, 1e4, 1e6, 1e9}) {
+        Hierarchical<D> m(inputs::geometric(D, ratio, 60), 3);
+        REQUIRE(m.status == Status::ok);
+        low = std::min(low, m.vertices_per_input());
+        high = std::max(high, m.vertices_per_input());
+    }
+    constexpr double most[] = {0, 0, 5, 7, 9};
+    CHECK(high <= most[D]);
+    CHECK(high < 1.2 * low);
+    CHECK(Hierarchical<D>(inputs::close_pairs(D, 50, 1e-12), 3).vertices_per_input() <= most[D]);
+}
+TEST_CASE_TEMPLATE_INVOKE(gaps, Dimensions<2>, Dimensions<3>, Dimensions<4>);
+
+TEST_CASE("without gaps a hierarchical mesh is no larger than a plain one") {
+    std::uint32_t hierarchical = 0, plain = 0;
+    for (const double ratio : {2.0, 4.0, 6.5})
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            const inputs::Points points = inputs::geometric(2, ratio, 50, seed);
+            Hierarchical<2> m(points, 3);
+            CHECK(m.report.cages_made == 0);
+            hierarchical += m.state.vertex_count;
+            plain += plain_size<2>(points, 3);
+        }
+    CHECK(hierarchical <= 1.05 * plain);
+    const inputs::Points points = inputs::uniform(3, 300);
+    CHECK(Hierarchical<3>(points, 3).state.vertex_count == plain_size<3>(points, 3));
+}
+
+TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than by direct refinement", T, finished) {
+    constexpr int D = T::value;
+    std::uint32_t hierarchical = 0, plain = 0;
+    for (const inputs::Points& points : {inputs::clusters(D, D == 2 ? 400 : 40), inputs::geometric(D, 1e3, 3),
+                                         inputs::nested(D, 4, 5, 1e2)}) {
+        Hierarchical<D> m(points, 3, true);
+        REQUIRE(m.status == Status::ok);
+        CHECK(m.report.cages == 0);
+        CHECK(m.report.cages_made > 0);
+        CHECK(m.violation() == nullptr);
+        double worst;
+        std::uint32_t v;
+        REQUIRE(recomputed_aspect_ratio<D>(m.store, m.domain, m.block.arena, &worst, &v) == Status::ok);
+        CHECK(worst <= 3);
+        hierarchical += m.state.vertex_count;
+        plain += plain_size<D>(points, 3);
+    }
+    CHECK(hierarchical <= 1.05 * plain);
+}
+TEST_CASE_TEMPLATE_INVOKE(finished, Dimensions<2>, Dimensions<3>);
+
+TEST_CASE("Steiner points release cages that have too little room, and the mesh is good without them") {
+    Hierarchical<2> m(inputs::uniform(2, 20000, 3), 2.3);
+    REQUIRE(m.status == Status::ok);
+    CHECK(m.report.cages_released > 0);
+    CHECK(m.report.cages > 0);
+    const HierarchyQuality q = m.quality();
+    CHECK(q.encroached.violation == nullptr);
+    CHECK(q.worst <= 2.3);
+}
+
+TEST_CASE("planted violations of hierarchical quality are found") {
+    Hierarchical<3> m(inputs::geometric(3, 1e3, 12), 3);
+    REQUIRE(m.report.cages == 11);
+    REQUIRE(m.quality().encroached.violation == nullptr);
+    SUBCASE("a cage that is too small for its inputs") {
+        m.cages[4].radius *= 0.9;
+        CHECK(m.quality().encroached.violation != nullptr);
+        CHECK(m.quality().encroached.cell == m.cages[4].centre);
+    }
+    SUBCASE("a cage without its clearance") {
+        m.cages[4].radius *= 1e3;
+        CHECK(m.quality().encroached.violation != nullptr);
+    }
+    SUBCASE("a missing cage") {
+        m.cages[4] = m.cages[--m.report.cages];
+        CHECK((m.quality().worst > 3 || m.quality().encroached.violation != nullptr));
+    }
+    SUBCASE("a centre that is no input") {
+        m.cages[4].centre = m.state.vertex_count - 1;
+        CHECK(m.quality().encroached.violation != nullptr);
+    }
+    SUBCASE("a shell vertex that is said to be an ordinary one") {
+        m.store.vertex(m.cages[4].shell).marker = Marker::steiner;
+        CHECK(m.quality().encroached.violation != nullptr);
+    }
+}
+
+TEST_CASE("parents and nearest distances of cages are those that the mesh implies") {
+    Hierarchical<2> m(inputs::nested(2, 6, 8, 1e3), 3);
+    REQUIRE(m.report.cages >= 5);
+    std::vector<Cage> made(m.cages, m.cages + m.report.cages);
+    m.quality();
+    for (std::uint32_t d = 0; d < m.report.cages; ++d) {
+        CHECK(m.cages[d].parent == made[d].parent);
+        CHECK(m.cages[d].nearest2 == doctest::Approx(made[d].nearest2).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("any arena size leaves a Delaunay mesh of what was inserted") {
+    const inputs::Points points = inputs::nested(2, 4, 8, 1e3);
+    std::uint32_t partial = 0, whole = 0;
+    for (std::size_t bytes = 0; bytes < 60000; bytes += 208) {
+        Hierarchical<2> m(points, 2.5, bytes % 416 == 0, bytes);
+        REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
+        if (m.state.cell_slots == 0) continue;
+        CHECK(m.violation() == nullptr);
+        ++(m.status == Status::ok ? whole : partial);
+    }
+    CHECK(partial > 20);
+    CHECK(whole > 20);
+}
+
+TEST_CASE("rings are searched as by brute force") {
+    const inputs::Points points = inputs::clusters(3, 500);
+    Block block(std::size_t{1} << 20);
+    StoreState state = {};
+    Store<3> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    std::uint32_t* order;
+    REQUIRE(take_input<3>(store, points.data(), 500, 1, monitor, &input, &order) == Status::ok);
+    InputTree<3> tree;
+    REQUIRE(tree.build(store, block.arena, 500, true) == Status::ok);
+    inputs::Random random(5);
+    int found = 0;
+    for (int trial = 0; trial < 500; ++trial) {
+        const double* const x = store.point(static_cast<std::uint32_t>(random.below(500)));
+        const double inner = std::ldexp(random.uniform(), -static_cast<int>(random.below(20))), outer = 3 * inner;
+        double best = -1, d2;
+        for (std::uint32_t v = 0; v < 500; ++v) {
+            const double d = distance2<3>(x, store.point(v));
+            if (d > inner * inner && d <= outer * outer) best = std::max(best, d);
+        }
+        const std::uint32_t v = tree.farthest_in_ring(x, inner, outer, &d2);
+        CHECK((v == none) == (best < 0));
+        if (v == none) continue;
+        CHECK(d2 == best);
+        CHECK(distance2<3>(x, store.point(v)) == best);
+        ++found;
+    }
+    CHECK(found > 100);
+}
