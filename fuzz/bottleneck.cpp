@@ -1,5 +1,5 @@
-// Diagrams to their bottleneck distance against the definition: all ways to match small diagrams, in both scales. The scratch
-// memory is allocated at the size that was asked for.
+// Diagrams to their bottleneck distance against the definition: all ways to match small diagrams, in both scales. The
+// scratch memory is allocated at the size that was asked for.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,8 +87,8 @@ netmesh_status distance(const Diagram& a, const Diagram& b, std::uint32_t degree
     void* const scratch = std::malloc(bytes);
     require(scratch != nullptr);
     const netmesh_status status =
-        netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), degree, log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN,
-                           scratch, bytes, nullptr, nullptr, result);
+        netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), degree,
+                           log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN, scratch, bytes, nullptr, nullptr, result);
     std::free(scratch);
     return status;
 }
@@ -117,17 +117,26 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(found.value == expected && found.exponent == 0);
     } else {  // the library's is rounded from the exact ratio, ours from one of 64 bits
         require(found.value >= 1 && found.value < 2);
-        require(std::fabs(std::ldexp(static_cast<Real>(found.value), found.exponent) - expected) <= expected * 0x1p-52L);
+        require(std::fabs(std::ldexp(static_cast<Real>(found.value), found.exponent) - expected) <=
+                expected * 0x1p-52L);
     }
 
     // What is no diagram is refused.
     if (!a.empty()) {
         netmesh_pair& p = a[tape.below(static_cast<std::uint32_t>(a.size()))];
         switch (tape.below(4)) {
-        case 0: p.birth = std::numeric_limits<double>::quiet_NaN(); break;
-        case 1: p.death = std::numeric_limits<double>::quiet_NaN(); break;
-        case 2: p.birth = std::numeric_limits<double>::infinity(); break;
-        default: p.death = std::nextafter(p.birth, -std::numeric_limits<double>::infinity()); break;
+        case 0:
+            p.birth = std::numeric_limits<double>::quiet_NaN();
+            break;
+        case 1:
+            p.death = std::numeric_limits<double>::quiet_NaN();
+            break;
+        case 2:
+            p.birth = std::numeric_limits<double>::infinity();
+            break;
+        default:
+            p.death = std::nextafter(p.birth, -std::numeric_limits<double>::infinity());
+            break;
         }
         require(distance(a, b, NETMESH_ALL_DEGREES, log, &found) == NETMESH_INVALID_ARGUMENT);
     }

@@ -1,5 +1,6 @@
-// Arbitrary filtrations through netmesh_homology against the textbook reduction: bytes to simplices of up to eight vertices,
-// with their faces, at values of a few levels (so ties are the rule), in any order of simplices and of their vertices.
+// Arbitrary filtrations through netmesh_homology against the textbook reduction: bytes to simplices of up to eight
+// vertices, with their faces, at values of a few levels (so ties are the rule), in any order of simplices and of their
+// vertices.
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -147,7 +148,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (std::size_t i = 0; i < expected.size(); ++i) {
         netmesh_pair pair;
         require(netmesh_get_pair(context, i, &pair) == NETMESH_OK);
-        require(pair.degree == expected[i].degree && pair.birth == expected[i].birth && pair.death == expected[i].death);
+        require(pair.degree == expected[i].degree && pair.birth == expected[i].birth &&
+                pair.death == expected[i].death);
         if (representatives != 0) check_cycle(context, i, pair);
     }
     netmesh_pair none;

@@ -1,6 +1,7 @@
-// Bytes to points to triangulation, mesh and diagram. The first byte chooses the dimension and the size of the block, each
-// following byte a coordinate: mostly from a few values, their neighbours in the last place and tiny powers of two, so
-// that degenerate input is the rule. Whatever comes out must be a known status, and what is held must pass the checkers.
+// Bytes to points to triangulation, mesh and diagram. The first byte chooses the dimension and the size of the block,
+// each following byte a coordinate: mostly from a few values, their neighbours in the last place and tiny powers of
+// two, so that degenerate input is the rule. Whatever comes out must be a known status, and what is held must pass the
+// checkers.
 #include <cstdlib>
 #include <vector>
 
