@@ -274,6 +274,7 @@ private:
         std::vector<std::uint32_t> order(r.inputs);
         std::vector<double> theta(r.inputs);
         const netmesh_status status = ended(netmesh_well_paced_order(context_, order.data(), theta.data()));
+        require(status != NETMESH_OK || r.cells != 0);
         if (status != NETMESH_OK) return;
         if (tape_.byte() & 1) order[0] = tape_.byte();
         ended(netmesh_pace(context_, order.data(), theta.data()));
