@@ -1,35 +1,15 @@
-// Bytes to points to triangulation, mesh and diagram. The first byte chooses the dimension and the size of the block, each
-// following byte a coordinate: mostly from a few values, their neighbours in the last place and tiny powers of two, so
-// that degenerate input is the rule. Whatever comes out must be a known status, and what is held must pass the checkers.
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
+// Bytes to points to triangulation, mesh and diagram. The first byte chooses the dimension and the size of the block,
+// each following byte a coordinate: mostly from a few values, their neighbours in the last place and tiny powers of
+// two, so that degenerate input is the rule. Whatever comes out must be a known status, and what is held must pass the
+// checkers.
 #include <cstdlib>
 #include <vector>
 
+#include "fuzz/decoder.hpp"
 #include "netmesh.h"
 
-namespace {
-
-double coordinate(std::uint8_t byte) {
-    const double grid = static_cast<double>(byte & 7) - 3;
-    switch (byte >> 5) {
-    case 0:
-    case 1:
-    case 2: return grid;
-    case 3: return grid * 0.1;
-    case 4: return std::nextafter(grid, 10);
-    case 5: return std::ldexp(1.0, -8 * (byte & 31));
-    case 6: return std::ldexp(grid, byte & 24);
-    default: return std::ldexp(1.0 + (byte & 31), 900 * (byte & 1) - 450);
-    }
-}
-
-void require(bool good) {
-    if (!good) std::abort();
-}
-
-}  // namespace
+using fuzz::coordinate;
+using fuzz::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 3) return 0;

@@ -1,10 +1,13 @@
-// Runs a fuzz target without a fuzzer: on the files named, or on COUNT random inputs from SEED (replay --random COUNT SEED).
+// Runs a fuzz target without a fuzzer: on the files named and those in the folders named, or on COUNT random inputs
+// from SEED (replay --random COUNT SEED).
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -18,7 +21,8 @@ int main(int argc, char** argv) {
             return static_cast<std::uint8_t>(state >> 56);
         };
         for (long i = 0; i < count; ++i) {
-            std::vector<std::uint8_t> input(3 + next() % 96u);
+            const std::size_t pieces = 1 + next() % 4u;
+            std::vector<std::uint8_t> input(3 + next() % 96u * pieces);
             const std::uint8_t mask = next();  // few different bytes make degenerate sets
             for (std::uint8_t& byte : input) byte = next() & mask;
             input[0] = next();
@@ -27,15 +31,28 @@ int main(int argc, char** argv) {
         std::printf("%ld random inputs\n", count);
         return 0;
     }
+    std::vector<std::string> names;
     for (int i = 1; i < argc; ++i) {
-        std::ifstream file(argv[i], std::ios::binary);
+        if (std::filesystem::is_directory(argv[i])) {
+            for (const auto& entry : std::filesystem::directory_iterator(argv[i])) names.push_back(entry.path());
+        } else {
+            names.push_back(argv[i]);
+        }
+    }
+    for (const std::string& name : names) {
+        std::ifstream file(name, std::ios::binary);
         if (!file) {
-            std::fprintf(stderr, "%s cannot be read\n", argv[i]);
+            std::fprintf(stderr, "%s cannot be read\n", name.c_str());
             return 1;
         }
-        const std::vector<char> input((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-        LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+        const std::vector<char> content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+        const std::vector<std::uint8_t> input(content.begin(), content.end());
+        LLVMFuzzerTestOneInput(input.data(), input.size());
     }
-    std::printf("%d files\n", argc - 1);
+    if (names.empty()) {
+        std::fprintf(stderr, "no input\n");
+        return 1;
+    }
+    std::printf("%zu files\n", names.size());
     return 0;
 }

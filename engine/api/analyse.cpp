@@ -145,7 +145,8 @@ netmesh_status netmesh_analyse(netmesh_context* context, uint32_t what, double t
     if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 4);
     if (analysis == nullptr || analysis->struct_bytes != sizeof(netmesh_analysis))
         return finish(context, Status::invalid_argument, "analysis is null or its size is not set", 5);
-    if (context->dim == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->dim == 0 || context->store.cell_slots == 0)
+        return finish(context, Status::no_result, "there is no triangulation or mesh");
     if ((what & NETMESH_ANALYSE_SIZE) != 0 && !context->is_mesh)
         return finish(context, Status::no_result, "the size analysis needs a mesh");
     *analysis = netmesh_analysis{};
@@ -161,7 +162,8 @@ netmesh_status netmesh_analyse(netmesh_context* context, uint32_t what, double t
 netmesh_status netmesh_well_paced_order(netmesh_context* context, uint32_t* order, double* theta) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (order == nullptr) return finish(context, Status::invalid_argument, "order is null", 2);
-    if (context->dim == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->dim == 0 || context->store.cell_slots == 0)
+        return finish(context, Status::no_result, "there is no triangulation or mesh");
     const Status status = with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         ArenaScope scope(context->arena);
@@ -180,7 +182,8 @@ netmesh_status netmesh_pace(netmesh_context* context, const uint32_t* order, dou
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (order == nullptr) return finish(context, Status::invalid_argument, "order is null", 2);
     if (theta == nullptr) return finish(context, Status::invalid_argument, "theta is null", 3);
-    if (context->dim == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->dim == 0 || context->store.cell_slots == 0)
+        return finish(context, Status::no_result, "there is no triangulation or mesh");
     const Status status = with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         ArenaScope scope(context->arena);

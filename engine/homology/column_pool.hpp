@@ -28,7 +28,7 @@ public:
     }
 
     const std::uint32_t* rows(const SparseColumn& column) const {
-        return column.length == 1 ? &column.where : block(column.where);
+        return column.length <= 1 ? &column.where : block(column.where);
     }
     bool has(const SparseColumn& column, std::uint32_t row) const {
         if (column.length <= 1) return column.length == 1 && column.where == row;

@@ -63,7 +63,7 @@ Complaint parse_numbers(std::string_view line, std::vector<double>* values) {
     values->clear();
     const char* at = line.data();
     const char* const end = at + line.size();
-    bool after_comma = false;
+    char comma = 0;  // behind the last number
     for (;;) {
         while (at != end && is_blank(*at)) ++at;
         if (at == end) break;
@@ -77,10 +77,9 @@ Complaint parse_numbers(std::string_view line, std::vector<double>* values) {
         if (kind == NumberKind::not_finite) return not_finite(word);
         values->push_back(value);
         while (at != end && is_blank(*at)) ++at;
-        after_comma = at != end && is_comma(*at);
-        if (after_comma) ++at;
+        comma = at != end && is_comma(*at) ? *at++ : char{0};
     }
-    if (after_comma) return std::string("nothing after the last '") + line.back() + "'";
+    if (comma != 0) return std::string("nothing after the last '") + comma + "'";
     return {};
 }
 

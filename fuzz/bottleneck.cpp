@@ -1,0 +1,144 @@
+// Diagrams to their bottleneck distance against the definition: all ways to match small diagrams, in both scales. The
+// scratch memory is allocated at the size that was asked for.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "fuzz/decoder.hpp"
+#include "netmesh.h"
+
+namespace {
+
+using fuzz::require;
+using Diagram = std::vector<netmesh_pair>;
+using Real = long double;  // ratios of any two doubles have to fit
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+// Distances in PLAIN scale, ratios in LOG scale.
+struct Scale {
+    bool log;
+
+    Real least() const { return log ? 1 : 0; }
+    Real between(double x, double y) const {
+        if (x == y) return least();
+        if (!log) return std::fabs(x - y);
+        const double small = std::min(x, y);
+        return small == 0 ? infinity : static_cast<Real>(std::max(x, y)) / small;
+    }
+    Real to_diagonal(const netmesh_pair& p) const {
+        if (p.birth == p.death) return least();
+        if (log) return p.birth == 0 ? infinity : std::sqrt(static_cast<Real>(p.death) / p.birth);
+        const double length = p.death - p.birth;
+        return std::isfinite(length) ? length / 2 : p.death / 2 - p.birth / 2;
+    }
+    Real cost(const netmesh_pair& p, const netmesh_pair& q) const {
+        return std::max(between(p.birth, q.birth), between(p.death, q.death));
+    }
+};
+
+// Bars of `a` and of the diagonal to bars of `b` and of the diagonal, in every way.
+Real least_over_matchings(const Diagram& a, const Diagram& b, Scale scale, bool with_diagonal) {
+    if (!with_diagonal && a.size() != b.size()) return infinity;
+    std::vector<std::size_t> order(with_diagonal ? a.size() + b.size() : a.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    Real best = infinity;
+    do {
+        Real worst = scale.least();
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const bool left = i < a.size(), right = order[i] < b.size();
+            if (left && right) worst = std::max(worst, scale.cost(a[i], b[order[i]]));
+            if (left && !right) worst = std::max(worst, scale.to_diagonal(a[i]));
+            if (!left && right) worst = std::max(worst, scale.to_diagonal(b[order[i]]));
+        }
+        best = std::min(best, worst);
+    } while (std::next_permutation(order.begin(), order.end()));
+    return best;
+}
+
+Diagram part(const Diagram& all, std::uint32_t degree, bool essential) {
+    Diagram result;
+    for (const netmesh_pair& p : all)
+        if (p.degree == degree && std::isinf(p.death) == essential) result.push_back(p);
+    return result;
+}
+
+Diagram decode_diagram(fuzz::Tape& tape, bool log) {
+    Diagram result;
+    const std::uint32_t count = tape.below(4);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint8_t how = tape.byte();
+        netmesh_pair p = {how & 1u, fuzz::coordinate(tape.byte()), fuzz::coordinate(tape.byte())};
+        if (how % 8 == 7) {  // neighbours in the last place, of few values
+            p.birth = 1 + std::ldexp(how >> 4, -52);
+            p.death = p.birth * (1 + (how & 16));
+        }
+        if (log) p.birth = std::fabs(p.birth), p.death = std::fabs(p.death);
+        if (p.death < p.birth) std::swap(p.birth, p.death);
+        if (how >> 5 == 7) p.death = std::numeric_limits<double>::infinity();
+        result.push_back(p);
+    }
+    return Diagram(result);
+}
+
+netmesh_status distance(const Diagram& a, const Diagram& b, std::uint32_t degree, bool log, netmesh_distance* result) {
+    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
+    void* const scratch = std::malloc(bytes);
+    require(scratch != nullptr);
+    const netmesh_status status =
+        netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), degree,
+                           log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN, scratch, bytes, nullptr, nullptr, result);
+    std::free(scratch);
+    return status;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    fuzz::Tape tape(data, size);
+    const bool log = (tape.byte() & 1) != 0;
+    const std::uint32_t choice = tape.below(4), degree = choice < 2 ? choice : NETMESH_ALL_DEGREES;
+    Diagram a = decode_diagram(tape, log);
+    const Diagram b = decode_diagram(tape, log);
+
+    netmesh_distance found = {-1, -1}, turned = {-1, -1};
+    require(distance(a, b, degree, log, &found) == NETMESH_OK);
+    require(distance(b, a, degree, log, &turned) == NETMESH_OK);
+    require(found.value == turned.value && found.exponent == turned.exponent);
+    const Scale scale = {log};
+    Real expected = scale.least();
+    for (std::uint32_t k = 0; k < 2; ++k) {
+        if (degree != NETMESH_ALL_DEGREES && degree != k) continue;
+        expected = std::max(expected, least_over_matchings(part(a, k, false), part(b, k, false), scale, true));
+        expected = std::max(expected, least_over_matchings(part(a, k, true), part(b, k, true), scale, false));
+    }
+    if (!log || std::isinf(expected)) {
+        require(found.value == expected && found.exponent == 0);
+    } else {  // the library's is rounded from the exact ratio, ours from one of 64 bits
+        require(found.value >= 1 && found.value < 2);
+        require(std::fabs(std::ldexp(static_cast<Real>(found.value), found.exponent) - expected) <=
+                expected * 0x1p-52L);
+    }
+
+    // What is no diagram is refused.
+    if (!a.empty()) {
+        netmesh_pair& p = a[tape.below(static_cast<std::uint32_t>(a.size()))];
+        switch (tape.below(4)) {
+        case 0:
+            p.birth = std::numeric_limits<double>::quiet_NaN();
+            break;
+        case 1:
+            p.death = std::numeric_limits<double>::quiet_NaN();
+            break;
+        case 2:
+            p.birth = std::numeric_limits<double>::infinity();
+            break;
+        default:
+            p.death = std::nextafter(p.birth, -std::numeric_limits<double>::infinity());
+            break;
+        }
+        require(distance(a, b, NETMESH_ALL_DEGREES, log, &found) == NETMESH_INVALID_ARGUMENT);
+    }
+    return 0;
+}

@@ -1,0 +1,124 @@
+// Bytes as files of every format that the tool reads; the first byte chooses the format. Each reader ends in data that
+// keep their promises, or in bad data with a sentence that names the file.
+#include <cmath>
+#include <string_view>
+
+#include "fuzz/decoder.hpp"
+#include "tools/io/complex_file.hpp"
+#include "tools/io/diagram_file.hpp"
+#include "tools/io/mesh_files.hpp"
+#include "tools/io/points.hpp"
+
+using namespace netmesh::tool;
+using fuzz::require;
+
+namespace {
+
+constexpr const char* name = "a-file";
+
+// True when there are data to look at.
+bool ended(const Outcome& outcome) {
+    if (outcome.good()) {
+        require(outcome.message.empty());
+        return true;
+    }
+    require(outcome.exit == Exit::data && outcome.message.find(name) != std::string::npos);
+    for (const char c : outcome.message) require(static_cast<unsigned char>(c) >= ' ' || c == '\n');
+    return false;
+}
+
+void check_cloud(const PointCloud& cloud) {
+    require(cloud.dim >= dim_min && cloud.dim <= dim_max && cloud.coordinates.size() == cloud.rows() * cloud.dim);
+    require(cloud.lines.empty() || cloud.lines.size() == cloud.rows());
+    for (const double x : cloud.coordinates) require(std::isfinite(x) && (x != 0 || !std::signbit(x)));
+    if (cloud.rows() > 0) require(!cloud.where(cloud.rows() - 1).empty() && !cloud.place(0).empty());
+}
+
+void read_points_by(Outcome (*parse)(std::string_view, PointCloud*), std::string_view content) {
+    PointCloud cloud;
+    cloud.name = name;
+    if (ended(parse(content, &cloud))) check_cloud(cloud);
+}
+
+void read_node(std::string_view content) {
+    NodeFile node;
+    node.cloud.name = name;
+    if (!ended(parse_node(content, &node))) return;
+    check_cloud(node.cloud);
+    const std::size_t rows = node.cloud.rows();
+    require(node.markers.size() == rows && node.attributes.size() == rows * node.attribute_count);
+    require(node.first_id <= 1 && (node.domain.empty() || node.domain.size() == node.cloud.dim + 1u));
+    for (const netmesh_cage& cage : node.cages) require(cage.centre < rows);
+}
+
+void read_cells(std::string_view content) {
+    if (content.empty()) return;
+    const unsigned how = static_cast<unsigned char>(content[0]);
+    CellTable table;
+    table.name = name;
+    table.columns = 3 + how % 5;
+    const std::uint64_t limit = how / 8 % 2 == 0 ? 6 : 1000;
+    const bool outside = how / 16 % 2 != 0;
+    if (!ended(parse_cell_table(content.substr(1), how / 32 % 2, limit, outside, &table))) return;
+    require(table.entries.size() % table.columns == 0);
+    for (const std::uint32_t v : table.entries) require(v < limit || (outside && v == NETMESH_NONE));
+}
+
+void read_diagram(std::string_view content) {
+    std::vector<Bar> bars, again;
+    std::vector<std::uint64_t> lines;
+    if (!ended(parse_diagram(content, name, &bars, &lines))) return;
+    require(lines.size() == bars.size());
+    for (const Bar& bar : bars) require(std::isfinite(bar.birth) && bar.birth >= 0 && bar.death >= bar.birth);
+    TextWriter text;
+    write_diagram(bars, {}, text);
+    require(parse_diagram(text.text(), name, &again).good() && again == bars);
+}
+
+void read_complex(std::string_view content) {
+    SimplexFile file;
+    file.lines.name = name;
+    if (!ended(parse_simplices(content, &file))) return;
+    require(file.starts.size() == file.count() + 1 && file.starts.back() == file.vertices.size());
+    for (std::uint64_t i = 0; i < file.count(); ++i) {
+        require(file.starts[i + 1] > file.starts[i] && file.starts[i + 1] - file.starts[i] <= 32);
+        require(std::isfinite(file.values[i]) && !simplex_text(file, i).empty());
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
+    switch (data[0] % 9) {
+    case 0:
+        read_points_by(parse_text_points, content);
+        break;
+    case 1:
+        read_points_by(parse_npy_points, content);
+        break;
+    case 2:
+        read_points_by(parse_off_points, content);
+        break;
+    case 3:
+        read_points_by(parse_ply_points, content);
+        break;
+    case 4:
+        read_points_by(parse_node_points, content);
+        break;
+    case 5:
+        read_node(content);
+        break;
+    case 6:
+        read_cells(content);
+        break;
+    case 7:
+        read_diagram(content);
+        break;
+    default:
+        read_complex(content);
+        break;
+    }
+    return 0;
+}
