@@ -30,22 +30,22 @@ template <int D, bool lifted> bool is_exact(const FloatResult& result, int quant
     return result.magnitude > 0 && exponent_of(result.magnitude) < 53 + quantum * degree;
 }
 
-// The same for the least quantum that will do, without looking for the quantum itself. Adding and subtracting 1.5 * 2^52 rounds
-// a number below 2^51 to an integer.
+// The same for the least quantum that will do, without looking for the quantum itself. Adding and subtracting 1.5 * 2^52 quanta
+// rounds a coordinate below 2^51 quanta to a multiple of the quantum.
 template <int D, bool lifted> bool is_exact_at_once(const double* const* points, double magnitude) {
     constexpr int degree = lifted ? D + 2 : D;
     if (!(magnitude > 0)) return false;
     const int quantum = (exponent_of(magnitude) - 53 + 4096 * degree) / degree - 4096 + 1;
-    if (quantum < -1000 || quantum > 1000) return false;
-    const double scale = power_of_two(-quantum);
-    double fractions = 0, sizes = 0;
+    if (quantum < -960 || quantum > 960) return false;
+    const double shift = 1.5 * power_of_two(52 + quantum);
+    double remainders = 0, sizes = 0;
     for (int i = 0; i < Frame<D, lifted>::points; ++i)
         for (int c = 0; c < D; ++c) {
-            const double x = points[i][c] * scale;
-            fractions += __builtin_fabs((x + 0x1.8p52) - 0x1.8p52 - x);
+            const double x = points[i][c];
+            remainders += __builtin_fabs((x + shift) - shift - x);
             sizes += __builtin_fabs(x);
         }
-    return fractions == 0 && sizes < 0x1p51;
+    return remainders == 0 && sizes < power_of_two(51 + quantum);
 }
 
 // Bits of the largest coordinate of a row in quanta. The lift wants one quantum, without it each column has its own:

@@ -126,3 +126,10 @@ TEST_CASE("each stage decides what it is for") {
     check_stages<5>();
     check_stages<6>();
 }
+
+TEST_CASE("a coordinate far below the others' quantum is seen") {
+    const double low[2] = {0, 0x1p-1074}, origin[2] = {0, 0}, far[2] = {0x1.2p452, 0x1.8p453};
+    const double* const p[3] = {low, origin, far};
+    PredicateCounts counts = {};
+    CHECK(orient<2>(p, counts) == Sign::positive);
+}
