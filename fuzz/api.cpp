@@ -25,31 +25,21 @@ struct Well {
 double size_of(void* user, const double* x) {
     const double r = std::fabs(x[0]) + std::fabs(x[1]);
     switch (static_cast<Well*>(user)->kind) {
-    case 0:
-        return 1 + r / 8;
-    case 1:
-        return std::numeric_limits<double>::infinity();
-    case 2:
-        return 0;
-    case 3:
-        return std::numeric_limits<double>::quiet_NaN();
-    default:
-        return x[0];
+    case 0: return 1 + r / 8;
+    case 1: return std::numeric_limits<double>::infinity();
+    case 2: return 0;
+    case 3: return std::numeric_limits<double>::quiet_NaN();
+    default: return x[0];
     }
 }
 double function_of(void* user, const double* x) {
     const double r = std::fabs(x[0]) + std::fabs(x[1]);
     switch (static_cast<Well*>(user)->kind) {
-    case 0:
-        return r / 2;
-    case 1:
-        return 1;
-    case 2:
-        return -1;
-    case 3:
-        return std::numeric_limits<double>::quiet_NaN();
-    default:
-        return r > 2 ? std::numeric_limits<double>::infinity() : 0;
+    case 0: return r / 2;
+    case 1: return 1;
+    case 2: return -1;
+    case 3: return std::numeric_limits<double>::quiet_NaN();
+    default: return r > 2 ? std::numeric_limits<double>::infinity() : 0;
     }
 }
 
@@ -99,50 +89,24 @@ private:
         o.user = &polls_left_;
         if (tape_.below(4) != 0) return o;
         switch (tape_.below(14)) {
-        case 0:
-            o.dim = dim_ = 2 + tape_.below(5);
-            break;
-        case 1:
-            o.dim = tape_.byte();
-            break;
-        case 2:
-            o.struct_bytes = tape_.byte();
-            break;
-        case 3:
-            o.tau = tape_.number();
-            break;
-        case 4:
-            o.domain_factor = tape_.number();
-            break;
-        case 5:
-            o.eps = tape_.number();
-            break;
-        case 6:
-            o.theta = tape_.number();
-            break;
-        case 7:
-            o.k = tape_.byte();
-            break;
-        case 8:
-            polls_left_ = 0;
-            break;
-        case 9:
-            o.finish = tape_.below(3);
-            break;
-        case 10:
-            o.over_refine_eps = tape_.number();
-            break;
+        case 0: o.dim = dim_ = 2 + tape_.below(5); break;
+        case 1: o.dim = tape_.byte(); break;
+        case 2: o.struct_bytes = tape_.byte(); break;
+        case 3: o.tau = tape_.number(); break;
+        case 4: o.domain_factor = tape_.number(); break;
+        case 5: o.eps = tape_.number(); break;
+        case 6: o.theta = tape_.number(); break;
+        case 7: o.k = tape_.byte(); break;
+        case 8: polls_left_ = 0; break;
+        case 9: o.finish = tape_.below(3); break;
+        case 10: o.over_refine_eps = tape_.number(); break;
         case 11:
             o.size = size_of;
             o.size_user = &well_;
             well_.kind = static_cast<int>(tape_.below(5));
             break;
-        case 12:
-            o.seed = tape_.byte();
-            break;
-        default:
-            o.tau = 2 + tape_.byte() / 64.0;
-            break;
+        case 12: o.seed = tape_.byte(); break;
+        default: o.tau = 2 + tape_.byte() / 64.0; break;
         }
         return o;
     }
@@ -234,20 +198,11 @@ private:
         well_.kind = static_cast<int>(tape_.below(5));
         netmesh_function f = {function_of, &well_, 1, 0, 1};
         switch (tape_.below(6)) {
-        case 0:
-            f.evaluate = nullptr;
-            break;
-        case 1:
-            f.lipschitz = tape_.number();
-            break;
-        case 2:
-            f.distance_factor = tape_.number();
-            break;
-        case 3:
-            f.cut = tape_.number();
-            break;
-        default:
-            break;
+        case 0: f.evaluate = nullptr; break;
+        case 1: f.lipschitz = tape_.number(); break;
+        case 2: f.distance_factor = tape_.number(); break;
+        case 3: f.cut = tape_.number(); break;
+        default: break;
         }
         const netmesh_status status = netmesh_persist_function(context_, tape_.rarely() ? nullptr : &f,
                                                                static_cast<netmesh_values>(tape_.below(3)),
@@ -322,26 +277,13 @@ private:
         } else {
             const std::size_t at = tape_.byte() + 256u * tape_.byte();
             switch (tape_.below(7)) {
-            case 0:
-                cells[at % cells.size()] = tape_.byte();
-                break;
-            case 1:
-                vertices[at % vertices.size()] = tape_.number();
-                break;
-            case 2:
-                markers[at % markers.size()] = tape_.byte();
-                break;
-            case 3:
-                domain[at % (dim + 1)] = tape_.number();
-                break;
-            case 4:
-                --cell_count;
-                break;
-            case 5:
-                cells[at % cells.size()] = UINT32_MAX;
-                break;
-            default:
-                break;
+            case 0: cells[at % cells.size()] = tape_.byte(); break;
+            case 1: vertices[at % vertices.size()] = tape_.number(); break;
+            case 2: markers[at % markers.size()] = tape_.byte(); break;
+            case 3: domain[at % (dim + 1)] = tape_.number(); break;
+            case 4: --cell_count; break;
+            case 5: cells[at % cells.size()] = UINT32_MAX; break;
+            default: break;
             }
         }
         const std::vector<double> v(vertices);
@@ -441,20 +383,14 @@ private:
     void call() {
         switch (tape_.below(24)) {
         case 0:
-        case 1:
-            return triangulate();
+        case 1: return triangulate();
         case 2:
-        case 3:
-            return make_mesh();
+        case 3: return make_mesh();
         case 4:
-        case 5:
-            return persist();
-        case 6:
-            return persist_points();
-        case 7:
-            return homology();
-        case 8:
-            return vineyard();
+        case 5: return persist();
+        case 6: return persist_points();
+        case 7: return homology();
+        case 8: return vineyard();
         case 9:
         case 10: {
             const netmesh_options o = make_options();
@@ -466,30 +402,18 @@ private:
             ended(netmesh_bound_bars(context_, maybe(o)));
             return;
         }
-        case 12:
-            return analyse();
-        case 13:
-            return check();
-        case 14:
-            return load();
-        case 15:
-            return load_cages();
-        case 16:
-            return measure();
-        case 17:
-            return orders();
-        case 18:
-            return persist_function();
-        case 19:
-            return persist_scales();
-        case 20:
-            return move();
-        case 21:
-            return plan();
-        case 22:
-            return tape_.rarely() ? start() : read_all();
-        default:
-            return read_all();
+        case 12: return analyse();
+        case 13: return check();
+        case 14: return load();
+        case 15: return load_cages();
+        case 16: return measure();
+        case 17: return orders();
+        case 18: return persist_function();
+        case 19: return persist_scales();
+        case 20: return move();
+        case 21: return plan();
+        case 22: return tape_.rarely() ? start() : read_all();
+        default: return read_all();
         }
     }
 

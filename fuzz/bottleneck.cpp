@@ -125,18 +125,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!a.empty()) {
         netmesh_pair& p = a[tape.below(static_cast<std::uint32_t>(a.size()))];
         switch (tape.below(4)) {
-        case 0:
-            p.birth = std::numeric_limits<double>::quiet_NaN();
-            break;
-        case 1:
-            p.death = std::numeric_limits<double>::quiet_NaN();
-            break;
-        case 2:
-            p.birth = std::numeric_limits<double>::infinity();
-            break;
-        default:
-            p.death = std::nextafter(p.birth, -std::numeric_limits<double>::infinity());
-            break;
+        case 0: p.birth = std::numeric_limits<double>::quiet_NaN(); break;
+        case 1: p.death = std::numeric_limits<double>::quiet_NaN(); break;
+        case 2: p.birth = std::numeric_limits<double>::infinity(); break;
+        default: p.death = std::nextafter(p.birth, -std::numeric_limits<double>::infinity()); break;
         }
         require(distance(a, b, NETMESH_ALL_DEGREES, log, &found) == NETMESH_INVALID_ARGUMENT);
     }

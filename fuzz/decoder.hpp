@@ -18,18 +18,12 @@ inline double coordinate(std::uint8_t byte) {
     switch (byte >> 5) {
     case 0:
     case 1:
-    case 2:
-        return grid;
-    case 3:
-        return grid * 0.1;
-    case 4:
-        return std::nextafter(grid, 10);
-    case 5:
-        return std::ldexp(1.0, -8 * (byte & 31));
-    case 6:
-        return std::ldexp(grid, byte & 24);
-    default:
-        return std::ldexp(1.0 + (byte & 31), 900 * (byte & 1) - 450);
+    case 2: return grid;
+    case 3: return grid * 0.1;
+    case 4: return std::nextafter(grid, 10);
+    case 5: return std::ldexp(1.0, -8 * (byte & 31));
+    case 6: return std::ldexp(grid, byte & 24);
+    default: return std::ldexp(1.0 + (byte & 31), 900 * (byte & 1) - 450);
     }
 }
 

@@ -92,33 +92,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
     switch (data[0] % 9) {
-    case 0:
-        read_points_by(parse_text_points, content);
-        break;
-    case 1:
-        read_points_by(parse_npy_points, content);
-        break;
-    case 2:
-        read_points_by(parse_off_points, content);
-        break;
-    case 3:
-        read_points_by(parse_ply_points, content);
-        break;
-    case 4:
-        read_points_by(parse_node_points, content);
-        break;
-    case 5:
-        read_node(content);
-        break;
-    case 6:
-        read_cells(content);
-        break;
-    case 7:
-        read_diagram(content);
-        break;
-    default:
-        read_complex(content);
-        break;
+    case 0: read_points_by(parse_text_points, content); break;
+    case 1: read_points_by(parse_npy_points, content); break;
+    case 2: read_points_by(parse_off_points, content); break;
+    case 3: read_points_by(parse_ply_points, content); break;
+    case 4: read_points_by(parse_node_points, content); break;
+    case 5: read_node(content); break;
+    case 6: read_cells(content); break;
+    case 7: read_diagram(content); break;
+    default: read_complex(content); break;
     }
     return 0;
 }

@@ -77,21 +77,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::uint32_t dim = 2 + tape.below(5);
     const Points points = decode_points(tape, dim);
     switch (dim) {
-    case 2:
-        compare<2>(points);
-        break;
-    case 3:
-        compare<3>(points);
-        break;
-    case 4:
-        compare<4>(points);
-        break;
-    case 5:
-        compare<5>(points);
-        break;
-    default:
-        compare<6>(points);
-        break;
+    case 2: compare<2>(points); break;
+    case 3: compare<3>(points); break;
+    case 4: compare<4>(points); break;
+    case 5: compare<5>(points); break;
+    default: compare<6>(points); break;
     }
     return 0;
 }

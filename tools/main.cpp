@@ -18,20 +18,13 @@ Outcome run(const Options& options) {
         return write_files({{"", [&](TextWriter& out) { out << text; }}});
     }
     switch (options.command) {
-    case Command::homology:
-        return run_homology(options);
-    case Command::distance:
-        return run_distance(options);
-    case Command::vineyard:
-        return run_vineyard(options);
-    case Command::size:
-        return run_size(options);
-    case Command::check:
-        return run_check(options);
-    case Command::sample:
-        return run_sample(options);
-    default:
-        return run_engine_command(options);
+    case Command::homology: return run_homology(options);
+    case Command::distance: return run_distance(options);
+    case Command::vineyard: return run_vineyard(options);
+    case Command::size: return run_size(options);
+    case Command::check: return run_check(options);
+    case Command::sample: return run_sample(options);
+    default: return run_engine_command(options);
     }
 }
 

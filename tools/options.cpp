@@ -230,11 +230,14 @@ constexpr OptionEntry option_entries[] = {
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
     {"--eps", mesh | size | check, "E", apply_eps,
      "also refine until no cell reaches farther than E times the distance to the second nearest input"},
-    {"--eps", persist, "E", apply_eps, "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
-    {"--theta", persist | size | check, "T", apply_theta, "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
+    {"--eps", persist, "E", apply_eps,
+     "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
+    {"--theta", persist | size | check, "T", apply_theta,
+     "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
     {"--method", mesh | persist | size, "M", apply_method,
      "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
-    {"--finish", mesh | persist | size, nullptr, apply_finish, "go on from a hierarchical mesh to one of quality tau without cages"},
+    {"--finish", mesh | persist | size, nullptr, apply_finish,
+     "go on from a hierarchical mesh to one of quality tau without cages"},
     {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
     {"--filter", persist | size | check, "F", apply_filter,
      "complete (default), basic, tight, scales, alpha, knn or kdistance; of few points rips, cech, barycentric-cech or\n"
@@ -242,7 +245,8 @@ constexpr OptionEntry option_entries[] = {
     {"--k", persist | size | check, "K", apply_k,
      "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points in\n"
      "                    every set of a barycentric filter, at least"},
-    {"--values", persist | vineyard | size | check, "V", apply_values, "certified (default) or thesis: the filter's own"},
+    {"--values", persist | vineyard | size | check, "V", apply_values,
+     "certified (default) or thesis: the filter's own"},
     {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
     {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree,
      "highest homology degree (D-1; 1 for rips, cech and barycentric filters)"},
@@ -393,12 +397,9 @@ const char* command_name(Command command) { return command == Command::none ? ""
 
 const char* method_name(netmesh_method method) {
     switch (method) {
-    case NETMESH_METHOD_NETMESH:
-        return "netmesh";
-    case NETMESH_METHOD_REFINE:
-        return "refine";
-    default:
-        return "svr";
+    case NETMESH_METHOD_NETMESH: return "netmesh";
+    case NETMESH_METHOD_REFINE: return "refine";
+    default: return "svr";
     }
 }
 
@@ -407,7 +408,8 @@ bool promises_accuracy(const Options& options) {
 }
 
 Outcome check_accuracy(const Options& options) {
-    if (options.theta > 0 && options.filter != NETMESH_FILTER_SCALES) return usage_error("--theta goes with --filter scales");
+    if (options.theta > 0 && options.filter != NETMESH_FILTER_SCALES)
+        return usage_error("--theta goes with --filter scales");
     if (promises_accuracy(options)) {
         return options.eps <= 0.5 ? Outcome{} : usage_error("--eps must be at most 1/2 for tight and scales");
     }
@@ -419,30 +421,18 @@ Outcome check_accuracy(const Options& options) {
 
 const char* filter_name(netmesh_filter filter) {
     switch (filter) {
-    case NETMESH_FILTER_COMPLETE:
-        return "complete";
-    case NETMESH_FILTER_BASIC:
-        return "basic";
-    case NETMESH_FILTER_ALPHA:
-        return "alpha";
-    case NETMESH_FILTER_RIPS:
-        return "rips";
-    case NETMESH_FILTER_CECH:
-        return "cech";
-    case NETMESH_FILTER_BARYCENTRIC_CECH:
-        return "barycentric-cech";
-    case NETMESH_FILTER_BARYCENTRIC_RIPS:
-        return "barycentric-rips";
-    case NETMESH_FILTER_KNN:
-        return "knn";
-    case NETMESH_FILTER_KDISTANCE:
-        return "kdistance";
-    case NETMESH_FILTER_TIGHT:
-        return "tight";
-    case NETMESH_FILTER_SCALES:
-        return "scales";
-    default:
-        return "none";
+    case NETMESH_FILTER_COMPLETE: return "complete";
+    case NETMESH_FILTER_BASIC: return "basic";
+    case NETMESH_FILTER_ALPHA: return "alpha";
+    case NETMESH_FILTER_RIPS: return "rips";
+    case NETMESH_FILTER_CECH: return "cech";
+    case NETMESH_FILTER_BARYCENTRIC_CECH: return "barycentric-cech";
+    case NETMESH_FILTER_BARYCENTRIC_RIPS: return "barycentric-rips";
+    case NETMESH_FILTER_KNN: return "knn";
+    case NETMESH_FILTER_KDISTANCE: return "kdistance";
+    case NETMESH_FILTER_TIGHT: return "tight";
+    case NETMESH_FILTER_SCALES: return "scales";
+    default: return "none";
     }
 }
 
@@ -451,13 +441,10 @@ std::string reference_name(const netmesh_report& report) {
     if (report.filter == NETMESH_FILTER_KNN) return "sublevel sets of d_" + k + space;
     if (report.filter == NETMESH_FILTER_KDISTANCE) return "sublevel sets of the k-distance, k = " + k + "," + space;
     switch (report.filter) {
-    case NETMESH_FILTER_RIPS:
-        return "Vietoris-Rips complex of the points, edges at half their length";
+    case NETMESH_FILTER_RIPS: return "Vietoris-Rips complex of the points, edges at half their length";
     case NETMESH_FILTER_BARYCENTRIC_CECH:
-    case NETMESH_FILTER_BARYCENTRIC_RIPS:
-        return "sublevel sets of d_" + k + space;
-    default:
-        return report.dim == 0 ? "filtered complex" : "closed offsets of the points" + space;
+    case NETMESH_FILTER_BARYCENTRIC_RIPS: return "sublevel sets of d_" + k + space;
+    default: return report.dim == 0 ? "filtered complex" : "closed offsets of the points" + space;
     }
 }
 

@@ -20,19 +20,20 @@ struct Options {
 
     std::string out;  // empty: stdout
     std::string svg;
-    std::string mesh_out;  // persist: where the filtered mesh goes
+    std::string mesh_out;         // persist: where the filtered mesh goes
     std::string representatives;  // where the cycles go
     bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false, log = false;
 
     std::optional<double> tau;
     netmesh_method method = NETMESH_METHOD_SVR;
     bool finish = false;  // a hierarchical mesh
-    double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
-    double theta = 0;  // scales; 0: not given
+    double eps = 0;       // over-refinement, or what the filters tight and scales promise; 0: not given
+    double theta = 0;     // scales; 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
-    std::optional<std::uint32_t> k, k_last;  // knn, kdistance, barycentric filters; of a vineyard the first and the last
+    std::optional<std::uint32_t> k,
+        k_last;                    // knn, kdistance, barycentric filters; of a vineyard the first and the last
     std::size_t memory_bytes = 0;  // 0: reserved lazily
     std::uint64_t seed = 1;
 

@@ -113,14 +113,10 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     const std::string said =
         detail.message == nullptr || detail.message[0] == '\0' ? netmesh_status_text(status) : detail.message;
     switch (status) {
-    case NETMESH_OK:
-        return {};
-    case NETMESH_OUT_OF_MEMORY:
-        return {Exit::memory, memory_message(plan)};
-    case NETMESH_CANCELLED:
-        return {Exit::cancelled, "netmesh: cancelled"};
-    case NETMESH_NOT_FINITE:
-        return data_error(cloud.where(detail.index_a) + ": a coordinate is not finite");
+    case NETMESH_OK: return {};
+    case NETMESH_OUT_OF_MEMORY: return {Exit::memory, memory_message(plan)};
+    case NETMESH_CANCELLED: return {Exit::cancelled, "netmesh: cancelled"};
+    case NETMESH_NOT_FINITE: return data_error(cloud.where(detail.index_a) + ": a coordinate is not finite");
     case NETMESH_OUT_OF_RANGE:
         return data_error(cloud.where(detail.index_a) +
                           ": outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
@@ -128,7 +124,8 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     case NETMESH_INVALID_ARGUMENT:
         if (detail.index_a == argument_point_count || detail.index_a == argument_k)
             return data_error(cloud.name + ": " + said);
-        if (detail.index_a == argument_size || detail.index_a == argument_scale_size) return data_error(cloud.where(detail.index_b) + ": near this point " + said);
+        if (detail.index_a == argument_size || detail.index_a == argument_scale_size)
+            return data_error(cloud.where(detail.index_b) + ": near this point " + said);
         return {Exit::internal, "netmesh: internal error: " + said};
     case NETMESH_FLAT:
         return {Exit::degenerate, cloud.name + ": flat: fewer than " + std::to_string(dim_ + 1) +
@@ -138,10 +135,8 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
         return {Exit::degenerate, cloud.where(detail.index_b) + ": this point and the one of " +
                                       cloud.place(detail.index_a) +
                                       " are distinct but closer than 64 units in the last place"};
-    case NETMESH_CHECK_FAILED:
-        return {Exit::check, "netmesh: check failed: " + said};
-    default:
-        return {Exit::internal, "netmesh: internal error: " + said};
+    case NETMESH_CHECK_FAILED: return {Exit::check, "netmesh: check failed: " + said};
+    default: return {Exit::internal, "netmesh: internal error: " + said};
     }
 }
 

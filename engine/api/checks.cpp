@@ -41,7 +41,8 @@ Status check_quality(Context& context, Store<D>& store, double tau, const SizeRu
     }
     if (context.hierarchy.cages > 0) return Status::ok;
     double worst;
-    status = worst_size_ratio<D>(store, domain, context.inputs, rule, Corners::recomputed, context.arena, &worst, &why->cell);
+    status = worst_size_ratio<D>(store, domain, context.inputs, rule, Corners::recomputed, context.arena, &worst,
+                                 &why->cell);
     if (status != Status::ok || worst <= 1 + ratio_tolerance) return status;
     why->violation = "a clipped Voronoi cell is larger than the size asked for";
     return Status::check_failed;
@@ -137,8 +138,8 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
         if (status != Status::ok) {
             const std::uint64_t wanted = context->arena.bytes_wanted();
             clear(context);
-            finish(context, status, why.violation != nullptr ? why.violation : netmesh_status_text(NETMESH_OUT_OF_MEMORY),
-                   why.cell);
+            finish(context, status,
+                   why.violation != nullptr ? why.violation : netmesh_status_text(NETMESH_OUT_OF_MEMORY), why.cell);
             if (status == Status::out_of_memory) context->detail.bytes_wanted = wanted;
             return context->detail.status;
         }
@@ -213,7 +214,8 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* 
                                                    domain_of<D>(*context), context->arena, &quality);
         if (status != Status::ok || !quality.is_hierarchy) {
             context->arena.release_low(context->mesh_mark);
-            const char* const why = status != Status::ok ? netmesh_status_text(NETMESH_OUT_OF_MEMORY) : quality.encroached.violation;
+            const char* const why =
+                status != Status::ok ? netmesh_status_text(NETMESH_OUT_OF_MEMORY) : quality.encroached.violation;
             return finish(context, status != Status::ok ? status : Status::check_failed, why, quality.encroached.cell);
         }
         context->cages_offset = context->arena.offset_of(kept);

@@ -29,8 +29,8 @@ bool usable(netmesh_context* context) {
 }
 
 bool usable(const netmesh_options* options) {
-    return options != nullptr && options->struct_bytes == sizeof(netmesh_options) &&
-           options->dim >= NETMESH_DIM_MIN && options->dim <= NETMESH_DIM_MAX;
+    return options != nullptr && options->struct_bytes == sizeof(netmesh_options) && options->dim >= NETMESH_DIM_MIN &&
+           options->dim <= NETMESH_DIM_MAX;
 }
 
 double tau_of(const netmesh_options& options) {

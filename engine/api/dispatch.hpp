@@ -10,9 +10,7 @@
 
 namespace netmesh {
 
-template <int D> struct Dimension {
-    static constexpr int value = D;
-};
+template <int D> struct Dimension { static constexpr int value = D; };
 
 // Calls f(Dimension<D>{}) for dim in 2..6; dim must be checked before.
 template <class F> auto with_dimension(std::uint32_t dim, F&& f) {
@@ -75,7 +73,8 @@ template <int D> Status measure_mesh(Context& context, Store<D>& store, Hierarch
     *quality = HierarchyQuality{};
     return context.hierarchy.cages == 0
                ? worst_aspect_ratio<D>(store, domain, context.arena, &quality->worst, &quality->vertex)
-               : measure_hierarchy<D>(store, cages_of(context), context.hierarchy.cages, domain, context.arena, quality);
+               : measure_hierarchy<D>(store, cages_of(context), context.hierarchy.cages, domain, context.arena,
+                                      quality);
 }
 
 // Checks what every job checks: the context and its block, the options' size, the dimension.

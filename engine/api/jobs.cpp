@@ -30,8 +30,8 @@ netmesh_status finish_job(netmesh_context* context, Status status, const InputRe
     return finish(context, status, text_of(status), input.row_a, input.row_b);
 }
 
-netmesh_status check_arguments(netmesh_context* context, const double* points, size_t n,
-                               const netmesh_options* options, int options_position) {
+netmesh_status check_arguments(netmesh_context* context, const double* points, size_t n, const netmesh_options* options,
+                               int options_position) {
     if (points == nullptr) return finish(context, Status::invalid_argument, "points is null", 2);
     if (n == 0) return finish(context, Status::invalid_argument, "there are no points", 3);
     if (n > (size_t{1} << 28)) return finish(context, Status::invalid_argument, "more than 2^28 points", 3);
@@ -44,12 +44,13 @@ netmesh_status check_arguments(netmesh_context* context, const double* points, s
 // Meshes by the method asked for; cages, if there are any, are noted in the context.
 template <int D>
 Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* points, std::size_t n, double tau,
-                      double factor, bool certify, const SizeRule& rule, const netmesh_options& options, Monitor& monitor, InputReport* input,
-                      Domain<D>* domain) {
+                      double factor, bool certify, const SizeRule& rule, const netmesh_options& options,
+                      Monitor& monitor, InputReport* input, Domain<D>* domain) {
     context->method = options.method;
     if (options.method != NETMESH_METHOD_NETMESH)
-        return refine<D>(store, points, n, {tau, factor, certify, options.seed, rule, options.method == NETMESH_METHOD_REFINE},
-                         monitor, input, domain);
+        return refine<D>(store, points, n,
+                         {tau, factor, certify, options.seed, rule, options.method == NETMESH_METHOD_REFINE}, monitor,
+                         input, domain);
     Cage* cages;
     const Status status = netmesh<D>(store, points, n, {tau, factor, options.finish != 0, options.seed}, monitor, input,
                                      domain, &cages, &context->hierarchy);
@@ -92,8 +93,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     if (!in_range(for_job, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST_TIGHT) || for_job == NETMESH_JOB_PERSIST_ALPHA)
         return finish(context, Status::invalid_argument, "the job is neither a mesh nor persistence", 4);
     const double tau = tau_of(*options);
-    if (!is_valid_tau(tau))
-        return finish(context, Status::invalid_argument, "tau is not a finite number above 2", 5);
+    if (!is_valid_tau(tau)) return finish(context, Status::invalid_argument, "tau is not a finite number above 2", 5);
     if (!(options->over_refine_eps >= 0) || !is_finite(options->over_refine_eps))
         return finish(context, Status::invalid_argument, "over_refine_eps is neither 0 nor a finite number above", 5);
     double factor = options->domain_factor != 0 ? options->domain_factor : 1;

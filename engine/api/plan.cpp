@@ -28,8 +28,7 @@ double power_in_eighths(double x, int k) {
     return p;
 }
 
-template <int D>
-double planned_bytes(netmesh_job job, netmesh_method method, double tau, double eps, double points) {
+template <int D> double planned_bytes(netmesh_job job, netmesh_method method, double tau, double eps, double points) {
     const bool tight = job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES;
     const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST || tight;
     double vertices = points, cells = points * delaunay_cells_per_point[D];
@@ -71,8 +70,7 @@ extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* opt
         if (!(size > 0 && size < tight)) size = tight;
     }
     const double bytes = with_dimension(options->dim, [&](auto dimension) {
-        return planned_bytes<decltype(dimension)::value>(job, options->method, tau, size,
-                                                         static_cast<double>(points));
+        return planned_bytes<decltype(dimension)::value>(job, options->method, tau, size, static_cast<double>(points));
     });
     if (!(bytes < 0x1p62) || bytes >= static_cast<double>(SIZE_MAX / 2)) return SIZE_MAX;
     return (static_cast<size_t>(bytes) + Arena::alignment) & ~(Arena::alignment - 1);

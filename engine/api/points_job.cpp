@@ -93,15 +93,11 @@ Status make_complex(const PointSet& points, const Filter& filter, Arena& arena, 
     ListedComplex* const made = filter.barycentric() ? &sets : out;
     Status status;
     switch (filter.filter) {
-    case NETMESH_FILTER_RIPS:
-        status = rips_complex<D>(x, points.count, dimension, arena, monitor, made);
-        break;
+    case NETMESH_FILTER_RIPS: status = rips_complex<D>(x, points.count, dimension, arena, monitor, made); break;
     case NETMESH_FILTER_BARYCENTRIC_RIPS:
         status = full_rips_complex<D>(x, points.count, dimension, arena, monitor, made);
         break;
-    default:
-        status = cech_complex<D>(x, points.count, dimension, arena, monitor, made);
-        break;
+    default: status = cech_complex<D>(x, points.count, dimension, arena, monitor, made); break;
     }
     if (status != Status::ok || !filter.barycentric()) return status;
     status = barycentric_complex(sets, filter.k, filter.max_degree + 1, arena, monitor, out);

@@ -225,8 +225,7 @@ netmesh_status netmesh_get_cage(const netmesh_context* context, uint64_t index, 
 }
 
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair) {
-    if (pair == nullptr || !holds_diagram(context) || index >= context->pair_count)
-        return NETMESH_INVALID_ARGUMENT;
+    if (pair == nullptr || !holds_diagram(context) || index >= context->pair_count) return NETMESH_INVALID_ARGUMENT;
     const Pair& p = pairs_of(context)[index];
     pair->degree = p.degree;
     pair->birth = p.birth;

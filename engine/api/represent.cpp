@@ -29,9 +29,8 @@ Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
             return alpha_complex<D>(store.view(), store.point(0), Store<D>::vertex_stride, dimension, arena, monitor,
                                     &complex);
         const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-        return lower_star_complex<D>(store.view(), value,
-                                     inputs_enter_at_zero(context) ? context->inputs : 0, dimension, arena, monitor,
-                                     &complex);
+        return lower_star_complex<D>(store.view(), value, inputs_enter_at_zero(context) ? context->inputs : 0,
+                                     dimension, arena, monitor, &complex);
     });
     if (status == Status::ok && !keep_complex(context, complex)) status = Status::out_of_memory;
     if (status != Status::ok) return status;

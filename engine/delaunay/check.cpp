@@ -60,8 +60,7 @@ template <int D> CheckResult check_combinatorial(const Store<D>& store) {
             const Cell<D>& other = store.cell(n);
             if (other.neighbour[j] != (c << 3 | static_cast<std::uint32_t>(i))) return {"neighbours are not mutual", c};
             for (int k = 0; k <= D; ++k)
-                if (k != i && position_of<D>(other, cell.vertex[k]) < 0)
-                    return {"neighbours do not share a facet", c};
+                if (k != i && position_of<D>(other, cell.vertex[k]) < 0) return {"neighbours do not share a facet", c};
             if (position_of<D>(cell, other.vertex[j]) >= 0) return {"neighbours share more than a facet", c};
         }
     }
@@ -133,9 +132,9 @@ template <int D> CheckResult check_delaunay(const Store<D>& store) {
     return {nullptr, none};
 }
 
-#define NETMESH_INSTANTIATE(D)                                        \
-    template CheckResult check_combinatorial<D>(const Store<D>&);     \
-    template CheckResult check_geometric<D>(const Store<D>&);         \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template CheckResult check_combinatorial<D>(const Store<D>&);                                                      \
+    template CheckResult check_geometric<D>(const Store<D>&);                                                          \
     template CheckResult check_delaunay<D>(const Store<D>&);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

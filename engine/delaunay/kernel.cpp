@@ -27,8 +27,7 @@ template <int D> bool Kernel<D>::exact_conflict(std::uint32_t c, const double* q
 
 // A point in the plane of the facet is compared with the ball of the finite cell behind it: both lifted simplices have
 // the same trace in that plane, perturbation included.
-template <int D>
-bool Kernel<D>::ghost_in_conflict(std::uint32_t c, int infinite, const double* q, std::uint32_t id) {
+template <int D> bool Kernel<D>::ghost_in_conflict(std::uint32_t c, int infinite, const double* q, std::uint32_t id) {
     const Cell<D>& cell = store_.cell(c);
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = i == infinite ? q : store_.point(cell.vertex[i]);
@@ -152,8 +151,7 @@ template <int D> inline void ask_for_neighbours(const Cell<D>* cells, const Cell
     }
 }
 
-template <int D>
-bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
+template <int D> bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
     const std::uint32_t stamp = store_.new_stamp();
     const std::size_t capacity = list_capacity();
     Line* const end = list_end();

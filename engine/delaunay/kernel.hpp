@@ -24,10 +24,10 @@ struct CavityLine {
 };
 // In the plane the facets come counterclockwise and are seen from outside.
 struct PlanarLine {
-    std::uint32_t made;    // a cell in conflict; after fill the new cell behind the facet
-    std::uint32_t beyond;  // the word of the cell outside that has the facet
-    std::uint32_t start;   // the vertex at which the facet starts
-    std::uint32_t waiting; // stack of facets still to be crossed
+    std::uint32_t made;     // a cell in conflict; after fill the new cell behind the facet
+    std::uint32_t beyond;   // the word of the cell outside that has the facet
+    std::uint32_t start;    // the vertex at which the facet starts
+    std::uint32_t waiting;  // stack of facets still to be crossed
 };
 
 template <int D> class Kernel {

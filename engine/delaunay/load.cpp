@@ -126,8 +126,8 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     return link_facets<D>(store, why);
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                    \
-    template Status load_cells<D>(Store<D>&, const double*, std::uint32_t, const std::uint32_t*, std::uint32_t, \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status load_cells<D>(Store<D>&, const double*, std::uint32_t, const std::uint32_t*, std::uint32_t,        \
                                   CheckResult*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

@@ -38,8 +38,7 @@ inline bool circumscribe(const double* q, const Edge& a, const Edge& b, double e
 // In the plane the cells in conflict form a tree, as no vertex is inside the cavity. It is searched depth first and
 // counterclockwise, so no cell is met twice, none has to be marked, and the bounding facets come in their order. Facets that are
 // found and facets that wait number two more than the cells.
-template <>
-bool Kernel<2>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
+template <> bool Kernel<2>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
     constexpr std::uint32_t next[4] = {1, 2, 0, 0};
     const std::size_t capacity = list_capacity();
     Line* const end = list_end();

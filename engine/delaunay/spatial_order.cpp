@@ -1,8 +1,8 @@
 #include "delaunay/spatial_order.hpp"
 
-#include "numerics/real.hpp"
 #include "numerics/radix_sort.hpp"
 #include "numerics/random.hpp"
+#include "numerics/real.hpp"
 
 namespace netmesh {
 namespace {
@@ -215,7 +215,7 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
     return Status::ok;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                        \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status spatial_order<D>(const unsigned char*, std::ptrdiff_t, std::uint32_t, std::uint64_t, Arena&,       \
                                      std::uint32_t*, bool*);
 NETMESH_INSTANTIATE(2)

@@ -42,14 +42,14 @@ template <int D> struct Vertex {
 
 // The part of a triangulation that outlives a call: offsets and counts, no addresses.
 struct StoreState {
-    std::uint64_t cells_offset;     // of cell 0 in the block
-    std::uint64_t vertices_end;     // offset just past vertex 0
-    std::uint32_t cell_slots;       // cells ever made: live and free ones
+    std::uint64_t cells_offset;  // of cell 0 in the block
+    std::uint64_t vertices_end;  // offset just past vertex 0
+    std::uint32_t cell_slots;    // cells ever made: live and free ones
     std::uint32_t cells_free;
-    std::uint32_t free_head;        // last freed slot, linked by neighbour[0]
+    std::uint32_t free_head;  // last freed slot, linked by neighbour[0]
     std::uint32_t vertex_count;
     std::uint32_t stamp;
-    std::uint32_t last_cell;        // where the next search starts
+    std::uint32_t last_cell;  // where the next search starts
     std::uint64_t cells_created;
     PredicateCounts in_ball_counts, orient_counts;
 };

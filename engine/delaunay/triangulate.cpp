@@ -20,8 +20,7 @@ template <int D> bool equal_points(const double* a, const double* b) {
 }
 
 // Moves duplicates out: in `order` equal points are neighbours with the smallest index first.
-template <int D>
-std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t* order, std::uint32_t count) {
+template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t* order, std::uint32_t count) {
     std::uint32_t first = order[0];
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::uint32_t v = order[k];
@@ -131,8 +130,8 @@ Status take_input(Store<D>& store, const double* points, std::size_t n, std::uin
     *order = store.arena.template take_low<std::uint32_t>(count);
     if (*order == nullptr) return Status::out_of_memory;
     bool repeats;
-    const Status status = spatial_order<D>(store.coordinate_base(), Store<D>::vertex_stride, count, seed, store.arena,
-                                           *order, &repeats);
+    const Status status =
+        spatial_order<D>(store.coordinate_base(), Store<D>::vertex_stride, count, seed, store.arena, *order, &repeats);
     if (status != Status::ok) return status;
     const std::uint32_t kept = repeats ? remove_duplicates<D>(store, *order, count) : count;
     input->duplicates = count - kept;
@@ -178,10 +177,10 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     return status;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                     \
-    template Status take_input<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*,     \
-                                  std::uint32_t**);                                                                \
-    template Status triangulate<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*);   \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status take_input<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*,        \
+                                  std::uint32_t**);                                                                    \
+    template Status triangulate<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*);      \
     template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, std::uint32_t*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

@@ -12,8 +12,8 @@ namespace netmesh {
 struct InputReport {
     std::uint64_t rows;
     std::uint64_t duplicates;
-    std::uint64_t fingerprint;  // of the values in order
-    std::uint64_t row_a, row_b; // culprits of not_finite, out_of_range, too_close
+    std::uint64_t fingerprint;   // of the values in order
+    std::uint64_t row_a, row_b;  // culprits of not_finite, out_of_range, too_close
 };
 
 // Copies points[n][D] into fresh vertices (store.open_vertices), with -0.0 made 0, origin = row, cell = none and marker

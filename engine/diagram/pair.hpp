@@ -5,7 +5,7 @@
 namespace netmesh {
 
 struct Pair {
-    double birth, death;   // radii; death is +infinity for an essential class
+    double birth, death;  // radii; death is +infinity for an essential class
     std::uint32_t degree;
     std::uint32_t cycle;  // where a representative is kept (homology/cycles.hpp), 0 without one
 };

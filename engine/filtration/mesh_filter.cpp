@@ -12,7 +12,9 @@ template <int D> struct Bounds {
     double* reach;       // largest distance from a corner of v's cell to v's nearest input, or more
 
     void measure() { measure_cells<D>(store, out_radius, reach); }
-    double input_distance(std::uint32_t v) const { return distance<D>(store.point(v), store.point(nearest_input<D>(store, v))); }
+    double input_distance(std::uint32_t v) const {
+        return distance<D>(store.point(v), store.point(nearest_input<D>(store, v)));
+    }
     // lo_v and hi_v, both cut at rho.
     Interval interval(std::uint32_t v) const {
         const Vertex<D>& vertex = store.vertex(v);

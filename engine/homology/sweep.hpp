@@ -239,14 +239,10 @@ template <int D> template <std::uint32_t N> bool Sweep<D>::add_outer_facets(std:
 
 template <int D> bool Sweep<D>::flush(std::uint32_t c) {
     switch (front_.dimension(c)) {
-    case 2:
-        return add_outer_facets<2>(c);
-    case 3:
-        return add_outer_facets<3>(c);
-    case 4:
-        return add_outer_facets<4>(c);
-    default:
-        return add_outer_facets<5>(c);
+    case 2: return add_outer_facets<2>(c);
+    case 3: return add_outer_facets<3>(c);
+    case 4: return add_outer_facets<4>(c);
+    default: return add_outer_facets<5>(c);
     }
 }
 

@@ -25,7 +25,7 @@ extern "C" {
 #define NETMESH_VERSION_PATCH 0
 #define NETMESH_DIM_MIN 2
 #define NETMESH_DIM_MAX 6
-#define NETMESH_DEGREE_MAX 31 /* of homology, for filtrations that are not meshes */
+#define NETMESH_DEGREE_MAX 31   /* of homology, for filtrations that are not meshes */
 #define NETMESH_NONE UINT32_MAX /* no neighbour, no index */
 
 typedef enum netmesh_status {
@@ -41,7 +41,7 @@ typedef enum netmesh_status {
     NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which */
     NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
-    NETMESH_NOT_A_COMPLEX = 12    /* simplex index_a has no place in a filtered complex, detail.message says why; index_b:
+    NETMESH_NOT_A_COMPLEX = 12 /* simplex index_a has no place in a filtered complex, detail.message says why; index_b:
                                      the earlier equal one, the face that enters later, or the vertex (counted from 0 in
                                      ascending order) that a missing face lacks */
 } netmesh_status;
@@ -59,22 +59,22 @@ typedef struct netmesh_detail {
 
 typedef enum netmesh_stage {
     NETMESH_STAGE_NONE = 0,
-    NETMESH_STAGE_SORT = 1,       /* spatial order, duplicates, nearest neighbours; unit: points */
-    NETMESH_STAGE_DELAUNAY = 2,   /* insertion; unit: points */
-    NETMESH_STAGE_REFINE = 3,     /* refinement; unit: input points inserted (Steiner points come between them) */
-    NETMESH_STAGE_CERTIFY = 4,    /* aspect ratios, filter values and certificate; unit: cells */
-    NETMESH_STAGE_FILTER = 5,     /* filtration of an explicit complex; unit: simplices */
-    NETMESH_STAGE_GRADIENT = 6,   /* lower stars; unit: vertices */
-    NETMESH_STAGE_REDUCE = 7,     /* columns */
-    NETMESH_STAGE_CHECK = 8,      /* independent checkers; unit: cells */
-    NETMESH_STAGE_ANALYSE = 9,    /* pace, integral, fatness, structure; unit: points, boxes, vertices or cells */
+    NETMESH_STAGE_SORT = 1,     /* spatial order, duplicates, nearest neighbours; unit: points */
+    NETMESH_STAGE_DELAUNAY = 2, /* insertion; unit: points */
+    NETMESH_STAGE_REFINE = 3,   /* refinement; unit: input points inserted (Steiner points come between them) */
+    NETMESH_STAGE_CERTIFY = 4,  /* aspect ratios, filter values and certificate; unit: cells */
+    NETMESH_STAGE_FILTER = 5,   /* filtration of an explicit complex; unit: simplices */
+    NETMESH_STAGE_GRADIENT = 6, /* lower stars; unit: vertices */
+    NETMESH_STAGE_REDUCE = 7,   /* columns */
+    NETMESH_STAGE_CHECK = 8,    /* independent checkers; unit: cells */
+    NETMESH_STAGE_ANALYSE = 9,  /* pace, integral, fatness, structure; unit: points, boxes, vertices or cells */
     NETMESH_STAGE_COUNT = 10
 } netmesh_stage;
 
 typedef struct netmesh_progress {
     netmesh_stage stage;
-    uint64_t done, total;        /* in units of the stage; total may be an estimate, 0 when unknown */
-    uint64_t vertices, cells;    /* of the mesh so far */
+    uint64_t done, total;     /* in units of the stage; total may be an estimate, 0 when unknown */
+    uint64_t vertices, cells; /* of the mesh so far */
 } netmesh_progress;
 
 /* Called about every 1,000 to 10,000 units of work. A non-zero return cancels: the call that polls returns
@@ -82,9 +82,11 @@ typedef struct netmesh_progress {
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
 typedef enum netmesh_method {
-    NETMESH_METHOD_SVR = 0,     /* Sparse Voronoi Refinement (4.4) */
-    NETMESH_METHOD_NETMESH = 1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the points' spread */
-    NETMESH_METHOD_REFINE = 2   /* VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5: the reference */
+    NETMESH_METHOD_SVR = 0, /* Sparse Voronoi Refinement (4.4) */
+    NETMESH_METHOD_NETMESH =
+        1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the points' spread */
+    NETMESH_METHOD_REFINE =
+        2 /* VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5: the reference */
 } netmesh_method;
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone (results
  * are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre, positive,
@@ -94,19 +96,19 @@ typedef enum netmesh_method {
 typedef double (*netmesh_size)(void* user, const double* x);
 
 typedef struct netmesh_options {
-    uint32_t struct_bytes;  /* sizeof(netmesh_options); set by netmesh_options_init */
-    uint32_t dim;           /* D, 2..6 */
-    double tau;             /* bound on the aspect ratio R/r of Voronoi cells, finite, > 2; 0: default of the dimension */
-    double domain_factor;   /* radius of the ball in which quality is promised over the radius of the smallest enclosing
+    uint32_t struct_bytes; /* sizeof(netmesh_options); set by netmesh_options_init */
+    uint32_t dim;          /* D, 2..6 */
+    double tau;           /* bound on the aspect ratio R/r of Voronoi cells, finite, > 2; 0: default of the dimension */
+    double domain_factor; /* radius of the ball in which quality is promised over the radius of the smallest enclosing
                                ball, in [1, 8]; 0: 1 */
-    uint64_t seed;          /* of every random choice */
-    double eps;             /* what the tight filter promises: a certified ratio of at most 1 + eps; in (0, 1/2]; 0: 1/2 */
-    double theta;           /* mediality that keeps points in one scale (7.6), in (0, 1/9]; 0: 1/9 */
-    uint32_t k;             /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
-    netmesh_poll poll;      /* may be null */
-    void* user;             /* handed to poll */
-    netmesh_method method;  /* of netmesh_mesh */
-    uint32_t finish;        /* 1: NETMESH_METHOD_NETMESH goes on to a mesh of quality tau without cages (4.7.6) */
+    uint64_t seed;        /* of every random choice */
+    double eps;        /* what the tight filter promises: a certified ratio of at most 1 + eps; in (0, 1/2]; 0: 1/2 */
+    double theta;      /* mediality that keeps points in one scale (7.6), in (0, 1/9]; 0: 1/9 */
+    uint32_t k;        /* neighbours, the point itself counted, of the filters KNN and KDISTANCE; 0: 1 */
+    netmesh_poll poll; /* may be null */
+    void* user;        /* handed to poll */
+    netmesh_method method; /* of netmesh_mesh */
+    uint32_t finish;       /* 1: NETMESH_METHOD_NETMESH goes on to a mesh of quality tau without cages (4.7.6) */
     /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most
      * f(v) = min(over_refine_eps * f_P(v), size(size_user, v)), f_P the distance to the second nearest input, the point
      * itself counted. R_v is taken, as everywhere, over corners inside the domain and points where Voronoi edges cross
@@ -130,14 +132,15 @@ netmesh_status netmesh_adopt(void* block, netmesh_context** context);
 
 typedef enum netmesh_filter {
     NETMESH_FILTER_NONE = 0,
-    NETMESH_FILTER_COMPLETE = 1, /* 7.4.2, on a mesh */
-    NETMESH_FILTER_BASIC = 2,    /* 7.4.1, on a mesh */
-    NETMESH_FILTER_ALPHA = 3,    /* exact alpha complex, on a Delaunay triangulation of the points */
-    NETMESH_FILTER_KNN = 4,      /* d_k, the distance to the k-th nearest point (8.6), on a mesh; k = 1: complete */
-    NETMESH_FILTER_KDISTANCE = 5,/* root mean square of the distances to the k nearest points (8.6), on a mesh */
-    NETMESH_FILTER_FUNCTION = 6, /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
-    NETMESH_FILTER_TIGHT = 7,    /* 7.5, on a mesh made for NETMESH_JOB_PERSIST_TIGHT (or any other, with a weaker ratio) */
-    NETMESH_FILTER_SCALES = 8,   /* 7.6, from points; by netmesh_persist_scales only */
+    NETMESH_FILTER_COMPLETE = 1,  /* 7.4.2, on a mesh */
+    NETMESH_FILTER_BASIC = 2,     /* 7.4.1, on a mesh */
+    NETMESH_FILTER_ALPHA = 3,     /* exact alpha complex, on a Delaunay triangulation of the points */
+    NETMESH_FILTER_KNN = 4,       /* d_k, the distance to the k-th nearest point (8.6), on a mesh; k = 1: complete */
+    NETMESH_FILTER_KDISTANCE = 5, /* root mean square of the distances to the k nearest points (8.6), on a mesh */
+    NETMESH_FILTER_FUNCTION = 6,  /* any Lipschitz function (8.6), on a mesh; by netmesh_persist_function only */
+    NETMESH_FILTER_TIGHT =
+        7, /* 7.5, on a mesh made for NETMESH_JOB_PERSIST_TIGHT (or any other, with a weaker ratio) */
+    NETMESH_FILTER_SCALES = 8, /* 7.6, from points; by netmesh_persist_scales only */
     /* on the points themselves; by netmesh_persist_points only */
     NETMESH_FILTER_RIPS = 9,              /* Vietoris-Rips complex: edges enter at half their length */
     NETMESH_FILTER_CECH = 10,             /* Cech complex: the offsets' exact diagram */
@@ -151,12 +154,12 @@ typedef enum netmesh_values {
 } netmesh_values;
 
 typedef enum netmesh_job {
-    NETMESH_JOB_DELAUNAY = 1,        /* netmesh_delaunay */
-    NETMESH_JOB_MESH = 2,            /* netmesh_mesh alone */
-    NETMESH_JOB_PERSIST = 3,         /* netmesh_mesh for persistence, then netmesh_persist */
-    NETMESH_JOB_PERSIST_ALPHA = 4,   /* netmesh_delaunay, then netmesh_persist with the alpha filter */
-    NETMESH_JOB_PERSIST_TIGHT = 5,   /* netmesh_mesh for the tight filter and options.eps, then netmesh_persist with it */
-    NETMESH_JOB_PERSIST_SCALES = 6   /* netmesh_persist_scales, all points of one scale */
+    NETMESH_JOB_DELAUNAY = 1,      /* netmesh_delaunay */
+    NETMESH_JOB_MESH = 2,          /* netmesh_mesh alone */
+    NETMESH_JOB_PERSIST = 3,       /* netmesh_mesh for persistence, then netmesh_persist */
+    NETMESH_JOB_PERSIST_ALPHA = 4, /* netmesh_delaunay, then netmesh_persist with the alpha filter */
+    NETMESH_JOB_PERSIST_TIGHT = 5, /* netmesh_mesh for the tight filter and options.eps, then netmesh_persist with it */
+    NETMESH_JOB_PERSIST_SCALES = 6 /* netmesh_persist_scales, all points of one scale */
 } netmesh_job;
 
 /* Bytes of block to plan for: enough for `points` uniform points, an estimate for others; a sizing function is not counted.
@@ -277,12 +280,14 @@ netmesh_status netmesh_persist_scales(netmesh_context* context, const double* po
 /* A function f >= 0 of the caller's with |f(x) - f(y)| <= lipschitz |x - y|. Homology beyond the mesh is what the caller answers for:
  * 7.4.4's clipping argument is proven for distances to points, for a general f it is an assumption. */
 typedef struct netmesh_function {
-    double (*evaluate)(void* user, const double* x); /* f at x[D], finite; called once for each vertex, in their order; must
+    double (*evaluate)(void* user,
+                       const double* x); /* f at x[D], finite; called once for each vertex, in their order; must
                                                         not call into the context */
-    void* user;              /* handed to evaluate */
-    double lipschitz;        /* finite, >= 0 */
-    double distance_factor;  /* a c with f >= d_2 / c, d_2 the distance to the second nearest point (8.6.3), or 0: unknown */
-    double cut;              /* finite, >= 0: f >= cut outside the domain ball (report.domain), and the sublevel sets from cut
+    void* user;                          /* handed to evaluate */
+    double lipschitz;                    /* finite, >= 0 */
+    double
+        distance_factor; /* a c with f >= d_2 / c, d_2 the distance to the second nearest point (8.6.3), or 0: unknown */
+    double cut; /* finite, >= 0: f >= cut outside the domain ball (report.domain), and the sublevel sets from cut
                                 on are contractible; values are cut there */
 } netmesh_function;
 
@@ -309,9 +314,10 @@ typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
     NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
-    NETMESH_CHECK_QUALITY = 8,       /* clipped aspect ratios recomputed, at most tau; sizes likewise (meshes only). With cages
+    NETMESH_CHECK_QUALITY =
+        8, /* clipped aspect ratios recomputed, at most tau; sizes likewise (meshes only). With cages
                                         the ratios of the hierarchy, and that no cage is encroached (4.5) */
-    NETMESH_CHECK_BOUNDS = 16,       /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes only) and 5 */
+    NETMESH_CHECK_BOUNDS = 16, /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes only) and 5 */
     NETMESH_CHECK_ALL = 31
 } netmesh_check_what;
 
@@ -320,7 +326,7 @@ typedef enum netmesh_check_what {
 netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netmesh_options* options);
 
 typedef enum netmesh_analyse_what {
-    NETMESH_ANALYSE_SIZE = 1,      /* a mesh only */
+    NETMESH_ANALYSE_SIZE = 1, /* a mesh only */
     NETMESH_ANALYSE_STRUCTURE = 2,
     NETMESH_ANALYSE_FATNESS = 4,
     NETMESH_ANALYSE_ALL = 7
@@ -331,7 +337,7 @@ typedef enum netmesh_analyse_what {
 typedef struct netmesh_fatness {
     uint64_t cells;
     double beta_max, beta_mean;
-    double aspect_ratio_max;   /* the same with both balls about the vertex, cells not clipped */
+    double aspect_ratio_max; /* the same with both balls about the vertex, cells not clipped */
     uint64_t edges, degree_max;
     double edges_bound;        /* 5.3.1: (4 beta)^D cells */
     double faces, faces_bound; /* at least the simplices of dimension 1 to D; 5.3.2: (4 beta)^(D^2) cells */
@@ -341,27 +347,28 @@ typedef struct netmesh_fatness {
 } netmesh_fatness;
 
 typedef struct netmesh_analysis {
-    uint32_t struct_bytes;     /* in: sizeof(netmesh_analysis) */
-    uint32_t what;             /* what was analysed; figures of other kinds are 0 */
-    uint64_t fingerprint;      /* of all figures; equal on every platform */
+    uint32_t struct_bytes; /* in: sizeof(netmesh_analysis) */
+    uint32_t what;         /* what was analysed; figures of other kinds are 0 */
+    uint64_t fingerprint;  /* of all figures; equal on every platform */
     /* Size (3.4, 3.6, 3.8): theta_i is the distance of the i-th input to the nearest before it over that to the second
      * nearest, in the ordering of netmesh_well_paced_order. */
-    uint64_t size;             /* |M|: vertices that are not exempt */
-    double size_lower;         /* every mesh of aspect ratio tau on this domain has more vertices (3.4.2) */
-    double size_upper;         /* every mesh of this feature_ratio has fewer (3.4.1) */
-    double feature_ratio;      /* largest f_P(v) / f_M(v), distances to the second nearest input and vertex */
-    double feature_ratio_bound;/* by 3.3.2, where inputs are yielded to, and 3.7.1; infinite where they say nothing */
-    double theta, theta_limit; /* least theta_i; no ordering that begins with a diameter has a least one above the limit */
-    double theta_log_sum;      /* sum of ln(1 / theta_i), i >= 3: the mesh size up to constants and O(n) (3.8.1) */
+    uint64_t size;              /* |M|: vertices that are not exempt */
+    double size_lower;          /* every mesh of aspect ratio tau on this domain has more vertices (3.4.2) */
+    double size_upper;          /* every mesh of this feature_ratio has fewer (3.4.1) */
+    double feature_ratio;       /* largest f_P(v) / f_M(v), distances to the second nearest input and vertex */
+    double feature_ratio_bound; /* by 3.3.2, where inputs are yielded to, and 3.7.1; infinite where they say nothing */
+    double theta,
+        theta_limit;      /* least theta_i; no ordering that begins with a diameter has a least one above the limit */
+    double theta_log_sum; /* sum of ln(1 / theta_i), i >= 3: the mesh size up to constants and O(n) (3.8.1) */
     /* Bounds on the integral of f_P^-D over balls about the domain's centre: the domain; what also contains all vertices'
      * in-balls; what contains three diameters about each input. */
     double radius[3], integral_lower[3], integral_upper[3];
     double pace_lower, pace_upper; /* what 3.8.7 and 3.8.5 say about the last */
-    uint64_t boxes;            /* where f_P was evaluated */
+    uint64_t boxes;                /* where f_P was evaluated */
     /* Structure (4.8.1, 4.11) */
     uint64_t degree_max, star_max; /* neighbours and cells of a vertex that is not on the hull */
     double degree_mean, star_mean;
-    uint64_t ply_points, ply_max;  /* circumscribed balls that contain a point: barycentres, centres in the domain */
+    uint64_t ply_points, ply_max; /* circumscribed balls that contain a point: barycentres, centres in the domain */
     double ply_mean;
     uint64_t balls, intersections_max; /* other circumscribed balls that meet one */
     double intersections_mean;
@@ -400,35 +407,35 @@ typedef enum netmesh_predicate_stage {
 } netmesh_predicate_stage;
 
 typedef struct netmesh_report {
-    uint32_t struct_bytes;      /* in: sizeof(netmesh_report) */
+    uint32_t struct_bytes; /* in: sizeof(netmesh_report) */
     uint32_t dim;
-    uint32_t is_mesh;           /* 1 after mesh (or load with a domain), 0 after delaunay */
-    uint32_t complete;          /* 1 when the job ran to its end, 0 after OUT_OF_MEMORY or CANCELLED */
+    uint32_t is_mesh;  /* 1 after mesh (or load with a domain), 0 after delaunay */
+    uint32_t complete; /* 1 when the job ran to its end, 0 after OUT_OF_MEMORY or CANCELLED */
     /* input */
     uint64_t points, duplicates;
     uint64_t input_fingerprint; /* of the values only */
     /* mesh */
     uint64_t vertices, inputs, steiner, exempt; /* vertices = inputs + steiner + exempt */
     uint64_t cells, cells_created;
-    double tau;                 /* bound asked for; 0 for a Delaunay triangulation */
-    double aspect_ratio_max;    /* actual worst clipped aspect ratio over vertices that are not exempt; 0 if none */
+    double tau;              /* bound asked for; 0 for a Delaunay triangulation */
+    double aspect_ratio_max; /* actual worst clipped aspect ratio over vertices that are not exempt; 0 if none */
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D; radius 0 for a Delaunay triangulation */
-    netmesh_method method;      /* of the mesh; SVR after load */
-    uint64_t cages, cages_made; /* of a hierarchical mesh; made: those released again are counted too */
-    uint64_t touches;           /* NETMESH_METHOD_NETMESH: inputs looked at by searches, domains passed by point location */
+    netmesh_method method;              /* of the mesh; SVR after load */
+    uint64_t cages, cages_made;         /* of a hierarchical mesh; made: those released again are counted too */
+    uint64_t touches; /* NETMESH_METHOD_NETMESH: inputs looked at by searches, domains passed by point location */
     /* diagram */
     uint32_t has_diagram;
     netmesh_filter filter;
     netmesh_values values;
     uint32_t max_degree;
-    uint32_t k;                 /* of the filters KNN, KDISTANCE and the barycentric ones, else 0 */
+    uint32_t k;                                 /* of the filters KNN, KDISTANCE and the barycentric ones, else 0 */
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
-    uint64_t simplices;         /* of the filtered complex */
-    double certified_ratio;     /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
+    uint64_t simplices;                         /* of the filtered complex */
+    double certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
                                    the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
-    double certified_ratio_best;/* the best ratio that any filter values on this mesh can certify (certified values) */
-    double certified_from;      /* scale from which the ratio holds: 0, or r_P for the basic filter */
+    double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
+    double certified_from;       /* scale from which the ratio holds: 0, or r_P for the basic filter */
     /* scales: how many, the least E = (distance from a scale's representative to the next point of the scale above) / (twice the
      * radius of the scale), at least (1 - theta) / (2 theta), infinity for one scale; offsets are within E / (E - 1). Points and
      * vertices of the largest scale; `simplices` counts those of all. */
@@ -443,9 +450,9 @@ typedef struct netmesh_report {
     uint64_t block_bytes, peak_bytes, used_bytes;
     uint64_t predicate_calls[NETMESH_PREDICATE_STAGES]; /* in-ball decisions ended in each stage */
     uint64_t orient_calls[NETMESH_PREDICATE_STAGES];
-    uint64_t fingerprint;       /* of mesh and diagram; equal on every platform and for every block size */
-    double over_refine_eps;     /* asked for */
-    double size_ratio_max;      /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
+    uint64_t fingerprint;   /* of mesh and diagram; equal on every platform and for every block size */
+    double over_refine_eps; /* asked for */
+    double size_ratio_max;  /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
 } netmesh_report;
 
 netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);
@@ -523,8 +530,9 @@ netmesh_status netmesh_bottleneck(const netmesh_pair* a, size_t count_a, const n
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_options* options);
 typedef struct netmesh_bar_bounds {
     double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched */
-    double certain_after; /* psi(phi(birth)), certificates hold near the scale `birth` within sqrt(certain_after / birth) */
-    uint32_t certain;     /* 1: death > certain_after, so the bar is surely real */
+    double
+        certain_after; /* psi(phi(birth)), certificates hold near the scale `birth` within sqrt(certain_after / birth) */
+    uint32_t certain;  /* 1: death > certain_after, so the bar is surely real */
 } netmesh_bar_bounds;
 netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds);
 

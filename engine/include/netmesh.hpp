@@ -24,7 +24,8 @@ inline netmesh_status bottleneck(const netmesh_pair* a, std::size_t count_a, con
                                  void* scratch, std::size_t scratch_bytes, netmesh_distance* distance,
                                  netmesh_scale scale = NETMESH_SCALE_PLAIN,
                                  std::uint32_t degree = NETMESH_ALL_DEGREES) {
-    return netmesh_bottleneck(a, count_a, b, count_b, degree, scale, scratch, scratch_bytes, nullptr, nullptr, distance);
+    return netmesh_bottleneck(a, count_a, b, count_b, degree, scale, scratch, scratch_bytes, nullptr, nullptr,
+                              distance);
 }
 
 // A context in a block that the caller keeps alive. Copying the object copies the handle, not the context.

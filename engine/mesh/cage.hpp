@@ -37,7 +37,7 @@ struct Cage {
     std::uint32_t shell;   // first of its 2 D shell vertices; none when released
     std::uint32_t next;    // scratch of whoever walks over cages
     double radius;
-    double nearest2;       // squared distance from the centre to the nearest vertex outside: f_M of the cage, squared
+    double nearest2;  // squared distance from the centre to the nearest vertex outside: f_M of the cage, squared
 };
 
 template <int D> inline bool is_inside(const Store<D>& store, const Cage& cage, const double* x) {
@@ -51,7 +51,8 @@ template <int D> inline double in_radius(const Cage& cage) {
 
 // The ball that the cells of a domain's vertices are clipped to.
 template <int D>
-inline Domain<D> domain_ball(const Store<D>& store, const Cage* cages, std::uint32_t domain, const Domain<D>& outermost) {
+inline Domain<D> domain_ball(const Store<D>& store, const Cage* cages, std::uint32_t domain,
+                             const Domain<D>& outermost) {
     if (domain == none) return outermost;
     Domain<D> ball;
     for (int k = 0; k < D; ++k) ball.centre[k] = store.point(cages[domain].centre)[k];

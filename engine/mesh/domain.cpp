@@ -129,8 +129,8 @@ void smallest_enclosing_ball(const double* points, std::uint32_t count, double* 
     *radius = square_root(best2) * (1 + 8 * unit_roundoff);
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                    \
-    template void smallest_enclosing_ball<D>(const Store<D>&, std::uint32_t, Domain<D>&);         \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template void smallest_enclosing_ball<D>(const Store<D>&, std::uint32_t, Domain<D>&);                              \
     template void smallest_enclosing_ball<D>(const double*, std::uint32_t, double*, double*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

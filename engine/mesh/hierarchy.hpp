@@ -27,7 +27,8 @@ public:
     bool is_live(std::uint32_t d) const { return cages_[d].shell != none; }
 
     // Each cage is made for the insertion of an input, so there is room for all.
-    std::uint32_t make(std::uint32_t centre, double radius, double nearest2, std::uint32_t parent, std::uint32_t shell) {
+    std::uint32_t make(std::uint32_t centre, double radius, double nearest2, std::uint32_t parent,
+                       std::uint32_t shell) {
         cages_[made_] = {centre, parent, shell, none, radius, nearest2};
         ++live_;
         return made_++;

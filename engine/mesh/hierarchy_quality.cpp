@@ -28,7 +28,8 @@ private:
     }
     void raise_vertices(std::uint32_t c, const Cell<D>& corner);
     void raise_cages(std::uint32_t c, const Cell<D>& corner);
-    template <class Offer> void clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& corner, Offer&& offer) const;
+    template <class Offer>
+    void clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& corner, Offer&& offer) const;
 
     Store<D>& store_;
     Cage* cages_;
@@ -106,7 +107,8 @@ template <int D> CheckResult Measurement<D>::find_domains() {
         if (cage.parent != none) {
             const Cage& around = cages_[cage.parent];
             const double offset = square_root(distance2<D>(store_.point(cage.centre), store_.point(around.centre)));
-            if (!(offset + cage.radius <= around.radius)) return {"a cage sticks out of the one around it", cage.centre};
+            if (!(offset + cage.radius <= around.radius))
+                return {"a cage sticks out of the one around it", cage.centre};
         }
         visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double) { domain_[v] = d; });
     }
@@ -203,11 +205,12 @@ template <int D> void Measurement<D>::raise_cages(std::uint32_t c, const Cell<D>
                     const double d2 = distance2<D>(store_.point(v), centre);
                     if (d2 < cages_[d].nearest2) cages_[d].nearest2 = d2;
                 }
-            clip(domain_ball<D>(store_, cages_, cages_[d].parent, outermost_), c, here, [&](const double* x, int facet) {
-                if (facet >= 0 && !is_on_boundary<D>(store_, cages_[d], cell.neighbour[facet] >> 3)) return;
-                const double d2 = distance2<D>(x, centre);
-                if (d2 > cage_out2_[d]) cage_out2_[d] = d2;
-            });
+            clip(domain_ball<D>(store_, cages_, cages_[d].parent, outermost_), c, here,
+                 [&](const double* x, int facet) {
+                     if (facet >= 0 && !is_on_boundary<D>(store_, cages_[d], cell.neighbour[facet] >> 3)) return;
+                     const double d2 = distance2<D>(x, centre);
+                     if (d2 > cage_out2_[d]) cage_out2_[d] = d2;
+                 });
         }
 }
 
@@ -278,7 +281,7 @@ Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, cons
     return Status::ok;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                  \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status measure_hierarchy<D>(Store<D>&, Cage*, std::uint32_t, const Domain<D>&, Arena&, HierarchyQuality*, \
                                          double*, std::uint32_t*);
 NETMESH_INSTANTIATE(2)

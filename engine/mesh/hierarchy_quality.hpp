@@ -8,8 +8,8 @@
 namespace netmesh {
 
 struct HierarchyQuality {
-    double worst;          // largest aspect ratio of a clipped cell, of vertices that are not exempt and of cages
-    std::uint32_t vertex;  // whose, or the centre of which cage; none when there is none
+    double worst;            // largest aspect ratio of a clipped cell, of vertices that are not exempt and of cages
+    std::uint32_t vertex;    // whose, or the centre of which cage; none when there is none
     bool is_hierarchy;       // nested balls about inputs; otherwise nothing was measured
     CheckResult encroached;  // why this is no hierarchical mesh: .cell is the centre of the cage at fault
 };

@@ -74,7 +74,8 @@ private:
     Status fill(std::uint32_t v, const Cavity& cavity);
     Status insert_input(std::uint32_t p, std::uint32_t from, Path* path);
     Status approach(std::uint32_t p, const Cavity& cavity, Path* path);
-    Status insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t start, std::uint32_t cell);
+    Status insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t start,
+                          std::uint32_t cell);
     Status new_cage(std::uint32_t p, double reach);
     Status release_encroached();
     Status release_cage(std::uint32_t d);
@@ -166,7 +167,8 @@ template <int D> void NetMesh<D>::update_star(const Cavity& cavity, std::uint32_
         for (std::uint32_t k = 0; k < cavity.facets; ++k) {
             const std::uint32_t c = kernel_.new_cell(k);
             for (const std::uint32_t w : store_.cell(c).vertex)
-                if (w != v && w != none && store_.vertex(w).cell == c) meet(w, centre.x, centre.marker != Marker::exempt);
+                if (w != v && w != none && store_.vertex(w).cell == c)
+                    meet(w, centre.x, centre.marker != Marker::exempt);
         }
     }
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
@@ -582,9 +584,9 @@ Status netmesh(Store<D>& store, const double* points, std::size_t n, const Hiera
     return status;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                  \
-    template Status netmesh<D>(Store<D>&, const double*, std::size_t, const HierarchyOptions&, Monitor&,        \
-                               InputReport*, Domain<D>*, Cage**, HierarchyReport*);
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status netmesh<D>(Store<D>&, const double*, std::size_t, const HierarchyOptions&, Monitor&, InputReport*, \
+                               Domain<D>*, Cage**, HierarchyReport*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

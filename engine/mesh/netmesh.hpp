@@ -15,9 +15,9 @@ struct HierarchyOptions {
 };
 
 struct HierarchyReport {
-    std::uint32_t cages;           // left in the mesh
+    std::uint32_t cages;  // left in the mesh
     std::uint32_t cages_made, cages_released;
-    std::uint64_t touches;         // of inputs by point location and searches: inputs looked at, cells and domains passed
+    std::uint64_t touches;  // of inputs by point location and searches: inputs looked at, cells and domains passed
 };
 
 // Meshes points[n][D]. Afterwards as after refine(), but that quality is hierarchical (definition 4.5, clipped, see cage.hpp):

@@ -67,9 +67,9 @@ template <int D> void settle_spheres(Store<D>& store) {
     }
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                        \
-    template Status check_separation<D>(const Store<D>&, const InputTree<D>&, InputReport*);          \
-    template Status open_frame<D>(Store<D>&, Kernel<D>&, const InputTree<D>&, const Domain<D>&, double); \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status check_separation<D>(const Store<D>&, const InputTree<D>&, InputReport*);                           \
+    template Status open_frame<D>(Store<D>&, Kernel<D>&, const InputTree<D>&, const Domain<D>&, double);               \
     template void settle_spheres<D>(Store<D>&);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

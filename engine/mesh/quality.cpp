@@ -120,10 +120,10 @@ Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, A
     return Status::ok;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                     \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status worst_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);         \
-    template Status recomputed_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*); \
-    template void clipped_out_radii<D>(const Store<D>&, const Domain<D>&, Corners, double*);                       \
+    template Status recomputed_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);    \
+    template void clipped_out_radii<D>(const Store<D>&, const Domain<D>&, Corners, double*);                           \
     template void recomputed_nearest2<D>(const Store<D>&, double*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

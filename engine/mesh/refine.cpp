@@ -16,8 +16,9 @@ constexpr double tau_margin = 0x1p-20;
 template <int D> class Refinement {
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain), tau_(options.tau * (1 - tau_margin)),
-          certify_(options.certify && !options.reference), reference_(options.reference), rule_(options.size) {}
+        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain),
+          tau_(options.tau * (1 - tau_margin)), certify_(options.certify && !options.reference),
+          reference_(options.reference), rule_(options.size) {}
 
     Status check_input(InputReport* input);
     Status open(const RefineOptions& options);
@@ -30,7 +31,7 @@ private:
     struct CellView {
         Corner<D> clipped;  // farthest corner of the clipped cell
         Corner<D> whole;    // farthest corner of the whole cell
-        double reach2;   // squared distance from the nearest input to the farthest corner from it
+        double reach2;      // squared distance from the nearest input to the farthest corner from it
     };
 
     Status insert(std::uint32_t v, std::uint32_t from);
@@ -62,8 +63,8 @@ private:
     double tau_;
     bool certify_, reference_;
     SizeRule rule_;
-    bool sized_ = false;             // sizes are asked for by now
-    std::uint32_t refused_ = none;   // row of the input nearest to the vertex whose size is refused
+    bool sized_ = false;            // sizes are asked for by now
+    std::uint32_t refused_ = none;  // row of the input nearest to the vertex whose size is refused
     std::uint32_t inputs_ = 0, inserted_ = 0;
 };
 
@@ -222,8 +223,7 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
 }
 
 // The corner to refine, null when the cell is good.
-template <int D>
-const Corner<D>* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
+template <int D> const Corner<D>* Refinement<D>::bad_corner(std::uint32_t v, const CellView& view) const {
     const double nearest2 = store_.vertex(v).nearest2;
     if (is_bad(view.clipped.distance2, nearest2) || is_oversize(v, view.clipped.distance2)) return &view.clipped;
     if (!certify_ || !is_bad(view.whole.distance2, nearest2)) return nullptr;
@@ -363,8 +363,8 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
     return status;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                    \
-    template Status refine<D>(Store<D>&, const double*, std::size_t, const RefineOptions&, Monitor&, InputReport*, \
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status refine<D>(Store<D>&, const double*, std::size_t, const RefineOptions&, Monitor&, InputReport*,     \
                               Domain<D>*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)

@@ -17,7 +17,7 @@ struct RefineOptions {
     double domain_factor;  // domain radius over the radius of the smallest enclosing ball, >= 1
     bool certify;          // also bring the certified ratio of filtration/mesh_filter.hpp below sqrt(2 + tau)
     std::uint64_t seed;
-    SizeRule size = {};    // also bring the out-radius of every clipped cell down to what it asks for
+    SizeRule size = {};  // also bring the out-radius of every clipped cell down to what it asks for
     // VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5 instead, the reference for everything else:
     // all inputs first, then farthest corners, whole. domain_factor and certify do not matter. With rho the radius of the
     // smallest enclosing ball and delta = 2 rho >= diameter(P), the domain has the ball's centre and radius

@@ -54,7 +54,8 @@ public:
 private:
     static constexpr int digits = bits / 32;
 
-    [[gnu::noinline]] static Integer512 sum(const Integer512& a, const Integer512& b, std::uint32_t flip, std::uint64_t carry) {
+    [[gnu::noinline]] static Integer512 sum(const Integer512& a, const Integer512& b, std::uint32_t flip,
+                                            std::uint64_t carry) {
         Integer512 c;
         for (int i = 0; i < digits; ++i) {
             carry += std::uint64_t{a.digit_[i]} + (b.digit_[i] ^ flip);

@@ -25,7 +25,8 @@ template <> inline int planar_stage<true>(const double* const* p) {
     if (!(a < 0x1p240 && b < 0x1p240 && c < 0x1p240)) return 0;
     const double bc = bx * cy, cb = cx * by, ca = cx * ay, ac = ax * cy, ab = ax * by, ba = bx * ay;
     const double value = a * (bc - cb) + b * (ca - ac) + c * (ab - ba);
-    const double permanent = a * (__builtin_fabs(bc) + __builtin_fabs(cb)) + b * (__builtin_fabs(ca) + __builtin_fabs(ac)) +
+    const double permanent = a * (__builtin_fabs(bc) + __builtin_fabs(cb)) +
+                             b * (__builtin_fabs(ca) + __builtin_fabs(ac)) +
                              c * (__builtin_fabs(ab) + __builtin_fabs(ba));
     const double error = 11 * unit_roundoff * permanent + 0x1p-790;
     return (value > error) - (value < -error);

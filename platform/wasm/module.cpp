@@ -42,7 +42,8 @@ EXPORT(run) int run(std::uint32_t n, std::uint32_t dim, double tau) {
     netmesh_status status = netmesh_init(arena, sizeof arena, &context);
     if (status == NETMESH_OK) status = netmesh_mesh(context, coordinates, n, NETMESH_JOB_PERSIST, &options);
     if (status == NETMESH_OK)
-        status = netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &options);
+        status =
+            netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &options);
     netmesh_get_report(context, &report);
     return status;
 }

@@ -63,7 +63,8 @@ TEST_CASE("bounds that do not fit leave the diagram") {
         session.reserve(bytes);
         netmesh_status status = netmesh_mesh(session.context, points.data(), 30, NETMESH_JOB_PERSIST, &session.options);
         if (status == NETMESH_OK)
-            status = netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0, &session.options);
+            status = netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0,
+                                     &session.options);
         if (status != NETMESH_OK) continue;
         const netmesh_status bound = netmesh_bound_bars(session.context, &session.options);
         if (bound == NETMESH_OK) break;

@@ -60,7 +60,8 @@ inputs::Points flat_points(int dim, int flat, std::size_t n) {
         std::vector<double> x(static_cast<std::size_t>(dim), 0.0);
         for (int a = 0; a < flat; ++a) {
             const double t = static_cast<double>(random.below(2000)) - 1000.0;
-            for (int b = 0; b < dim; ++b) x[static_cast<std::size_t>(b)] += t * static_cast<double>((a * b + a + b) % 5 + (a == b));
+            for (int b = 0; b < dim; ++b)
+                x[static_cast<std::size_t>(b)] += t * static_cast<double>((a * b + a + b) % 5 + (a == b));
         }
         p.insert(p.end(), x.begin(), x.end());
     }

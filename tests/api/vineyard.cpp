@@ -24,7 +24,8 @@ void diagrams_equal_fresh_ones(int dim, const inputs::Points& points, std::uint3
             netmesh_vine_point p, last = {0, 0, 0, 0, 0};
             for (std::uint64_t i = 0; netmesh_get_vine_point(session.context, i, &p) == NETMESH_OK; ++i) {
                 diagram[p.k].push_back({p.degree, p.birth, p.death});
-                if (i > 0) CHECK((p.vine > last.vine || (p.vine == last.vine && p.k > last.k && p.degree == last.degree)));
+                if (i > 0)
+                    CHECK((p.vine > last.vine || (p.vine == last.vine && p.k > last.k && p.degree == last.degree)));
                 last = p;
             }
             CHECK(last.vine + 1 == report.vines);
@@ -80,8 +81,8 @@ TEST_CASE("every size of memory: a status and a whole mesh, or the same vineyard
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 12);
     REQUIRE(session.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_OK);
-    REQUIRE(netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, 3, NETMESH_VALUES_CERTIFIED, 1, &session.options) ==
-            NETMESH_OK);
+    REQUIRE(netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, 3, NETMESH_VALUES_CERTIFIED, 1,
+                             &session.options) == NETMESH_OK);
     const std::uint64_t print = session.report().fingerprint, peak = session.report().peak_bytes;
     int refused = 0;
     for (std::size_t bytes = peak / 8; bytes < peak + peak / 4; bytes += peak / 40) {
@@ -89,7 +90,8 @@ TEST_CASE("every size of memory: a status and a whole mesh, or the same vineyard
         small.reserve(bytes);
         netmesh_status status = netmesh_mesh(small.context, points.data(), 12, NETMESH_JOB_PERSIST, &small.options);
         if (status == NETMESH_OK)
-            status = netmesh_vineyard(small.context, NETMESH_FILTER_KNN, 1, 3, NETMESH_VALUES_CERTIFIED, 1, &small.options);
+            status =
+                netmesh_vineyard(small.context, NETMESH_FILTER_KNN, 1, 3, NETMESH_VALUES_CERTIFIED, 1, &small.options);
         if (status == NETMESH_OK) {
             CHECK(small.report().fingerprint == print);
             CHECK(bytes >= peak / 2);

@@ -190,16 +190,11 @@ int main(int argc, char** argv) {
     const double jitter = argc > 3 ? std::atof(argv[3]) : 0.3;
     const int shuffle = argc > 4 ? std::atoi(argv[4]) : 0;
     switch (argc > 5 ? std::atoi(argv[5]) : 4) {
-    case 2:
-        return measure<2>(cubes, sample, jitter, shuffle);
-    case 3:
-        return measure<3>(cubes, sample, jitter, shuffle);
-    case 4:
-        return measure<4>(cubes, sample, jitter, shuffle);
-    case 5:
-        return measure<5>(cubes, sample, jitter, shuffle);
-    case 6:
-        return measure<6>(cubes, sample, jitter, shuffle);
+    case 2: return measure<2>(cubes, sample, jitter, shuffle);
+    case 3: return measure<3>(cubes, sample, jitter, shuffle);
+    case 4: return measure<4>(cubes, sample, jitter, shuffle);
+    case 5: return measure<5>(cubes, sample, jitter, shuffle);
+    case 6: return measure<6>(cubes, sample, jitter, shuffle);
     }
     return 2;
 }

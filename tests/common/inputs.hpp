@@ -144,7 +144,8 @@ inline std::pair<double, double> turn(std::uint64_t i, std::uint64_t n) {
     const std::uint64_t octant = 8 * i / n;
     // The angle to the nearest multiple of a quarter turn, at most an eighth: t = (4 i - q n) / n quarter turns.
     const std::uint64_t q = (octant + 1) / 2;
-    const double t = (static_cast<double>(4 * i) - static_cast<double>(q * n)) / static_cast<double>(n) * 1.5707963267948966;
+    const double t =
+        (static_cast<double>(4 * i) - static_cast<double>(q * n)) / static_cast<double>(n) * 1.5707963267948966;
     double c = 1.0, s = 1.0;
     for (int k = 11; k >= 1; --k) {
         c = 1.0 - c * t * t / static_cast<double>((2 * k - 1) * (2 * k));
@@ -152,10 +153,10 @@ inline std::pair<double, double> turn(std::uint64_t i, std::uint64_t n) {
     }
     s *= t;
     switch (q & 3) {
-        case 0: return {c, s};
-        case 1: return {0.0 - s, c};
-        case 2: return {0.0 - c, 0.0 - s};
-        default: return {s, 0.0 - c};
+    case 0: return {c, s};
+    case 1: return {0.0 - s, c};
+    case 2: return {0.0 - c, 0.0 - s};
+    default: return {s, 0.0 - c};
     }
 }
 
@@ -192,8 +193,9 @@ inline Points repeated(int dim, const Points& points, int copies, std::uint64_t 
         order[j] = t;
     }
     Points p;
-    for (std::size_t i : order) p.insert(p.end(), points.begin() + static_cast<std::ptrdiff_t>(i * d),
-                                         points.begin() + static_cast<std::ptrdiff_t>((i + 1) * d));
+    for (std::size_t i : order)
+        p.insert(p.end(), points.begin() + static_cast<std::ptrdiff_t>(i * d),
+                 points.begin() + static_cast<std::ptrdiff_t>((i + 1) * d));
     return p;
 }
 

@@ -52,7 +52,8 @@ public:
         const std::size_t n = points.size() / options.dim;
         return until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST, &options, n), [&] {
             const netmesh_status status = netmesh_mesh(context, points.data(), n, NETMESH_JOB_PERSIST, &options);
-            return status != NETMESH_OK ? status : netmesh_persist(context, filter, values, NETMESH_DIM_MAX, 0, &options);
+            return status != NETMESH_OK ? status
+                                        : netmesh_persist(context, filter, values, NETMESH_DIM_MAX, 0, &options);
         });
     }
     netmesh_status alpha(const inputs::Points& points) {
@@ -64,8 +65,8 @@ public:
                                                           NETMESH_DIM_MAX, 0, &options);
         });
     }
-    netmesh_status points(netmesh_filter filter, std::uint32_t k, std::uint32_t max_degree, const inputs::Points& points,
-                          bool representatives = false) {
+    netmesh_status points(netmesh_filter filter, std::uint32_t k, std::uint32_t max_degree,
+                          const inputs::Points& points, bool representatives = false) {
         const std::size_t n = points.size() / options.dim;
         return until_it_fits(netmesh_points_bytes(filter, &options, n, k, max_degree), [&] {
             return netmesh_persist_points(context, points.data(), n, filter, NETMESH_VALUES_CERTIFIED, k, max_degree, 0,

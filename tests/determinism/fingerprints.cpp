@@ -24,7 +24,8 @@ void print(const char* job, const char* input, const Session& session, netmesh_s
     const netmesh_report r = session.report();
     std::uint64_t pairs = 0;
     for (std::uint32_t k = 0; k <= r.max_degree; ++k) pairs += r.has_diagram ? r.pairs[k] : 0;
-    std::printf("%s %s D%" PRIu32 " input %016" PRIx64 " result %016" PRIx64 " vertices %" PRIu64 " cells %" PRIu64 " pairs %" PRIu64 "\n",
+    std::printf("%s %s D%" PRIu32 " input %016" PRIx64 " result %016" PRIx64 " vertices %" PRIu64 " cells %" PRIu64
+                " pairs %" PRIu64 "\n",
                 job, input, r.dim, r.input_fingerprint, r.fingerprint, r.vertices, r.cells, pairs);
     std::fflush(stdout);
 }
@@ -43,7 +44,8 @@ std::uint64_t hash_of_cycles(const Session& session) {
 void represent(const char* job, Session& session, netmesh_status status) {
     if (status == NETMESH_OK) status = netmesh_represent(session.context, &session.options);
     failed = failed || status != NETMESH_OK;
-    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.options.dim, hash_of_cycles(session), static_cast<int>(status));
+    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.options.dim, hash_of_cycles(session),
+                static_cast<int>(status));
 }
 
 void print_analysis(const char* input, Session& session, std::uint32_t what) {
@@ -68,7 +70,8 @@ void dimension(int dim) {
     print("delaunay", "clusters", session, session.delaunay(inputs::clusters(dim, points[d])));
     print("delaunay", "grid", session, session.delaunay(inputs::grid(dim, side[d])));
     print("delaunay", "zoom", session, session.delaunay(inputs::zoom(dim, 1000, 20)));
-    print("delaunay", "repeated", session, session.delaunay(inputs::repeated(dim, inputs::uniform(dim, points[d] / 2), 2)));
+    print("delaunay", "repeated", session,
+          session.delaunay(inputs::repeated(dim, inputs::uniform(dim, points[d] / 2), 2)));
     print("mesh", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d])));
     print("mesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
     session.options.method = NETMESH_METHOD_NETMESH;
@@ -86,7 +89,8 @@ void dimension(int dim) {
     session.options.over_refine_eps = 0;
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
-    print("persist-basic", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
+    print("persist-basic", "uniform", session,
+          session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
     represent("alpha", session, session.alpha(inputs::uniform(dim, points[d] / 4)));
     represent("persist", session, session.mesh_and_persist(inputs::uniform(dim, dim < 5 ? meshed[d] / 4 : 2)));
     for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
@@ -102,11 +106,12 @@ void dimension(int dim) {
         }));
         const inputs::Points sparse = inputs::uniform(dim, dim == 2 ? 20 : 5);
         print("persist-tight", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
-            const netmesh_status status =
-                netmesh_mesh(session.context, sparse.data(), sparse.size() / d, NETMESH_JOB_PERSIST_TIGHT, &session.options);
-            return status != NETMESH_OK ? status
-                                        : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, NETMESH_VALUES_CERTIFIED,
-                                                          NETMESH_DIM_MAX, 0, &session.options);
+            const netmesh_status status = netmesh_mesh(session.context, sparse.data(), sparse.size() / d,
+                                                       NETMESH_JOB_PERSIST_TIGHT, &session.options);
+            return status != NETMESH_OK
+                       ? status
+                       : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, NETMESH_VALUES_CERTIFIED,
+                                         NETMESH_DIM_MAX, 0, &session.options);
         }));
         const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
         print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
@@ -119,27 +124,33 @@ void dimension(int dim) {
     }
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, points[d] / 2)));
     const std::size_t number[] = {0, 0, 40, 36, 32, 24, 20};
-    print("rips", "uniform", session, session.points(NETMESH_FILTER_RIPS, 1, dim < 4 ? 2 : 1, inputs::uniform(dim, number[d])));
+    print("rips", "uniform", session,
+          session.points(NETMESH_FILTER_RIPS, 1, dim < 4 ? 2 : 1, inputs::uniform(dim, number[d])));
     print("rips", "grid", session, session.points(NETMESH_FILTER_RIPS, 1, 1, inputs::grid(dim, dim < 4 ? 4 : 2)));
     print("cech", "uniform", session, session.points(NETMESH_FILTER_CECH, 1, 1, inputs::uniform(dim, number[d])));
     print("cech", "grid", session, session.points(NETMESH_FILTER_CECH, 1, 2, inputs::grid(dim, dim < 3 ? 4 : 2)));
-    print("barycentric-cech", "uniform", session, session.points(NETMESH_FILTER_BARYCENTRIC_CECH, 2, 1, inputs::uniform(dim, 9)));
-    print("barycentric-rips", "uniform", session, session.points(NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 0, inputs::uniform(dim, 10)));
+    print("barycentric-cech", "uniform", session,
+          session.points(NETMESH_FILTER_BARYCENTRIC_CECH, 2, 1, inputs::uniform(dim, 9)));
+    print("barycentric-rips", "uniform", session,
+          session.points(NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 0, inputs::uniform(dim, 10)));
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? side[d] : 3)));
 }
 
 // Distances of the diagrams of two samples, as the bits that netmesh_bottleneck returns.
 void distances() {
     Session a(2), b(2);
-    const bool made = a.alpha(inputs::shell(2, 500, 0.5, 1, 1)) == NETMESH_OK && b.alpha(inputs::shell(2, 500, 0.5, 1, 2)) == NETMESH_OK;
+    const bool made = a.alpha(inputs::shell(2, 500, 0.5, 1, 1)) == NETMESH_OK &&
+                      b.alpha(inputs::shell(2, 500, 0.5, 1, 2)) == NETMESH_OK;
     const std::vector<netmesh_pair> x = a.pairs(), y = b.pairs();
     const std::size_t bytes = netmesh_bottleneck_bytes(x.size(), y.size());
     void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
     for (const netmesh_scale scale : {NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG}) {
         netmesh_distance d = {};
-        const netmesh_status status = netmesh_bottleneck(x.data(), x.size(), y.data(), y.size(), NETMESH_ALL_DEGREES, scale, scratch, bytes, nullptr, nullptr, &d);
+        const netmesh_status status = netmesh_bottleneck(x.data(), x.size(), y.data(), y.size(), NETMESH_ALL_DEGREES,
+                                                         scale, scratch, bytes, nullptr, nullptr, &d);
         failed = failed || !made || status != NETMESH_OK;
-        std::printf("bottleneck %s distance %a exponent %" PRId32 "\n", scale == NETMESH_SCALE_LOG ? "log" : "plain", d.value, d.exponent);
+        std::printf("bottleneck %s distance %a exponent %" PRId32 "\n", scale == NETMESH_SCALE_LOG ? "log" : "plain",
+                    d.value, d.exponent);
     }
     std::free(scratch);
 }
@@ -151,7 +162,8 @@ void homology() {
     std::set<std::vector<std::uint32_t>> faces;
     while (faces.size() < 3000) {
         std::vector<std::uint32_t> cell;
-        for (std::uint32_t i = 0; i < size; ++i) cell.push_back(static_cast<std::uint32_t>(random.below(vertices / size)) * size + i);
+        for (std::uint32_t i = 0; i < size; ++i)
+            cell.push_back(static_cast<std::uint32_t>(random.below(vertices / size)) * size + i);
         for (std::uint32_t mask = 1; mask < 1u << size; ++mask) {
             std::vector<std::uint32_t> face;
             for (std::uint32_t i = 0; i < size; ++i) {
@@ -172,7 +184,8 @@ void homology() {
     }
     Session session(2);
     const netmesh_status status = session.until_it_fits(netmesh_homology_bytes(values.size(), list.size()), [&] {
-        return netmesh_homology(session.context, list.data(), starts.data(), values.data(), values.size(), 3, 0, 1, &session.options);
+        return netmesh_homology(session.context, list.data(), starts.data(), values.data(), values.size(), 3, 0, 1,
+                                &session.options);
     });
     print("homology", "joined", session, status);
     std::printf("homology cycles %016" PRIx64 "\n", hash_of_cycles(session));

@@ -144,46 +144,26 @@ const char* make(Input* in, int dim, int which) {
     const bool low = dim < 4;
     const int n = random_points[dim], few = dim + 2;
     switch (which) {
-    case 0:
-        return uniform(in, 1, n), "random";
-    case 1:
-        return uniform(in, 2, n), "random";
-    case 2:
-        return uniform(in, 3, dim + 1), "simplex";
-    case 3:
-        return uniform(in, 4, few), "random-few";
-    case 4:
-        return uniform(in, 5, 1), "single";
-    case 5:
-        return grid(in, 3, low ? 27 : n, 1, 0), "grid";
-    case 6:
-        return grid(in, 2, low ? 8 : n, 0.1, 0), "grid-tenths";
-    case 7:
-        return grid(in, 2, 8, 1, low ? 0x1p-44 : 0x1p-5), in->meshed = low ? 8 : 5, "grid-jittered";
-    case 8:
-        return grid(in, 2, dim, 3, 0), "flat";
-    case 9:
-        return cross(in, 1, false), "cross";
-    case 10:
-        return cross(in, 0.3, true), "cross-centre";
-    case 11:
-        return roots(in, low ? 12 : n), "roots";
-    case 12:
-        return grid(in, 2, low ? 8 : few + 1, 0x1p-30, 0), "cube";
-    case 13:
-        return zoom(in, few, dim == 2 ? 8 : dim == 3 ? 2 : 1, 6), in->meshed = low ? few : 4, "spread";
-    case 14:
-        return zoom(in, few, dim == 2 ? 24 : 40, 7), in->meshed = dim == 2 ? few : 2, "spread-far";
-    case 15:
-        return zoom(in, dim + 3, 200, 8), "spread-extreme";
-    case 16:
-        return uniform(in, 9, few), repeat(in, 3), "repeated";
-    case 17:
-        return cross(in, 1, false), repeat(in, 2), "repeated-cross";
-    case 18:
-        return uniform(in, 10, 1), repeat(in, 4), "one-place";
-    default:
-        return line(in, low ? few : 2), "line";
+    case 0: return uniform(in, 1, n), "random";
+    case 1: return uniform(in, 2, n), "random";
+    case 2: return uniform(in, 3, dim + 1), "simplex";
+    case 3: return uniform(in, 4, few), "random-few";
+    case 4: return uniform(in, 5, 1), "single";
+    case 5: return grid(in, 3, low ? 27 : n, 1, 0), "grid";
+    case 6: return grid(in, 2, low ? 8 : n, 0.1, 0), "grid-tenths";
+    case 7: return grid(in, 2, 8, 1, low ? 0x1p-44 : 0x1p-5), in->meshed = low ? 8 : 5, "grid-jittered";
+    case 8: return grid(in, 2, dim, 3, 0), "flat";
+    case 9: return cross(in, 1, false), "cross";
+    case 10: return cross(in, 0.3, true), "cross-centre";
+    case 11: return roots(in, low ? 12 : n), "roots";
+    case 12: return grid(in, 2, low ? 8 : few + 1, 0x1p-30, 0), "cube";
+    case 13: return zoom(in, few, dim == 2 ? 8 : dim == 3 ? 2 : 1, 6), in->meshed = low ? few : 4, "spread";
+    case 14: return zoom(in, few, dim == 2 ? 24 : 40, 7), in->meshed = dim == 2 ? few : 2, "spread-far";
+    case 15: return zoom(in, dim + 3, 200, 8), "spread-extreme";
+    case 16: return uniform(in, 9, few), repeat(in, 3), "repeated";
+    case 17: return cross(in, 1, false), repeat(in, 2), "repeated-cross";
+    case 18: return uniform(in, 10, 1), repeat(in, 4), "one-place";
+    default: return line(in, low ? few : 2), "line";
     }
 }
 

@@ -40,7 +40,8 @@ TEST_CASE("any number of pairs, any number of ties") {
     for (const std::size_t count : {1, 2, 3, 24, 25, 26, 100, 1000, 5000}) {
         for (const unsigned levels : {1u, 2u, 10u, 1000000u}) {
             std::vector<Pair> pairs(count);
-            for (Pair& p : pairs) p = {double(random() % levels), double(random() % levels), std::uint32_t(random() % 3), 0};
+            for (Pair& p : pairs)
+                p = {double(random() % levels), double(random() % levels), std::uint32_t(random() % 3), 0};
             check(pairs);
             std::sort(pairs.begin(), pairs.end(), netmesh::before);
             check(pairs);

@@ -10,8 +10,8 @@
 static double points[3 * POINTS];
 static uint64_t memory[BLOCK_BYTES / 8 + 2];
 
-static int spend(void *user, const netmesh_progress *progress) {
-    int *left = user;
+static int spend(void* user, const netmesh_progress* progress) {
+    int* left = user;
     (void)progress;
     return (*left)-- <= 0;
 }
@@ -19,7 +19,7 @@ static int spend(void *user, const netmesh_progress *progress) {
 int main(void) {
     const uintptr_t at = (uintptr_t)memory;
     uint64_t state = 1, partial;
-    netmesh_context *context;
+    netmesh_context* context;
     netmesh_options options;
     netmesh_report report;
     int i, left;
@@ -27,7 +27,7 @@ int main(void) {
         state = state * 6364136223846793005u + 1442695040888963407u;
         points[i] = (double)(state >> 40);
     }
-    if (netmesh_init((unsigned char *)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 1;
+    if (netmesh_init((unsigned char*)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 1;
     netmesh_options_init(&options, 3);
     options.poll = spend;
     options.user = &left;
@@ -39,7 +39,8 @@ int main(void) {
     if (netmesh_get_report(context, &report) != NETMESH_OK || report.complete || report.vertices == 0) return 3;
     if (netmesh_check(context, NETMESH_CHECK_ALL, &options) != NETMESH_OK) return 4;
     partial = report.cells;
-    if (netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 2, 0, &options) != NETMESH_NO_RESULT) return 5;
+    if (netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 2, 0, &options) != NETMESH_NO_RESULT)
+        return 5;
 
     options.poll = spend;
     left = 1000000;

@@ -10,8 +10,8 @@ static uint64_t memory[1026];
 
 static netmesh_status init(void) {
     const uintptr_t at = (uintptr_t)memory;
-    netmesh_context *context;
-    return netmesh_init((unsigned char *)memory + (16 - at % 16) % 16, 8192, &context);
+    netmesh_context* context;
+    return netmesh_init((unsigned char*)memory + (16 - at % 16) % 16, 8192, &context);
 }
 
 int main(void) {

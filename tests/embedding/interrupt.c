@@ -16,8 +16,8 @@ static void on_signal(int number) {
     stop_wanted = 1;
 }
 
-static int poll(void *user, const netmesh_progress *progress) {
-    int *polls = user;
+static int poll(void* user, const netmesh_progress* progress) {
+    int* polls = user;
     if (++*polls == 2) raise(SIGINT); /* so that this program needs no one at the keyboard */
     (void)progress;
     return stop_wanted;
@@ -26,7 +26,7 @@ static int poll(void *user, const netmesh_progress *progress) {
 int main(void) {
     const uintptr_t at = (uintptr_t)memory;
     uint64_t state = 1;
-    netmesh_context *context;
+    netmesh_context* context;
     netmesh_options options;
     int i, polls = 0;
     for (i = 0; i < 2 * POINTS; ++i) {
@@ -34,7 +34,7 @@ int main(void) {
         points[i] = (double)(state >> 40);
     }
     signal(SIGINT, on_signal);
-    if (netmesh_init((unsigned char *)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 1;
+    if (netmesh_init((unsigned char*)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 1;
     netmesh_options_init(&options, 2);
     options.poll = poll;
     options.user = &polls;

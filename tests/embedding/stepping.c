@@ -16,7 +16,7 @@ static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed = PTHREAD_COND_INITIALIZER;
 static int slices_granted, slices_used, finished;
 
-static int wait_for_slice(void *user, const netmesh_progress *progress) {
+static int wait_for_slice(void* user, const netmesh_progress* progress) {
     (void)user, (void)progress;
     pthread_mutex_lock(&mutex);
     ++slices_used;
@@ -28,20 +28,21 @@ static int wait_for_slice(void *user, const netmesh_progress *progress) {
 
 static uint64_t job(netmesh_poll poll) {
     const uintptr_t at = (uintptr_t)memory;
-    netmesh_context *context;
+    netmesh_context* context;
     netmesh_options options;
     netmesh_report report;
     netmesh_options_init(&options, 2);
     options.poll = poll;
-    if (netmesh_init((unsigned char *)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 0;
+    if (netmesh_init((unsigned char*)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 0;
     if (netmesh_mesh(context, points, POINTS, NETMESH_JOB_PERSIST, &options) != NETMESH_OK) return 0;
-    if (netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0, &options) != NETMESH_OK) return 0;
+    if (netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0, &options) != NETMESH_OK)
+        return 0;
     report.struct_bytes = sizeof report;
     return netmesh_get_report(context, &report) == NETMESH_OK ? report.fingerprint : 0;
 }
 
-static void *task(void *result) {
-    *(uint64_t *)result = job(wait_for_slice);
+static void* task(void* result) {
+    *(uint64_t*)result = job(wait_for_slice);
     pthread_mutex_lock(&mutex);
     finished = 1;
     pthread_cond_broadcast(&changed);

@@ -23,7 +23,8 @@ double squared(const double* a, const double* b, int dim) {
 // d_k or D_k by looking at all points.
 double brute(const inputs::Points& points, int dim, const double* x, std::uint32_t k, InputDistance kind) {
     std::vector<double> d2;
-    for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim)) d2.push_back(squared(x, &points[i], dim));
+    for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim))
+        d2.push_back(squared(x, &points[i], dim));
     std::sort(d2.begin(), d2.end());
     if (kind == InputDistance::kth) return std::sqrt(d2[k - 1]);
     double sum = 0;
@@ -77,8 +78,7 @@ template <int D> void sample_distances(const inputs::Points& points, double tau,
                 inputs::Random random(9);
                 for (int s = 0; s < samples; ++s) {
                     double x[D];
-                    for (int a = 0; a < D; ++a)
-                        x[a] = mesh.domain.centre[a] + 2.5 * rho * (2 * random.uniform() - 1);
+                    for (int a = 0; a < D; ++a) x[a] = mesh.domain.centre[a] + 2.5 * rho * (2 * random.uniform() - 1);
                     const double f = std::min(brute(points, D, x, k, kind), rho * (1 + 1e-12));
                     const double t = value[mesh.cell_of(x)];
                     CHECK(t <= c * f * (1 + 1e-12));
@@ -104,7 +104,8 @@ TEST_CASE("nearest neighbours: the same as by looking at all points") {
         for (int s = 0; s < 60; ++s) {
             // Points of the set too, where ties are.
             double x[3];
-            for (int a = 0; a < 3; ++a) x[a] = s % 2 == 0 ? points[3 * random.below(100) + static_cast<std::size_t>(a)] : 3 * random.uniform();
+            for (int a = 0; a < 3; ++a)
+                x[a] = s % 2 == 0 ? points[3 * random.below(100) + static_cast<std::size_t>(a)] : 3 * random.uniform();
             std::vector<std::pair<double, std::uint32_t>> all;
             for (std::uint32_t v = 0; v < state.vertex_count; ++v) all.push_back({squared(x, store.point(v), 3), v});
             std::sort(all.begin(), all.end());
@@ -162,8 +163,8 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
         MeshCertificate certificate;
-        REQUIRE(function_filter_values<2>(mesh.store, mesh.domain, {5, 0.5, cut}, values, mesh.block.arena, value.data(),
-                                          &certificate) == Status::ok);
+        REQUIRE(function_filter_values<2>(mesh.store, mesh.domain, {5, 0.5, cut}, values, mesh.block.arena,
+                                          value.data(), &certificate) == Status::ok);
         const double c = certificate.ratio;
         CHECK(c < 4);
         inputs::Random random(9);

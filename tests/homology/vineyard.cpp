@@ -83,8 +83,8 @@ struct Vine {
 std::vector<Vine> vines_of(const Vineyard& vineyard, const Values& v) {
     std::vector<Vine> vines;
     vineyard.for_each_pair([&](const Vineyard::VinePair& p) {
-        vines.push_back({{v.of[p.degree][p.birth], p.death == none ? HUGE_VAL : v.of[p.degree + 1][p.death], p.degree, 0},
-                         p.vine});
+        vines.push_back(
+            {{v.of[p.degree][p.birth], p.death == none ? HUGE_VAL : v.of[p.degree + 1][p.death], p.degree, 0}, p.vine});
     });
     return vines;
 }
@@ -161,7 +161,8 @@ TEST_CASE("vines are continuous, and the same however finely their way is cut") 
             double change = 0;
             for (std::size_t k = 0; k < from.of.size(); ++k)
                 for (std::size_t i = 0; i < from.of[k].size(); ++i) {
-                    next.of[k][i] = piece == pieces ? to.of[k][i] : from.of[k][i] + (to.of[k][i] - from.of[k][i]) * piece / pieces;
+                    next.of[k][i] =
+                        piece == pieces ? to.of[k][i] : from.of[k][i] + (to.of[k][i] - from.of[k][i]) * piece / pieces;
                     change = std::max(change, std::fabs(next.of[k][i] - now.of[k][i]));
                 }
             REQUIRE(cut.advance(now.pointers().data(), next.pointers().data(), monitor) == Status::ok);

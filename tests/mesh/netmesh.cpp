@@ -17,7 +17,8 @@ using namespace netmesh;
 namespace {
 
 template <int D> struct Hierarchical {
-    Hierarchical(const inputs::Points& points, double tau, bool finish = false, std::size_t bytes = std::size_t{1} << 25)
+    Hierarchical(const inputs::Points& points, double tau, bool finish = false,
+                 std::size_t bytes = std::size_t{1} << 25)
         : block(bytes), store(block.arena, state) {
         status = netmesh::netmesh<D>(store, points.data(), points.size() / D, {tau, 1, finish, 1}, monitor, &input,
                                      &domain, &cages, &report);
@@ -52,7 +53,8 @@ template <int D> std::uint32_t plain_size(const inputs::Points& points, double t
     Monitor monitor;
     InputReport input;
     Domain<D> domain;
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, false, 1}, monitor, &input, &domain) == Status::ok);
+    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, false, 1}, monitor, &input, &domain) ==
+            Status::ok);
     return state.vertex_count;
 }
 
@@ -72,7 +74,8 @@ TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are Delaunay and of quality tau b
         REQUIRE(m.status == Status::ok);
         CHECK(m.violation() == nullptr);
         const HierarchyQuality q = m.quality();
-        INFO(doctest::String(q.encroached.violation ? q.encroached.violation : ""), " ", q.encroached.cell, " n ", points.size());
+        INFO(doctest::String(q.encroached.violation ? q.encroached.violation : ""), " ", q.encroached.cell, " n ",
+             points.size());
         CHECK(q.encroached.violation == nullptr);
         if (points.size() > 8 * D) CHECK(q.worst > 1);
         CHECK(q.worst <= taus[D]);
@@ -117,8 +120,8 @@ TEST_CASE("without gaps a hierarchical mesh is no larger than a plain one") {
 TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than by direct refinement", T, finished) {
     constexpr int D = T::value;
     std::uint32_t hierarchical = 0, plain = 0;
-    for (const inputs::Points& points : {inputs::clusters(D, D == 2 ? 400 : 40), inputs::geometric(D, 1e3, 3),
-                                         inputs::nested(D, 4, 5, 1e2)}) {
+    for (const inputs::Points& points :
+         {inputs::clusters(D, D == 2 ? 400 : 40), inputs::geometric(D, 1e3, 3), inputs::nested(D, 4, 5, 1e2)}) {
         Hierarchical<D> m(points, 3, true);
         REQUIRE(m.status == Status::ok);
         CHECK(m.report.cages == 0);

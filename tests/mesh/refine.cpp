@@ -100,7 +100,8 @@ TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 
     Monitor monitor;
     InputReport input;
     Domain<D> domain;
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {3, 1, false, 1, {}, true}, monitor, &input, &domain) == Status::ok);
+    REQUIRE(refine<D>(store, points.data(), points.size() / D, {3, 1, false, 1, {}, true}, monitor, &input, &domain) ==
+            Status::ok);
     CHECK(violation<D>(store) == nullptr);
     const double delta = 2 * domain.enclosing_radius;
     CHECK(domain.radius >= (6 * std::sqrt(2) + 2) * delta * (1 - 1e-9));
@@ -140,8 +141,7 @@ TEST_CASE("clipped cells sampled at random keep the bound") {
     for (int sample = 0; sample < 200000; ++sample) {
         double x[2];
         do
-            for (int k = 0; k < 2; ++k)
-                x[k] = m.domain.centre[k] + m.domain.radius * (2 * random.uniform() - 1);
+            for (int k = 0; k < 2; ++k) x[k] = m.domain.centre[k] + m.domain.radius * (2 * random.uniform() - 1);
         while (!m.domain.contains(x));
         std::uint32_t nearest = 0;
         double best = infinity;
@@ -160,8 +160,8 @@ TEST_CASE("clipped cells sampled at random keep the bound") {
 }
 
 TEST_CASE("flat inputs, a pair and a single point are meshed") {
-    for (const inputs::Points& points :
-         {inputs::Points{3, -1, 2}, inputs::Points{0, 0, 0, 1, 1, 1}, inputs::Points{0, 0, 0, 1, 0, 0, 5, 0, 0, 5.5, 0, 0}}) {
+    for (const inputs::Points& points : {inputs::Points{3, -1, 2}, inputs::Points{0, 0, 0, 1, 1, 1},
+                                         inputs::Points{0, 0, 0, 1, 0, 0, 5, 0, 0, 5.5, 0, 0}}) {
         Meshed<3> m(points, 3);
         REQUIRE(m.status == Status::ok);
         CHECK(violation<3>(m.store) == nullptr);

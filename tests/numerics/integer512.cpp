@@ -29,7 +29,8 @@ void check_equal(const Integer512& ours, const mpz_class& exact) {
     const double leading = ours.leading(&exponent);
     long exact_exponent;
     const double exact_leading = mpz_get_d_2exp(&exact_exponent, exact.get_mpz_t());
-    CHECK(leading == doctest::Approx(std::ldexp(exact_leading, static_cast<int>(exact_exponent) - exponent)).epsilon(1e-15));
+    CHECK(leading ==
+          doctest::Approx(std::ldexp(exact_leading, static_cast<int>(exact_exponent) - exponent)).epsilon(1e-15));
     // Nothing is left when the exact number is taken off digit by digit.
     mpz_class size = abs(exact);
     Integer512 rest = ours;

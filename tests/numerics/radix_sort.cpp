@@ -10,7 +10,8 @@
 TEST_CASE("radix sort is the stable sort") {
     inputs::Random random(5);
     for (const std::size_t n : {0u, 1u, 2u, 48u, 49u, 1000u, 20000u})
-        for (const std::uint64_t mask : {~std::uint64_t{0}, std::uint64_t{0xFF00FF00FF}, std::uint64_t{3}, std::uint64_t{0}}) {
+        for (const std::uint64_t mask :
+             {~std::uint64_t{0}, std::uint64_t{0xFF00FF00FF}, std::uint64_t{3}, std::uint64_t{0}}) {
             std::vector<std::uint64_t> keys(n), spare_keys(n);
             std::vector<std::uint32_t> items(n), spare_items(n);
             for (std::size_t i = 0; i < n; ++i) {

@@ -29,8 +29,9 @@ template <int D> void within_certificate(const std::string& name, const inputs::
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
         CHECK(certain > 0);
-        MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified") << " values: true ratio "
-                     << ratio << ", certified " << r.certified_ratio << ", tau " << r.tau << ", " << certain << " bars surely real");
+        MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
+                     << " values: true ratio " << ratio << ", certified " << r.certified_ratio << ", tau " << r.tau
+                     << ", " << certain << " bars surely real");
     }
 }
 

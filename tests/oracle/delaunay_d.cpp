@@ -7,8 +7,9 @@ namespace {
 
 template <int D> Cells<D> cgal_cells(const inputs::Points& points) {
     using Kernel = CGAL::Epick_d<CGAL::Dimension_tag<D>>;
-    using Structure = CGAL::Triangulation_data_structure<CGAL::Dimension_tag<D>, CGAL::Triangulation_vertex<Kernel, std::uint32_t>,
-                                                         CGAL::Triangulation_full_cell<Kernel>>;
+    using Structure =
+        CGAL::Triangulation_data_structure<CGAL::Dimension_tag<D>, CGAL::Triangulation_vertex<Kernel, std::uint32_t>,
+                                           CGAL::Triangulation_full_cell<Kernel>>;
     CGAL::Delaunay_triangulation<Kernel, Structure> triangulation(D);
     for (std::size_t i = 0; i < points.size() / D; ++i)
         triangulation.insert(typename Kernel::Point_d(&points[i * D], &points[i * D] + D))->data() =

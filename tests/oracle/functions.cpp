@@ -42,8 +42,10 @@ double value(const Set& set, const double* x) {
 // The diagram of min(f, cut) on cubes with `side` of them along each edge of the box centre +- 2.1 cut, outside of which f >= cut;
 // *doubt: how far f may be from its value in the middle of a cube.
 Diagram on_grid(const Set& set, const double* centre, double cut, unsigned side, double* least, double* doubt) {
-    using Complex = Gudhi::cubical_complex::Bitmap_cubical_complex<Gudhi::cubical_complex::Bitmap_cubical_complex_base<double>>;
-    using Persistence = Gudhi::persistent_cohomology::Persistent_cohomology<Complex, Gudhi::persistent_cohomology::Field_Zp>;
+    using Complex =
+        Gudhi::cubical_complex::Bitmap_cubical_complex<Gudhi::cubical_complex::Bitmap_cubical_complex_base<double>>;
+    using Persistence =
+        Gudhi::persistent_cohomology::Persistent_cohomology<Complex, Gudhi::persistent_cohomology::Field_Zp>;
     const double width = 4.2 * cut / side;
     *doubt = width * std::sqrt(static_cast<double>(set.dim)) / 2;
     std::vector<double> cubes;
@@ -76,13 +78,15 @@ Bars logarithms(const Bars& bars) {
     return logs;
 }
 
-void within_certificate(const std::string& name, int dim, const inputs::Points& points, std::size_t k, bool mean, unsigned side) {
+void within_certificate(const std::string& name, int dim, const inputs::Points& points, std::size_t k, bool mean,
+                        unsigned side) {
     CAPTURE(name);
     CAPTURE(k);
     Session session(dim);
     session.options.k = static_cast<std::uint32_t>(k);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-        REQUIRE(session.mesh_and_persist(points, mean ? NETMESH_FILTER_KDISTANCE : NETMESH_FILTER_KNN, values) == NETMESH_OK);
+        REQUIRE(session.mesh_and_persist(points, mean ? NETMESH_FILTER_KDISTANCE : NETMESH_FILTER_KNN, values) ==
+                NETMESH_OK);
         const netmesh_report report = session.report();
         REQUIRE(report.k == k);
         const Set set = {&points, dim, k, mean};
@@ -99,11 +103,12 @@ void within_certificate(const std::string& name, int dim, const inputs::Points& 
         double distance = 0;
         for (int degree = 0; degree < dim; ++degree)
             distance = std::max(distance, Gudhi::persistence_diagram::bottleneck_distance(logarithms(truth[degree]),
-                                                                                           logarithms(ours[degree]), 0));
+                                                                                          logarithms(ours[degree]), 0));
         const double slack = std::log(1 + doubt / (least - doubt));
         REQUIRE(slack < 0.7);
         CHECK(distance <= std::log(report.certified_ratio) + slack);
-        MESSAGE(name << std::string(mean ? " k-distance" : " d_k") << ", k = " << k << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
+        MESSAGE(name << std::string(mean ? " k-distance" : " d_k") << ", k = " << k
+                     << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
                      << " values: true ratio " << std::exp(distance) << " (grid " << std::exp(slack) << "), certified "
                      << report.certified_ratio);
     }

@@ -99,8 +99,8 @@ inline bool bounds_hold(Session& session, const Diagram& truth, std::size_t* cer
     for (const auto& [degree, bars] : truth) taken[degree].assign(bars.size(), claims.size());
     const auto fits = [](const netmesh_bar_bounds& b, const std::pair<double, double>& bar) {
         const double more = 1 + 1e-9;
-        return b.birth_low <= bar.first * more && bar.first <= b.birth_high * more && b.death_low <= bar.second * more &&
-               bar.second <= b.death_high * more;
+        return b.birth_low <= bar.first * more && bar.first <= b.birth_high * more &&
+               b.death_low <= bar.second * more && bar.second <= b.death_high * more;
     };
     for (std::size_t start = 0; start < claims.size(); ++start) {
         const std::uint32_t degree = claims[start].degree;

@@ -34,7 +34,8 @@ inputs::Points fractal(int dim, std::size_t each, double ratio, std::uint64_t se
     return p;
 }
 
-netmesh_status scales(Session& session, const inputs::Points& points, netmesh_values values = NETMESH_VALUES_CERTIFIED) {
+netmesh_status scales(Session& session, const inputs::Points& points,
+                      netmesh_values values = NETMESH_VALUES_CERTIFIED) {
     const std::size_t n = points.size() / session.options.dim;
     return session.until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_SCALES, &session.options, n), [&] {
         return netmesh_persist_scales(session.context, points.data(), n, values, NETMESH_DIM_MAX, 0, &session.options);
@@ -61,9 +62,10 @@ template <int D> void within_promise(const std::string& name, const inputs::Poin
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
         CHECK(certain > 0);
-        MESSAGE(name << " D=" << D << ", theta " << theta << ", eps " << eps << ": " << r.scales << " scales, separation " << r.separation
-                     << ", log distance " << distance << ", certified ratio " << r.certified_ratio << ", largest mesh "
-                     << r.scale_vertices_max << " vertices, peak " << r.peak_bytes << " bytes");
+        MESSAGE(name << " D=" << D << ", theta " << theta << ", eps " << eps << ": " << r.scales
+                     << " scales, separation " << r.separation << ", log distance " << distance << ", certified ratio "
+                     << r.certified_ratio << ", largest mesh " << r.scale_vertices_max << " vertices, peak "
+                     << r.peak_bytes << " bytes");
     }
 }
 
@@ -95,5 +97,6 @@ TEST_CASE("peak memory is that of the largest scale") {
     CHECK(b.scale_vertices > a.scale_vertices);
     const double ratio = static_cast<double>(b.peak_bytes) / static_cast<double>(a.peak_bytes);
     CHECK(ratio <= 1.1);
-    MESSAGE("largest scale alone " << a.peak_bytes << " bytes, all " << b.scales << " scales " << b.peak_bytes << " bytes: " << ratio);
+    MESSAGE("largest scale alone " << a.peak_bytes << " bytes, all " << b.scales << " scales " << b.peak_bytes
+                                   << " bytes: " << ratio);
 }

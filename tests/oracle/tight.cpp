@@ -23,9 +23,9 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
         REQUIRE(session.until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_TIGHT, &session.options, n), [&] {
             const netmesh_status status =
                 netmesh_mesh(session.context, points.data(), n, NETMESH_JOB_PERSIST_TIGHT, &session.options);
-            return status != NETMESH_OK ? status
-                                        : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, values, D - 1, 0,
-                                                          &session.options);
+            return status != NETMESH_OK
+                       ? status
+                       : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, values, D - 1, 0, &session.options);
         }) == NETMESH_OK);
         const netmesh_report r = report(session);
         const double distance = log_distance(diagram(session), truth, D);
@@ -35,7 +35,8 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
         CHECK(certain > 0);
-        MESSAGE(name << " D=" << D << ", eps " << eps << std::string(values == NETMESH_VALUES_THESIS ? ", thesis" : ", certified")
+        MESSAGE(name << " D=" << D << ", eps " << eps
+                     << std::string(values == NETMESH_VALUES_THESIS ? ", thesis" : ", certified")
                      << " values: log distance " << distance << ", certified ratio " << r.certified_ratio << ", "
                      << r.vertices << " vertices, " << certain << " bars surely real");
     }

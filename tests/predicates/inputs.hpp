@@ -68,9 +68,7 @@ public:
     std::vector<Point> points(Kind kind, int dim) {
         std::vector<Point> p(static_cast<std::size_t>(dim) + 2, Point(static_cast<std::size_t>(dim)));
         switch (kind) {
-        case Kind::uniform:
-            each(p, [&] { return 2 * unit() - 1; });
-            break;
+        case Kind::uniform: each(p, [&] { return 2 * unit() - 1; }); break;
         case Kind::grid: {
             const double step = coin() ? 1 : 0.1;
             const double shift = coin() ? 0 : 1000;
@@ -85,9 +83,7 @@ public:
             break;
         }
         case Kind::flips:
-        case Kind::flips_ulp:
-            flips(p, [&] { return 1 + unit(); });
-            break;
+        case Kind::flips_ulp: flips(p, [&] { return 1 + unit(); }); break;
         case Kind::hyperplane:
         case Kind::hyperplane_ulp: {
             each(p, [&] { return std::ldexp(between(-(1 << 25), 1 << 25), -25); });
@@ -120,12 +116,8 @@ public:
                 return std::ldexp(m, between(-70, 70));
             });
             break;
-        case Kind::full_range:
-            each(p, [&] { return any_finite(); });
-            break;
-        case Kind::full_range_flips:
-            flips(p, [&] { return any_finite(); });
-            break;
+        case Kind::full_range: each(p, [&] { return any_finite(); }); break;
+        case Kind::full_range_flips: flips(p, [&] { return any_finite(); }); break;
         case Kind::denormal: {
             const int width = between(1, 53);
             each(p, [&] {

@@ -9,7 +9,8 @@ namespace netmesh::tool {
 std::string candidate_text(const Candidate& candidate) {
     std::string text = std::string("filter ") + filter_name(candidate.filter);
     const bool one_kind = candidate.filter == NETMESH_FILTER_ALPHA || candidate.filter == NETMESH_FILTER_RIPS ||
-                          candidate.filter == NETMESH_FILTER_CECH || candidate.filter == NETMESH_FILTER_BARYCENTRIC_CECH;
+                          candidate.filter == NETMESH_FILTER_CECH ||
+                          candidate.filter == NETMESH_FILTER_BARYCENTRIC_CECH;
     if (!one_kind) {
         text += std::string(", ") + values_name(candidate.values) + " values";
     }
@@ -19,9 +20,9 @@ std::string candidate_text(const Candidate& candidate) {
 // The filters that a diagram or a vertex value may come from, by the options.
 std::vector<Candidate> candidates(const Options& options, bool on_mesh, bool on_delaunay) {
     std::vector<Candidate> list;
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA,
-                                        NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT,
-                                        NETMESH_FILTER_SCALES}) {
+    for (const netmesh_filter filter :
+         {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA, NETMESH_FILTER_KNN,
+          NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT, NETMESH_FILTER_SCALES}) {
         const bool counts = filter == NETMESH_FILTER_KNN || filter == NETMESH_FILTER_KDISTANCE;
         if (options.filter ? *options.filter != filter : counts && !options.k) continue;  // no k is tried by itself
         // Where there is no mesh yet, its making depends on the filter: these have to be named.

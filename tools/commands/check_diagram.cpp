@@ -113,14 +113,14 @@ Outcome check_diagram_with_points(const Options& options, const DiagramFile& fil
     Comparison best;
     Candidate found = {};
     const double* const x = points.coordinates.data();
-    const netmesh_job job = options.filter && promises_accuracy(options) ? job_of(*options.filter) : NETMESH_JOB_PERSIST;
+    const netmesh_job job =
+        options.filter && promises_accuracy(options) ? job_of(*options.filter) : NETMESH_JOB_PERSIST;
     outcome = recompute(
         options, file, candidates(options, true, false), points, job,
         [&](Session& s) {
             if (job == NETMESH_JOB_PERSIST_SCALES) return NETMESH_OK;  // points are all that it needs
-            return s.call(NETMESH_STAGE_REFINE, [&] {
-                return netmesh_mesh(s.context(), x, points.rows(), job, &s.engine_options());
-            });
+            return s.call(NETMESH_STAGE_REFINE,
+                          [&] { return netmesh_mesh(s.context(), x, points.rows(), job, &s.engine_options()); });
         },
         session, &best, &found);
     if (!outcome.good()) return outcome;

@@ -96,8 +96,7 @@ Outcome compare_values(Session& session, const Options& options, const MeshFiles
         if (status != NETMESH_OK) continue;
         const ContextMesh mesh(session.context());
         bool equal = true;
-        for (std::size_t i = 0; i < node.cloud.rows() && equal; i++)
-            equal = node.attributes[i] == mesh.vertex(i).value;
+        for (std::size_t i = 0; i < node.cloud.rows() && equal; i++) equal = node.attributes[i] == mesh.vertex(i).value;
         if (!equal) continue;
         *found = candidate_text(candidate);
         return {};
@@ -134,8 +133,9 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
                                 rounded_text(session.engine_options().tau, 6) + ")");
     }
     if (!files.node.cages.empty()) {
-        run->checked->push_back(grouped_text(files.node.cages.size()) +
-                                " cages nested about inputs, none encroached; their cells and all others in their domains");
+        run->checked->push_back(
+            grouped_text(files.node.cages.size()) +
+            " cages nested about inputs, none encroached; their cells and all others in their domains");
     }
     if (run->engine->size_ratio_max > 0) {
         run->checked->push_back("cells reach " + rounded_text(run->engine->size_ratio_max, 6) +

@@ -46,7 +46,8 @@ Outcome check_filter(const Options& options) {
     }
     if (!points_filter) return {};
     if (options.bounds) return usage_error(std::string("--bounds does not apply to filter ") + filter_name(filter));
-    if (!options.mesh_out.empty()) return usage_error(std::string("--mesh: filter ") + filter_name(filter) + " has no mesh");
+    if (!options.mesh_out.empty())
+        return usage_error(std::string("--mesh: filter ") + filter_name(filter) + " has no mesh");
     const std::uint64_t sum = std::uint64_t{max_degree_of(options, 2)} + (is_barycentric(filter) ? k_of(options) : 0);
     if (sum > 30) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
     return {};
@@ -89,11 +90,11 @@ Outcome check_k(const Options& options, const PointCloud& cloud, const Session& 
     if (outcome.good() || session.context() == nullptr || !is_barycentric(filter_of(options))) return outcome;
     const netmesh_detail detail = netmesh_get_detail(session.context());
     if (detail.status != NETMESH_INVALID_ARGUMENT || detail.index_a != 6) return outcome;
-    return data_error(cloud.name + ": --k " + std::to_string(k_of(options)) + " is more than there are distinct points");
+    return data_error(cloud.name + ": --k " + std::to_string(k_of(options)) +
+                      " is more than there are distinct points");
 }
 
-netmesh_status work(Session& session, const Options& options, const PointCloud& cloud,
-                    netmesh_analysis* analysis) {
+netmesh_status work(Session& session, const Options& options, const PointCloud& cloud, netmesh_analysis* analysis) {
     netmesh_context* const context = session.context();
     const netmesh_options* const engine_options = &session.engine_options();
     const auto bound = [&](netmesh_status status) {
@@ -102,9 +103,9 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     };
     if (goes_by_scales(options)) {
         return bound(session.call(NETMESH_STAGE_REDUCE, [&] {
-            return netmesh_persist_scales(context, cloud.coordinates.data(), cloud.rows(),
-                                          options.values.value_or(NETMESH_VALUES_CERTIFIED),
-                                          options.max_degree.value_or(cloud.dim - 1), options.all ? 1 : 0, engine_options);
+            return netmesh_persist_scales(
+                context, cloud.coordinates.data(), cloud.rows(), options.values.value_or(NETMESH_VALUES_CERTIFIED),
+                options.max_degree.value_or(cloud.dim - 1), options.all ? 1 : 0, engine_options);
         }));
     }
     const bool triangulate = triangulates_only(options);
@@ -137,7 +138,8 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
 
 std::string checked_text(const Options& options) {
     if (goes_by_scales(options)) return "bars sorted, with one essential class";
-    if (!uses_points_alone(options)) return "combinatorics, orientation, Delaunay property, quality, bounds on size and degrees";
+    if (!uses_points_alone(options))
+        return "combinatorics, orientation, Delaunay property, quality, bounds on size and degrees";
     return is_barycentric(filter_of(options)) ? "the diagram's form" : "every bar has a cycle that is born with it";
 }
 
@@ -169,14 +171,10 @@ std::vector<FileJob> result_jobs(const Options& options, const netmesh_context* 
 
 netmesh_job job_of(netmesh_filter filter) {
     switch (filter) {
-    case NETMESH_FILTER_ALPHA:
-        return NETMESH_JOB_PERSIST_ALPHA;
-    case NETMESH_FILTER_TIGHT:
-        return NETMESH_JOB_PERSIST_TIGHT;
-    case NETMESH_FILTER_SCALES:
-        return NETMESH_JOB_PERSIST_SCALES;
-    default:
-        return NETMESH_JOB_PERSIST;
+    case NETMESH_FILTER_ALPHA: return NETMESH_JOB_PERSIST_ALPHA;
+    case NETMESH_FILTER_TIGHT: return NETMESH_JOB_PERSIST_TIGHT;
+    case NETMESH_FILTER_SCALES: return NETMESH_JOB_PERSIST_SCALES;
+    default: return NETMESH_JOB_PERSIST;
     }
 }
 
@@ -185,7 +183,8 @@ Outcome run_engine_command(const Options& options) {
     Outcome outcome = check_accuracy(options);
     if (outcome.good()) outcome = check_filter(options);
     if (outcome.good() && options.bounds && filter_of(options) == NETMESH_FILTER_BASIC) {
-        outcome = usage_error("--bounds: the basic filter's certificate begins at a scale and has no bounds for single bars");
+        outcome =
+            usage_error("--bounds: the basic filter's certificate begins at a scale and has no bounds for single bars");
     }
     if (outcome.good()) outcome = check_outputs(options, 0);
     PointCloud cloud;
@@ -221,7 +220,8 @@ Outcome run_engine_command(const Options& options) {
     }
     if (options.check && options.command == Command::persist) {
         std::string complaint = diagram_complaint(bars);
-        const bool cycles = uses_points_alone(options) ? !is_barycentric(filter_of(options)) : !options.representatives.empty();
+        const bool cycles =
+            uses_points_alone(options) ? !is_barycentric(filter_of(options)) : !options.representatives.empty();
         if (complaint.empty() && cycles) {
             complaint = cycles_complaint(session.context());
         }

@@ -131,14 +131,10 @@ double read_item(const Array& array, const unsigned char* source) {
     const bool is_signed = array.kind == 'i';
     if (array.kind == 'f') return array.item_bytes == 4 ? item<float>(bytes) : item<double>(bytes);
     switch (array.item_bytes) {
-    case 1:
-        return is_signed ? item<std::int8_t>(bytes) : item<std::uint8_t>(bytes);
-    case 2:
-        return is_signed ? item<std::int16_t>(bytes) : item<std::uint16_t>(bytes);
-    case 4:
-        return is_signed ? item<std::int32_t>(bytes) : item<std::uint32_t>(bytes);
-    default:
-        return is_signed ? item<std::int64_t>(bytes) : item<std::uint64_t>(bytes);
+    case 1: return is_signed ? item<std::int8_t>(bytes) : item<std::uint8_t>(bytes);
+    case 2: return is_signed ? item<std::int16_t>(bytes) : item<std::uint16_t>(bytes);
+    case 4: return is_signed ? item<std::int32_t>(bytes) : item<std::uint32_t>(bytes);
+    default: return is_signed ? item<std::int64_t>(bytes) : item<std::uint64_t>(bytes);
     }
 }
 

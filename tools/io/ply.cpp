@@ -52,15 +52,11 @@ bool scalar_of(std::string_view name, Scalar* type) {
 unsigned bytes_of(Scalar type) {
     switch (type) {
     case Scalar::i8:
-    case Scalar::u8:
-        return 1;
+    case Scalar::u8: return 1;
     case Scalar::i16:
-    case Scalar::u16:
-        return 2;
-    case Scalar::f64:
-        return 8;
-    default:
-        return 4;
+    case Scalar::u16: return 2;
+    case Scalar::f64: return 8;
+    default: return 4;
     }
 }
 
@@ -73,20 +69,12 @@ double read_scalar(Scalar type, const char* source) {
     double wide;
     const std::uint32_t low = static_cast<std::uint32_t>(bits);
     switch (type) {
-    case Scalar::i8:
-        return static_cast<std::int8_t>(bits);
-    case Scalar::i16:
-        return static_cast<std::int16_t>(bits);
-    case Scalar::i32:
-        return static_cast<std::int32_t>(bits);
-    case Scalar::f32:
-        std::memcpy(&narrow, &low, sizeof narrow);
-        return narrow;
-    case Scalar::f64:
-        std::memcpy(&wide, &bits, sizeof wide);
-        return wide;
-    default:
-        return static_cast<double>(bits);
+    case Scalar::i8: return static_cast<std::int8_t>(bits);
+    case Scalar::i16: return static_cast<std::int16_t>(bits);
+    case Scalar::i32: return static_cast<std::int32_t>(bits);
+    case Scalar::f32: std::memcpy(&narrow, &low, sizeof narrow); return narrow;
+    case Scalar::f64: std::memcpy(&wide, &bits, sizeof wide); return wide;
+    default: return static_cast<double>(bits);
     }
 }
 

@@ -8,7 +8,8 @@ namespace {
 // `# domain c1 .. cD r`, `# tau T`, `# eps E` and `# cage V R`; other comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
-    if (words.empty() || (words[0] != "domain" && words[0] != "tau" && words[0] != "eps" && words[0] != "cage")) return {};
+    if (words.empty() || (words[0] != "domain" && words[0] != "tau" && words[0] != "eps" && words[0] != "cage"))
+        return {};
     std::vector<double> numbers;
     for (std::size_t i = 1; i < words.size(); i++) {
         double value;

@@ -115,9 +115,9 @@ bool BarStyle::certain(const Bar& bar) const {
 }
 
 std::string homology_label(std::uint32_t degree) {
-    static constexpr const char* digits[] = {"\xE2\x82\x80", "\xE2\x82\x81", "\xE2\x82\x82",
-                                             "\xE2\x82\x83", "\xE2\x82\x84", "\xE2\x82\x85",
-                                             "\xE2\x82\x86", "\xE2\x82\x87", "\xE2\x82\x88", "\xE2\x82\x89"};
+    static constexpr const char* digits[] = {"\xE2\x82\x80", "\xE2\x82\x81", "\xE2\x82\x82", "\xE2\x82\x83",
+                                             "\xE2\x82\x84", "\xE2\x82\x85", "\xE2\x82\x86", "\xE2\x82\x87",
+                                             "\xE2\x82\x88", "\xE2\x82\x89"};
     std::string text = "H";
     for (const char digit : std::to_string(degree)) text += digits[digit - '0'];
     return text;

@@ -31,7 +31,8 @@ std::string subtitle(const netmesh_report& report) {
         return text;
     }
     std::string text = std::string("filter ") + filter_name(report.filter);
-    if (report.is_mesh != 0 || report.filter == NETMESH_FILTER_BARYCENTRIC_RIPS) text += std::string(", ") + values_name(report.values) + " values";
+    if (report.is_mesh != 0 || report.filter == NETMESH_FILTER_BARYCENTRIC_RIPS)
+        text += std::string(", ") + values_name(report.values) + " values";
     if (report.cells == 0) return text + separator + grouped_text(report.simplices) + " simplices";
     text += separator + grouped_text(report.vertices) + " vertices, " + grouped_text(report.cells) + " cells";
     if (report.is_mesh != 0) {

@@ -34,7 +34,7 @@ void write_options(Json& json, const RunReport& run) {
     json.key("max_degree");
     run.engine&& run.engine->has_diagram != 0 ? json.value(run.engine->max_degree) : json.null();
     json.key("k");
-    persists&& run.engine && run.engine->k > 0 ? json.value(run.engine->k) : json.null();
+    persists&& run.engine&& run.engine->k > 0 ? json.value(run.engine->k) : json.null();
     json.key("memory");
     options.memory_bytes != 0 ? json.value(static_cast<std::uint64_t>(options.memory_bytes)) : json.null();
     json.entry("seed", options.seed);

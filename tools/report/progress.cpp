@@ -10,26 +10,16 @@ namespace netmesh::tool {
 
 const char* stage_name(netmesh_stage stage) {
     switch (stage) {
-    case NETMESH_STAGE_SORT:
-        return "sort";
-    case NETMESH_STAGE_DELAUNAY:
-        return "delaunay";
-    case NETMESH_STAGE_REFINE:
-        return "refine";
-    case NETMESH_STAGE_CERTIFY:
-        return "certify";
-    case NETMESH_STAGE_FILTER:
-        return "filter";
-    case NETMESH_STAGE_GRADIENT:
-        return "gradient";
-    case NETMESH_STAGE_REDUCE:
-        return "reduce";
-    case NETMESH_STAGE_CHECK:
-        return "check";
-    case NETMESH_STAGE_ANALYSE:
-        return "analyse";
-    default:
-        return "start";
+    case NETMESH_STAGE_SORT: return "sort";
+    case NETMESH_STAGE_DELAUNAY: return "delaunay";
+    case NETMESH_STAGE_REFINE: return "refine";
+    case NETMESH_STAGE_CERTIFY: return "certify";
+    case NETMESH_STAGE_FILTER: return "filter";
+    case NETMESH_STAGE_GRADIENT: return "gradient";
+    case NETMESH_STAGE_REDUCE: return "reduce";
+    case NETMESH_STAGE_CHECK: return "check";
+    case NETMESH_STAGE_ANALYSE: return "analyse";
+    default: return "start";
     }
 }
 

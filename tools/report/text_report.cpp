@@ -45,17 +45,17 @@ std::string analysis_lines(const netmesh_analysis& a) {
                 "; feature size ratio " + rounded_text(a.feature_ratio, 4) + " (at most " +
                 rounded_text(a.feature_ratio_bound, 4) + ")\n";
         text += "pace     theta " + rounded_text(a.theta, 4) + " (at most " + rounded_text(a.theta_limit, 4) +
-                " in any order), sum of ln 1/theta " + rounded_text(a.theta_log_sum, 4) + "; feature size integral between " +
-                range_text(a.integral_lower[0], a.integral_upper[0]) + "\n";
+                " in any order), sum of ln 1/theta " + rounded_text(a.theta_log_sum, 4) +
+                "; feature size integral between " + range_text(a.integral_lower[0], a.integral_upper[0]) + "\n";
     }
-    text += "stars    " + rounded_text(a.degree_mean, 4) + " neighbours (at most " + grouped_text(a.degree_max) + "), " +
-            rounded_text(a.star_mean, 4) + " cells (" + grouped_text(a.star_max) + ")\n";
+    text += "stars    " + rounded_text(a.degree_mean, 4) + " neighbours (at most " + grouped_text(a.degree_max) +
+            "), " + rounded_text(a.star_mean, 4) + " cells (" + grouped_text(a.star_max) + ")\n";
     text += "balls    ply " + rounded_text(a.ply_mean, 4) + " (at most " + grouped_text(a.ply_max) + "), each meets " +
             rounded_text(a.intersections_mean, 4) + " (" + grouped_text(a.intersections_max) + ")\n";
     const bool whole = a.inside.cells == 0;
     const netmesh_fatness& part = whole ? a.bounded : a.inside;
-    return text + "fatness  " + rounded_text(part.beta_mean, 4) + " (at most " + rounded_text(part.beta_max, 4) + ") of " +
-           grouped_text(part.cells) + (whole ? " bounded cells\n" : " cells inside the domain\n");
+    return text + "fatness  " + rounded_text(part.beta_mean, 4) + " (at most " + rounded_text(part.beta_max, 4) +
+           ") of " + grouped_text(part.cells) + (whole ? " bounded cells\n" : " cells inside the domain\n");
 }
 
 std::string scales_lines(const netmesh_report& engine) {
@@ -64,7 +64,8 @@ std::string scales_lines(const netmesh_report& engine) {
                        counted(engine.scale_points_max, "point", "points") + " and " +
                        counted(engine.scale_vertices_max, "vertex", "vertices") + "\n";
     if (engine.scales > 1) {
-        text += "apart    each scale has a ball of " + rounded_text(engine.separation, 5) + " of its radii to itself (2 are needed)\n";
+        text += "apart    each scale has a ball of " + rounded_text(engine.separation, 5) +
+                " of its radii to itself (2 are needed)\n";
     }
     return text;
 }
@@ -77,7 +78,8 @@ std::string diagram_lines(const netmesh_report& engine) {
     }
     if (engine.dim == 0) return text + "\n";
     text += std::string("; filter ") + filter_name(engine.filter);
-    if (engine.is_mesh != 0 || engine.filter == NETMESH_FILTER_BARYCENTRIC_RIPS) text += std::string(", ") + values_name(engine.values) + " values";
+    if (engine.is_mesh != 0 || engine.filter == NETMESH_FILTER_BARYCENTRIC_RIPS)
+        text += std::string(", ") + values_name(engine.values) + " values";
     text += "\ncertified ratio " + rounded_text(engine.certified_ratio, 6);
     if (engine.certified_from > 0) text += " from radius " + rounded_text(engine.certified_from, 6);
     return text + " to the " + reference_name(engine) + "\n";
@@ -85,10 +87,10 @@ std::string diagram_lines(const netmesh_report& engine) {
 
 std::string vineyard_lines(const netmesh_report& engine) {
     return "vineyard k = " + std::to_string(engine.k_first) + " to " + std::to_string(engine.k_last) + ": " +
-           counted(engine.vines, "vine", "vines") + ", " + counted(engine.transpositions, "transposition", "transpositions") +
-           " of " + grouped_text(engine.simplices) + " simplices; filter " + filter_name(engine.filter) + ", " +
-           values_name(engine.values) + " values\ncertified ratio at most " + rounded_text(engine.certified_ratio, 6) +
-           "\n";
+           counted(engine.vines, "vine", "vines") + ", " +
+           counted(engine.transpositions, "transposition", "transpositions") + " of " + grouped_text(engine.simplices) +
+           " simplices; filter " + filter_name(engine.filter) + ", " + values_name(engine.values) +
+           " values\ncertified ratio at most " + rounded_text(engine.certified_ratio, 6) + "\n";
 }
 
 std::string cost_lines(const RunReport& run) {
@@ -140,7 +142,8 @@ std::string text_report(const RunReport& run) {
         if (engine.has_diagram != 0) text += diagram_lines(engine);
         if (engine.has_diagram != 0 && engine.dim == 0) text += betti_line(engine);
         for (std::size_t degree = 0; degree < run.certain.size(); degree++) {
-            text += (degree == 0 ? "real     H" : ", H") + std::to_string(degree) + " " + grouped_text(run.certain[degree]);
+            text +=
+                (degree == 0 ? "real     H" : ", H") + std::to_string(degree) + " " + grouped_text(run.certain[degree]);
         }
         if (!run.certain.empty()) text += " bars surely real\n";
         if (engine.has_vineyard != 0) text += vineyard_lines(engine);

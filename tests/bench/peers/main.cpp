@@ -69,11 +69,16 @@ void print_times(const char* who, const Summary& s) {
 // Every bar of one diagram next to one of the other, within rounding; bars shorter than rounding do not count.
 [[maybe_unused]] bool equal_diagrams(std::vector<netmesh_pair> a, std::vector<netmesh_pair> b) {
     const double tolerance = 1e-7;
-    const auto close = [&](double x, double y) { return x == y || std::fabs(x - y) <= tolerance * std::max(std::fabs(x), std::fabs(y)); };
+    const auto close = [&](double x, double y) {
+        return x == y || std::fabs(x - y) <= tolerance * std::max(std::fabs(x), std::fabs(y));
+    };
     const auto clean = [&](std::vector<netmesh_pair>& d) {
-        d.erase(std::remove_if(d.begin(), d.end(), [&](const netmesh_pair& p) { return close(p.birth, p.death); }), d.end());
+        d.erase(std::remove_if(d.begin(), d.end(), [&](const netmesh_pair& p) { return close(p.birth, p.death); }),
+                d.end());
         std::sort(d.begin(), d.end(), [](const netmesh_pair& p, const netmesh_pair& q) {
-            return p.degree != q.degree ? p.degree < q.degree : p.birth != q.birth ? p.birth < q.birth : p.death < q.death;
+            return p.degree != q.degree ? p.degree < q.degree
+                   : p.birth != q.birth ? p.birth < q.birth
+                                        : p.death < q.death;
         });
     };
     clean(a);
@@ -82,7 +87,9 @@ void print_times(const char* who, const Summary& s) {
     std::vector<bool> taken(b.size(), false);
     std::size_t low = 0;
     for (const netmesh_pair& p : a) {
-        while (low < b.size() && (b[low].degree < p.degree || (b[low].degree == p.degree && b[low].birth < p.birth && !close(b[low].birth, p.birth)))) ++low;
+        while (low < b.size() && (b[low].degree < p.degree || (b[low].degree == p.degree && b[low].birth < p.birth &&
+                                                               !close(b[low].birth, p.birth))))
+            ++low;
         std::size_t j = low;
         for (; j < b.size() && b[j].degree == p.degree && (b[j].birth <= p.birth || close(b[j].birth, p.birth)); ++j)
             if (!taken[j] && close(b[j].birth, p.birth) && close(b[j].death, p.death)) break;
@@ -104,17 +111,20 @@ void delaunay() {
         inputs::Points points;
         bool unique;  // in general position, so both triangulations are the same
     };
-    const auto side = [](int dim, double n) { return static_cast<int>(std::lround(std::pow(static_cast<double>(scaled(n)), 1.0 / dim))); };
+    const auto side = [](int dim, double n) {
+        return static_cast<int>(std::lround(std::pow(static_cast<double>(scaled(n)), 1.0 / dim)));
+    };
     const Case cases[] = {
-        {2, "uniform", inputs::uniform(2, scaled(1e6)), true},   {2, "grid", inputs::grid(2, side(2, 1e6)), true},
-        {2, "circle", inputs::circle(scaled(2e5)), false},       {3, "uniform", inputs::uniform(3, scaled(2e5)), true},
-        {3, "uniform", inputs::uniform(3, scaled(1e6)), true},   {3, "grid", inputs::grid(3, side(3, 125000)), false},
-        {4, "uniform", inputs::uniform(4, scaled(1e4)), true},   {4, "uniform", inputs::uniform(4, scaled(1e5)), true},
-        {4, "grid", inputs::grid(4, side(4, 10000)), false},     {5, "uniform", inputs::uniform(5, scaled(3e3)), true},
-        {5, "uniform", inputs::uniform(5, scaled(1e4)), true},   {6, "uniform", inputs::uniform(6, scaled(500)), true},
+        {2, "uniform", inputs::uniform(2, scaled(1e6)), true},  {2, "grid", inputs::grid(2, side(2, 1e6)), true},
+        {2, "circle", inputs::circle(scaled(2e5)), false},      {3, "uniform", inputs::uniform(3, scaled(2e5)), true},
+        {3, "uniform", inputs::uniform(3, scaled(1e6)), true},  {3, "grid", inputs::grid(3, side(3, 125000)), false},
+        {4, "uniform", inputs::uniform(4, scaled(1e4)), true},  {4, "uniform", inputs::uniform(4, scaled(1e5)), true},
+        {4, "grid", inputs::grid(4, side(4, 10000)), false},    {5, "uniform", inputs::uniform(5, scaled(3e3)), true},
+        {5, "uniform", inputs::uniform(5, scaled(1e4)), true},  {6, "uniform", inputs::uniform(6, scaled(500)), true},
         {6, "uniform", inputs::uniform(6, scaled(2000)), true},
     };
-    std::printf("\nDelaunay triangulation against CGAL (sequential, points sorted in space by CGAL itself); min / median\n");
+    std::printf(
+        "\nDelaunay triangulation against CGAL (sequential, points sorted in space by CGAL itself); min / median\n");
     for (const Case& c : cases) {
         const std::size_t n = c.points.size() / static_cast<std::size_t>(c.dim);
         std::vector<bench::Contestant> contestants = {[&](Trial& t) { bench::ours_delaunay(t, c.dim, c.points); }};
@@ -135,7 +145,8 @@ void delaunay() {
         if (s.size() > 1) {
             print_times("; CGAL", s[1]);
             if (s[0].finished() && s[1].finished()) {
-                std::printf(" (%.0f B a cell); ratio %.2f\n", s[1].bytes() / s[1].figure(bench::cells), ratio(s[0], s[1]));
+                std::printf(" (%.0f B a cell); ratio %.2f\n", s[1].bytes() / s[1].figure(bench::cells),
+                            ratio(s[0], s[1]));
                 if (c.unique) expect(s[0].figure(bench::cells) == s[1].figure(bench::cells), "number of cells");
                 continue;
             }
@@ -157,9 +168,11 @@ void refine() {
     for (std::size_t i = 0; i < s.size(); ++i) {
         print_times(names[i], s[i]);
         if (s[i].finished())
-            std::printf(", %.0f vertices, %.0f cells, aspect ratio worst %.3f, mean %.3f, %.0f MB", s[i].figure(bench::vertices),
-                        s[i].figure(bench::cells), s[i].figure(bench::aspect_worst), s[i].figure(bench::aspect_mean), s[i].bytes() / 1e6);
-        if (s[i].finished() && i == 0) std::printf("; clipped to the domain, worst %.3f", s[i].figure(bench::aspect_clipped));
+            std::printf(", %.0f vertices, %.0f cells, aspect ratio worst %.3f, mean %.3f, %.0f MB",
+                        s[i].figure(bench::vertices), s[i].figure(bench::cells), s[i].figure(bench::aspect_worst),
+                        s[i].figure(bench::aspect_mean), s[i].bytes() / 1e6);
+        if (s[i].finished() && i == 0)
+            std::printf("; clipped to the domain, worst %.3f", s[i].figure(bench::aspect_clipped));
         std::printf("\n");
     }
     all_equal = all_equal && s[0].finished();
@@ -178,9 +191,11 @@ void persist() {
     const Case cases[] = {{2, "uniform", inputs::uniform(2, scaled(50000)), 2.5},
                           {3, "uniform", inputs::uniform(3, scaled(5000)), 3.0},
                           {4, "clifford", inputs::clifford(scaled(2000)), 3.08}};
-    std::printf("\nPersistence of the complete filter on the mesh against PHAT (bit tree) on its boundary matrix; the mesh is not timed\n");
+    std::printf(
+        "\nPersistence of the complete filter on the mesh against PHAT (bit tree) on its boundary matrix; the mesh is not timed\n");
     for (const Case& c : cases) {
-        std::vector<bench::Contestant> contestants = {[&](Trial& t) { bench::ours_persist(t, c.dim, c.points, c.tau); }};
+        std::vector<bench::Contestant> contestants = {
+            [&](Trial& t) { bench::ours_persist(t, c.dim, c.points, c.tau); }};
 #ifdef NETMESH_BENCH_PHAT
         contestants.push_back([&](Trial& t) { bench::phat_persist(t, c.dim, c.points, c.tau, true); });
         contestants.push_back([&](Trial& t) { bench::phat_persist(t, c.dim, c.points, c.tau, false); });
@@ -189,16 +204,18 @@ void persist() {
         const double n = s[0].figure(bench::simplices);
         std::printf("%dD %-8s tau %.2f  ", c.dim, c.name, c.tau);
         print_times("netmesh", s[0]);
-        std::printf(", %.0f simplices of %.0f cells, %.0f ns and %.1f B above the mesh a simplex\n", n, s[0].figure(bench::cells),
-                    1e9 * s[0].seconds_median() / n, s[0].figure(bench::arena_bytes) / n);
+        std::printf(", %.0f simplices of %.0f cells, %.0f ns and %.1f B above the mesh a simplex\n", n,
+                    s[0].figure(bench::cells), 1e9 * s[0].seconds_median() / n, s[0].figure(bench::arena_bytes) / n);
         all_equal = all_equal && s[0].finished();
         const char* names[] = {"", "  PHAT chunk", "  PHAT twist"};
         for (std::size_t i = 1; i < s.size(); ++i) {
             print_times(names[i], s[i]);
             if (s[i].finished() && s[0].finished()) {
-                std::printf(" + %.3f s for the matrix, %.0f ns and %.1f B a simplex; ratio %.2f, with the matrix %.2f\n",
-                            s[i].figure(bench::build_seconds), 1e9 * s[i].seconds_median() / n, s[i].bytes() / n, ratio(s[0], s[i]),
-                            (s[i].seconds_median() + s[i].figure(bench::build_seconds)) / s[0].seconds_median());
+                std::printf(
+                    " + %.3f s for the matrix, %.0f ns and %.1f B a simplex; ratio %.2f, with the matrix %.2f\n",
+                    s[i].figure(bench::build_seconds), 1e9 * s[i].seconds_median() / n, s[i].bytes() / n,
+                    ratio(s[0], s[i]),
+                    (s[i].seconds_median() + s[i].figure(bench::build_seconds)) / s[0].seconds_median());
                 expect(s[i].figure(bench::simplices) == n, "number of simplices");
                 expect(equal_diagrams(s[0].runs[0].diagram, s[i].runs[0].diagram), "diagrams");
             } else {
@@ -213,7 +230,9 @@ void alpha() {
         int dim;
         inputs::Points points;
     };
-    const Case cases[] = {{2, inputs::uniform(2, scaled(1e5))}, {3, inputs::uniform(3, scaled(2e4))}, {4, inputs::uniform(4, scaled(2000))}};
+    const Case cases[] = {{2, inputs::uniform(2, scaled(1e5))},
+                          {3, inputs::uniform(3, scaled(2e4))},
+                          {4, inputs::uniform(4, scaled(2000))}};
     std::printf("\nAlpha complex of uniform points, from points to diagram, against GUDHI\n");
     for (const Case& c : cases) {
         std::vector<bench::Contestant> contestants = {[&](Trial& t) { bench::ours_alpha(t, c.dim, c.points); }};
@@ -239,7 +258,8 @@ void alpha() {
 }
 
 void print_machine() {
-    std::printf("netmesh %d.%d.%d, built with %s\n", NETMESH_VERSION_MAJOR, NETMESH_VERSION_MINOR, NETMESH_VERSION_PATCH, __VERSION__);
+    std::printf("netmesh %d.%d.%d, built with %s\n", NETMESH_VERSION_MAJOR, NETMESH_VERSION_MINOR,
+                NETMESH_VERSION_PATCH, __VERSION__);
     if (FILE* f = std::fopen("/proc/cpuinfo", "r")) {
         char line[256];
         while (std::fgets(line, sizeof line, f))
@@ -268,7 +288,8 @@ void print_machine() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::pair<const char*, void (*)()> groups[] = {{"delaunay", delaunay}, {"refine", refine}, {"persist", persist}, {"alpha", alpha}};
+    const std::pair<const char*, void (*)()> groups[] = {
+        {"delaunay", delaunay}, {"refine", refine}, {"persist", persist}, {"alpha", alpha}};
     std::vector<void (*)()> chosen;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
@@ -287,7 +308,8 @@ int main(int argc, char** argv) {
                 known = true;
             }
         if (!known) {
-            std::fprintf(stderr, "usage: %s [delaunay | refine | persist | alpha]... [--reps N] [--scale S]\n", argv[0]);
+            std::fprintf(stderr, "usage: %s [delaunay | refine | persist | alpha]... [--reps N] [--scale S]\n",
+                         argv[0]);
             return 2;
         }
     }

@@ -22,7 +22,9 @@ void ours_delaunay(Trial& trial, int dim, const inputs::Points& points) {
     Session session(dim);
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim), &session.options), session);
+    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
+                            &session.options),
+           session);
     trial.stop();
     trial.figure(cells, static_cast<double>(session.report().cells));
     trial.figure(arena_bytes, static_cast<double>(session.report().peak_bytes));
@@ -33,7 +35,8 @@ void ours_mesh(Trial& trial, const inputs::Points& points, double tau) {
     session.options.tau = tau;
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_mesh(session.context, points.data(), points.size() / 3, NETMESH_JOB_MESH, &session.options), session);
+    demand(netmesh_mesh(session.context, points.data(), points.size() / 3, NETMESH_JOB_MESH, &session.options),
+           session);
     trial.stop();
     const netmesh_report report = session.report();
     trial.figure(vertices, static_cast<double>(report.vertices));
@@ -50,11 +53,13 @@ void ours_persist(Trial& trial, int dim, const inputs::Points& points, double ta
     Session session(dim);
     session.options.tau = tau;
     session.reserve(block_bytes);
-    demand(netmesh_mesh(session.context, points.data(), points.size() / static_cast<std::size_t>(dim), NETMESH_JOB_PERSIST,
-                        &session.options), session);
+    demand(netmesh_mesh(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
+                        NETMESH_JOB_PERSIST, &session.options),
+           session);
     const double mesh_bytes = static_cast<double>(session.report().used_bytes);
     trial.start();
-    demand(netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &session.options),
+    demand(netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
+                           &session.options),
            session);
     trial.stop();
     const netmesh_report report = session.report();
@@ -69,8 +74,12 @@ void ours_alpha(Trial& trial, int dim, const inputs::Points& points) {
     Session session(dim);
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim), &session.options), session);
-    demand(netmesh_persist(session.context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &session.options), session);
+    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
+                            &session.options),
+           session);
+    demand(netmesh_persist(session.context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
+                           &session.options),
+           session);
     trial.stop();
     trial.figure(simplices, static_cast<double>(session.report().simplices));
     trial.figure(arena_bytes, static_cast<double>(session.report().peak_bytes));

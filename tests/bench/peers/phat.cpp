@@ -34,7 +34,8 @@ template <std::size_t K> struct Simplex {
 template <std::size_t K> using Level = std::vector<Simplex<K>>;
 
 template <std::size_t K, int D>
-Level<K> level(const std::vector<std::array<std::uint32_t, D + 1>>& cells, const std::vector<double>& t, const std::vector<double>& own) {
+Level<K> level(const std::vector<std::array<std::uint32_t, D + 1>>& cells, const std::vector<double>& t,
+               const std::vector<double>& own) {
     Level<K> all;
     for (unsigned mask = 0; mask < 1u << (D + 1); ++mask) {
         if (__builtin_popcount(mask) != static_cast<int>(K)) continue;
@@ -47,7 +48,8 @@ Level<K> level(const std::vector<std::array<std::uint32_t, D + 1>>& cells, const
         }
     }
     std::sort(all.begin(), all.end(), [](const Simplex<K>& a, const Simplex<K>& b) { return a.v < b.v; });
-    all.erase(std::unique(all.begin(), all.end(), [](const Simplex<K>& a, const Simplex<K>& b) { return a.v == b.v; }), all.end());
+    all.erase(std::unique(all.begin(), all.end(), [](const Simplex<K>& a, const Simplex<K>& b) { return a.v == b.v; }),
+              all.end());
     for (Simplex<K>& s : all) {
         s.value = K == 1 ? own[s.v[0]] : 0.0;
         if (K > 1)
@@ -62,7 +64,8 @@ template <std::size_t K> void columns(const Level<K>& simplices, const Level<K -
         for (std::size_t skip = 0; skip < K; ++skip) {
             std::array<std::uint32_t, K - 1> f;
             for (std::size_t i = 0; i + 1 < K; ++i) f[i] = s.v[i + (i >= skip)];
-            const auto at = std::lower_bound(faces.begin(), faces.end(), f, [](const Simplex<K - 1>& a, const auto& b) { return a.v < b; });
+            const auto at = std::lower_bound(faces.begin(), faces.end(), f,
+                                             [](const Simplex<K - 1>& a, const auto& b) { return a.v < b; });
             column[skip] = at->position;
         }
         std::sort(column.begin(), column.end());
@@ -72,8 +75,8 @@ template <std::size_t K> void columns(const Level<K>& simplices, const Level<K -
 
 // By value, then degree, then vertices.
 template <int D, std::size_t... K>
-void build(const std::vector<std::array<std::uint32_t, D + 1>>& cells, const std::vector<double>& t, const std::vector<double>& own,
-           Filtration& filtration, std::index_sequence<K...>) {
+void build(const std::vector<std::array<std::uint32_t, D + 1>>& cells, const std::vector<double>& t,
+           const std::vector<double>& own, Filtration& filtration, std::index_sequence<K...>) {
     std::tuple<Level<K + 1>...> levels(level<K + 1, D>(cells, t, own)...);
     struct Key {
         double value;
@@ -94,7 +97,9 @@ void build(const std::vector<std::array<std::uint32_t, D + 1>>& cells, const std
         filtration.value.push_back(keys[p].value);
         filtration.degree.push_back(static_cast<std::uint8_t>(keys[p].degree));
         filtration.boundary.set_dim(static_cast<phat::index>(p), static_cast<phat::dimension>(keys[p].degree));
-        ((keys[p].degree == K ? void(std::get<K>(levels)[keys[p].index].position = static_cast<std::uint32_t>(p)) : void()), ...);
+        ((keys[p].degree == K ? void(std::get<K>(levels)[keys[p].index].position = static_cast<std::uint32_t>(p))
+                              : void()),
+         ...);
     }
     (
         [&](auto degree) {
@@ -140,7 +145,8 @@ template <int D> void persist(Trial& trial, const inputs::Points& points, double
         const std::size_t birth = static_cast<std::size_t>(a), death = static_cast<std::size_t>(b);
         paired[birth] = paired[death] = true;
         if (filtration.value[birth] != filtration.value[death])
-            trial.outcome.diagram.push_back({filtration.degree[birth], filtration.value[birth], filtration.value[death]});
+            trial.outcome.diagram.push_back(
+                {filtration.degree[birth], filtration.value[birth], filtration.value[death]});
     }
     for (std::size_t i = 0; i < paired.size(); ++i)
         if (!paired[i]) trial.outcome.diagram.push_back({filtration.degree[i], filtration.value[i], INFINITY});

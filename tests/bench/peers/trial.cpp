@@ -27,7 +27,8 @@ double status_bytes(const char* key) {
         char line[256];
         const std::size_t length = std::strlen(key);
         while (std::fgets(line, sizeof line, f))
-            if (std::strncmp(line, key, length) == 0 && line[length] == ':') bytes = 1024.0 * std::atof(line + length + 1);
+            if (std::strncmp(line, key, length) == 0 && line[length] == ':')
+                bytes = 1024.0 * std::atof(line + length + 1);
         std::fclose(f);
     }
     return bytes;
@@ -127,8 +128,8 @@ Outcome run(const Contestant& contestant) {
     return outcome;
 }
 
-void measure_aspect(Trial& trial, const std::vector<double>& points, const std::vector<std::array<std::uint32_t, 4>>& tets,
-                    const double* ball) {
+void measure_aspect(Trial& trial, const std::vector<double>& points,
+                    const std::vector<std::array<std::uint32_t, 4>>& tets, const double* ball) {
     const std::size_t n = points.size() / 3;
     std::vector<double> far(n, 0.0), near(n, INFINITY);
     std::vector<bool> skip(n, false);
@@ -148,7 +149,8 @@ void measure_aspect(Trial& trial, const std::vector<double>& points, const std::
         double centre[3];
         for (int a = 0; a < 3; ++a) {
             const int b = (a + 1) % 3, c = (a + 2) % 3;
-            centre[a] = p[0][a] + (lift[0] * minor(1, 2, b, c) + lift[1] * minor(2, 0, b, c) + lift[2] * minor(0, 1, b, c)) / det;
+            centre[a] = p[0][a] +
+                        (lift[0] * minor(1, 2, b, c) + lift[1] * minor(2, 0, b, c) + lift[2] * minor(0, 1, b, c)) / det;
         }
         const bool outside = ball != nullptr && !(squared(centre, ball) <= ball[3] * ball[3]);
         for (int i = 0; i < 4; ++i) {

@@ -39,27 +39,28 @@ TEST_CASE("version and help go to stdout") {
 TEST_CASE("usage errors: exit 2, the argument named, nothing on stdout, no file") {
     const Folder folder;
     folder.write("p.txt", "0 0\n1 0\n0 1\n");
-    const char* const lines[][2] = {{"", "no command"},
-                                    {"frob", "frob"},
-                                    {"mesh", "POINTS"},
-                                    {"mesh p.txt --frob", "--frob"},
-                                    {"mesh p.txt --tau 2", "--tau 2"},
-                                    {"mesh p.txt -o m.xyz", "m.xyz"},
-                                    {"mesh p.txt -o m", "m: "},
-                                    {"persist p.txt -o d.txt", "d.txt"},
-                                    {"persist p.txt --filter frob", "barycentric-rips"},
-                                    {"persist p.txt --filter barycentric-cech --k 0", "--k 0"},
-                                    {"persist p.txt --filter rips --max-degree 31", "--max-degree"},
-                                    {"persist p.txt --filter rips --mesh m.node", "--mesh"},
-                                    {"persist p.txt --filter barycentric-cech --representatives c.txt", "--representatives"},
-                                    {"persist p.txt --memory 0", "--memory 0"},
-                                    {"size --dim 3", "--points"},
-                                    {"size --points 3", "--dim"},
-                                    {"check p.txt", "p.txt"},
-                                    {"check m.node --mesh m.node", "--mesh"},
-                                    {"sample ball", "-n"},
-                                    {"sample frob -n 3", "frob"},
-                                    {"sample ball -n 3 -o p.frob", "p.frob"}};
+    const char* const lines[][2] = {
+        {"", "no command"},
+        {"frob", "frob"},
+        {"mesh", "POINTS"},
+        {"mesh p.txt --frob", "--frob"},
+        {"mesh p.txt --tau 2", "--tau 2"},
+        {"mesh p.txt -o m.xyz", "m.xyz"},
+        {"mesh p.txt -o m", "m: "},
+        {"persist p.txt -o d.txt", "d.txt"},
+        {"persist p.txt --filter frob", "barycentric-rips"},
+        {"persist p.txt --filter barycentric-cech --k 0", "--k 0"},
+        {"persist p.txt --filter rips --max-degree 31", "--max-degree"},
+        {"persist p.txt --filter rips --mesh m.node", "--mesh"},
+        {"persist p.txt --filter barycentric-cech --representatives c.txt", "--representatives"},
+        {"persist p.txt --memory 0", "--memory 0"},
+        {"size --dim 3", "--points"},
+        {"size --points 3", "--dim"},
+        {"check p.txt", "p.txt"},
+        {"check m.node --mesh m.node", "--mesh"},
+        {"sample ball", "-n"},
+        {"sample frob -n 3", "frob"},
+        {"sample ball -n 3 -o p.frob", "p.frob"}};
     for (const auto& line : lines) {
         const Result result = folder.run(line[0]);
         CAPTURE(line[0]);
@@ -159,7 +160,8 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(check.out.find("within the bounds of chapters 3 and 5") != std::string::npos);
     const Result analysed = folder.run("mesh p.txt -o m.node --analyse --json");
     CHECK(analysed.exit == 0);
-    for (const char* key : {"\"analysis\"", "\"theta\"", "\"integral_lower\"", "\"ply_max\"", "\"beta_max\"", "\"feature_ratio\""})
+    for (const char* key :
+         {"\"analysis\"", "\"theta\"", "\"integral_lower\"", "\"ply_max\"", "\"beta_max\"", "\"feature_ratio\""})
         CHECK(analysed.out.find(key) != std::string::npos);
     const Result triangulated = folder.run("delaunay p.txt -o d.node --analyse");
     CHECK(triangulated.exit == 0);
@@ -272,7 +274,8 @@ TEST_CASE("persist: bounds of single bars") {
 TEST_CASE("persist: tight, and scale by scale") {
     const Folder folder;
     CHECK(folder.run("sample annulus -n 25 -o p.csv").exit == 0);
-    Result result = folder.run("persist p.csv --filter tight --eps .5 -o d.pers --json --check --svg d.svg --mesh m.node");
+    Result result =
+        folder.run("persist p.csv --filter tight --eps .5 -o d.pers --json --check --svg d.svg --mesh m.node");
     CHECK(result.err == "");
     CHECK(result.exit == 0);
     CHECK(number_in(result.out, "certified_ratio") > 1);
@@ -293,8 +296,8 @@ TEST_CASE("persist: tight, and scale by scale") {
     CHECK(number_in(result.out, "extended_ball_needed") == 2);
     CHECK(folder.run("check s.pers --points q.csv --filter scales --theta .1").exit == 0);
     CHECK(folder.run("check s.pers --points p.csv --filter scales --theta .1").exit == 7);
-    for (const char* line : {"--filter tight --eps 0", "--filter tight --eps .6", "--eps .5", "--theta .1", "--filter scales --theta .2",
-                             "--filter scales --mesh m.node"}) {
+    for (const char* line : {"--filter tight --eps 0", "--filter tight --eps .6", "--eps .5", "--theta .1",
+                             "--filter scales --theta .2", "--filter scales --mesh m.node"}) {
         CAPTURE(line);
         CHECK(folder.run(std::string("persist p.csv ") + line).exit == 2);
     }
@@ -339,7 +342,9 @@ TEST_CASE("vineyard: diagrams of all k, each equal to its own run") {
     CHECK(number_in(result.out, "transpositions") > 0);
     CHECK(folder.read("v.svg").rfind("<svg ", 0) == 0);
     const std::string vines = folder.read("v.vines");
-    CHECK(vines.rfind("# netmesh vineyard 1: vine degree k birth death\n# filter knn, certified values\n# k 1 certified", 0) == 0);
+    CHECK(
+        vines.rfind("# netmesh vineyard 1: vine degree k birth death\n# filter knn, certified values\n# k 1 certified",
+                    0) == 0);
     CHECK(folder.run("vineyard p.csv --k 1..4 --quiet").out == vines);
     // The lines of k = 3, without vine and k, are the diagram.
     std::istringstream lines(vines);
@@ -450,7 +455,8 @@ TEST_CASE("distance: a line per degree, plain and log, faults by file and line")
                                      {"missing.pers", "missing.pers: no such file"}};
     for (const auto& fault : faults) {
         CAPTURE(fault[0]);
-        for (const std::string& line : {std::string("distance a.pers ") + fault[0], std::string("distance ") + fault[0] + " a.pers"}) {
+        for (const std::string& line :
+             {std::string("distance a.pers ") + fault[0], std::string("distance ") + fault[0] + " a.pers"}) {
             result = folder.run(line);
             CHECK(result.exit == 3);
             CHECK(result.says(fault[1]));
@@ -470,7 +476,8 @@ TEST_CASE("homology: a filtered complex from a file, its cycles, its faults by l
     CHECK(result.exit == 0);
     CHECK(result.out == "0 0 1\n0 0 2\n0 0 inf\n1 3 4.5\n");
     CHECK(result.says("Betti    1, 0, 0"));
-    CHECK(folder.read("c.txt") == "bar 0 0 1 2\n7\n5\nbar 0 0 2 2\n9\n5\nbar 0 0 inf 1\n5\nbar 1 3 4.5 3\n7 9\n5 9\n5 7\n");
+    CHECK(folder.read("c.txt") ==
+          "bar 0 0 1 2\n7\n5\nbar 0 0 2 2\n9\n5\nbar 0 0 inf 1\n5\nbar 1 3 4.5 3\n7 9\n5 9\n5 7\n");
     CHECK(folder.read("t.svg").rfind("<svg ", 0) == 0);
     result = folder.run("homology t.txt -o t.pers --json --max-degree 1");
     CHECK(result.exit == 0);
@@ -494,16 +501,17 @@ TEST_CASE("homology: a filtered complex from a file, its cycles, its faults by l
     CHECK(result.exit == 0);
     CHECK(result.says("Betti    1, 1, 1"));
 
-    const char* const faults[][2] = {{"5 0\n7 0\n\n5 7 9 4\n", "<stdin>:4: simplex 5 7 9: its face 7 9 is missing"},
-                                     {"5 0\n7 2\n7 5 1\n", "<stdin>:3: simplex 5 7: enters at 1, before its face 7 of line 2 at 2"},
-                                     {"5 0\n7 0\n5 0\n", "<stdin>:3: simplex 5: is listed in line 1 already"},
-                                     {"5 0\n5 5 0\n", "<stdin>:2: simplex 5 5: a simplex has a vertex twice"},
-                                     {"5 0\n7 x\n", "<stdin>:2: \"x\" is not a number"},
-                                     {"5 0\n7 nan\n", "<stdin>:2: "},
-                                     {"5 0\n-7 1\n", "<stdin>:2: -7 is not a vertex"},
-                                     {"5 0\n1.5 1\n", "<stdin>:2: 1.5 is not a vertex"},
-                                     {"5\n", "<stdin>:1: "},
-                                     {"", "<stdin>:1: "}};
+    const char* const faults[][2] = {
+        {"5 0\n7 0\n\n5 7 9 4\n", "<stdin>:4: simplex 5 7 9: its face 7 9 is missing"},
+        {"5 0\n7 2\n7 5 1\n", "<stdin>:3: simplex 5 7: enters at 1, before its face 7 of line 2 at 2"},
+        {"5 0\n7 0\n5 0\n", "<stdin>:3: simplex 5: is listed in line 1 already"},
+        {"5 0\n5 5 0\n", "<stdin>:2: simplex 5 5: a simplex has a vertex twice"},
+        {"5 0\n7 x\n", "<stdin>:2: \"x\" is not a number"},
+        {"5 0\n7 nan\n", "<stdin>:2: "},
+        {"5 0\n-7 1\n", "<stdin>:2: -7 is not a vertex"},
+        {"5 0\n1.5 1\n", "<stdin>:2: 1.5 is not a vertex"},
+        {"5\n", "<stdin>:1: "},
+        {"", "<stdin>:1: "}};
     for (const auto& fault : faults) {
         CAPTURE(fault[1]);
         result = folder.run("homology -", fault[0]);
@@ -538,13 +546,16 @@ TEST_CASE("persist: filters on the points themselves") {
         folder.write("d.pers", bars.substr(0, bars.rfind('\n', bars.size() - 2) + 1));
         CHECK(folder.run("check d.pers --points p.csv --filter " + filter).exit == 7);
         const std::string size = folder.run("size --dim 2 --points 14 --filter " + filter).out;
-        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory " + size.substr(0, size.size() - 1)).exit == 0);
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory " + size.substr(0, size.size() - 1))
+                  .exit == 0);
         CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory 6K").exit == 4);
     }
     CHECK(folder.run("persist p.csv --filter cech --quiet -o cech.pers --representatives c.txt").exit == 0);
     CHECK(folder.read("c.txt").rfind("bar 0 0 ", 0) == 0);
-    CHECK(text_in(folder.run("persist p.csv --filter cech --json -o d.pers").out, "reference") == "closed offsets of the points in R^2");
-    CHECK(text_in(folder.run("persist p.csv --filter rips --json -o d.pers").out, "reference") == "Vietoris-Rips complex of the points, edges at half their length");
+    CHECK(text_in(folder.run("persist p.csv --filter cech --json -o d.pers").out, "reference") ==
+          "closed offsets of the points in R^2");
+    CHECK(text_in(folder.run("persist p.csv --filter rips --json -o d.pers").out, "reference") ==
+          "Vietoris-Rips complex of the points, edges at half their length");
     const Result distance = folder.run("distance alpha.pers cech.pers");
     CHECK(distance.out.rfind("0 ", 0) == 0);
     CHECK(std::strtod(distance.out.c_str() + 2, nullptr) < 1e-12);

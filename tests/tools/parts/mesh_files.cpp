@@ -62,8 +62,9 @@ TEST_CASE("node of a mesh: domain, tau and filter values") {
     square.domain[0] = .5;
     square.domain[2] = 1;
     square.has_values = true;
-    CHECK(text_of(write_node, square) ==
-          "# domain 0.5 0 1\n# tau 2.5\n# eps 0.25\n4 2 1 1\n0 0 0 0 0\n1 1 0 0.25 0\n2 1 0.1 0.5 0\n3 0 1e-17 0.75 1\n");
+    CHECK(
+        text_of(write_node, square) ==
+        "# domain 0.5 0 1\n# tau 2.5\n# eps 0.25\n4 2 1 1\n0 0 0 0 0\n1 1 0 0.25 0\n2 1 0.1 0.5 0\n3 0 1e-17 0.75 1\n");
     NodeFile node;
     REQUIRE(parse_node(text_of(write_node, square), &node).good());
     CHECK(node.tau == 2.5);
@@ -115,7 +116,8 @@ TEST_CASE("off and vtu") {
 }
 
 TEST_CASE("remarks that cannot be are faults with a line") {
-    for (const char* remark : {"# domain 1 2", "# domain 1 2 0", "# domain 1 2 x", "# domain 1 2 3 4", "# tau 2", "# eps 0", "# eps 1 2"}) {
+    for (const char* remark :
+         {"# domain 1 2", "# domain 1 2 0", "# domain 1 2 x", "# domain 1 2 3 4", "# tau 2", "# eps 0", "# eps 1 2"}) {
         NodeFile node;
         node.cloud.name = "m.node";
         CAPTURE(remark);

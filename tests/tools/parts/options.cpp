@@ -72,7 +72,8 @@ TEST_CASE("sizes of memory") {
 }
 
 TEST_CASE("numbers out of range name their argument") {
-    for (const char* eps : {"0", "-1", "inf", "nan", "x", ""}) CHECK(names(fault({"mesh", "p", "--eps", eps}), "--eps"));
+    for (const char* eps : {"0", "-1", "inf", "nan", "x", ""})
+        CHECK(names(fault({"mesh", "p", "--eps", eps}), "--eps"));
     for (const char* tau : {"2", "1.9", "-3", "0", "inf", "nan", "1e400", "x", "", "3x"}) {
         CHECK(names(fault({"mesh", "p", "--tau", tau}), "--tau"));
     }
