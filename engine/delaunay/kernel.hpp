@@ -75,6 +75,14 @@ public:
     void fill(const Cavity& cavity, std::uint32_t id);
     std::uint32_t new_cell(std::uint32_t k) const { return line(k).made; }
 
+    // Calls visit(w) once for each neighbour w of the vertex that filled the cavity; needs stars. Filling leaves each of them
+    // pointing at one of the new cells: there it is visited.
+    template <class Visit> void visit_neighbours(const Cavity& cavity, std::uint32_t v, Visit&& visit) const {
+        for (std::uint32_t k = 0; k < cavity.facets; ++k)
+            for (const std::uint32_t w : store_.cell(new_cell(k)).vertex)
+                if (w != v && w != none && store_.vertex(w).cell == new_cell(k)) visit(w);
+    }
+
     // Calls visit(cell) for each cell at vertex v, ghosts included; stops early, returning false, when the gap is too small.
     template <class Visit> bool visit_star(std::uint32_t v, Visit&& visit);
 

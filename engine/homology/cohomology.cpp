@@ -4,7 +4,7 @@
 #include "homology/bit_tree.hpp"
 #include "homology/column_store.hpp"
 #include "homology/pair_writer.hpp"
-#include "homology/persistence.hpp"
+#include "homology/persist_by.hpp"
 #include "homology/union_find.hpp"
 #include "memory/high_scope.hpp"
 
@@ -214,15 +214,7 @@ Status Cohomology::run() {
 
 Status persist_skeleton(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena,
                         Monitor& monitor, PairList* out) {
-    if (complex.dimension > FilteredComplex::dimension_max) return Status::invalid_argument;
-    if (max_degree > complex.dimension) max_degree = complex.dimension;
-    ArenaScope scope(arena);
-    Cohomology cohomology(complex, max_degree, keep_zero, arena, monitor);
-    const Status status = cohomology.run();
-    if (status != Status::ok) return status;
-    *out = cohomology.finish();
-    scope.keep_low_from_now();
-    return Status::ok;
+    return persist_by<Cohomology>(complex, max_degree, keep_zero, arena, monitor, out);
 }
 
 }  // namespace netmesh

@@ -3,15 +3,12 @@
 #include "mesh/bucket_queue.hpp"
 #include "mesh/corner.hpp"
 #include "mesh/hierarchy.hpp"
+#include "mesh/nearest.hpp"
 #include "mesh/opening.hpp"
 #include "numerics/random.hpp"
 
 namespace netmesh {
 namespace {
-
-// These two as in refine.cpp.
-constexpr double pull_back = 1.15;
-constexpr double tau_margin = 0x1p-20;
 
 // How the thesis's operations are carried out here, and why they differ where they do.
 //
@@ -148,29 +145,11 @@ template <int D> Status NetMesh<D>::fill(std::uint32_t v, const Cavity& cavity) 
 
 // Nearest-neighbour distances around the new vertex v, of vertices and cages, and the queue.
 template <int D> void NetMesh<D>::update_star(const Cavity& cavity, std::uint32_t v) {
-    Vertex<D>& centre = store_.vertex(v);
-    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const std::uint32_t c = kernel_.new_cell(k);
-        for (const std::uint32_t w : store_.cell(c).vertex) {
-            // Linking leaves each neighbour pointing at one of the new cells: there it is visited.
-            if (w == v || w == none || store_.vertex(w).cell != c) continue;
-            Vertex<D>& other = store_.vertex(w);
-            const double d2 = distance2<D>(centre.x, other.x);
-            if (d2 < centre.nearest2) centre.nearest2 = d2;
-            if (d2 < other.nearest2) {
-                other.nearest2 = d2;
-                if (other.marker != Marker::exempt) queue_.push(w);
-            }
-        }
-    }
-    if (hierarchy_.live() > 0) {
-        for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-            const std::uint32_t c = kernel_.new_cell(k);
-            for (const std::uint32_t w : store_.cell(c).vertex)
-                if (w != v && w != none && store_.vertex(w).cell == c)
-                    meet(w, centre.x, centre.marker != Marker::exempt);
-        }
-    }
+    update_nearest<D>(store_, kernel_, cavity, v, queue_);
+    const Vertex<D>& centre = store_.vertex(v);
+    if (hierarchy_.live() > 0)
+        kernel_.visit_neighbours(cavity, v,
+                                 [&](std::uint32_t w) { meet(w, centre.x, centre.marker != Marker::exempt); });
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
         const std::uint32_t c = kernel_.new_cell(k);
         queue_bad_vertices(c);

@@ -2,16 +2,11 @@
 
 #include "mesh/bucket_queue.hpp"
 #include "mesh/corner.hpp"
+#include "mesh/nearest.hpp"
 #include "mesh/opening.hpp"
 
 namespace netmesh {
 namespace {
-
-// A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad: the cell then
-// loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
-constexpr double pull_back = 1.15;
-// Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
-constexpr double tau_margin = 0x1p-20;
 
 template <int D> class Refinement {
 public:
@@ -133,21 +128,7 @@ template <int D> Status Refinement<D>::insert(std::uint32_t v, std::uint32_t fro
 // Nearest-neighbour distances around the new vertex v, and the queue: a vertex may have become bad when its nearest
 // neighbour came nearer, or because of a new corner.
 template <int D> void Refinement<D>::update_star(const Cavity& cavity, std::uint32_t v) {
-    Vertex<D>& centre = store_.vertex(v);
-    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const std::uint32_t c = kernel_.new_cell(k);
-        for (const std::uint32_t w : store_.cell(c).vertex) {
-            // Linking leaves each neighbour pointing at one of the new cells: there it is visited.
-            if (w == v || w == none || store_.vertex(w).cell != c) continue;
-            Vertex<D>& other = store_.vertex(w);
-            const double d2 = distance2<D>(centre.x, other.x);
-            if (d2 < centre.nearest2) centre.nearest2 = d2;
-            if (d2 < other.nearest2) {
-                other.nearest2 = d2;
-                if (other.marker != Marker::exempt) queue_.push(w);
-            }
-        }
-    }
+    update_nearest<D>(store_, kernel_, cavity, v, queue_);
     for (std::uint32_t k = 0; k < cavity.facets; ++k) queue_bad_vertices(kernel_.new_cell(k));
 }
 

@@ -11,6 +11,11 @@ namespace netmesh {
 // An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
 // ball (thesis 4.4). Smaller values give larger meshes; the proof needs less than 1.
 constexpr double yield_radius = 0.9;
+// A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad: the cell then
+// loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
+constexpr double pull_back = 1.15;
+// Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
+constexpr double tau_margin = 0x1p-20;
 
 struct RefineOptions {
     double tau;            // > 2
