@@ -200,6 +200,14 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
 std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
+std::string apply_audit(Options& options, const std::string& value) {
+    constexpr std::pair<const char*, unsigned> names[] = {{"location", NETMESH_AUDIT_LOCATION},
+                                                          {"quality", NETMESH_AUDIT_QUALITY},
+                                                          {"all", NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY}};
+    for (const auto& [name, what] : names)
+        if (value == name) return options.audit = what, "";
+    return "not location, quality or all";
+}
 std::string apply_finish(Options& options, const std::string&) { return options.finish = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_log(Options& options, const std::string&) { return options.log = true, ""; }
@@ -238,6 +246,9 @@ constexpr OptionEntry option_entries[] = {
      "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
     {"--finish", mesh | persist | size, nullptr, apply_finish,
      "go on from a hierarchical mesh to one of quality tau without cages"},
+    {"--audit", mesh | size, "WHAT", apply_audit,
+     "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured after each\n"
+     "                    insertion, for small runs; or all. Figures go to the report"},
     {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
     {"--filter", persist | size | check, "F", apply_filter,
      "complete (default), basic, tight, scales, alpha, knn or kdistance; of few points rips, cech, barycentric-cech or\n"
@@ -376,6 +387,8 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
         }
     }
     const bool hierarchical = options->method == NETMESH_METHOD_NETMESH;
+    if (options->audit != 0 && (options->method == NETMESH_METHOD_REFINE || options->eps > 0))
+        return usage_error("--audit goes with --method svr or netmesh, and not with --eps");
     if (options->finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options->command == Command::persist && hierarchical && !options->finish) {
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

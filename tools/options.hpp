@@ -27,6 +27,7 @@ struct Options {
     std::optional<double> tau;
     netmesh_method method = NETMESH_METHOD_SVR;
     bool finish = false;  // a hierarchical mesh
+    std::uint32_t audit = 0;  // netmesh_audit_what
     double eps = 0;       // over-refinement, or what the filters tight and scales promise; 0: not given
     double theta = 0;     // scales; 0: not given
     std::optional<netmesh_filter> filter;

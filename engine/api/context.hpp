@@ -49,6 +49,7 @@ struct Context {
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     netmesh_method method;
+    std::uint32_t audit;  // what was audited
     std::uint64_t cages_offset;
     HierarchyReport hierarchy;
 

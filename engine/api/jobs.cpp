@@ -47,13 +47,21 @@ Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* p
                       double factor, bool certify, const SizeRule& rule, const netmesh_options& options,
                       Monitor& monitor, InputReport* input, Domain<D>* domain) {
     context->method = options.method;
-    if (options.method != NETMESH_METHOD_NETMESH)
+    context->audit = options.audit;
+    if (options.method != NETMESH_METHOD_NETMESH && options.audit == 0)
         return refine<D>(store, points, n,
                          {tau, factor, certify, options.seed, rule, options.method == NETMESH_METHOD_REFINE}, monitor,
                          input, domain);
     Cage* cages;
-    const Status status = netmesh<D>(store, points, n, {tau, factor, options.finish != 0, options.seed}, monitor, input,
-                                     domain, &cages, &context->hierarchy);
+    const HierarchyOptions hierarchy = {tau,
+                                        factor,
+                                        options.finish != 0,
+                                        options.seed,
+                                        options.method == NETMESH_METHOD_NETMESH,
+                                        (options.audit & NETMESH_AUDIT_LOCATION) != 0,
+                                        (options.audit & NETMESH_AUDIT_QUALITY) != 0};
+    const Status status =
+        netmesh<D>(store, points, n, hierarchy, monitor, input, domain, &cages, &context->hierarchy);
     if (cages != nullptr) context->cages_offset = context->arena.offset_of(cages);
     return status;
 }
@@ -112,6 +120,12 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         return finish(context, Status::invalid_argument, "a mesh with cages is not for persistence; finish it", 4);
     if (options->method == NETMESH_METHOD_NETMESH && rule.asks())
         return finish(context, Status::invalid_argument, "the method netmesh does not over-refine", 5);
+    if (options->audit > (NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY))
+        return finish(context, Status::invalid_argument, "unknown audit", 5);
+    if (options->audit != 0 &&
+        (options->method == NETMESH_METHOD_REFINE || for_job != NETMESH_JOB_MESH || rule.asks()))
+        return finish(context, Status::invalid_argument,
+                      "audits are for meshes by svr or netmesh, not over-refined and not for persistence", 5);
     clear(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(options->dim, [&](auto dimension) {

@@ -88,6 +88,14 @@ typedef enum netmesh_method {
     NETMESH_METHOD_REFINE =
         2 /* VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5: the reference */
 } netmesh_method;
+
+typedef enum netmesh_audit_what {
+    NETMESH_AUDIT_LOCATION = 1, /* point location as in 4.7.2: every input that is not inserted yet is stored in all D-balls
+                                   (circumscribed balls) that contain it, and inputs are inserted in rounds of range nets (4.7.5),
+                                   each of which is drawn from again until the largest load has halved */
+    NETMESH_AUDIT_QUALITY = 2   /* quality and the invariants of 4.8 and 4.9 measured after each insertion */
+} netmesh_audit_what;
+
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone (results
  * are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre, positive,
  * and nowhere below 64 units in the last place of the coordinates: other values end the job with INVALID_ARGUMENT.
@@ -116,6 +124,9 @@ typedef struct netmesh_options {
     double over_refine_eps; /* > 0; 0: not asked for. The mesh has about over_refine_eps^-D times as many vertices */
     netmesh_size size;      /* null: not asked for */
     void* size_user;        /* handed to size */
+    uint32_t audit; /* a union of netmesh_audit_what, for NETMESH_JOB_MESH with SVR or NETMESH without sizes. The mesh is as
+                       good as without; it takes several times as long, with QUALITY about the number of cells for each vertex:
+                       for small runs. INTERNAL when the audit finds a point out of its balls or an encroached cage */
 } netmesh_options;
 
 /* Defaults for dimension dim (clamped to 2..6): tau 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6); seed 1; no poll. */
@@ -406,6 +417,25 @@ typedef enum netmesh_predicate_stage {
     NETMESH_PREDICATE_STAGES = 5
 } netmesh_predicate_stage;
 
+#define NETMESH_ROUNDS_MAX 32
+
+/* What the audits of options.audit found; 0 where not asked for. */
+typedef struct netmesh_audit {
+    uint32_t what; /* a union of netmesh_audit_what */
+    /* LOCATION. Load: points in a D-ball. */
+    uint32_t rounds, nets, nets_max;   /* samples drawn, in all and in one round */
+    uint32_t load[NETMESH_ROUNDS_MAX]; /* largest when each round begins; 0 after the last */
+    uint32_t ply_max;                  /* most D-balls that a point was in */
+    double ply_mean;                   /* D-balls that a point was in when its turn came */
+    uint32_t touches_max;              /* most insertions that moved a point or looked whether to move it (4.13) */
+    double touches_mean, tests_mean;   /* tests: the same for each new D-ball */
+    /* QUALITY: worst of all intermediate meshes. f_P: distance to the second nearest inserted input of the domain. */
+    uint32_t meshes;
+    double aspect_ratio_max;                             /* of vertices and cages, definition 4.5 */
+    double feature_ratio;                                /* K of the feature size invariant: f_P(v) / f_M(v) */
+    double cage_ratio, steiner_ratio, input_ratio;       /* K' of the insertion radius invariant */
+} netmesh_audit;
+
 typedef struct netmesh_report {
     uint32_t struct_bytes; /* in: sizeof(netmesh_report) */
     uint32_t dim;
@@ -453,6 +483,7 @@ typedef struct netmesh_report {
     uint64_t fingerprint;   /* of mesh and diagram; equal on every platform and for every block size */
     double over_refine_eps; /* asked for */
     double size_ratio_max;  /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
+    netmesh_audit audit;
 } netmesh_report;
 
 netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);

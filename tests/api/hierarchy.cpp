@@ -127,6 +127,43 @@ TEST_CASE("methods, finishing and what goes with them") {
     CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
 }
 
+TEST_CASE("audits report what they found, and go with what they are for") {
+    const inputs::Points points = inputs::nested(2, 4, 12, 1e3);
+    Session session(2);
+    session.options.tau = 3;
+    REQUIRE(session.mesh(points) == NETMESH_OK);
+    CHECK(session.report().audit.what == 0);
+    CHECK(session.report().audit.rounds == 0);
+    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH}) {
+        session.options.method = method;
+        session.options.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+        REQUIRE(session.mesh(method == NETMESH_METHOD_SVR ? inputs::uniform(2, 30) : points) == NETMESH_OK);
+        CHECK(session.check() == NETMESH_OK);
+        const netmesh_audit audit = session.report().audit;
+        CHECK(audit.what == session.options.audit);
+        CHECK(session.report().method == method);
+        CHECK((session.report().cages > 0) == (method == NETMESH_METHOD_NETMESH));
+        REQUIRE(audit.rounds > 1);
+        CHECK(audit.load[0] == session.report().inputs);
+        for (int k = 0; k + 1 < NETMESH_ROUNDS_MAX; ++k) CHECK(audit.load[k + 1] <= audit.load[k] / 2);
+        CHECK(audit.ply_mean > 1);
+        CHECK(audit.touches_mean > 1);
+        CHECK(audit.meshes > session.report().inputs);
+        CHECK(audit.aspect_ratio_max >= session.report().aspect_ratio_max);
+        CHECK(audit.feature_ratio >= audit.steiner_ratio);
+    }
+    session.options.finish = 1;
+    REQUIRE(session.mesh(points) == NETMESH_OK);
+    CHECK(session.report().cages == 0);
+    CHECK(session.report().audit.rounds > 1);
+    CHECK(session.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_INVALID_ARGUMENT);
+    session.options.audit = 4;
+    CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+    session.options.audit = NETMESH_AUDIT_LOCATION;
+    session.options.method = NETMESH_METHOD_REFINE;
+    CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+}
+
 TEST_CASE("cells are measured one by one") {
     Session session(2);
     session.options.method = NETMESH_METHOD_NETMESH;

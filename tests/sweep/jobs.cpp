@@ -30,6 +30,13 @@ netmesh_status alpha(const Job& job, netmesh_context* context, netmesh_options* 
     return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
 }
 
+netmesh_status audited(const Job& job, netmesh_context* context, netmesh_options* options) {
+    netmesh_options copy = *options;
+    copy.method = NETMESH_METHOD_NETMESH;
+    copy.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, &copy);
+}
+
 netmesh_status mesh(const Job& job, netmesh_context* context, netmesh_options* options) {
     return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_PERSIST, options);
 }
@@ -100,6 +107,7 @@ const std::vector<Job>& all_jobs() {
         {"mesh", 2, 8, mesh},
         {"mesh", 3, 5, mesh},
         {"mesh", 4, 3, mesh},
+        {"audited", 2, 4, audited},
         {"complete", 2, 6, complete},
         {"complete", 3, 4, complete},
         {"complete", 4, 2, complete},

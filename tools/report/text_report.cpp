@@ -17,6 +17,24 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
+std::string audit_lines(const netmesh_audit& audit) {
+    std::string text;
+    if ((audit.what & NETMESH_AUDIT_LOCATION) != 0) {
+        text += "located  in " + counted(audit.rounds, "round", "rounds") + " of " +
+                counted(audit.nets, "net", "nets") + ", load";
+        for (std::uint32_t k = 0; k < audit.rounds; k++) text += " " + grouped_text(audit.load[k]);
+        text += "\n         in " + rounded_text(audit.ply_mean, 4) + " D-balls (at most " +
+                grouped_text(audit.ply_max) + "), touched " + rounded_text(audit.touches_mean, 4) + " times (" +
+                grouped_text(audit.touches_max) + ") a point\n";
+    }
+    if ((audit.what & NETMESH_AUDIT_QUALITY) != 0)
+        text += "audited  " + counted(audit.meshes, "mesh", "meshes") + ", aspect ratio at most " +
+                rounded_text(audit.aspect_ratio_max, 4) + "; K " + rounded_text(audit.feature_ratio, 4) +
+                ", when inserted: shells " + rounded_text(audit.cage_ratio, 4) + ", cleaning " +
+                rounded_text(audit.steiner_ratio, 4) + ", inputs " + rounded_text(audit.input_ratio, 4) + "\n";
+    return text;
+}
+
 std::string mesh_lines(const netmesh_report& engine) {
     std::string text = "mesh     " + counted(engine.vertices, "vertex", "vertices");
     if (engine.is_mesh != 0) {
@@ -32,6 +50,7 @@ std::string mesh_lines(const netmesh_report& engine) {
                 rounded_text(engine.tau, 5) + ")\n";
         if (engine.size_ratio_max > 0)
             text += "size     cells reach " + rounded_text(engine.size_ratio_max, 5) + " of the size asked for\n";
+        text += audit_lines(engine.audit);
     }
     return text;
 }
