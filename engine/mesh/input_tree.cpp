@@ -138,6 +138,22 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
     return best;
 }
 
+template <int D>
+std::uint32_t InputTree<D>::nearest_within(const double* x, double bound2, double* distance2) const {
+    std::uint32_t best = none;
+    *distance2 = bound2;
+    const auto consider = [&](std::uint32_t v) -> double {
+        const double d2 = squared_distance(x, v);
+        if (d2 < *distance2 || (d2 == *distance2 && best != none && v < best)) {
+            *distance2 = d2;
+            best = v;
+        }
+        return d2;
+    };
+    visit(x, consider, [&] { return *distance2; });
+    return best;
+}
+
 // The best so far are a heap with the worst of them on top.
 template <int D> void InputTree<D>::nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const {
     std::uint32_t found = 0;

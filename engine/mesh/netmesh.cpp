@@ -75,8 +75,7 @@ private:
     Status insert_with_path(std::uint32_t p, Path* path);
     Status audit(std::uint32_t v, bool cleaning);
     Status approach(std::uint32_t p, const Cavity& cavity, Path* path);
-    Status insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t start,
-                          std::uint32_t cell);
+    Status insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t near, std::uint32_t cell);
     Status new_cage(std::uint32_t p, double reach);
     Status release_encroached();
     Status release_cage(std::uint32_t d);
@@ -417,14 +416,16 @@ template <int D> Status NetMesh<D>::release_cage(std::uint32_t d) {
     return Status::ok;
 }
 
-// Inserts a Steiner point at x in a domain, where a ball of this squared radius about x is empty, or yields to an input.
+// Inserts a Steiner point at x in a domain, where a ball of this squared radius about x is empty, or yields to an input. `near`: an
+// input in the domain or in one inside it; which is the nearest is not asked for before the end.
 template <int D>
-Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t start,
+Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t near,
                                   std::uint32_t cell) {
     double input2;
-    const std::uint32_t near = tree_.nearest(x, start, none, &input2);
-    if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none)
-        return insert_input(near, cell, nullptr);
+    const bool may_yield = inserted_ < inputs_;
+    const std::uint32_t input =
+        may_yield ? tree_.nearest_within(x, yield_radius * yield_radius * empty2, &input2) : none;
+    if (input != none && store_.vertex(input).cell == none) return insert_input(input, cell, nullptr);
     if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
     const std::uint32_t s = make_vertex<D>(store_, x, near, Marker::steiner);
     hierarchy_.hint(near, domain);
@@ -455,8 +456,8 @@ template <int D> Status NetMesh<D>::clean_vertex(std::uint32_t v) {
     const double fraction = wanted < whole ? wanted / whole : 1;
     double x[D];
     for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
-    const std::uint32_t start = store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
-    const Status status = insert_steiner(x, distance2<D>(x, p), d, start, corner.cell);
+    const std::uint32_t near = store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
+    const Status status = insert_steiner(x, distance2<D>(x, p), d, near, corner.cell);
     if (status == Status::ok) queue_.push(v);
     return status;
 }
@@ -598,7 +599,7 @@ template <int D> std::uint32_t NetMesh<D>::keep_cages(HierarchyReport* report) {
     for (std::uint32_t d = 0; d < hierarchy_.made(); ++d)
         if (hierarchy_.is_live(d) && cages[d].parent != none) cages[d].parent = cages[cages[d].parent].next;
     if (lists_.is_open()) lists_.report(&location_);
-    *report = {kept,      hierarchy_.made(), hierarchy_.made() - kept, tree_.touches() + passed_,
+    *report = {kept,      hierarchy_.made(), hierarchy_.made() - kept, tree_.touches() + kernel_.steps() + passed_,
                location_, quality_};
     std::uint32_t out = 0;
     for (std::uint32_t d = 0; out < kept; ++d) {
