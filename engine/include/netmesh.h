@@ -452,7 +452,7 @@ typedef struct netmesh_report {
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D; radius 0 for a Delaunay triangulation */
     netmesh_method method;              /* of the mesh; SVR after load */
     uint64_t cages, cages_made;         /* of a hierarchical mesh; made: those released again are counted too */
-    uint64_t touches; /* NETMESH_METHOD_NETMESH: inputs looked at by searches, domains passed by point location */
+    uint64_t touches; /* NETMESH_METHOD_NETMESH: inputs looked at by searches, cells and domains passed by point location */
     /* diagram */
     uint32_t has_diagram;
     netmesh_filter filter;

@@ -62,6 +62,7 @@ public:
     Status run(const std::uint32_t* order);
     Status run_rounds(std::uint32_t* order);
     Status finish();
+    void find_nearest_inputs();
     std::uint32_t keep_cages(HierarchyReport* report);
     // First thing at the low end.
     Status reserve(std::size_t n) { return hierarchy_.open(store_, store_.arena, static_cast<std::uint32_t>(n)); }
@@ -364,16 +365,14 @@ template <int D> Status NetMesh<D>::new_cage(std::uint32_t p, double reach) {
     const double* const c = store_.point(u);
     std::uint64_t random = mix64(std::uint64_t{u} << 32 | d);
     for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
-        double x[D], d2;
+        double x[D];
         for (int k = 0; k < D; ++k) {
             random = mix64(random);
             const double jitter = shell_jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
             const double axis = k != static_cast<int>(i / 2) ? 0 : i % 2 == 0 ? 1 : -1;
             x[k] = c[k] + shell_factor * radius * (axis + jitter);
         }
-        const std::uint32_t near = tree_.nearest(x, u, none, &d2);
-        make_vertex<D>(store_, x, near, Marker::exempt);
-        hierarchy_.hint(near, d);
+        make_vertex<D>(store_, x, u, Marker::exempt);
     }
     for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
         const Status status = insert(v, store_.vertex(u).cell);
@@ -417,7 +416,7 @@ template <int D> Status NetMesh<D>::release_cage(std::uint32_t d) {
 }
 
 // Inserts a Steiner point at x in a domain, where a ball of this squared radius about x is empty, or yields to an input. `near`: an
-// input in the domain or in one inside it; which is the nearest is not asked for before the end.
+// input in the domain or in one inside it.
 template <int D>
 Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t near,
                                   std::uint32_t cell) {
@@ -587,6 +586,14 @@ template <int D> Status NetMesh<D>::finish() {
     return sweep();
 }
 
+// What filters ask of a mesh without cages: the nearest input of each vertex.
+template <int D> void NetMesh<D>::find_nearest_inputs() {
+    for (std::uint32_t v = inputs_; v < store_.state.vertex_count; ++v) {
+        double d2;
+        store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);
+    }
+}
+
 // Moves the cages that are left to the front; parents are named by their new places.
 template <int D> std::uint32_t NetMesh<D>::keep_cages(HierarchyReport* report) {
     Cage* const cages = hierarchy_.cages();
@@ -632,6 +639,7 @@ Status netmesh(Store<D>& store, const double* points, std::size_t n, const Hiera
     if (status == Status::ok && options.finish) status = mesher.finish();
     if (status == Status::cancelled && mesher.lists_are_full()) status = Status::out_of_memory;
     const std::uint32_t kept = mesher.keep_cages(report);
+    if (kept == 0 && store.state.cell_slots > 0) mesher.find_nearest_inputs();
     *cages = mesher.cages();
     const std::size_t low = store.arena.offset_of(*cages + kept);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
