@@ -131,8 +131,7 @@ template <int D> bool BallLists<D>::attach(Kernel<D>& kernel, const Cavity& cavi
     return true;
 }
 
-template <int D>
-bool BallLists<D>::agrees(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t input) const {
+template <int D> bool BallLists<D>::agrees(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t input) const {
     if (ply_[input] != cavity.cells) return false;
     for (std::uint32_t e = first_of_input_[input]; e != none; e = entries_[e].next_of_input) {
         std::uint32_t k = 0;
@@ -149,8 +148,7 @@ template <int D> std::uint32_t BallLists<D>::load() const {
     return most;
 }
 
-template <int D>
-std::uint32_t BallLists<D>::draw_nets(std::uint32_t most, std::uint64_t seed, std::uint32_t* chosen) {
+template <int D> std::uint32_t BallLists<D>::draw_nets(std::uint32_t most, std::uint64_t seed, std::uint32_t* chosen) {
     std::uint32_t count = 0;
     std::uint64_t random = mix64(seed);
     now_ += 2;

@@ -10,11 +10,12 @@ namespace netmesh {
 struct LocationAudit {
     static constexpr int rounds_max = 32;  // loads halve, and there are at most 2^28 inputs
     std::uint32_t rounds;
-    std::uint32_t load[rounds_max];  // most inputs in one D-ball when each round begins; what is left after the last is 0
-    std::uint32_t nets, nets_max;    // samples drawn, in all and in one round, until the load had halved
-    std::uint32_t ply_max;           // most D-balls that one input was stored in
-    double ply_mean;                 // D-balls that an input was stored in when its turn came
-    std::uint32_t touches_max;       // most insertions that moved one input or looked whether to move it (4.13)
+    std::uint32_t
+        load[rounds_max];          // most inputs in one D-ball when each round begins; what is left after the last is 0
+    std::uint32_t nets, nets_max;  // samples drawn, in all and in one round, until the load had halved
+    std::uint32_t ply_max;         // most D-balls that one input was stored in
+    double ply_mean;               // D-balls that an input was stored in when its turn came
+    std::uint32_t touches_max;     // most insertions that moved one input or looked whether to move it (4.13)
     double touches_mean;
     double tests_mean;  // the same counted once for each new D-ball
 };

@@ -153,8 +153,7 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
     return best;
 }
 
-template <int D>
-std::uint32_t InputTree<D>::nearest_within(const double* x, double bound2, double* distance2) const {
+template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, double bound2, double* distance2) const {
     std::uint32_t best = none;
     *distance2 = bound2;
     const auto consider = [&](std::uint32_t v) -> double {

@@ -9,11 +9,13 @@ namespace netmesh {
 // Worst of all intermediate meshes, one for each vertex inserted (with the cage that is made for it, if one is).
 struct QualityAudit {
     std::uint32_t meshes;
-    std::uint32_t encroached;  // meshes with an encroached cage (condition 3 of definition 4.5); the engine stops at one
-    double worst;              // aspect ratio of a vertex's or a cage's cell (conditions 1 and 2): the quality invariant's tau'
-    double feature;            // K of the feature size invariant: f_P(v) / f_M(v) over all v in M_Omega and all Omega
-    double cage, steiner, input;  // K' of the insertion radius invariant: f_P(v) / lambda_v of shell vertices, of what cleaning
-                                  // inserts (inputs that it yields to included), of inputs whose turn it is
+    std::uint32_t
+        encroached;  // meshes with an encroached cage (condition 3 of definition 4.5); the engine stops at one
+    double worst;    // aspect ratio of a vertex's or a cage's cell (conditions 1 and 2): the quality invariant's tau'
+    double feature;  // K of the feature size invariant: f_P(v) / f_M(v) over all v in M_Omega and all Omega
+    double cage, steiner,
+        input;  // K' of the insertion radius invariant: f_P(v) / lambda_v of shell vertices, of what cleaning
+                // inserts (inputs that it yields to included), of inputs whose turn it is
 };
 
 // What `cage` cannot exceed: in radii, a shell vertex is at most shell_factor (1 + jitter) + e from the second input of its domain,

@@ -18,9 +18,9 @@ template <int D> struct Audited {
     Audited(const inputs::Points& points, double tau, bool cages, bool location, bool quality,
             std::size_t bytes = std::size_t{1} << 26)
         : block(bytes), store(block.arena, state) {
-        status = netmesh::netmesh<D>(store, points.data(), points.size() / D,
-                                     {tau, 1, false, 1, cages, location, quality}, monitor, &input, &domain,
-                                     &this->cages, &report);
+        status =
+            netmesh::netmesh<D>(store, points.data(), points.size() / D, {tau, 1, false, 1, cages, location, quality},
+                                monitor, &input, &domain, &this->cages, &report);
     }
     double worst() {
         HierarchyQuality q;
