@@ -209,7 +209,7 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
                             const netmesh_options* options);
 
 /* A cage (4.5, epsilon = 1/2): its centre, an input; inputs within half of its radius; between there and the radius its shell,
- * 2 D exempt vertices; nothing between one and four radii but shells of other cages. Its domain is its ball without the balls
+ * 2 D exempt vertices; nothing between one and four radii but shells and Steiner points of other cages beside it. Its domain is its ball without the balls
  * of the cages directly inside it; cells of a domain's vertices are clipped to the ball of half of the radius. The cell of
  * the cage is the union of its vertices' cells, its in-radius as in 4.6. */
 typedef struct netmesh_cage {
@@ -363,7 +363,8 @@ typedef struct netmesh_analysis {
     uint64_t fingerprint;  /* of all figures; equal on every platform */
     /* Size (3.4, 3.6, 3.8): theta_i is the distance of the i-th input to the nearest before it over that to the second
      * nearest, in the ordering of netmesh_well_paced_order. */
-    uint64_t size;              /* |M|: vertices that are not exempt */
+    uint64_t size; /* |M|: vertices that are not exempt */
+    /* With cages the next two say nothing (0, infinity), nor does feature_ratio_bound (infinity): quality is that of domains. */
     double size_lower;          /* every mesh of aspect ratio tau on this domain has more vertices (3.4.2) */
     double size_upper;          /* every mesh of this feature_ratio has fewer (3.4.1) */
     double feature_ratio;       /* largest f_P(v) / f_M(v), distances to the second nearest input and vertex */

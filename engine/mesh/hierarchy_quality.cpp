@@ -146,8 +146,10 @@ template <int D> CheckResult Measurement<D>::find_encroached() {
             const Marker marker = store_.vertex(v).marker;
             if (d2 < r2)
                 inner |= marker == Marker::input && d2 > e2;
-            else
-                outer |= d2 > r2 && (marker != Marker::exempt || domain_[v] == none);
+            else if (d2 > r2)
+                outer |=
+                    marker == Marker::input || domain_[v] == none ||
+                    (marker == Marker::steiner && is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
         });
         if (inner) return {"an input encroaches on a cage from inside", cage.centre};
         if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};

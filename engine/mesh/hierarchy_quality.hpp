@@ -15,8 +15,9 @@ struct HierarchyQuality {
 };
 
 // Finds parent and nearest2 of each cage anew, from centres and radii: the balls of cages must be nested or disjoint. Encroached is
-// a cage with an input between e r and r of its centre, with a vertex between r and 2 r / e that is not of another cage's
-// shell, without a shell, with a centre that is not an input, or with a sphere that sticks out of its parent. Ratios are as cage.hpp
+// a cage with an input between e r and r of its centre, with an input, or a vertex that is neither in nor of the shell of a cage
+// beside it, between r and 2 r / e, without a shell, with a centre that is not an input, or with a sphere that sticks out of its
+// parent. Ratios are as cage.hpp
 // describes, corners solved for anew, nearest distances recomputed.
 // Where ratios is not null: ratios[v] := that of v's clipped cell, 0 for exempt vertices; domains[v] := its innermost cage or
 // none (both arrays or neither).

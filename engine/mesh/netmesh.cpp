@@ -23,8 +23,8 @@ namespace {
 //
 // ReleaseCage happens when a Steiner point comes nearer than a cage's clearance, which only gaps not much wider than a cage
 // needs let happen. Cages are never made again about the same inputs, as their shells stay as vertices, so refinement ends
-// where it would end without cages. The shell of a neighbouring cage is as near as its centre, up to a quarter, and does not
-// count as encroaching. Whoever lost a clipping sphere by a release is found by a look at all cells after the last
+// where it would end without cages. The shell of a neighbouring cage and Steiner points inside it are as near as its centre, up to
+// a quarter, and do not count as encroaching. Whoever lost a clipping sphere by a release is found by a look at all cells after the last
 // insertion; those next to the shell at once.
 //
 // YieldingInsert of a shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the way to the centre. An input that
@@ -89,7 +89,7 @@ private:
 
     void update_star(const Cavity& cavity, std::uint32_t v);
     void settle(std::uint32_t p, const Cavity& cavity);
-    void meet(std::uint32_t w, const double* x, bool encroaches);
+    void meet(std::uint32_t w, const double* x, bool encroaches, std::uint32_t within);
     void queue_bad_vertices(std::uint32_t c);
     void queue_bad_cages(std::uint32_t c);
     void queue_bad_crossings(const Domain<D>& ball, std::uint32_t c, unsigned positions);
@@ -176,9 +176,11 @@ template <int D> Status NetMesh<D>::fill(std::uint32_t v, const Cavity& cavity) 
 template <int D> void NetMesh<D>::update_star(const Cavity& cavity, std::uint32_t v) {
     update_nearest<D>(store_, kernel_, cavity, v, queue_);
     const Vertex<D>& centre = store_.vertex(v);
-    if (hierarchy_.live() > 0)
+    if (hierarchy_.live() > 0) {
+        const std::uint32_t within = centre.marker == Marker::steiner ? hierarchy_.of(v) : none;
         kernel_.visit_neighbours(cavity, v,
-                                 [&](std::uint32_t w) { meet(w, centre.x, centre.marker != Marker::exempt); });
+                                 [&](std::uint32_t w) { meet(w, centre.x, centre.marker != Marker::exempt, within); });
+    }
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
         const std::uint32_t c = kernel_.new_cell(k);
         queue_bad_vertices(c);
@@ -207,8 +209,9 @@ template <int D> void NetMesh<D>::settle(std::uint32_t p, const Cavity& cavity) 
     near_nearest2_ = hierarchy_.cage(near_cage_).nearest2;
 }
 
-// A new vertex at x has become a neighbour of w: it is outside of the cages that contain w but not x.
-template <int D> void NetMesh<D>::meet(std::uint32_t w, const double* x, bool encroaches) {
+// A new vertex at x has become a neighbour of w: it is outside of the cages that contain w but not x. `within`: the domain
+// of a Steiner point, whose cage is the one that a cage beside it has to do with.
+template <int D> void NetMesh<D>::meet(std::uint32_t w, const double* x, bool encroaches, std::uint32_t within) {
     for (std::uint32_t d = hierarchy_.of(w); d != none && !hierarchy_.contains(d, x); d = hierarchy_.parent(d)) {
         Cage& cage = hierarchy_.cage(d);
         const double d2 = distance2<D>(x, store_.point(cage.centre)), clear = cage_clearance * cage.radius;
@@ -217,6 +220,7 @@ template <int D> void NetMesh<D>::meet(std::uint32_t w, const double* x, bool en
             push_cage(d);
         }
         if (!encroaches || !(d2 < clear * clear) || cage.next != none) continue;
+        if (!hierarchy_.contains(within, store_.point(cage.centre))) continue;
         cage.next = encroached_ == none ? d : encroached_;  // the last one points at itself
         encroached_ = d;
     }

@@ -1,6 +1,7 @@
 // Hierarchical meshes through the C interface: cages read, carried, loaded and checked.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "common/session.hpp"
@@ -162,6 +163,25 @@ TEST_CASE("audits report what they found, and go with what they are for") {
     session.options.audit = NETMESH_AUDIT_LOCATION;
     session.options.method = NETMESH_METHOD_REFINE;
     CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+}
+
+TEST_CASE("bounds on the size are not claimed for a mesh with cages") {
+    Session session(2);
+    session.options.method = NETMESH_METHOD_NETMESH;
+    REQUIRE(session.mesh(inputs::geometric(2, 1e3, 8)) == NETMESH_OK);
+    REQUIRE(session.report().cages > 0);
+    netmesh_analysis a;
+    a.struct_bytes = sizeof a;
+    REQUIRE(netmesh_analyse(session.context, NETMESH_ANALYSE_SIZE, 0.5, &session.options, &a) == NETMESH_OK);
+    CHECK(a.size_lower == 0);
+    CHECK(std::isinf(a.size_upper));
+    CHECK(std::isinf(a.feature_ratio_bound));
+    CHECK(a.integral_lower[0] > 0);
+    session.options.finish = 1;
+    REQUIRE(session.mesh(inputs::geometric(2, 1e3, 8)) == NETMESH_OK);
+    REQUIRE(netmesh_analyse(session.context, NETMESH_ANALYSE_SIZE, 0.5, &session.options, &a) == NETMESH_OK);
+    CHECK(a.size_upper > a.size);
+    CHECK(a.size_upper < 1e12);
 }
 
 TEST_CASE("cells are measured one by one") {

@@ -16,7 +16,7 @@ namespace {
 
 template <int D> struct Audited {
     Audited(const inputs::Points& points, double tau, bool cages, bool location, bool quality,
-            std::size_t bytes = std::size_t{1} << 26)
+            std::size_t bytes = std::size_t{1} << 24)
         : block(bytes), store(block.arena, state) {
         status =
             netmesh::netmesh<D>(store, points.data(), points.size() / D, {tau, 1, false, 1, cages, location, quality},

@@ -57,12 +57,16 @@ std::string mesh_lines(const netmesh_report& engine) {
 
 std::string range_text(double from, double to) { return rounded_text(from, 4) + " and " + rounded_text(to, 4); }
 
-std::string analysis_lines(const netmesh_analysis& a) {
+std::string analysis_lines(const netmesh_analysis& a, bool caged) {
     std::string text;
     if ((a.what & NETMESH_ANALYSE_SIZE) != 0) {
-        text += "bounds   " + grouped_text(a.size) + " vertices, between " + range_text(a.size_lower, a.size_upper) +
-                "; feature size ratio " + rounded_text(a.feature_ratio, 4) + " (at most " +
-                rounded_text(a.feature_ratio_bound, 4) + ")\n";
+        text += "bounds   " + grouped_text(a.size) + " vertices";
+        if (caged)
+            text += "; size bounds are for meshes without cages";
+        else
+            text += ", between " + range_text(a.size_lower, a.size_upper);
+        text += "; feature size ratio " + rounded_text(a.feature_ratio, 4) +
+                (caged ? "\n" : " (at most " + rounded_text(a.feature_ratio_bound, 4) + ")\n");
         text += "pace     theta " + rounded_text(a.theta, 4) + " (at most " + rounded_text(a.theta_limit, 4) +
                 " in any order), sum of ln 1/theta " + rounded_text(a.theta_log_sum, 4) +
                 "; feature size integral between " + range_text(a.integral_lower[0], a.integral_upper[0]) + "\n";
@@ -157,7 +161,7 @@ std::string text_report(const RunReport& run) {
         } else if (engine.cells > 0) {
             text += mesh_lines(engine);
         }
-        if (run.analysis) text += analysis_lines(*run.analysis);
+        if (run.analysis) text += analysis_lines(*run.analysis, run.engine->cages > 0);
         if (engine.has_diagram != 0) text += diagram_lines(engine);
         if (engine.has_diagram != 0 && engine.dim == 0) text += betti_line(engine);
         for (std::size_t degree = 0; degree < run.certain.size(); degree++) {
