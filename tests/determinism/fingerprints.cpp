@@ -59,6 +59,26 @@ void print_analysis(const char* input, Session& session, std::uint32_t what) {
     std::fflush(stdout);
 }
 
+void print_audit(const char* input, Session& session, const inputs::Points& points) {
+    session.options.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    const netmesh_status status = session.mesh(points);
+    session.options.audit = 0;
+    print("audit", input, session, status);
+    const netmesh_audit a = session.report().audit;
+    const double ratios[] = {a.ply_mean,      a.touches_mean, a.tests_mean,    a.aspect_ratio_max,
+                             a.feature_ratio, a.cage_ratio,   a.steiner_ratio, a.input_ratio};
+    std::uint64_t hash = 1;
+    for (const double ratio : ratios) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &ratio, sizeof bits);
+        hash = (hash ^ bits) * 0x100000001B3u;
+    }
+    std::printf("audit %s D%" PRIu32 " rounds %" PRIu32 " nets %" PRIu32 " ply %" PRIu32 " touches %" PRIu32
+                " meshes %" PRIu32 " ratios %016" PRIx64 "\n",
+                input, session.options.dim, a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, hash);
+    std::fflush(stdout);
+}
+
 void dimension(int dim) {
     const std::size_t d = static_cast<std::size_t>(dim);
     const std::size_t points[] = {0, 0, 2000, 1000, 300, 120, 50}, meshed[] = {0, 0, 400, 150, 40, 12, 6};
@@ -77,6 +97,8 @@ void dimension(int dim) {
     session.options.method = NETMESH_METHOD_NETMESH;
     print("netmesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
     print("netmesh", "geometric", session, session.mesh(inputs::geometric(dim, 1000, dim < 5 ? 40 : 10)));
+    print_audit("uniform", session, inputs::uniform(dim, 4 + meshed[d] / 16));
+    print_audit("geometric", session, inputs::geometric(dim, 1000, 10));
     session.options.finish = 1;
     print("netmesh-finish", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d] / 4)));
     session.options.finish = 0;
