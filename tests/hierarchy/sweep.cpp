@@ -319,7 +319,7 @@ Points fuzzed(int dim, std::uint64_t seed, std::size_t most) {
 
 // Every admitted input ends in a mesh of quality tau >= 2.2.
 template <int D> void terminate(Block& block, std::uint64_t count) {
-    constexpr std::size_t most[] = {0, 0, 40, 16, 8};
+    constexpr std::size_t most[] = {0, 0, 40, 16, 6};
     std::uint64_t meshed = 0, vertices = 0, largest = 0, cages = 0;
     const double start = now();
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
