@@ -45,7 +45,7 @@ struct Context {
     StoreState store;
     std::uint64_t points, duplicates, input_fingerprint;
     std::uint32_t inputs;
-    double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
+    double tau, ratio, aspect_ratio_max, size_ratio_max, over_refine_eps;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     netmesh_method method;

@@ -116,10 +116,19 @@ typedef struct netmesh_options {
     double over_refine_eps; /* > 0; 0: not asked for. The mesh has about over_refine_eps^-D times as many vertices */
     netmesh_size size;      /* null: not asked for */
     void* size_user;        /* handed to size */
+    /* Refinement by the certificate, for NETMESH_JOB_PERSIST and the complete filter with certified values: the coarsest mesh whose
+     * certified ratio is at most `ratio`, in place of one of aspect ratio tau. focus_ratio asks for more at scales
+     * between focus_from and focus_to (radii): hi / lo <= focus_ratio^2 for the bounds (see netmesh_bound_bars) of every cell of a
+     * Steiner vertex with hi > focus_from and lo < focus_to. */
+    double ratio;                /* > sqrt 2; below about 1.9 meshes grow fast. 0: a mesh of aspect ratio tau */
+    double focus_ratio;          /* in (1, ratio); 0: no scales of interest */
+    double focus_from, focus_to; /* 0 < focus_from < focus_to */
 } netmesh_options;
 
 /* Defaults for dimension dim (clamped to 2..6): tau 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6); seed 1; no poll. */
 void netmesh_options_init(netmesh_options* options, uint32_t dim);
+/* The tau that options stand for: the one given or the dimension's. 0 when options are not initialised. */
+double netmesh_tau(const netmesh_options* options);
 
 typedef struct netmesh_context netmesh_context;
 
@@ -184,6 +193,8 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * certified ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of
  * at least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
  * point. Meshes with cages are not for persistence, and NETMESH_METHOD_NETMESH does not over-refine.
+ * With options->ratio the mesh, by SVR and for NETMESH_JOB_PERSIST only, is refined by the certificate of the complete filter instead, to
+ * about two fifths of the vertices for the same ratio. No aspect ratio is promised then; report.tau is 0.
  * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
  * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
@@ -322,7 +333,8 @@ typedef enum netmesh_check_what {
 } netmesh_check_what;
 
 /* Independent checkers: nothing that they read was cached by the code that made the result. O(cells).
- * `what`: a union of netmesh_check_what; tau and sizes are taken from options. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
+ * `what`: a union of netmesh_check_what; tau and sizes are taken from options; with options->ratio QUALITY checks what refinement
+ * by the certificate promises in their place. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
 netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netmesh_options* options);
 
 typedef enum netmesh_analyse_what {
@@ -417,7 +429,7 @@ typedef struct netmesh_report {
     /* mesh */
     uint64_t vertices, inputs, steiner, exempt; /* vertices = inputs + steiner + exempt */
     uint64_t cells, cells_created;
-    double tau;              /* bound asked for; 0 for a Delaunay triangulation */
+    double tau;              /* bound asked for; 0 for a Delaunay triangulation or a mesh refined by the certificate */
     double aspect_ratio_max; /* actual worst clipped aspect ratio over vertices that are not exempt; 0 if none */
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D; radius 0 for a Delaunay triangulation */
     netmesh_method method;              /* of the mesh; SVR after load */
@@ -453,6 +465,7 @@ typedef struct netmesh_report {
     uint64_t fingerprint;   /* of mesh and diagram; equal on every platform and for every block size */
     double over_refine_eps; /* asked for */
     double size_ratio_max;  /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
+    double ratio;           /* asked for of a mesh refined by the certificate, else 0 */
 } netmesh_report;
 
 netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);

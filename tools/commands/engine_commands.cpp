@@ -181,6 +181,7 @@ netmesh_job job_of(netmesh_filter filter) {
 Outcome run_engine_command(const Options& options) {
     const double start = platform::seconds_now();
     Outcome outcome = check_accuracy(options);
+    if (outcome.good()) outcome = check_ratio(options);
     if (outcome.good()) outcome = check_filter(options);
     if (outcome.good() && options.bounds && filter_of(options) == NETMESH_FILTER_BASIC) {
         outcome =
@@ -229,7 +230,7 @@ Outcome run_engine_command(const Options& options) {
     }
     ContextMesh mesh(session.context());
     const std::string& mesh_path = options.command == Command::persist ? options.mesh_out : options.out;
-    if (mesh.tau > 0 && ending_of(mesh_path) == ".vtu") mesh.measure(session.context());
+    if (run.engine->is_mesh != 0 && ending_of(mesh_path) == ".vtu") mesh.measure(session.context());
     outcome = write_files(result_jobs(options, session.context(), mesh, bars, bounds, *run.engine));
     if (!outcome.good()) return outcome;
     run.write_seconds = platform::seconds_now() - computed;

@@ -28,8 +28,9 @@ std::string mesh_lines(const netmesh_report& engine) {
         text += "cages    " + grouped_text(engine.cages) + " kept of " + grouped_text(engine.cages_made) + " made\n";
     }
     if (engine.is_mesh != 0) {
-        text += "quality  aspect ratio at most " + rounded_text(engine.aspect_ratio_max, 5) + " (tau " +
-                rounded_text(engine.tau, 5) + ")\n";
+        text += "quality  aspect ratio at most " + rounded_text(engine.aspect_ratio_max, 5);
+        text += engine.ratio > 0 ? ", refined by the certificate to ratio " + rounded_text(engine.ratio, 5) + "\n"
+                                 : " (tau " + rounded_text(engine.tau, 5) + ")\n";
         if (engine.size_ratio_max > 0)
             text += "size     cells reach " + rounded_text(engine.size_ratio_max, 5) + " of the size asked for\n";
     }
