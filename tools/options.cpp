@@ -218,6 +218,7 @@ std::string apply_json(Options& options, const std::string&) { return options.js
 std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_finish(Options& options, const std::string&) { return options.finish = true, ""; }
+std::string apply_fit(Options& options, const std::string&) { return options.fit = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_log(Options& options, const std::string&) { return options.log = true, ""; }
 std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
@@ -257,6 +258,8 @@ constexpr OptionEntry option_entries[] = {
      "certify this ratio, above 1, of what matters to radii --from to --to"},
     {"--from", persist | check, "A", apply_from, "least radius of interest"},
     {"--to", persist | check, "B", apply_to, "largest radius of interest"},
+    {"--fit", persist, nullptr, apply_fit,
+     "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins (4)"},
     {"--method", persist, "M", apply_method,
      "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
     {"--method", mesh | size, "M", apply_method,
@@ -436,10 +439,17 @@ bool refines_by_certificate(const Options& options) {
 
 Outcome check_ratio(const Options& options) {
     const bool focused = options.focus > 0 || options.from > 0 || options.to > 0;
-    if (options.command == Command::persist && (options.ratio || focused) && !refines_by_certificate(options)) {
-        return usage_error("--ratio and --focus are for the complete filter with certified values, without --method");
+    if (options.command == Command::persist && (options.ratio || focused || options.fit) &&
+        !refines_by_certificate(options)) {
+        return usage_error(
+            "--ratio, --focus and --fit are for the complete filter with certified values, without --method");
     }
-    if (!focused) return {};
+    if (options.fit && options.memory_bytes == 0) return usage_error("--fit needs --memory, the size to fit in");
+    if (options.fit && options.focus > 0) return usage_error("--focus is what --fit finds");
+    if (options.fit && focused && !(options.from > 0 && options.to > options.from)) {
+        return usage_error("--from A and --to B belong together, A below B");
+    }
+    if (!focused || options.fit) return {};
     if (!(options.focus > 0 && options.from > 0 && options.to > options.from)) {
         return usage_error("--focus C, --from A and --to B belong together, A below B");
     }

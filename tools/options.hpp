@@ -28,6 +28,7 @@ struct Options {
     std::optional<netmesh_method> method;  // persist: a quality mesh, in place of refinement by the certificate
     std::optional<double> ratio;           // asked of the certificate
     double focus = 0, from = 0, to = 0;    // ratio at scales of interest, and the scales; 0: not given
+    bool fit = false;                      // the best ratio that the memory holds
     bool finish = false;                   // a hierarchical mesh
     double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
     double theta = 0;  // scales; 0: not given

@@ -35,7 +35,7 @@ Session::Session(const Options& options, std::uint32_t dim)
     engine_options_.poll = poll;
     engine_options_.user = this;
     if (refines_by_certificate(options)) {
-        set_goal(options.ratio.value_or(default_ratio()), options.focus, options.from, options.to);
+        set_goal(options.ratio.value_or(options.fit ? 0 : default_ratio()), options.focus, options.from, options.to);
     }
 }
 

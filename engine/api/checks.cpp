@@ -174,7 +174,7 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
         context->input_fingerprint = 0;
         context->mesh_mark = context->arena.low_mark();
         context->tau = options->ratio > 0 ? 0 : tau_of(*options);
-        context->ratio = options->ratio;
+        context->goal = goal_of(*options);
         context->over_refine_eps = options->over_refine_eps;
         context->aspect_ratio_max = context->size_ratio_max = 0;
         if (domain != nullptr) {

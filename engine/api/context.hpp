@@ -8,6 +8,7 @@
 #include "homology/persistence.hpp"
 #include "include/netmesh.h"
 #include "memory/arena.hpp"
+#include "mesh/certify.hpp"
 #include "mesh/domain.hpp"
 #include "mesh/netmesh.hpp"
 
@@ -45,7 +46,8 @@ struct Context {
     StoreState store;
     std::uint64_t points, duplicates, input_fingerprint;
     std::uint32_t inputs;
-    double tau, ratio, aspect_ratio_max, size_ratio_max, over_refine_eps;
+    RatioGoal goal;  // ratio 0: the mesh is not refined by the certificate
+    double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     netmesh_method method;

@@ -84,7 +84,7 @@ bool usable(const netmesh_options* options);
 double tau_of(const netmesh_options& options);
 double eps_of(const netmesh_options& options);  // of the tight filter and of scales
 double theta_of(const netmesh_options& options);
-inline bool is_valid_ratio(double ratio) { return ratio * ratio > 2 && ratio < 0x1p100; }
+inline bool is_valid_ratio(double ratio) { return ratio > 1 && ratio * ratio > 2 && ratio < 0x1p100; }
 inline RatioGoal goal_of(const netmesh_options& options) {
     return {options.ratio, options.focus_ratio, options.focus_from, options.focus_to};
 }

@@ -144,7 +144,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         keep_store<D>(context, input, status);
         context->is_mesh = true;
         context->tau = options->ratio > 0 ? 0 : tau;
-        context->ratio = options->ratio;
+        context->goal = goal_of(*options);
         for (int k = 0; k < D; ++k) context->domain_centre[k] = domain.centre[k];
         context->domain_radius = domain.radius;
         context->enclosing_radius = domain.enclosing_radius;

@@ -310,6 +310,16 @@ netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_
                                         netmesh_values values, uint32_t max_degree, int keep_zero_pairs,
                                         const netmesh_options* options);
 
+/* Budget mode: the best certified diagram of the complete filter that the context's block holds, from points on. Refines by the
+ * certificate (see options->ratio) to ratios of a fixed ladder, 1 + (R - 1) 2^(-j/8), R = options->ratio or 4 when that is 0: always the
+ * cells whose bounds are worst. With focus_from and focus_to (focus_ratio 0) the ratios of the ladder are asked of those
+ * scales alone, and R of everything else. What fits depends on the points, the options and the block's size alone, and a larger
+ * block never gives a larger ratio. Leaves mesh and diagram as netmesh_mesh and netmesh_persist with report.ratio and
+ * report.focus_ratio do, and with `bounds` as netmesh_bound_bars does. Costs about seven such runs.
+ * INVALID_ARGUMENT (7: options), OUT_OF_MEMORY (not even R fits), and what those two calls say. */
+netmesh_status netmesh_fit(netmesh_context* context, const double* points, size_t n, uint32_t max_degree,
+                           int keep_zero_pairs, int bounds, const netmesh_options* options);
+
 /* One mesh for all k: the diagrams of the filter (KNN or KDISTANCE) for k = k_first..k_last, and the vines that connect them (6.3,
  * 8.6), by transpositions on R = D V while every simplex's value moves on a straight line from one k to the next. The diagram at
  * each k is that of netmesh_persist. Replaces the diagram.
@@ -466,6 +476,7 @@ typedef struct netmesh_report {
     double over_refine_eps; /* asked for */
     double size_ratio_max;  /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
     double ratio;           /* asked for of a mesh refined by the certificate, else 0 */
+    double focus_ratio, focus_from, focus_to; /* likewise */
 } netmesh_report;
 
 netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);

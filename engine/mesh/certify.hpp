@@ -9,9 +9,9 @@ namespace netmesh {
 // With lo <= F <= hi on the cell of a vertex as in mesh_filter.hpp: hi <= ratio^2 lo everywhere, and hi <= focus^2 lo in each Steiner
 // cell that matters to scales of interest, those with hi > from and lo < to.
 struct RatioGoal {
-    double ratio;             // > sqrt 2
-    double focus = 0;         // > 1; 0: there are no scales of interest
-    double from = 0, to = 0;  // 0 < from < to
+    double ratio;     // > sqrt 2
+    double focus;     // > 1; 0: there are no scales of interest
+    double from, to;  // 0 < from < to
 };
 
 struct CertifyOptions {

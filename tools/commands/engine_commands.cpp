@@ -111,10 +111,14 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     const bool triangulate = triangulates_only(options);
     netmesh_status status = session.call(triangulate ? NETMESH_STAGE_DELAUNAY : NETMESH_STAGE_REFINE, [&] {
         const double* const points = cloud.coordinates.data();
+        if (options.fit) {
+            return netmesh_fit(context, points, cloud.rows(), max_degree_of(options, cloud.dim), options.all ? 1 : 0,
+                               options.bounds ? 1 : 0, engine_options);
+        }
         return triangulate ? netmesh_delaunay(context, points, cloud.rows(), engine_options)
                            : netmesh_mesh(context, points, cloud.rows(), job_of(options), engine_options);
     });
-    if (status == NETMESH_OK && options.command == Command::persist) {
+    if (status == NETMESH_OK && options.command == Command::persist && !options.fit) {
         status = bound(session.call(NETMESH_STAGE_REDUCE, [&] {
             return netmesh_persist(context, filter_of(options), options.values.value_or(NETMESH_VALUES_CERTIFIED),
                                    max_degree_of(options, cloud.dim), options.all ? 1 : 0, engine_options);

@@ -84,6 +84,11 @@ void write_mesh(Json& json, const RunReport& run) {
         json.entry("aspect_ratio_max", engine.aspect_ratio_max);
         engine.tau > 0 ? json.entry("tau", engine.tau) : json.null_entry("tau");
         if (engine.ratio > 0) json.entry("ratio", engine.ratio);
+        if (engine.focus_ratio > 0) {
+            json.entry("focus_ratio", engine.focus_ratio);
+            json.entry("focus_from", engine.focus_from);
+            json.entry("focus_to", engine.focus_to);
+        }
         if (engine.size_ratio_max > 0) json.entry("size_ratio_max", engine.size_ratio_max);
         json.key("domain");
         json.open('[');
