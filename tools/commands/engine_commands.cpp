@@ -124,6 +124,10 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
                                    max_degree_of(options, cloud.dim), options.all ? 1 : 0, engine_options);
         }));
     }
+    if (status == NETMESH_OK && options.fit) {  // what was reached is what is checked
+        const netmesh_report reached = session.report();
+        session.set_goal(reached.ratio, reached.focus_ratio, reached.focus_from, reached.focus_to);
+    }
     if (status == NETMESH_OK && options.analyse) {
         analysis->struct_bytes = sizeof *analysis;
         const std::uint32_t what = triangulate ? NETMESH_ANALYSE_ALL & ~NETMESH_ANALYSE_SIZE : NETMESH_ANALYSE_ALL;
