@@ -194,7 +194,7 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * at least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
  * point. Meshes with cages are not for persistence, and NETMESH_METHOD_NETMESH does not over-refine.
  * With options->ratio the mesh, by SVR and for NETMESH_JOB_PERSIST only, is refined by the certificate of the complete filter instead, to
- * about two fifths of the vertices for the same ratio. No aspect ratio is promised then; report.tau is 0.
+ * about half of the vertices for the same ratio. No aspect ratio is promised then; report.tau is 0.
  * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
  * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,

@@ -20,12 +20,13 @@ struct CertifyOptions {
 };
 
 // Inputs are inserted in spatial order and after each of them every bad cell is refined, as in refine.hpp, but bad is what spoils the
-// certificate, on whole cells, and nothing else. Only inputs need a bounded aspect ratio, hi / lo = R / r <= ratio^2. A Steiner cell
+// certificate, on whole cells, and nothing else. Only inputs need a bounded aspect ratio, hi / lo = R / r <= ratio^2 (three quarters of
+// that is what they get, see input_share). A Steiner cell
 // may be long where d_P changes little. Afterwards the certified ratio is at most `ratio`; no aspect ratio is promised.
-// On the set of 7.7 that takes two fifths of the vertices of a quality mesh that certifies as much.
+// On the set of 7.7 that takes half of the vertices of a quality mesh that certifies as much.
 //
 // Write d = d_P(v) over all inputs, inserted or not, n the nearest one, R the distance to v's farthest corner, c the ratio asked of
-// the cell. A bad input cell has a corner at more than (c^2/2) nn(v) from v. A bad Steiner cell has hi > c^2 lo with hi <= d + R
+// the cell. A bad input cell has a corner at more than nn(v) from v. A bad Steiner cell has hi > c^2 lo with hi <= d + R
 // and lo = max(d/2, d - R), so its farthest corner is at more than k d, k = (c^2 - 1) / (c^2 + 1); the one farthest from n, which
 // defines hi, is at more than (c^2/2 - 1) d from v. K is the larger constant, and a Steiner point goes towards the corner that
 // defines hi when that is at K d at least, else towards the farthest; it stops 1.1 times as far as it must be. So

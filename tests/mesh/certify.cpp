@@ -17,7 +17,9 @@ void check_ratio(Session& session, const inputs::Points& points) {
     CHECK(report.tau == 0);
     CHECK(report.certified_ratio <= session.options.ratio);
     CHECK(report.certified_ratio_best <= report.certified_ratio);
-    CHECK(session.check() == NETMESH_OK);
+    const netmesh_status checked = session.check();
+    CAPTURE(std::string(netmesh_get_detail(session.context).message));
+    CHECK(checked == NETMESH_OK);
 }
 
 }  // namespace
