@@ -50,6 +50,16 @@ bool keep_complex(netmesh_context* context, const ListedComplex& complex) {
     return true;
 }
 
+std::uint32_t born_at_zero(const netmesh_context* context) {
+    switch (context->filter) {
+    case NETMESH_FILTER_COMPLETE:
+    case NETMESH_FILTER_TIGHT: return context->inputs;
+    case NETMESH_FILTER_KNN:
+    case NETMESH_FILTER_KDISTANCE: return context->k <= 1 ? context->inputs : 0;
+    default: return 0;
+    }
+}
+
 Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const ComplexRequest& request,
                        Monitor& monitor) {
     Arena& arena = context->arena;

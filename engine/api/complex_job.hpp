@@ -18,6 +18,9 @@ bool take_complex(Arena& arena, ListedComplex& complex);
 // Notes where an ordered complex lies, for netmesh_get_cycle. False: out of memory.
 bool keep_complex(netmesh_context* context, const ListedComplex& complex);
 
+// How many inputs, the first vertices of the mesh, netmesh_persist let enter at 0 before their stars.
+std::uint32_t born_at_zero(const netmesh_context* context);
+
 // Orders a linked complex that lies at the low end of an otherwise empty context, computes its diagram and keeps that,
 // with representatives the complex as well. The caller has set point_dim, points, inputs and the input's fingerprint.
 // out_of_memory, cancelled, internal: the context is to be cleared.

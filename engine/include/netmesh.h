@@ -227,8 +227,9 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* 
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
 
-/* A representative for each pair of the diagram that netmesh_persist left (netmesh_get_cycle): the complex is listed
- * simplex by simplex and reduced anew. Memory above mesh and diagram: about 40 bytes a simplex and the cycles.
+/* A representative for each pair of the diagram that netmesh_persist left (netmesh_get_cycle), in about the
+ * time and memory of the diagram. Of an alpha complex, and with pairs of zero length, the complex is listed simplex by
+ * simplex and reduced anew: about 40 bytes a simplex above mesh and diagram. The cycles come on top.
  * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED; mesh and diagram stay. */
 netmesh_status netmesh_represent(netmesh_context* context, const netmesh_options* options);
 
