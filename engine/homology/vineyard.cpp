@@ -120,10 +120,9 @@ void Vineyard::play(std::uint32_t node) {
     tree_[node] = tree_[2 * node + 1].before(tree_[2 * node]) ? tree_[2 * node + 1] : tree_[2 * node];
 }
 
-// Positions first..last of dimension k have changed: all nodes above them are played again, level by level.
+// The times of positions first..last of dimension k have changed: all nodes above them are played again, level by level.
 void Vineyard::update(std::uint32_t k, std::uint32_t first, std::uint32_t last) {
     const std::uint32_t shift = slots_ + of_[k].slot;
-    for (std::uint32_t i = first; i <= last; ++i) tree_[shift + i].time = time_of(k, i);
     std::uint32_t low = shift + first, high = shift + last;
     while (high > 1) {  // leaves may lie at two depths, so that the lower end can arrive at the root first
         low = low > 1 ? low / 2 : 1;
@@ -148,18 +147,55 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
     for (std::uint32_t node = slots_ - 1; node >= 1; --node) play(node);
     monitor.begin(NETMESH_STAGE_REDUCE, 0);
     while (tree_[1].time < infinity) {
-        const std::uint32_t slot = tree_[1].slot, k = dimension_of(slot), i = slot - of_[k].slot;
-        const std::uint32_t a = of_[k].order[i], b = of_[k].order[i + 1];
-        if (!transpose(k, a, b)) return Status::out_of_memory;
-        of_[k].order[i] = b;
-        of_[k].order[i + 1] = a;
-        of_[k].position[a] = i + 1;
-        of_[k].position[b] = i;
-        update(k, i > 0 ? i - 1 : 0, i + 2 < complex_.count[k] ? i + 1 : i);
-        ++transpositions_;
-        if (monitor.advance(transpositions_, 2)) return Status::cancelled;
+        const std::uint32_t slot = tree_[1].slot, k = dimension_of(slot);
+        const Status status = play_out(k, slot - of_[k].slot, monitor);
+        if (status != Status::ok) return status;
     }
     return Status::ok;
+}
+
+// From the meeting at position i, the first of all, on: as long as the next one is among the positions that have changed
+// the tournament is not asked, and it is told of all of them in the end. Simplices that share their values, as those of a
+// lower star do, meet others all at once. That the order is the tournament's: when this begins, positions before i have
+// later times; those that have not changed since are not earlier, nor are they first where times are equal.
+Status Vineyard::play_out(std::uint32_t k, std::uint32_t i, Monitor& monitor) {
+    constexpr std::uint32_t span_max = 256;
+    Dimension& d = of_[k];
+    Meeting* const meeting = tree_ + slots_ + d.slot;
+    const std::uint32_t last = complex_.count[k] - 2;
+    std::uint32_t low = i, high = i;
+    Status status = Status::ok;
+    for (double now = meeting[i].time; status == Status::ok;) {
+        const std::uint32_t a = d.order[i], b = d.order[i + 1];
+        if (!transpose(k, a, b)) return Status::out_of_memory;
+        d.order[i] = b;
+        d.order[i + 1] = a;
+        d.position[a] = i + 1;
+        d.position[b] = i;
+        meeting[i].time = infinity;
+        std::uint32_t next = i;
+        if (i < last) {
+            meeting[i + 1].time = time_of(k, i + 1);
+            if (i + 1 > high) high = i + 1;
+            if (meeting[i + 1].time <= now) next = i + 1;
+        }
+        if (i > 0) {
+            meeting[i - 1].time = time_of(k, i - 1);
+            if (i - 1 < low) low = i - 1;
+            if (meeting[i - 1].time <= now && meeting[i - 1].before(meeting[next])) next = i - 1;
+        }
+        ++transpositions_;
+        if (monitor.advance(transpositions_)) status = Status::cancelled;
+        if (high - low > span_max) break;
+        for (std::uint32_t j = low, seen = next; seen == i && j <= high; ++j) {
+            if (meeting[j].time <= now && meeting[j].time < meeting[next].time) next = j;
+        }
+        if (next == i) break;
+        i = next;
+        now = meeting[i].time;
+    }
+    update(k, low, high);
+    return status;
 }
 
 // a stands just before b, both of dimension k. R and V become those of the order in which they are exchanged. False:

@@ -34,7 +34,8 @@ public:
     // else may be taken until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
     Status open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, Arena& arena,
                 Monitor& monitor);
-    // From the filtration `from` (the present one) to the next. O(log n) a transposition, and what the columns take.
+    // From the filtration `from` (the present one) to the next. O(log n) a transposition at most, and what the columns
+    // take; simplices that share their values share the logarithm.
     // Without ok the vineyard is no longer of use. out_of_memory, cancelled.
     Status advance(const double* const* from, const double* const* to, Monitor& monitor);
 
@@ -73,6 +74,7 @@ private:
     double time_of(std::uint32_t k, std::uint32_t i) const;
     void play(std::uint32_t node);
     void update(std::uint32_t k, std::uint32_t first, std::uint32_t last);
+    Status play_out(std::uint32_t k, std::uint32_t i, Monitor& monitor);
     std::uint32_t dimension_of(std::uint32_t slot) const;
 
     bool transpose(std::uint32_t k, std::uint32_t a, std::uint32_t b);
