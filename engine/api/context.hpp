@@ -21,7 +21,11 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736801u;
 //   | Context | cages | cells | filter values | pairs |        gap        | vertices |
 //             ^ start         ^ mesh_mark
 //
-// (cages that were loaded stand behind the cells), with representatives, where pairs are listed once more:
+// (cages that were loaded stand behind the cells), with representatives, where pairs are listed once more,
+//
+//   | Context | cages | cells | filter values | pairs | pairs | cycles |                 gap                    | vertices |
+//
+// of an alpha complex or with pairs of zero length
 //
 //   | Context | cages | cells | filter values | pairs | facets, values | KeptComplex | pairs |   gap   | cycles | vertices |
 //
@@ -64,7 +68,8 @@ struct Context {
     bool is_complex, has_cycles;  // then dim is 0
     std::uint32_t point_dim;      // of the points the complex is made of, 0 for one given by its simplices
     bool keeps_zero;
-    std::uint64_t kept_offset, result_fingerprint, cycles_high;  // cycles_high: the high end below which cycles lie
+    std::uint64_t kept_offset, result_fingerprint, cycles_high;  // kept_offset: 0 when no complex is kept
+                                                                 // cycles_high: the high end below which cycles lie
     CycleStore cycles;
     std::uint32_t scales, scale_points_max, scale_vertices_max;  // scales 0: another filter
     std::uint64_t scale_vertices;

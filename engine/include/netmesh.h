@@ -238,8 +238,9 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* 
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
 
-/* A representative for each pair of the diagram that netmesh_persist left (netmesh_get_cycle): the complex is listed
- * simplex by simplex and reduced anew. Memory above mesh and diagram: about 40 bytes a simplex and the cycles.
+/* A representative for each pair of the diagram that netmesh_persist left (netmesh_get_cycle), in about the
+ * time and memory of the diagram. Of an alpha complex, and with pairs of zero length, the complex is listed simplex by
+ * simplex and reduced anew: about 40 bytes a simplex above mesh and diagram. The cycles come on top.
  * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED; mesh and diagram stay. */
 netmesh_status netmesh_represent(netmesh_context* context, const netmesh_options* options);
 
@@ -259,7 +260,9 @@ netmesh_status netmesh_homology(netmesh_context* context, const uint32_t* vertic
 size_t netmesh_homology_bytes(uint64_t count, uint64_t vertices);
 
 /* Persistent homology of a filtration on points[n][D] themselves (6.4, 8.5), in degrees 0..max_degree <= 30. Filters:
- *   RIPS, CECH          all simplices of up to max_degree + 2 points (k is not read)
+ *   RIPS, CECH          all simplices of up to max_degree + 2 points (k is not read); of RIPS nothing but the edges is
+ *                       stored unless representatives are asked for or there are more than 65,536 points, or
+ *                       more simplices than 62 bits can number
  *   BARYCENTRIC_CECH    nested sets of k .. k + max_degree + 1 points, k >= 1, k + max_degree <= 30: the diagram of the
  *                       places within a radius of k points, each point its own first neighbour
  *   BARYCENTRIC_RIPS    the same with Rips for Cech: certified values are the filter's own times 2^(1/4), which makes the
@@ -274,7 +277,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const double* po
                                       int representatives, const netmesh_options* options);
 
 /* Bytes of block to plan for: more than n points in any position take, but for the fill of the reduction. SIZE_MAX when
- * it does not fit a size_t, 0 on an invalid argument. */
+ * it does not fit a size_t, 0 on an invalid argument. RIPS with representatives takes as much as CECH. */
 size_t netmesh_points_bytes(netmesh_filter filter, const netmesh_options* options, uint64_t points, uint32_t k,
                             uint32_t max_degree);
 /* Persistent homology of points[n][D] scale by scale (7.6): recursively well-paced subsets, one mesh for each in the same memory with
@@ -453,7 +456,7 @@ typedef struct netmesh_report {
     uint32_t k;                                 /* of the filters KNN, KDISTANCE and the barycentric ones, else 0 */
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
-    uint64_t simplices;                         /* of the filtered complex */
+    uint64_t simplices;                         /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
     double certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
                                    the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
