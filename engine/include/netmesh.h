@@ -92,10 +92,7 @@ typedef enum netmesh_method {
 /* LOCATION: point location as in 4.7.2. Every input that is not inserted yet is stored in all D-balls (circumscribed balls) that
  * contain it, and inputs are inserted in rounds of range nets (4.7.5), each of which is drawn from again until the largest load has
  * halved. QUALITY: quality and the invariants of 4.8 and 4.9 are measured after each insertion. */
-typedef enum netmesh_audit_what {
-    NETMESH_AUDIT_LOCATION = 1,
-    NETMESH_AUDIT_QUALITY = 2
-} netmesh_audit_what;
+typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
 
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone (results
  * are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre, positive,
@@ -489,7 +486,7 @@ typedef struct netmesh_report {
     uint32_t k;                                 /* of the filters KNN, KDISTANCE and the barycentric ones, else 0 */
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
-    uint64_t simplices;                         /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
+    uint64_t simplices;     /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
     double certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
                                    the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
