@@ -204,12 +204,9 @@ private:
         case 3: f.cut = tape_.number(); break;
         default: break;
         }
-        const netmesh_status status = netmesh_persist_function(context_, tape_.rarely() ? nullptr : &f,
-                                                               static_cast<netmesh_values>(tape_.below(3)),
-                                                               tape_.below(7), tape_.byte() & 1, maybe(o));
-        // None of these functions is above a multiple of d_2: with that claim, INTERNAL may be the answer to a false
-        // promise.
-        if (f.distance_factor == 0 || status != NETMESH_INTERNAL) ended(status);
+        ended(netmesh_persist_function(context_, tape_.rarely() ? nullptr : &f,
+                                       static_cast<netmesh_values>(tape_.below(3)), tape_.below(7), tape_.byte() & 1,
+                                       maybe(o)));
     }
     void persist_scales() {
         const netmesh_options o = make_options();
