@@ -45,6 +45,12 @@ netmesh_status check(const Job& job, netmesh_context* context, netmesh_options* 
     return status != NETMESH_OK ? status : netmesh_check(context, NETMESH_CHECK_ALL, options);
 }
 
+template <netmesh_filter filter>
+netmesh_status bound(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = persist<filter, NETMESH_VALUES_CERTIFIED>(job, context, options);
+    return status != NETMESH_OK ? status : netmesh_bound_bars(context, options);
+}
+
 // A mesh as a file would bring it.
 struct Loaded {
     std::vector<double> vertices, domain;
@@ -106,6 +112,8 @@ const std::vector<Job>& all_jobs() {
         {"basic", 2, 6, basic},
         {"basic", 3, 4, basic},
         {"basic", 4, 2, basic},
+        {"bounds", 2, 6, bound<NETMESH_FILTER_COMPLETE>},
+        {"bounds", 3, 4, bound<NETMESH_FILTER_BASIC>},
         {"check", 2, 6, check},
         {"check", 3, 4, check},
         {"check", 4, 2, check},
