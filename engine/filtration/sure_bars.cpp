@@ -7,7 +7,7 @@
 namespace netmesh {
 namespace {
 
-constexpr int chains_max = 6;
+constexpr int chains_max = 8;
 constexpr double shortest = 1.25;  // death over birth of a bar worth a chain
 constexpr double stride = 1.25;    // between scales of a chain where no cell lies across
 
@@ -190,23 +190,28 @@ void Ledger::conclude(BarBounds* bounds) const {
     }
 }
 
-// The longest bar worth a chain that is neither claimed nor near one of the chains gone; its middle, or 0.
-double next_middle(const Ledger& ledger, const Pair* pairs, std::uint64_t count, std::uint32_t least_degree,
-                   const double* gone, int chains) {
-    double best = shortest, middle = 0;
+// Where the next chain goes through: the middle, then the quarters, of the longest bar worth it that has no claim, as far as no
+// chain went near there; 0 for nowhere.
+double next_scale(const Ledger& ledger, const Pair* pairs, std::uint64_t count, std::uint32_t least_degree,
+                  const double* gone, int chains) {
+    double best = shortest, scale = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
         const Pair& bar = pairs[i];
         if (bar.degree < least_degree || ledger.claims(i) || !(bar.birth > 0) || !(bar.death < infinity)) continue;
         const double ratio = bar.death / bar.birth;
         if (!(ratio > best)) continue;
-        const double s = square_root(bar.birth) * square_root(bar.death);
-        bool near = false;
-        for (int k = 0; k < chains; ++k) near = near || (s < gone[k] * 1.05 && gone[k] < s * 1.05);
-        if (near) continue;
-        best = ratio;
-        middle = s;
+        const double from = square_root(bar.birth), to = square_root(bar.death), middle = from * to;
+        const double tries[] = {middle, square_root(middle) * to, from * square_root(middle)};
+        for (const double s : tries) {
+            bool near = false;
+            for (int k = 0; k < chains; ++k) near = near || (s < gone[k] * 1.05 && gone[k] < s * 1.05);
+            if (near) continue;
+            best = ratio;
+            scale = s;
+            break;
+        }
     }
-    return middle;
+    return scale;
 }
 
 }  // namespace
@@ -231,7 +236,7 @@ Status find_sure_bars(const TriangulationView<D>& complex, const double* value, 
     const std::uint32_t top_degree = pairs[pair_count - 1].degree, least_degree = zero_born > 0 ? 1 : 0;
     double gone[chains_max];
     for (int number = 0; number < chains_max; ++number) {
-        const double s = next_middle(ledger, pairs, pair_count, least_degree, gone, number);
+        const double s = next_scale(ledger, pairs, pair_count, least_degree, gone, number);
         if (!(s > 0)) break;
         gone[number] = s;
         chain.go_through(s);

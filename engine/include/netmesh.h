@@ -526,8 +526,9 @@ netmesh_status netmesh_bottleneck(const netmesh_pair* a, size_t count_a, const n
                                   netmesh_poll poll, void* user, netmesh_distance* distance);
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely stands for
  * a class of the true diagram; and the ratio as a function of scale. Filters COMPLETE, BASIC, TIGHT, KNN and KDISTANCE: by scale,
- * and by covers within and around the sublevel sets, at the cost of up to six more diagrams; ALPHA, SCALES, FUNCTION: by the
- * certified ratio. The numbers stay with the diagram: 48 bytes a bar. The diagram stays whole on failure.
+ * and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; ALPHA, SCALES, FUNCTION: by the
+ * certified ratio. The numbers stay with the diagram: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and what a diagram
+ * takes; netmesh_plan_bytes does not count it. The diagram stays whole on failure.
  * NO_RESULT (no diagram), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_options* options);
 typedef struct netmesh_bar_bounds {

@@ -162,3 +162,36 @@ TEST_CASE("covers within and around the offsets find more than the bounds of all
     }
     CHECK(by_covers > 0);
 }
+
+// The cells' out-radius wanted at large scales: 0.18 where the inputs are 0.95 or more away and inside the 3-sphere.
+static double fine_far_away(void* user, const double* x) {
+    const inputs::Points& points = *static_cast<const inputs::Points*>(user);
+    double nearest2 = 1e300, norm2 = 0;
+    for (int k = 0; k < 4; ++k) norm2 += x[k] * x[k];
+    for (std::size_t i = 0; i < points.size(); i += 4) {
+        double d2 = 0;
+        for (std::size_t k = 0; k < 4; ++k) d2 += (x[k] - points[i + k]) * (x[k] - points[i + k]);
+        nearest2 = std::fmin(nearest2, d2);
+    }
+    return 0.18 + std::fmax(0.0, 0.95 - std::sqrt(nearest2)) + 2 * std::fmax(0.0, std::sqrt(norm2) - 1.45);
+}
+
+TEST_CASE("one-dimensional classes of the Clifford torus and that of the 3-sphere around it are surely real") {
+    inputs::Points points = inputs::clifford(500);
+    Session session(4);
+    session.bounds = true;
+    session.options.tau = 4;
+    session.options.size = fine_far_away;
+    session.options.size_user = &points;
+    REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
+    const std::vector<netmesh_pair> pairs = session.pairs();
+    std::size_t certain[4] = {0, 0, 0, 0};
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        netmesh_bar_bounds b;
+        REQUIRE(netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK);
+        certain[pairs[i].degree] += b.certain;
+    }
+    CHECK(certain[0] == 500);
+    CHECK(certain[1] == 2);
+    CHECK(certain[3] == 1);
+}
