@@ -350,6 +350,9 @@ private:
         require(netmesh_get_pair(context_, i, &pair) == NETMESH_OK && pair.death >= pair.birth);
         netmesh_bar_bounds bounds;
         netmesh_get_bar_bounds(context_, i, &bounds);
+        netmesh_scale_step step;
+        if (netmesh_get_scale_step(context_, i, &step) == NETMESH_OK)
+            require(step.from <= step.reach && step.ratio >= 1);
         std::uint64_t simplices = 0;
         if (netmesh_get_cycle(context_, i, &simplices) != NETMESH_OK) return;
         netmesh_simplex s;

@@ -268,7 +268,8 @@ constexpr OptionEntry option_entries[] = {
     {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
     {"--check", homology, nullptr, apply_check, "check that each cycle is one, and born with its bar"},
     {"--bounds", persist, nullptr, apply_bounds,
-     "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},
+     "where each birth and death surely is and which bars surely are real, behind the bars, and the certified ratio by\n"
+     "                    scale, in front of them; both in JSON and in the picture"},
     {"--all", persist | homology | size | check, nullptr, apply_all, "keep bars of length zero"},
     {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
