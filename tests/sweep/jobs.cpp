@@ -40,6 +40,14 @@ netmesh_status persist(const Job& job, netmesh_context* context, netmesh_options
     return status != NETMESH_OK ? status : netmesh_persist(context, filter, values, NETMESH_DIM_MAX, 1, options);
 }
 
+netmesh_status cycles(const Job& job, netmesh_context* context, netmesh_options* options) {
+    netmesh_status status = mesh(job, context, options);
+    if (status == NETMESH_OK)
+        status =
+            netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
+    return status != NETMESH_OK ? status : netmesh_represent(context, options);
+}
+
 netmesh_status check(const Job& job, netmesh_context* context, netmesh_options* options) {
     const netmesh_status status = mesh(job, context, options);
     return status != NETMESH_OK ? status : netmesh_check(context, NETMESH_CHECK_ALL, options);
@@ -114,6 +122,9 @@ const std::vector<Job>& all_jobs() {
         {"basic", 4, 2, basic},
         {"bounds", 2, 6, bound<NETMESH_FILTER_COMPLETE>},
         {"bounds", 3, 4, bound<NETMESH_FILTER_BASIC>},
+        {"cycles", 2, 6, cycles},
+        {"cycles", 3, 5, cycles},
+        {"cycles", 4, 3, cycles},
         {"check", 2, 6, check},
         {"check", 3, 4, check},
         {"check", 4, 2, check},
