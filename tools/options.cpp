@@ -46,10 +46,10 @@ constexpr CommandEntry commands[] = {
     {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
      "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
      "persist.\n"},
-    {Command::check, "check", "MESH.node | DIAGRAM.pers", 1, "recompute every certificate from the files alone",
-     "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram is recomputed "
-     "from\n"
-     "--points or --mesh; alone, it is only looked at for what every diagram must satisfy.\n"},
+    {Command::check, "check", "MESH.node | DIAGRAM.pers | FILE.vines", 1, "recompute every certificate from the files alone",
+     "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram, with its bounds\n"
+     "where it has any, or a vineyard is recomputed from --points or --mesh; alone, it is only looked at for what every\n"
+     "diagram must satisfy.\n"},
     {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
 };
 
@@ -249,8 +249,8 @@ constexpr OptionEntry option_entries[] = {
     {"-n", sample, "N", apply_count, "number of points"},
     {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
     {"--points", size, "N", apply_count, "number of points"},
-    {"--points", check, "FILE", apply_points_path, "the points that the mesh or diagram was made of"},
-    {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram was made of"},
+    {"--points", check, "FILE", apply_points_path, "the points that the mesh, diagram or vineyard was made of"},
+    {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram or vineyard was made of"},
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
     {"--tau", mesh | persist | vineyard | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
@@ -307,7 +307,8 @@ constexpr OptionEntry option_entries[] = {
     {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
     {"--check", homology, nullptr, apply_check, "check that each cycle is one, and born with its bar"},
     {"--bounds", persist, nullptr, apply_bounds,
-     "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},
+     "where each birth and death surely is and which bars surely are real, behind the bars, and the certified ratio by\n"
+     "                    scale, in front of them; both in JSON and in the picture"},
     {"--all", persist | homology | size | check, nullptr, apply_all, "keep bars of length zero"},
     {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},

@@ -38,7 +38,8 @@ typedef enum netmesh_status {
     NETMESH_FLAT = 6,             /* fewer than D+1 affinely independent points: no triangulation */
     NETMESH_TOO_CLOSE = 7,        /* points index_a < index_b are distinct but closer than 64 units in the last place */
     NETMESH_NO_RESULT = 8,        /* the call needs an earlier step that has not been done */
-    NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which */
+    NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which. Any job on a mesh taken over by
+                                     netmesh_load whose cells turn out not to be a triangulated ball */
     NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
     NETMESH_NOT_A_COMPLEX = 12 /* simplex index_a has no place in a filtered complex, detail.message says why; index_b:
@@ -581,18 +582,28 @@ size_t netmesh_bottleneck_bytes(uint64_t count_a, uint64_t count_b);
 netmesh_status netmesh_bottleneck(const netmesh_pair* a, size_t count_a, const netmesh_pair* b, size_t count_b,
                                   uint32_t degree, netmesh_scale scale, void* scratch, size_t scratch_bytes,
                                   netmesh_poll poll, void* user, netmesh_distance* distance);
-/* For each bar where the true one surely is, from the bounds of every cell instead of one ratio, and whether the bar surely stands for
- * a class of the true diagram. Filters COMPLETE, TIGHT, KNN and KDISTANCE: by scale; ALPHA, SCALES, FUNCTION: by the certified
- * ratio. The numbers stay with the diagram: 40 bytes a bar. The diagram stays whole on failure.
- * NO_RESULT (no diagram, or the basic filter's), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+/* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely stands for
+ * a class of the true diagram; and the ratio as a function of scale. Filters COMPLETE, BASIC, TIGHT, KNN and KDISTANCE: by scale,
+ * and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; ALPHA, SCALES, FUNCTION: by the
+ * certified ratio. The numbers stay with the diagram: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and what a diagram
+ * takes; netmesh_plan_bytes does not count it. The diagram stays whole on failure.
+ * NO_RESULT (no diagram), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_options* options);
 typedef struct netmesh_bar_bounds {
     double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched */
     double
         certain_after; /* psi(phi(birth)), certificates hold near the scale `birth` within sqrt(certain_after / birth) */
-    uint32_t certain;  /* 1: death > certain_after, so the bar is surely real */
+    uint32_t certain;  /* 1: surely real: all bars with 1 belong to different true bars within their bounds. Surely so when death >
+                          certain_after, often for other reasons */
 } netmesh_bar_bounds;
 netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds);
+/* The certified ratio as a function of scale, after netmesh_bound_bars: for alpha from `from` up to the next step's `from` it is
+ * min(certified_ratio, sqrt(max(reach, alpha) / alpha)), before the first step 1. Steps ascend in `from` and in `reach`. */
+typedef struct netmesh_scale_step {
+    double from, reach; /* radii; reach may be infinite */
+    double ratio;       /* at alpha = from, the largest of the step */
+} netmesh_scale_step;
+netmesh_status netmesh_get_scale_step(const netmesh_context* context, uint64_t index, netmesh_scale_step* step);
 
 /* Where a vine is at one k: a pair of that k's diagram. Sorted by vine, then k; vines are numbered from 0 by degree, the first k at
  * which they have a length, birth and death there. A vine that loses its length and gets it again keeps its number. */

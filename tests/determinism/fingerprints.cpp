@@ -48,6 +48,30 @@ void represent(const char* job, Session& session, netmesh_status status) {
                 static_cast<int>(status));
 }
 
+// Every number of the bounds of bars and of the ratio by scale.
+void bound(const char* job, Session& session) {
+    const netmesh_status status = netmesh_bound_bars(session.context, &session.options);
+    failed = failed || status != NETMESH_OK;
+    std::uint64_t hash = 1, bars = 0, steps = 0, certain = 0;
+    const auto add = [&](double x) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        hash = (hash ^ bits) * 0x100000001B3u + (hash >> 32);
+    };
+    netmesh_bar_bounds b;
+    for (; netmesh_get_bar_bounds(session.context, bars, &b) == NETMESH_OK; ++bars) {
+        for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high, b.certain_after}) add(x);
+        certain += b.certain;
+    }
+    netmesh_scale_step s;
+    for (; netmesh_get_scale_step(session.context, steps, &s) == NETMESH_OK; ++steps)
+        for (const double x : {s.from, s.reach, s.ratio}) add(x);
+    std::printf("bounds %s D%" PRIu32 " %016" PRIx64 " bars %" PRIu64 " certain %" PRIu64 " steps %" PRIu64
+                " status %d\n",
+                job, session.options.dim, hash, bars, certain, steps, static_cast<int>(status));
+    std::fflush(stdout);
+}
+
 void print_analysis(const char* input, Session& session, std::uint32_t what) {
     netmesh_analysis a = {};
     a.struct_bytes = sizeof a;
@@ -110,6 +134,7 @@ void dimension(int dim) {
     print("mesh-eps", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4 + 3)));
     session.options.over_refine_eps = 0;
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
+    bound("uniform", session);
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session,
           session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
@@ -119,6 +144,7 @@ void dimension(int dim) {
         session.options.k = 5;
         print(filter == NETMESH_FILTER_KNN ? "persist-knn" : "persist-kdistance", "uniform", session,
               session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
+        bound(filter == NETMESH_FILTER_KNN ? "knn" : "kdistance", session);
     }
     session.options.ratio = 2.25;
     print("persist-ratio", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));

@@ -60,6 +60,12 @@ netmesh_status check(const Job& job, netmesh_context* context, netmesh_options* 
     return status != NETMESH_OK ? status : netmesh_check(context, NETMESH_CHECK_ALL, options);
 }
 
+template <netmesh_filter filter>
+netmesh_status bound(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = persist<filter, NETMESH_VALUES_CERTIFIED>(job, context, options);
+    return status != NETMESH_OK ? status : netmesh_bound_bars(context, options);
+}
+
 // A mesh as a file would bring it.
 struct Loaded {
     std::vector<double> vertices, domain;
@@ -122,6 +128,8 @@ const std::vector<Job>& all_jobs() {
         {"basic", 2, 6, basic},
         {"basic", 3, 4, basic},
         {"basic", 4, 2, basic},
+        {"bounds", 2, 6, bound<NETMESH_FILTER_COMPLETE>},
+        {"bounds", 3, 4, bound<NETMESH_FILTER_BASIC>},
         {"cycles", 2, 6, cycles},
         {"cycles", 3, 5, cycles},
         {"cycles", 4, 3, cycles},

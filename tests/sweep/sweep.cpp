@@ -132,8 +132,9 @@ Outcome run(const Job& job, netmesh_context* context) {
             require(pair.birth <= pair.death && pair.degree < report.dim, "a pair is not one");
         for (std::uint64_t n : report.pairs) counted += n;
         require(pairs == counted && (pairs > 0) == (report.has_diagram != 0), "pairs and report differ");
-        // A refused or cancelled persist takes the diagram away, never the mesh; cycles leave the diagram before them.
-        const bool may_hold = std::strcmp(job.name, "check") == 0 || std::strcmp(job.name, "cycles") == 0;
+        // A refused or cancelled persist takes the diagram away, never the mesh; cycles and bounds leave the diagram before them.
+        const bool may_hold = std::strcmp(job.name, "check") == 0 || std::strcmp(job.name, "cycles") == 0 ||
+                              std::strcmp(job.name, "bounds") == 0;
         require(!disturbed || !report.has_diagram || may_hold, "a partial diagram is held");
     } else {
         require(report.vertices == 0 && report.cells == 0 && !report.has_diagram, "an empty context holds something");

@@ -226,10 +226,18 @@ void write_bounds(Json& json, const RunReport& run) {
     json.open('[');
     for (const std::uint64_t count : run.certain) json.value(count);
     json.close(']');
+    json.key("scale_steps");
+    json.open('[');
+    for (const netmesh_scale_step& step : run.bounds->steps) {
+        json.open('[');
+        for (const double x : {step.from, step.reach, step.ratio}) json.value(x);
+        json.close(']');
+    }
+    json.close(']');
     if (run.bars == nullptr) return;
     json.key("bounds");
     json.open('[');
-    for (const netmesh_bar_bounds& b : *run.bounds) {
+    for (const netmesh_bar_bounds& b : run.bounds->bars) {
         json.open('[');
         for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high}) json.value(x);
         json.value(b.certain != 0);
