@@ -71,7 +71,8 @@ Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const C
     if (status != Status::ok) return status;
     if (!request.representatives) {
         arena.release_low(context->start);
-        Pair* const moved = arena.take_low<Pair>(static_cast<std::size_t>(pairs.count));  // below pairs: it fits
+        Pair* const moved = arena.take_low<Pair>(static_cast<std::size_t>(pairs.count));  // not above pairs
+        if (moved == nullptr) return Status::out_of_memory;
         __builtin_memmove(moved, pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(pairs.count));
         pairs.pairs = moved;
     }

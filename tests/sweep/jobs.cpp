@@ -30,6 +30,12 @@ netmesh_status alpha(const Job& job, netmesh_context* context, netmesh_options* 
     return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
 }
 
+netmesh_status alpha_low(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = delaunay(job, context, options);
+    if (status != NETMESH_OK) return status;
+    return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 0, 0, options);
+}
+
 netmesh_status mesh(const Job& job, netmesh_context* context, netmesh_options* options) {
     return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_PERSIST, options);
 }
@@ -142,6 +148,9 @@ const std::vector<Job>& all_jobs() {
             {"alpha", 2, 24, alpha},
             {"alpha", 3, 12, alpha},
             {"alpha", 4, 8, alpha},
+            {"alpha-low", 2, 12, alpha_low},
+            {"alpha-low", 3, 9, alpha_low},
+            {"alpha-low", 4, 7, alpha_low},
             {"mesh", 2, 8, mesh},
             {"mesh", 3, 5, mesh},
             {"mesh", 4, 3, mesh},
@@ -180,6 +189,7 @@ const std::vector<Job>& all_jobs() {
             list.push_back({"delaunay", dim, 9, delaunay});
             list.push_back({"repeated", dim, 8, repeated});
             list.push_back({"alpha", dim, 8, alpha});
+            list.push_back({"alpha-low", dim, 8, alpha_low});
             list.push_back({"complete", dim, 2, complete});
             list.push_back({"basic", dim, 2, basic});
             list.push_back({"check", dim, 2, check, true, 0, true});
