@@ -58,6 +58,20 @@ netmesh_status function(const Job& job, netmesh_context* context, netmesh_option
     return netmesh_persist_function(context, &f, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
 }
 
+// Bits of the place, mixed: every star is irregular.
+double rough(void*, const double* x) {
+    double sum = 0;
+    for (int k = 0; k < 2; ++k) sum += (x[k] - std::floor(x[k])) * 1e3;
+    return sum - std::floor(sum);
+}
+
+netmesh_status irregular(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = mesh(job, context, options);
+    if (status != NETMESH_OK) return status;
+    const netmesh_function f = {rough, nullptr, 1e6, 0, 2};
+    return netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, 1, options);
+}
+
 netmesh_status vineyard(const Job& job, netmesh_context* context, netmesh_options* options) {
     const netmesh_status status = mesh(job, context, options);
     if (status != NETMESH_OK) return status;
@@ -72,10 +86,10 @@ netmesh_status scales(const Job& job, netmesh_context* context, netmesh_options*
                                   options);
 }
 
-template <netmesh_filter filter, int representatives>
+template <netmesh_filter filter, int representatives, std::uint32_t degree = 1>
 netmesh_status of_points(const Job& job, netmesh_context* context, netmesh_options* options) {
-    return netmesh_persist_points(context, points_of(job).data(), job.points, filter, NETMESH_VALUES_CERTIFIED, 2, 1, 0,
-                                  representatives, options);
+    return netmesh_persist_points(context, points_of(job).data(), job.points, filter, NETMESH_VALUES_CERTIFIED, 2,
+                                  degree, 0, representatives, options);
 }
 
 // All faces of the simplices i, i + 1, i + 2, i + 5 modulo `points`, every one at the number of its vertices.
@@ -164,6 +178,9 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back({"tight", dim, few, tight, large});
         jobs->push_back({"bounds", dim, few, bounds, large, 0, true});
         jobs->push_back({"function", dim, few, function, large});
+        static const std::size_t some[] = {0, 0, 6, 24, 10, 6, 4};
+        jobs->push_back({"irregular", dim, some[dim], irregular, dim > 2, 60});
+        jobs->push_back({"scales-one", dim, 1, scales, true, 30});
         jobs->push_back({"cycles", dim, few, represent<NETMESH_FILTER_COMPLETE>, large, 100, true});
         jobs->push_back({"cycles-alpha", dim,
                          std::size_t(dim == 2   ? 16
@@ -180,5 +197,8 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
     }
     jobs->push_back({"homology", 2, 12, homology<0>});
     jobs->push_back({"homology-cycles", 2, 12, homology<1>});
+    jobs->push_back({"rips-large", 2, 18, of_points<NETMESH_FILTER_RIPS, 0, 2>, true, 60});
+    jobs->push_back({"rips-large", 3, 18, of_points<NETMESH_FILTER_RIPS, 1, 2>, true, 60});
     jobs->push_back({"scales", 2, 3, scales, true, 30});
+    jobs->push_back({"scales", 3, 2, scales, true, 10});
 }

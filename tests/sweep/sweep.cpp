@@ -153,7 +153,10 @@ enum class Mode { all, quick, refuse };
 
 // Of `count` chances every so-manieth is taken.
 long step_of(const Job& job, Mode mode, long count) {
-    const long tries = mode == Mode::quick ? 12 : mode == Mode::refuse ? 400 : job.tries_max;
+    const long tries = mode == Mode::quick ? 12
+                       : mode == Mode::all ? job.tries_max
+                       : job.tries_max > 0 ? 4 * job.tries_max
+                                           : 400;
     return tries > 0 && count > tries ? (count + tries - 1) / tries : 1;
 }
 
