@@ -50,6 +50,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(netmesh_get_report(context, &report) == NETMESH_OK);
         if (status == NETMESH_OK) require(report.certified_ratio >= 1 && report.aspect_ratio_max <= options.tau);
     }
+    options.ratio = 1.5 + 0.5 * static_cast<double>(n % 5);
+    status = netmesh_mesh(context, points.data(), n, NETMESH_JOB_PERSIST, &options);
+    require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY || status == NETMESH_OUT_OF_RANGE ||
+            status == NETMESH_TOO_CLOSE);
+    if (status == NETMESH_OK) {
+        status = netmesh_check(context, NETMESH_CHECK_ALL, &options);
+        require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY);
+    }
     std::free(block);
     return 0;
 }

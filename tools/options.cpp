@@ -71,6 +71,23 @@ std::string apply_theta(Options& options, const std::string& text) {
     return good ? "" : "must be a number above 0 and at most 1/9";
 }
 
+std::string apply_ratio(Options& options, const std::string& text) {
+    double ratio;
+    if (!parse_finite(text, &ratio) || !(ratio * ratio > 2)) return "must be a finite number above the root of 2";
+    options.ratio = ratio;
+    return {};
+}
+
+std::string apply_focus(Options& options, const std::string& text) {
+    return parse_finite(text, &options.focus) && options.focus > 1 ? "" : "must be a finite number above 1";
+}
+std::string apply_from(Options& options, const std::string& text) {
+    return parse_finite(text, &options.from) && options.from > 0 ? "" : "must be a finite radius above 0";
+}
+std::string apply_to(Options& options, const std::string& text) {
+    return parse_finite(text, &options.to) && options.to > 0 ? "" : "must be a finite radius above 0";
+}
+
 std::string apply_method(Options& options, const std::string& text) {
     for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH, NETMESH_METHOD_REFINE}) {
         if (text != method_name(method)) continue;
@@ -201,6 +218,7 @@ std::string apply_json(Options& options, const std::string&) { return options.js
 std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
 std::string apply_finish(Options& options, const std::string&) { return options.finish = true, ""; }
+std::string apply_fit(Options& options, const std::string&) { return options.fit = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_log(Options& options, const std::string&) { return options.log = true, ""; }
 std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
@@ -234,7 +252,17 @@ constexpr OptionEntry option_entries[] = {
      "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
     {"--theta", persist | size | check, "T", apply_theta,
      "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
-    {"--method", mesh | persist | size, "M", apply_method,
+    {"--ratio", persist | check, "C", apply_ratio,
+     "refine by the certificate until this ratio is certified, above 1.4142 (sqrt(2 + tau)); complete filter only"},
+    {"--focus", persist | check, "C", apply_focus,
+     "certify this ratio, above 1, of what matters to radii --from to --to"},
+    {"--from", persist | check, "A", apply_from, "least radius of interest"},
+    {"--to", persist | check, "B", apply_to, "largest radius of interest"},
+    {"--fit", persist, nullptr, apply_fit,
+     "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins (4)"},
+    {"--method", persist, "M", apply_method,
+     "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
+    {"--method", mesh | size, "M", apply_method,
      "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
     {"--finish", mesh | persist | size, nullptr, apply_finish,
      "go on from a hierarchical mesh to one of quality tau without cages"},
@@ -401,6 +429,31 @@ const char* method_name(netmesh_method method) {
     case NETMESH_METHOD_REFINE: return "refine";
     default: return "svr";
     }
+}
+
+bool refines_by_certificate(const Options& options) {
+    return options.command == Command::persist && !options.method && !options.finish &&
+           options.filter.value_or(NETMESH_FILTER_COMPLETE) == NETMESH_FILTER_COMPLETE &&
+           options.values.value_or(NETMESH_VALUES_CERTIFIED) == NETMESH_VALUES_CERTIFIED;
+}
+
+Outcome check_ratio(const Options& options) {
+    const bool focused = options.focus > 0 || options.from > 0 || options.to > 0;
+    if (options.command == Command::persist && (options.ratio || focused || options.fit) &&
+        !refines_by_certificate(options)) {
+        return usage_error(
+            "--ratio, --focus and --fit are for the complete filter with certified values, without --method");
+    }
+    if (options.fit && options.memory_bytes == 0) return usage_error("--fit needs --memory, the size to fit in");
+    if (options.fit && options.focus > 0) return usage_error("--focus is what --fit finds");
+    if (options.fit && focused && !(options.from > 0 && options.to > options.from)) {
+        return usage_error("--from A and --to B belong together, A below B");
+    }
+    if (!focused || options.fit) return {};
+    if (!(options.focus > 0 && options.from > 0 && options.to > options.from)) {
+        return usage_error("--focus C, --from A and --to B belong together, A below B");
+    }
+    return {};
 }
 
 bool promises_accuracy(const Options& options) {

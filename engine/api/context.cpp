@@ -96,6 +96,8 @@ void netmesh_options_init(netmesh_options* options, uint32_t dim) {
     options->seed = 1;
 }
 
+double netmesh_tau(const netmesh_options* options) { return usable(options) ? tau_of(*options) : 0; }
+
 netmesh_status netmesh_init(void* block, size_t block_bytes, netmesh_context** context) {
     if (context == nullptr || block == nullptr || reinterpret_cast<std::uintptr_t>(block) % Arena::alignment != 0)
         return NETMESH_INVALID_ARGUMENT;

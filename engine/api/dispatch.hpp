@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "api/context.hpp"
+#include "mesh/certify.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/sizing.hpp"
@@ -83,6 +84,10 @@ bool usable(const netmesh_options* options);
 double tau_of(const netmesh_options& options);
 double eps_of(const netmesh_options& options);  // of the tight filter and of scales
 double theta_of(const netmesh_options& options);
+inline bool is_valid_ratio(double ratio) { return ratio > 1 && ratio * ratio > 2 && ratio < 0x1p100; }
+inline RatioGoal goal_of(const netmesh_options& options) {
+    return {options.ratio, options.focus_ratio, options.focus_from, options.focus_to};
+}
 inline bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
 inline bool is_valid_eps(double eps) { return eps > 0 && eps <= 0.5; }
 

@@ -60,7 +60,9 @@ extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* opt
     if (!usable(options) || points == 0 || points > (uint64_t{1} << 28)) return 0;
     if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_SCALES)) return 0;
     if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE)) return 0;
-    const double tau = tau_of(*options);
+    // A mesh that certifies a ratio takes no more than one of the aspect ratio that proves it.
+    const double equivalent = options->ratio * options->ratio - 2;
+    const double tau = options->ratio > 0 ? (equivalent > 2.1 ? equivalent : 2.1) : tau_of(*options);
     if (!(tau > 2) || !is_finite(tau)) return 0;
     if (!(options->over_refine_eps >= 0)) return 0;
     double size = options->over_refine_eps;

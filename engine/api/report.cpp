@@ -143,6 +143,10 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
     with_dimension(context->dim, [&](auto dimension) { count_markers<decltype(dimension)::value>(context, report); });
     if (context->is_mesh) {
         report->tau = context->tau;
+        report->ratio = context->goal.ratio;
+        report->focus_ratio = context->goal.focus;
+        report->focus_from = context->goal.from;
+        report->focus_to = context->goal.to;
         report->aspect_ratio_max = context->aspect_ratio_max;
         report->over_refine_eps = context->over_refine_eps;
         report->size_ratio_max = context->size_ratio_max;

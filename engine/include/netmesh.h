@@ -116,10 +116,19 @@ typedef struct netmesh_options {
     double over_refine_eps; /* > 0; 0: not asked for. The mesh has about over_refine_eps^-D times as many vertices */
     netmesh_size size;      /* null: not asked for */
     void* size_user;        /* handed to size */
+    /* Refinement by the certificate, for NETMESH_JOB_PERSIST and the complete filter with certified values: the coarsest mesh whose
+     * certified ratio is at most `ratio`, in place of one of aspect ratio tau. focus_ratio asks for more at scales
+     * between focus_from and focus_to (radii): hi / lo <= focus_ratio^2 for the bounds (see netmesh_bound_bars) of every cell of a
+     * Steiner vertex with hi > focus_from and lo < focus_to. */
+    double ratio;                /* > sqrt 2; below about 1.9 meshes grow fast. 0: a mesh of aspect ratio tau */
+    double focus_ratio;          /* in (1, ratio); 0: no scales of interest */
+    double focus_from, focus_to; /* 0 < focus_from < focus_to */
 } netmesh_options;
 
 /* Defaults for dimension dim (clamped to 2..6): tau 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6); seed 1; no poll. */
 void netmesh_options_init(netmesh_options* options, uint32_t dim);
+/* The tau that options stand for: the one given or the dimension's. 0 when options are not initialised. */
+double netmesh_tau(const netmesh_options* options);
 
 typedef struct netmesh_context netmesh_context;
 
@@ -184,6 +193,8 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * certified ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of
  * at least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
  * point. Meshes with cages are not for persistence, and NETMESH_METHOD_NETMESH does not over-refine.
+ * With options->ratio the mesh, by SVR and for NETMESH_JOB_PERSIST only, is refined by the certificate of the complete filter instead, to
+ * about half of the vertices for the same ratio. No aspect ratio is promised then; report.tau is 0.
  * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
  * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,
@@ -227,8 +238,9 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* 
 netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
                                uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options);
 
-/* A representative for each pair of the diagram that netmesh_persist left (netmesh_get_cycle): the complex is listed
- * simplex by simplex and reduced anew. Memory above mesh and diagram: about 40 bytes a simplex and the cycles.
+/* A representative for each pair of the diagram that netmesh_persist left (netmesh_get_cycle), in about the
+ * time and memory of the diagram. Of an alpha complex, and with pairs of zero length, the complex is listed simplex by
+ * simplex and reduced anew: about 40 bytes a simplex above mesh and diagram. The cycles come on top.
  * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY, CANCELLED; mesh and diagram stay. */
 netmesh_status netmesh_represent(netmesh_context* context, const netmesh_options* options);
 
@@ -248,7 +260,9 @@ netmesh_status netmesh_homology(netmesh_context* context, const uint32_t* vertic
 size_t netmesh_homology_bytes(uint64_t count, uint64_t vertices);
 
 /* Persistent homology of a filtration on points[n][D] themselves (6.4, 8.5), in degrees 0..max_degree <= 30. Filters:
- *   RIPS, CECH          all simplices of up to max_degree + 2 points (k is not read)
+ *   RIPS, CECH          all simplices of up to max_degree + 2 points (k is not read); of RIPS nothing but the edges is
+ *                       stored unless representatives are asked for or there are more than 65,536 points, or
+ *                       more simplices than 62 bits can number
  *   BARYCENTRIC_CECH    nested sets of k .. k + max_degree + 1 points, k >= 1, k + max_degree <= 30: the diagram of the
  *                       places within a radius of k points, each point its own first neighbour
  *   BARYCENTRIC_RIPS    the same with Rips for Cech: certified values are the filter's own times 2^(1/4), which makes the
@@ -263,7 +277,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const double* po
                                       int representatives, const netmesh_options* options);
 
 /* Bytes of block to plan for: more than n points in any position take, but for the fill of the reduction. SIZE_MAX when
- * it does not fit a size_t, 0 on an invalid argument. */
+ * it does not fit a size_t, 0 on an invalid argument. RIPS with representatives takes as much as CECH. */
 size_t netmesh_points_bytes(netmesh_filter filter, const netmesh_options* options, uint64_t points, uint32_t k,
                             uint32_t max_degree);
 /* Persistent homology of points[n][D] scale by scale (7.6): recursively well-paced subsets, one mesh for each in the same memory with
@@ -299,6 +313,16 @@ netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_
                                         netmesh_values values, uint32_t max_degree, int keep_zero_pairs,
                                         const netmesh_options* options);
 
+/* Budget mode: the best certified diagram of the complete filter that the context's block holds, from points on. Refines by the
+ * certificate (see options->ratio) to ratios of a fixed ladder, 1 + (R - 1) 2^(-j/8), R = options->ratio or 4 when that is 0: always the
+ * cells whose bounds are worst. With focus_from and focus_to (focus_ratio 0) the ratios of the ladder are asked of those
+ * scales alone, and R of everything else. What fits depends on the points, the options and the block's size alone, and a larger
+ * block never gives a larger ratio. Leaves mesh and diagram as netmesh_mesh and netmesh_persist with report.ratio and
+ * report.focus_ratio do, and with `bounds` as netmesh_bound_bars does. Costs about seven such runs.
+ * INVALID_ARGUMENT (7: options), OUT_OF_MEMORY (not even R fits), and what those two calls say. */
+netmesh_status netmesh_fit(netmesh_context* context, const double* points, size_t n, uint32_t max_degree,
+                           int keep_zero_pairs, int bounds, const netmesh_options* options);
+
 /* One mesh for all k: the diagrams of the filter (KNN or KDISTANCE) for k = k_first..k_last, and the vines that connect them (6.3,
  * 8.6), by transpositions on R = D V while every simplex's value moves on a straight line from one k to the next. The diagram at
  * each k is that of netmesh_persist. Replaces the diagram.
@@ -322,7 +346,8 @@ typedef enum netmesh_check_what {
 } netmesh_check_what;
 
 /* Independent checkers: nothing that they read was cached by the code that made the result. O(cells).
- * `what`: a union of netmesh_check_what; tau and sizes are taken from options. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
+ * `what`: a union of netmesh_check_what; tau and sizes are taken from options; with options->ratio QUALITY checks what refinement
+ * by the certificate promises in their place. CHECK_FAILED, OUT_OF_MEMORY, NO_RESULT. */
 netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netmesh_options* options);
 
 typedef enum netmesh_analyse_what {
@@ -417,7 +442,7 @@ typedef struct netmesh_report {
     /* mesh */
     uint64_t vertices, inputs, steiner, exempt; /* vertices = inputs + steiner + exempt */
     uint64_t cells, cells_created;
-    double tau;              /* bound asked for; 0 for a Delaunay triangulation */
+    double tau;              /* bound asked for; 0 for a Delaunay triangulation or a mesh refined by the certificate */
     double aspect_ratio_max; /* actual worst clipped aspect ratio over vertices that are not exempt; 0 if none */
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D; radius 0 for a Delaunay triangulation */
     netmesh_method method;              /* of the mesh; SVR after load */
@@ -431,7 +456,7 @@ typedef struct netmesh_report {
     uint32_t k;                                 /* of the filters KNN, KDISTANCE and the barycentric ones, else 0 */
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
-    uint64_t simplices;                         /* of the filtered complex */
+    uint64_t simplices;                         /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
     double certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
                                    the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
@@ -453,6 +478,8 @@ typedef struct netmesh_report {
     uint64_t fingerprint;   /* of mesh and diagram; equal on every platform and for every block size */
     double over_refine_eps; /* asked for */
     double size_ratio_max;  /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
+    double ratio;           /* asked for of a mesh refined by the certificate, else 0 */
+    double focus_ratio, focus_from, focus_to; /* likewise */
 } netmesh_report;
 
 netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);

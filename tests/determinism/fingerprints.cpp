@@ -98,6 +98,10 @@ void dimension(int dim) {
         print(filter == NETMESH_FILTER_KNN ? "persist-knn" : "persist-kdistance", "uniform", session,
               session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
     }
+    session.options.ratio = 2.25;
+    print("persist-ratio", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
+    print("persist-ratio", "shell", session, session.mesh_and_persist(inputs::shell(dim, meshed[d] / 2, 1, 1, 7)));
+    session.options.ratio = 0;
     if (dim <= 3) {
         const inputs::Points zoom = inputs::zoom(dim, 40, dim == 2 ? 4 : 10);
         print("persist-scales", "zoom", session, session.until_it_fits(std::size_t(1) << 24, [&] {

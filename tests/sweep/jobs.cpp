@@ -79,6 +79,12 @@ netmesh_status fine(const Job& job, netmesh_context* context, netmesh_options* o
     return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, options);
 }
 
+// Refined by the certificate.
+netmesh_status by_ratio(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->ratio = 3;
+    return persist<NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED>(job, context, options);
+}
+
 // A mesh as a file would bring it.
 struct Loaded {
     std::vector<double> vertices, domain;
@@ -184,6 +190,9 @@ const std::vector<Job>& all_jobs() {
             {"reference", 3, 2, reference, true, 50},
             {"fine", 2, 4, fine, false, 200},
             {"fine", 3, 2, fine, true, 50},
+            {"by-ratio", 2, 6, by_ratio},
+            {"by-ratio", 3, 4, by_ratio},
+            {"by-ratio", 4, 3, by_ratio, true, 100},
         };
         for (int dim = 5; dim <= 6; ++dim) {
             list.push_back({"delaunay", dim, 9, delaunay});
@@ -193,6 +202,7 @@ const std::vector<Job>& all_jobs() {
             list.push_back({"complete", dim, 2, complete});
             list.push_back({"basic", dim, 2, basic});
             list.push_back({"check", dim, 2, check, true, 0, true});
+            list.push_back({"by-ratio", dim, 2, by_ratio});
             list.push_back({"load", dim, 2, load});
             list.push_back({"hierarchy", dim, 4, hierarchy});
             list.push_back({"cages", dim, 4, load_cages});

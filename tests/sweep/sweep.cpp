@@ -216,8 +216,9 @@ void sizes(const Job& job, const Undisturbed& u, std::size_t step, double growth
         const bool now = size(job, u, bytes);
         require(now || !fits, "fits in a smaller block but not in this one");
         fits = now;
-        const std::size_t next = static_cast<std::size_t>(static_cast<double>(bytes) * growth);
-        bytes = next > bytes + step ? next : bytes + step;
+        const std::size_t grown = static_cast<std::size_t>(static_cast<double>(bytes) * growth);
+        const std::size_t next = grown > bytes + step ? grown : bytes + step;
+        bytes = bytes < last && next > last ? last : next;
     }
     place.phase = "largest block";
     require(fits, "does not fit in a block of what it used and an eighth more");
@@ -303,7 +304,7 @@ int main(int argc, char** argv) {
         const Tally before = total;
         const Undisturbed u = undisturbed(job);
         refuse_and_cancel(job, u, mode);
-        const double growth = mode == Mode::quick ? 1.25 : job.tries_max > 0 ? 1.1 : 1.005;
+        const double growth = mode == Mode::quick ? 1.1 : job.tries_max > 0 ? 1.1 : 1.005;
         if (mode != Mode::refuse) sizes(job, u, mode == Mode::quick ? 256 : 16, growth);
         // Every single byte of the way, where it is short.
         if (mode == Mode::all && job.dim == 2 && u.bytes < 9000) sizes(job, u, 1, 1);

@@ -55,6 +55,7 @@ Outcome run_check(const Options& options) {
     run.options = &options;
     run.checked.emplace();
     Outcome outcome = check_accuracy(options);
+    if (outcome.good()) outcome = check_ratio(options);
     if (!outcome.good()) return outcome;
     if (ending == ".node") {
         MeshFiles files;

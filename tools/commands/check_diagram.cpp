@@ -115,14 +115,19 @@ Outcome check_diagram_with_points(const Options& options, const DiagramFile& fil
     const double* const x = points.coordinates.data();
     const netmesh_job job =
         options.filter && promises_accuracy(options) ? job_of(*options.filter) : NETMESH_JOB_PERSIST;
-    outcome = recompute(
-        options, file, candidates(options, true, false), points, job,
-        [&](Session& s) {
-            if (job == NETMESH_JOB_PERSIST_SCALES) return NETMESH_OK;  // points are all that it needs
-            return s.call(NETMESH_STAGE_REFINE,
-                          [&] { return netmesh_mesh(s.context(), x, points.rows(), job, &s.engine_options()); });
-        },
-        session, &best, &found);
+    const Prepare mesh = [&](Session& s) {
+        if (job == NETMESH_JOB_PERSIST_SCALES) return NETMESH_OK;  // points are all that it needs
+        return s.call(NETMESH_STAGE_REFINE,
+                      [&] { return netmesh_mesh(s.context(), x, points.rows(), job, &s.engine_options()); });
+    };
+    const std::vector<Candidate> list = candidates(options, true, false);
+    if (!list.empty() && list[0].filter == NETMESH_FILTER_COMPLETE && list[0].values == NETMESH_VALUES_CERTIFIED) {
+        session.set_goal(options.ratio.value_or(session.default_ratio()), options.focus, options.from, options.to);
+        outcome = recompute(options, file, {list[0]}, points, job, mesh, session, &best, &found);
+        session.set_goal(0, 0, 0, 0);
+        if (!outcome.good()) return outcome;
+    }
+    outcome = recompute(options, file, list, points, job, mesh, session, &best, &found);
     if (!outcome.good()) return outcome;
     outcome = recompute(
         options, file, candidates(options, false, true), points, NETMESH_JOB_PERSIST_ALPHA,

@@ -111,14 +111,22 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     const bool triangulate = triangulates_only(options);
     netmesh_status status = session.call(triangulate ? NETMESH_STAGE_DELAUNAY : NETMESH_STAGE_REFINE, [&] {
         const double* const points = cloud.coordinates.data();
+        if (options.fit) {
+            return netmesh_fit(context, points, cloud.rows(), max_degree_of(options, cloud.dim), options.all ? 1 : 0,
+                               options.bounds ? 1 : 0, engine_options);
+        }
         return triangulate ? netmesh_delaunay(context, points, cloud.rows(), engine_options)
                            : netmesh_mesh(context, points, cloud.rows(), job_of(options), engine_options);
     });
-    if (status == NETMESH_OK && options.command == Command::persist) {
+    if (status == NETMESH_OK && options.command == Command::persist && !options.fit) {
         status = bound(session.call(NETMESH_STAGE_REDUCE, [&] {
             return netmesh_persist(context, filter_of(options), options.values.value_or(NETMESH_VALUES_CERTIFIED),
                                    max_degree_of(options, cloud.dim), options.all ? 1 : 0, engine_options);
         }));
+    }
+    if (status == NETMESH_OK && options.fit) {  // what was reached is what is checked
+        const netmesh_report reached = session.report();
+        session.set_goal(reached.ratio, reached.focus_ratio, reached.focus_from, reached.focus_to);
     }
     if (status == NETMESH_OK && options.analyse) {
         analysis->struct_bytes = sizeof *analysis;
@@ -181,6 +189,7 @@ netmesh_job job_of(netmesh_filter filter) {
 Outcome run_engine_command(const Options& options) {
     const double start = platform::seconds_now();
     Outcome outcome = check_accuracy(options);
+    if (outcome.good()) outcome = check_ratio(options);
     if (outcome.good()) outcome = check_filter(options);
     if (outcome.good() && options.bounds && filter_of(options) == NETMESH_FILTER_BASIC) {
         outcome =
@@ -229,7 +238,7 @@ Outcome run_engine_command(const Options& options) {
     }
     ContextMesh mesh(session.context());
     const std::string& mesh_path = options.command == Command::persist ? options.mesh_out : options.out;
-    if (mesh.tau > 0 && ending_of(mesh_path) == ".vtu") mesh.measure(session.context());
+    if (run.engine->is_mesh != 0 && ending_of(mesh_path) == ".vtu") mesh.measure(session.context());
     outcome = write_files(result_jobs(options, session.context(), mesh, bars, bounds, *run.engine));
     if (!outcome.good()) return outcome;
     run.write_seconds = platform::seconds_now() - computed;

@@ -56,6 +56,7 @@ ContextMesh::ContextMesh(const netmesh_context* context) : context_(context) {
     vertex_count = report.vertices;
     cell_count = report.cells;
     tau = report.tau;
+    ratio = report.ratio;
     eps = report.over_refine_eps;
     for (std::uint32_t k = 0; k <= dim; k++) domain[k] = report.domain[k];
     if (vertex_count > 0) has_values = vertex(0).has_value != 0;

@@ -36,8 +36,9 @@ std::string subtitle(const netmesh_report& report) {
     if (report.cells == 0) return text + separator + grouped_text(report.simplices) + " simplices";
     text += separator + grouped_text(report.vertices) + " vertices, " + grouped_text(report.cells) + " cells";
     if (report.is_mesh != 0) {
-        text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(report.aspect_ratio_max, 4) +
-                " (\xCF\x84 = " + rounded_text(report.tau, 4) + ")";
+        text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(report.aspect_ratio_max, 4);
+        text += report.ratio > 0 ? std::string(separator) + "refined to ratio " + rounded_text(report.ratio, 4)
+                                 : " (\xCF\x84 = " + rounded_text(report.tau, 4) + ")";
     }
     return text;
 }

@@ -13,7 +13,7 @@ void write_options(Json& json, const RunReport& run) {
     json.open('{');
     const bool meshes = run.engine && run.engine->is_mesh != 0;
     json.key("tau");
-    if (meshes) {
+    if (meshes && run.engine->tau > 0) {
         json.value(run.engine->tau);
     } else if (options.tau) {
         json.value(*options.tau);
@@ -25,7 +25,7 @@ void write_options(Json& json, const RunReport& run) {
     json.key("eps");
     options.eps > 0 ? json.value(options.eps) : json.null();
     json.key("method");
-    meshes ? json.value(method_name(options.method)) : json.null();
+    meshes ? json.value(run.engine->ratio > 0 ? "certificate" : method_name(run.engine->method)) : json.null();
     json.entry("finish", options.finish);
     json.key("filter");
     persists&& run.engine ? json.value(filter_name(run.engine->filter)) : json.null();
@@ -82,7 +82,13 @@ void write_mesh(Json& json, const RunReport& run) {
     json.entry("cells", engine.cells);
     if (engine.is_mesh != 0) {
         json.entry("aspect_ratio_max", engine.aspect_ratio_max);
-        json.entry("tau", engine.tau);
+        engine.tau > 0 ? json.entry("tau", engine.tau) : json.null_entry("tau");
+        if (engine.ratio > 0) json.entry("ratio", engine.ratio);
+        if (engine.focus_ratio > 0) {
+            json.entry("focus_ratio", engine.focus_ratio);
+            json.entry("focus_from", engine.focus_from);
+            json.entry("focus_to", engine.focus_to);
+        }
         if (engine.size_ratio_max > 0) json.entry("size_ratio_max", engine.size_ratio_max);
         json.key("domain");
         json.open('[');

@@ -17,6 +17,15 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
+std::string goal_text(const netmesh_report& engine) {
+    std::string text = "ratio " + rounded_text(engine.ratio, 5);
+    if (engine.focus_ratio > 0) {
+        text += ", " + rounded_text(engine.focus_ratio, 5) + " from radius " + rounded_text(engine.focus_from, 4) +
+                " to " + rounded_text(engine.focus_to, 4);
+    }
+    return text;
+}
+
 std::string mesh_lines(const netmesh_report& engine) {
     std::string text = "mesh     " + counted(engine.vertices, "vertex", "vertices");
     if (engine.is_mesh != 0) {
@@ -28,8 +37,9 @@ std::string mesh_lines(const netmesh_report& engine) {
         text += "cages    " + grouped_text(engine.cages) + " kept of " + grouped_text(engine.cages_made) + " made\n";
     }
     if (engine.is_mesh != 0) {
-        text += "quality  aspect ratio at most " + rounded_text(engine.aspect_ratio_max, 5) + " (tau " +
-                rounded_text(engine.tau, 5) + ")\n";
+        text += "quality  aspect ratio at most " + rounded_text(engine.aspect_ratio_max, 5);
+        text += engine.ratio > 0 ? ", refined by the certificate to " + goal_text(engine) + "\n"
+                                 : " (tau " + rounded_text(engine.tau, 5) + ")\n";
         if (engine.size_ratio_max > 0)
             text += "size     cells reach " + rounded_text(engine.size_ratio_max, 5) + " of the size asked for\n";
     }

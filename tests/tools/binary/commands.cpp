@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using Names = std::vector<std::string>;
 
 namespace {
@@ -328,7 +330,55 @@ TEST_CASE("persist: d_k and the k-distance") {
         const Result many = folder.run("persist p.csv --k 81 --filter " + filter);
         CHECK(many.exit == 3);
         CHECK(many.says("more than the number of different points"));
-        CHECK(folder.run("persist p.csv --quiet --filter " + filter).out == folder.run("persist p.csv --quiet").out);
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter).out ==
+              folder.run("persist p.csv --quiet --method svr").out);
+    }
+}
+
+TEST_CASE("persist: refinement by the certificate") {
+    const Folder folder;
+    CHECK(folder.run("sample sphere --dim 3 -n 150 -o p.csv").exit == 0);
+    const Result plain = folder.run("persist p.csv -o d.pers --json --check --mesh m.node --tau 3");
+    CHECK(plain.err == "");
+    CHECK(plain.exit == 0);
+    CHECK(text_in(plain.out, "method") == "certificate");
+    CHECK(number_in(plain.out, "certified_ratio") <= std::sqrt(5.0));
+    CHECK(plain.out.find("\"tau\": null") != std::string::npos);
+    const Result quality = folder.run("persist p.csv --json --quiet --method svr --tau 3 -o q.pers");
+    CHECK(number_in(quality.out, "vertices") > number_in(plain.out, "vertices"));
+    CHECK(folder.read("m.node").find("\n# ratio 2.2360679") != std::string::npos);
+    for (const std::string source : {"--points p.csv --tau 3", "--mesh m.node"}) {
+        const Result check = folder.run("check d.pers " + source);
+        CHECK(check.err == "");
+        CHECK(check.exit == 0);
+    }
+    CHECK(folder.run("check m.node --points p.csv").out.find("certified ratio at most 2.236") != std::string::npos);
+    CHECK(folder.run("check m.node --ratio 2").exit == 7);
+    CHECK(folder.run("check q.pers --points p.csv --tau 3").exit == 0);
+
+    const Result focused =
+        folder.run("persist p.csv --ratio 2.5 --focus 1.6 --from .5 --to .9 --json -o f.pers --bounds");
+    CHECK(focused.exit == 0);
+    CHECK(number_in(focused.out, "focus_ratio") == 1.6);
+    CHECK(folder.run("check f.pers --points p.csv --ratio 2.5 --focus 1.6 --from .5 --to .9").exit == 0);
+    CHECK(folder.run("check f.pers --points p.csv --ratio 2.5").exit == 7);
+
+    double last = 10;
+    for (const std::string memory : {"512K", "1M", "4M"}) {
+        const Result fitted =
+            folder.run("persist p.csv --fit --memory " + memory + " --json --quiet -o b.pers --check");
+        CHECK(fitted.err == "");
+        CHECK(fitted.exit == 0);
+        CHECK(number_in(fitted.out, "certified_ratio") < last);
+        last = number_in(fitted.out, "certified_ratio");
+    }
+    CHECK(folder.run("persist p.csv --fit --memory 20K").exit == 4);
+    for (const std::string line :
+         {"--fit", "--fit --memory 1M --focus 1.5", "--fit --memory 1M --from 1", "--ratio 1.4", "--ratio x",
+          "--focus 1.5", "--focus 1.5 --from 2 --to 1", "--focus 1", "--ratio 2 --filter knn",
+          "--ratio 2 --values thesis", "--ratio 2 --method svr", "--fit --memory 1M --filter alpha"}) {
+        CAPTURE(line);
+        CHECK(folder.run("persist p.csv " + line).exit == 2);
     }
 }
 
