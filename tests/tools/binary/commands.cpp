@@ -652,7 +652,7 @@ TEST_CASE("persist: filters on the points themselves") {
         const std::string size = folder.run("size --dim 2 --points 14 --filter " + filter).out;
         CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory " + size.substr(0, size.size() - 1))
                   .exit == 0);
-        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory 6K").exit == 4);
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory 3K").exit == 4);
     }
     CHECK(folder.run("persist p.csv --filter cech --quiet -o cech.pers --representatives c.txt").exit == 0);
     CHECK(folder.read("c.txt").rfind("bar 0 0 ", 0) == 0);
