@@ -79,15 +79,14 @@ Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const C
                      ? persist_skeleton(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs)
                      : persist_filtration(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs);
     }
-    if (status == Status::ok) keep_pairs(context, pairs, request);
-    return status;
+    return status == Status::ok ? keep_pairs(context, pairs, request) : status;
 }
 
-void keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest& request) {
+Status keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest& request) {
     if (!request.representatives) {
         context->arena.release_low(context->start);
-        Pair* const moved =
-            context->arena.take_low<Pair>(static_cast<std::size_t>(pairs.count));  // below pairs: it fits
+        Pair* const moved = context->arena.take_low<Pair>(static_cast<std::size_t>(pairs.count));  // not above pairs
+        if (moved == nullptr) return Status::out_of_memory;
         __builtin_memmove(moved, pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(pairs.count));
         pairs.pairs = moved;
     }
@@ -97,6 +96,7 @@ void keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest& 
     context->pair_count = pairs.count;
     context->max_degree = request.max_degree;
     context->result_fingerprint = fingerprint_of(context, pairs);
+    return Status::ok;
 }
 
 }  // namespace netmesh

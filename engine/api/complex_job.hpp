@@ -24,7 +24,7 @@ std::uint32_t born_at_zero(const netmesh_context* context);
 
 // Keeps the diagram of an explicit complex in an otherwise empty context; without representatives it is moved to where
 // the complex was.
-void keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest& request);
+Status keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest& request);
 
 // Orders a linked complex that lies at the low end of an otherwise empty context, computes its diagram and keeps that,
 // with representatives the complex as well. The caller has set point_dim, points, inputs and the input's fingerprint.

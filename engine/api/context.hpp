@@ -8,6 +8,7 @@
 #include "homology/persistence.hpp"
 #include "include/netmesh.h"
 #include "memory/arena.hpp"
+#include "mesh/certify.hpp"
 #include "mesh/domain.hpp"
 #include "mesh/netmesh.hpp"
 
@@ -49,10 +50,12 @@ struct Context {
     StoreState store;
     std::uint64_t points, duplicates, input_fingerprint;
     std::uint32_t inputs;
+    RatioGoal goal;  // ratio 0: the mesh is not refined by the certificate
     double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     netmesh_method method;
+    std::uint32_t audit;  // what was audited
     std::uint64_t cages_offset;
     HierarchyReport hierarchy;
 
@@ -73,8 +76,10 @@ struct Context {
     std::uint64_t scale_vertices;
     double separation;
 
+    bool is_loaded;  // the mesh came through netmesh_load
+
     bool has_bounds;
-    std::uint64_t bounds_offset;
+    std::uint64_t bounds_offset, curve_offset, curve_steps;
 
     bool has_vineyard;
     std::uint32_t k_first, k_last, vines;

@@ -136,7 +136,7 @@ Status persist_edges(netmesh_context* context, const PointSet& points, const Com
     if (status == Status::ok)
         status =
             persist_rips(graph, request.max_degree, request.keep_zero, arena, monitor, &pairs, &context->simplices);
-    if (status == Status::ok) keep_pairs(context, pairs, request);
+    if (status == Status::ok) status = keep_pairs(context, pairs, request);
     return status;
 }
 
