@@ -46,10 +46,10 @@ constexpr CommandEntry commands[] = {
     {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
      "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
      "persist.\n"},
-    {Command::check, "check", "MESH.node | DIAGRAM.pers", 1, "recompute every certificate from the files alone",
-     "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram is recomputed "
-     "from\n"
-     "--points or --mesh; alone, it is only looked at for what every diagram must satisfy.\n"},
+    {Command::check, "check", "MESH.node | DIAGRAM.pers | FILE.vines", 1, "recompute every certificate from the files alone",
+     "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram, with its bounds\n"
+     "where it has any, or a vineyard is recomputed from --points or --mesh; alone, it is only looked at for what every\n"
+     "diagram must satisfy.\n"},
     {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
 };
 
@@ -69,6 +69,23 @@ std::string apply_eps(Options& options, const std::string& text) {
 std::string apply_theta(Options& options, const std::string& text) {
     const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
     return good ? "" : "must be a number above 0 and at most 1/9";
+}
+
+std::string apply_ratio(Options& options, const std::string& text) {
+    double ratio;
+    if (!parse_finite(text, &ratio) || !(ratio * ratio > 2)) return "must be a finite number above the root of 2";
+    options.ratio = ratio;
+    return {};
+}
+
+std::string apply_focus(Options& options, const std::string& text) {
+    return parse_finite(text, &options.focus) && options.focus > 1 ? "" : "must be a finite number above 1";
+}
+std::string apply_from(Options& options, const std::string& text) {
+    return parse_finite(text, &options.from) && options.from > 0 ? "" : "must be a finite radius above 0";
+}
+std::string apply_to(Options& options, const std::string& text) {
+    return parse_finite(text, &options.to) && options.to > 0 ? "" : "must be a finite radius above 0";
 }
 
 std::string apply_method(Options& options, const std::string& text) {
@@ -200,7 +217,16 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
 std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
+std::string apply_audit(Options& options, const std::string& value) {
+    constexpr std::pair<const char*, unsigned> names[] = {{"location", NETMESH_AUDIT_LOCATION},
+                                                          {"quality", NETMESH_AUDIT_QUALITY},
+                                                          {"all", NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY}};
+    for (const auto& [name, what] : names)
+        if (value == name) return options.audit = what, "";
+    return "not location, quality or all";
+}
 std::string apply_finish(Options& options, const std::string&) { return options.finish = true, ""; }
+std::string apply_fit(Options& options, const std::string&) { return options.fit = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
 std::string apply_log(Options& options, const std::string&) { return options.log = true, ""; }
 std::string apply_bounds(Options& options, const std::string&) { return options.bounds = true, ""; }
@@ -223,8 +249,8 @@ constexpr OptionEntry option_entries[] = {
     {"-n", sample, "N", apply_count, "number of points"},
     {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
     {"--points", size, "N", apply_count, "number of points"},
-    {"--points", check, "FILE", apply_points_path, "the points that the mesh or diagram was made of"},
-    {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram was made of"},
+    {"--points", check, "FILE", apply_points_path, "the points that the mesh, diagram or vineyard was made of"},
+    {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram or vineyard was made of"},
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
     {"--tau", mesh | persist | vineyard | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
@@ -234,10 +260,23 @@ constexpr OptionEntry option_entries[] = {
      "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
     {"--theta", persist | size | check, "T", apply_theta,
      "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
-    {"--method", mesh | persist | size, "M", apply_method,
+    {"--ratio", persist | check, "C", apply_ratio,
+     "refine by the certificate until this ratio is certified, above 1.4142 (sqrt(2 + tau)); complete filter only"},
+    {"--focus", persist | check, "C", apply_focus,
+     "certify this ratio, above 1, of what matters to radii --from to --to"},
+    {"--from", persist | check, "A", apply_from, "least radius of interest"},
+    {"--to", persist | check, "B", apply_to, "largest radius of interest"},
+    {"--fit", persist, nullptr, apply_fit,
+     "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins (4)"},
+    {"--method", persist, "M", apply_method,
+     "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
+    {"--method", mesh | size, "M", apply_method,
      "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
     {"--finish", mesh | persist | size, nullptr, apply_finish,
      "go on from a hierarchical mesh to one of quality tau without cages"},
+    {"--audit", mesh | size, "WHAT", apply_audit,
+     "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured after each\n"
+     "                    insertion, for small runs; or all. Figures go to the report"},
     {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
     {"--filter", persist | size | check, "F", apply_filter,
      "complete (default), basic, tight, scales, alpha, knn or kdistance; of few points rips, cech, barycentric-cech or\n"
@@ -268,7 +307,8 @@ constexpr OptionEntry option_entries[] = {
     {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
     {"--check", homology, nullptr, apply_check, "check that each cycle is one, and born with its bar"},
     {"--bounds", persist, nullptr, apply_bounds,
-     "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},
+     "where each birth and death surely is and which bars surely are real, behind the bars, and the certified ratio by\n"
+     "                    scale, in front of them; both in JSON and in the picture"},
     {"--all", persist | homology | size | check, nullptr, apply_all, "keep bars of length zero"},
     {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
@@ -376,6 +416,8 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
         }
     }
     const bool hierarchical = options->method == NETMESH_METHOD_NETMESH;
+    if (options->audit != 0 && (options->method == NETMESH_METHOD_REFINE || options->eps > 0))
+        return usage_error("--audit goes with --method svr or netmesh, and not with --eps");
     if (options->finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options->command == Command::persist && hierarchical && !options->finish) {
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");
@@ -401,6 +443,31 @@ const char* method_name(netmesh_method method) {
     case NETMESH_METHOD_REFINE: return "refine";
     default: return "svr";
     }
+}
+
+bool refines_by_certificate(const Options& options) {
+    return options.command == Command::persist && !options.method && !options.finish &&
+           options.filter.value_or(NETMESH_FILTER_COMPLETE) == NETMESH_FILTER_COMPLETE &&
+           options.values.value_or(NETMESH_VALUES_CERTIFIED) == NETMESH_VALUES_CERTIFIED;
+}
+
+Outcome check_ratio(const Options& options) {
+    const bool focused = options.focus > 0 || options.from > 0 || options.to > 0;
+    if (options.command == Command::persist && (options.ratio || focused || options.fit) &&
+        !refines_by_certificate(options)) {
+        return usage_error(
+            "--ratio, --focus and --fit are for the complete filter with certified values, without --method");
+    }
+    if (options.fit && options.memory_bytes == 0) return usage_error("--fit needs --memory, the size to fit in");
+    if (options.fit && options.focus > 0) return usage_error("--focus is what --fit finds");
+    if (options.fit && focused && !(options.from > 0 && options.to > options.from)) {
+        return usage_error("--from A and --to B belong together, A below B");
+    }
+    if (!focused || options.fit) return {};
+    if (!(options.focus > 0 && options.from > 0 && options.to > options.from)) {
+        return usage_error("--focus C, --from A and --to B belong together, A below B");
+    }
+    return {};
 }
 
 bool promises_accuracy(const Options& options) {

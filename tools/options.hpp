@@ -25,10 +25,14 @@ struct Options {
     bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false, log = false;
 
     std::optional<double> tau;
-    netmesh_method method = NETMESH_METHOD_SVR;
-    bool finish = false;  // a hierarchical mesh
-    double eps = 0;       // over-refinement, or what the filters tight and scales promise; 0: not given
-    double theta = 0;     // scales; 0: not given
+    std::optional<netmesh_method> method;  // persist: a quality mesh, in place of refinement by the certificate
+    std::optional<double> ratio;           // asked of the certificate
+    double focus = 0, from = 0, to = 0;    // ratio at scales of interest, and the scales; 0: not given
+    bool fit = false;                      // the best ratio that the memory holds
+    bool finish = false;                   // a hierarchical mesh
+    std::uint32_t audit = 0;               // netmesh_audit_what
+    double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
+    double theta = 0;  // scales; 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;
@@ -47,6 +51,10 @@ struct Options {
 // Fills *options from the arguments behind the program's name. Exit::usage with a sentence that names the argument at
 // fault. Positionals are counted; whether required options are there is for the command to say.
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
+
+// Whether the mesh is refined by the certificate, and what is wrong with the options that say how.
+bool refines_by_certificate(const Options& options);
+Outcome check_ratio(const Options& options);
 
 // Whether --eps is a promise about the diagram (tight, scales) and not a size of cells; and what is wrong with --eps and
 // --theta for the filter asked for.

@@ -1,5 +1,7 @@
 #include "tools/session.hpp"
 
+#include <cmath>
+
 #include "platform/interrupt.hpp"
 #include "tools/io/numbers.hpp"
 
@@ -27,11 +29,24 @@ Session::Session(const Options& options, std::uint32_t dim)
     (promises_accuracy(options) ? engine_options_.eps : engine_options_.over_refine_eps) = options.eps;
     engine_options_.theta = options.theta;
     engine_options_.seed = options.seed;
-    engine_options_.method = options.method;
+    engine_options_.method = options.method.value_or(NETMESH_METHOD_SVR);
     engine_options_.finish = options.finish ? 1 : 0;
+    engine_options_.audit = options.audit;
     engine_options_.k = options.k.value_or(1);
     engine_options_.poll = poll;
     engine_options_.user = this;
+    if (refines_by_certificate(options)) {
+        set_goal(options.ratio.value_or(options.fit ? 0 : default_ratio()), options.focus, options.from, options.to);
+    }
+}
+
+double Session::default_ratio() const { return std::sqrt(2 + netmesh_tau(&engine_options_)); }
+
+void Session::set_goal(double ratio, double focus, double from, double to) {
+    engine_options_.ratio = ratio;
+    engine_options_.focus_ratio = focus;
+    engine_options_.focus_from = from;
+    engine_options_.focus_to = to;
 }
 
 int Session::poll(void* self, const netmesh_progress* progress) {

@@ -34,9 +34,13 @@ public:
     netmesh_context* context() const { return context_; }
     const netmesh_options& engine_options() const { return engine_options_; }
     void set_tau(double tau) { engine_options_.tau = tau; }
+    // Of a mesh refined by the certificate; 0: a mesh of aspect ratio tau.
+    void set_goal(double ratio, double focus, double from, double to);
     void set_eps(double eps) { engine_options_.over_refine_eps = eps; }
     netmesh_report report() const;
     const StageClock& clock() const { return clock_; }
+
+    double default_ratio() const;  // what a mesh of aspect ratio tau certifies
 
 private:
     static int poll(void* self, const netmesh_progress* progress);

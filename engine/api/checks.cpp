@@ -48,6 +48,29 @@ Status check_quality(Context& context, Store<D>& store, double tau, const SizeRu
     return Status::check_failed;
 }
 
+// What refinement by the certificate promises, from the bounds of every cell.
+template <int D> Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, CheckResult* why) {
+    *why = check_markers<D>(store);
+    if (why->violation != nullptr) return Status::check_failed;
+    const ArenaScope scope(context.arena);
+    double* const value = context.arena.take_high<double>(store.state.vertex_count);
+    Interval* const interval = context.arena.take_high<Interval>(store.state.vertex_count);
+    if (value == nullptr || interval == nullptr) return Status::out_of_memory;
+    MeshCertificate certificate;
+    const Status status = mesh_filter_values<D>(store, domain_of<D>(context), MeshFilter::complete,
+                                                FilterValues::certified, context.arena, value, &certificate, interval);
+    if (status != Status::ok) return status;
+    for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr; ++v) {
+        const Interval& i = interval[v];
+        const double ratio = square_root(i.hi / i.lo) * (1 - ratio_tolerance);
+        const bool focused =
+            goal.focus > 0 && store.vertex(v).marker == Marker::steiner && i.hi > goal.from && i.lo < goal.to;
+        if (ratio > goal.ratio) *why = {"the certified ratio is above the one asked for", v};
+        if (focused && ratio > goal.focus) *why = {"a cell's ratio is above the one asked for at its scale", v};
+    }
+    return why->violation == nullptr ? Status::ok : Status::check_failed;
+}
+
 // What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and degrees.
 template <int D>
 Status check_bounds(Store<D>& store, const Context& context, const netmesh_options& options, Arena& arena,
@@ -55,7 +78,7 @@ Status check_bounds(Store<D>& store, const Context& context, const netmesh_optio
     Monitor monitor = monitor_of(options);
     monitor.begin(NETMESH_STAGE_ANALYSE, 0);
     Status status = Status::ok;
-    if (context.is_mesh && context.hierarchy.cages == 0) {
+    if (context.is_mesh && context.hierarchy.cages == 0 && context.tau > 0) {
         SizeAnalysis size;
         status = analyse_size<D>(store, domain_of<D>(context), context.inputs,
                                  {tau_of(options), size_rule_of(options), infinity, 0}, arena, monitor, &size);
@@ -146,11 +169,13 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
         context->dim = D;
         context->complete = true;
         context->is_mesh = domain != nullptr;
+        context->is_loaded = true;
         context->points = context->inputs = inputs;
         context->duplicates = 0;
         context->input_fingerprint = 0;
         context->mesh_mark = context->arena.low_mark();
-        context->tau = tau_of(*options);
+        context->tau = options->ratio > 0 ? 0 : tau_of(*options);
+        context->goal = goal_of(*options);
         context->over_refine_eps = options->over_refine_eps;
         context->aspect_ratio_max = context->size_ratio_max = 0;
         if (domain != nullptr) {
@@ -243,7 +268,9 @@ netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netm
             why = check_geometric<D>(store);
         if (why.violation == nullptr && (what & NETMESH_CHECK_DELAUNAY) != 0) why = check_delaunay<D>(store);
         if (why.violation == nullptr && (what & NETMESH_CHECK_QUALITY) != 0 && context->is_mesh)
-            status = check_quality<D>(*context, store, tau_of(*options), size_rule_of(*options), &why);
+            status = options->ratio > 0
+                         ? check_ratio<D>(*context, store, goal_of(*options), &why)
+                         : check_quality<D>(*context, store, tau_of(*options), size_rule_of(*options), &why);
         if (status == Status::ok && why.violation == nullptr && (what & NETMESH_CHECK_BOUNDS) != 0)
             status = check_bounds<D>(store, *context, *options, context->arena, &why);
         if (why.violation != nullptr) return finish(context, Status::check_failed, why.violation, why.cell);

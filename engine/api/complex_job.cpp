@@ -50,6 +50,16 @@ bool keep_complex(netmesh_context* context, const ListedComplex& complex) {
     return true;
 }
 
+std::uint32_t born_at_zero(const netmesh_context* context) {
+    switch (context->filter) {
+    case NETMESH_FILTER_COMPLETE:
+    case NETMESH_FILTER_TIGHT: return context->inputs;
+    case NETMESH_FILTER_KNN:
+    case NETMESH_FILTER_KDISTANCE: return context->k <= 1 ? context->inputs : 0;
+    default: return 0;
+    }
+}
+
 Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const ComplexRequest& request,
                        Monitor& monitor) {
     Arena& arena = context->arena;
@@ -57,7 +67,8 @@ Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const C
     if (status != Status::ok) return status;
     const FilteredComplex filtered = complex.filtered();
     context->simplices = 0;
-    for (std::uint32_t k = 0; k <= complex.dimension; ++k) context->simplices += complex.count[k];
+    for (std::uint32_t k = 0; k <= complex.dimension && k <= request.counted; ++k)
+        context->simplices += complex.count[k];
     PairList pairs = {};
     if (request.representatives) {
         if (!keep_complex(context, complex)) return Status::out_of_memory;
@@ -68,16 +79,20 @@ Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const C
                      ? persist_skeleton(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs)
                      : persist_filtration(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs);
     }
-    if (status != Status::ok) return status;
+    return status == Status::ok ? keep_pairs(context, pairs, request) : status;
+}
+
+Status keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest& request) {
     if (!request.representatives) {
-        arena.release_low(context->start);
-        Pair* const moved = arena.take_low<Pair>(static_cast<std::size_t>(pairs.count));  // below pairs: it fits
+        context->arena.release_low(context->start);
+        Pair* const moved = context->arena.take_low<Pair>(static_cast<std::size_t>(pairs.count));  // not above pairs
+        if (moved == nullptr) return Status::out_of_memory;
         __builtin_memmove(moved, pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(pairs.count));
         pairs.pairs = moved;
     }
     context->is_complex = context->complete = context->has_diagram = true;
     context->has_cycles = request.representatives;
-    context->pairs_offset = arena.offset_of(pairs.pairs);
+    context->pairs_offset = context->arena.offset_of(pairs.pairs);
     context->pair_count = pairs.count;
     context->max_degree = request.max_degree;
     context->result_fingerprint = fingerprint_of(context, pairs);

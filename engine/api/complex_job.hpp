@@ -10,6 +10,7 @@ namespace netmesh {
 struct ComplexRequest {
     std::uint32_t max_degree;
     bool keep_zero, representatives;
+    std::uint32_t counted = FilteredComplex::dimension_max;  // the dimension up to which simplices are counted
 };
 
 // Room for the rows and values of a complex with the given counts, at the arena's low end. False: out of memory.
@@ -17,6 +18,13 @@ bool take_complex(Arena& arena, ListedComplex& complex);
 
 // Notes where an ordered complex lies, for netmesh_get_cycle. False: out of memory.
 bool keep_complex(netmesh_context* context, const ListedComplex& complex);
+
+// How many inputs, the first vertices of the mesh, netmesh_persist let enter at 0 before their stars.
+std::uint32_t born_at_zero(const netmesh_context* context);
+
+// Keeps the diagram of an explicit complex in an otherwise empty context; without representatives it is moved to where
+// the complex was.
+Status keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest& request);
 
 // Orders a linked complex that lies at the low end of an otherwise empty context, computes its diagram and keeps that,
 // with representatives the complex as well. The caller has set point_dim, points, inputs and the input's fingerprint.

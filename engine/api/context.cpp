@@ -56,7 +56,7 @@ void clear_diagram(netmesh_context* context) {
 void clear(netmesh_context* context) {
     clear_diagram(context);
     context->dim = 0;
-    context->is_mesh = context->complete = context->is_complex = context->has_cycles = false;
+    context->is_mesh = context->complete = context->is_complex = context->has_cycles = context->is_loaded = false;
     context->method = NETMESH_METHOD_SVR;
     context->cages_offset = 0;
     context->hierarchy = HierarchyReport{};
@@ -95,6 +95,8 @@ void netmesh_options_init(netmesh_options* options, uint32_t dim) {
     options->dim = dim < NETMESH_DIM_MIN ? NETMESH_DIM_MIN : dim > NETMESH_DIM_MAX ? NETMESH_DIM_MAX : dim;
     options->seed = 1;
 }
+
+double netmesh_tau(const netmesh_options* options) { return usable(options) ? tau_of(*options) : 0; }
 
 netmesh_status netmesh_init(void* block, size_t block_bytes, netmesh_context** context) {
     if (context == nullptr || block == nullptr || reinterpret_cast<std::uintptr_t>(block) % Arena::alignment != 0)

@@ -8,6 +8,7 @@
 #include "homology/persistence.hpp"
 #include "include/netmesh.h"
 #include "memory/arena.hpp"
+#include "mesh/certify.hpp"
 #include "mesh/domain.hpp"
 #include "mesh/netmesh.hpp"
 
@@ -20,7 +21,11 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736801u;
 //   | Context | cages | cells | filter values | pairs |        gap        | vertices |
 //             ^ start         ^ mesh_mark
 //
-// (cages that were loaded stand behind the cells), with representatives, where pairs are listed once more:
+// (cages that were loaded stand behind the cells), with representatives, where pairs are listed once more,
+//
+//   | Context | cages | cells | filter values | pairs | pairs | cycles |                 gap                    | vertices |
+//
+// of an alpha complex or with pairs of zero length
 //
 //   | Context | cages | cells | filter values | pairs | facets, values | KeptComplex | pairs |   gap   | cycles | vertices |
 //
@@ -45,10 +50,12 @@ struct Context {
     StoreState store;
     std::uint64_t points, duplicates, input_fingerprint;
     std::uint32_t inputs;
+    RatioGoal goal;  // ratio 0: the mesh is not refined by the certificate
     double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     netmesh_method method;
+    std::uint32_t audit;  // what was audited
     std::uint64_t cages_offset;
     HierarchyReport hierarchy;
 
@@ -62,14 +69,17 @@ struct Context {
     bool is_complex, has_cycles;  // then dim is 0
     std::uint32_t point_dim;      // of the points the complex is made of, 0 for one given by its simplices
     bool keeps_zero;
-    std::uint64_t kept_offset, result_fingerprint, cycles_high;  // cycles_high: the high end below which cycles lie
+    std::uint64_t kept_offset, result_fingerprint, cycles_high;  // kept_offset: 0 when no complex is kept
+                                                                 // cycles_high: the high end below which cycles lie
     CycleStore cycles;
     std::uint32_t scales, scale_points_max, scale_vertices_max;  // scales 0: another filter
     std::uint64_t scale_vertices;
     double separation;
 
+    bool is_loaded;  // the mesh came through netmesh_load
+
     bool has_bounds;
-    std::uint64_t bounds_offset;
+    std::uint64_t bounds_offset, curve_offset, curve_steps;
 
     bool has_vineyard;
     std::uint32_t k_first, k_last, vines;

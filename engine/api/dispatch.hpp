@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "api/context.hpp"
+#include "mesh/certify.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/sizing.hpp"
@@ -41,6 +42,11 @@ inline SizeRule size_rule_of(const netmesh_options& options) {
 // Records a failure (or success) for netmesh_get_detail and translates it.
 inline netmesh_status finish(netmesh_context* context, Status status, const char* message, std::uint64_t a = 0,
                              std::uint64_t b = 0) {
+    if (status == Status::internal && context->is_loaded) {
+        // What was loaded passed as a ball by its facets and its hull alone.
+        status = Status::check_failed;
+        message = "the cells that were loaded are not a triangulated ball";
+    }
     context->detail = netmesh_detail{};
     context->detail.status = static_cast<netmesh_status>(status);
     context->detail.index_a = a;
@@ -83,6 +89,10 @@ bool usable(const netmesh_options* options);
 double tau_of(const netmesh_options& options);
 double eps_of(const netmesh_options& options);  // of the tight filter and of scales
 double theta_of(const netmesh_options& options);
+inline bool is_valid_ratio(double ratio) { return ratio > 1 && ratio * ratio > 2 && ratio < 0x1p100; }
+inline RatioGoal goal_of(const netmesh_options& options) {
+    return {options.ratio, options.focus_ratio, options.focus_from, options.focus_to};
+}
 inline bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
 inline bool is_valid_eps(double eps) { return eps > 0 && eps <= 0.5; }
 

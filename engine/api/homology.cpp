@@ -99,20 +99,41 @@ FilteredComplex complex_of(const netmesh_context* context, const unsigned char* 
     return complex;
 }
 
-// The cycle of a pair, its complex and its vertices' labels.
-netmesh_status find_cycle(const netmesh_context* context, std::uint64_t index, FilteredComplex* complex,
-                          const std::uint32_t** labels, std::uint32_t* degree, Cycle* cycle) {
+// The cycle of a pair, and the arena as it would be at the context's present place.
+netmesh_status find_cycle(const netmesh_context* context, std::uint64_t index, Arena* arena, std::uint32_t* degree,
+                          Cycle* cycle) {
     if (context == nullptr || context->magic != context_magic) return NETMESH_INVALID_ARGUMENT;
     if (!context->has_diagram || !context->has_cycles) return NETMESH_NO_RESULT;
     if (index >= context->pair_count) return NETMESH_INVALID_ARGUMENT;
     const auto* const base = reinterpret_cast<const unsigned char*>(context);
     const Pair& pair = reinterpret_cast<const Pair*>(base + context->pairs_offset)[index];
-    Arena arena = context->arena;
-    arena.rebase(const_cast<netmesh_context*>(context));
-    *complex = complex_of(context, base, labels);
+    *arena = context->arena;
+    arena->rebase(const_cast<netmesh_context*>(context));
     *degree = pair.degree;
-    *cycle = cycle_of(*complex, context->cycles, arena, pair);
+    const std::uint32_t* labels;
+    *cycle = context->kept_offset == 0 ? lower_star_cycle(context->cycles, *arena, pair)
+                                       : cycle_of(complex_of(context, base, &labels), context->cycles, *arena, pair);
     return NETMESH_OK;
+}
+
+// A simplex of the complex that was kept.
+void listed_simplex(const netmesh_context* context, std::uint32_t degree, std::uint32_t at, netmesh_simplex* simplex) {
+    const std::uint32_t* labels;
+    const FilteredComplex complex = complex_of(context, reinterpret_cast<const unsigned char*>(context), &labels);
+    simplex->value = complex.of[degree].value[at];
+    vertices_of(complex, labels, degree, at, simplex->vertices);
+}
+
+// A simplex of a mesh: it enters with its last vertex, unless it is an input that enters at 0.
+void mesh_simplex(const netmesh_context* context, const Arena& arena, std::uint32_t degree,
+                  const std::uint32_t* vertices, netmesh_simplex* simplex) {
+    const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
+    simplex->value = value[vertices[0]] + 0.0;
+    for (std::uint32_t i = 0; i <= degree; ++i) {
+        simplex->vertices[i] = vertices[i];
+        if (value[vertices[i]] > simplex->value) simplex->value = value[vertices[i]];
+    }
+    if (degree == 0 && vertices[0] < born_at_zero(context)) simplex->value = 0;
 }
 
 }  // namespace
@@ -177,30 +198,31 @@ size_t netmesh_homology_bytes(uint64_t count, uint64_t vertices) {
 }
 
 netmesh_status netmesh_get_cycle(const netmesh_context* context, uint64_t pair, uint64_t* simplices) {
-    FilteredComplex complex;
-    const std::uint32_t* labels;
+    Arena arena;
     std::uint32_t degree;
     Cycle cycle = {};
     if (simplices == nullptr) return NETMESH_INVALID_ARGUMENT;
-    const netmesh_status status = find_cycle(context, pair, &complex, &labels, &degree, &cycle);
+    const netmesh_status status = find_cycle(context, pair, &arena, &degree, &cycle);
     *simplices = cycle.count;
     return status;
 }
 
 netmesh_status netmesh_get_cycle_simplex(const netmesh_context* context, uint64_t pair, uint64_t index,
                                          netmesh_simplex* simplex) {
-    FilteredComplex complex;
-    const std::uint32_t* labels;
+    Arena arena;
     std::uint32_t degree;
     Cycle cycle = {};
     if (simplex == nullptr) return NETMESH_INVALID_ARGUMENT;
-    const netmesh_status status = find_cycle(context, pair, &complex, &labels, &degree, &cycle);
+    const netmesh_status status = find_cycle(context, pair, &arena, &degree, &cycle);
     if (status != NETMESH_OK) return status;
     if (index >= cycle.count) return NETMESH_INVALID_ARGUMENT;
-    const std::uint32_t at = cycle.simplices[index];
+    const auto at = static_cast<std::size_t>(index);
     *simplex = netmesh_simplex{};
-    simplex->value = complex.of[degree].value[at];
-    vertices_of(complex, labels, degree, at, simplex->vertices);
+    if (context->kept_offset != 0) {
+        listed_simplex(context, degree, cycle.simplices[at], simplex);
+    } else {
+        mesh_simplex(context, arena, degree, cycle.simplices + at * (degree + 1), simplex);
+    }
     insertion_sort(simplex->vertices, std::uint64_t{degree} + 1,
                    [](std::uint32_t a, std::uint32_t b) { return a < b; });
     return NETMESH_OK;

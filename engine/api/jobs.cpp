@@ -1,6 +1,6 @@
 #include "api/dispatch.hpp"
 #include "filtration/tight_filter.hpp"
-#include "mesh/refine.hpp"
+#include "mesh/certify.hpp"
 
 namespace netmesh {
 namespace {
@@ -47,15 +47,39 @@ Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* p
                       double factor, bool certify, const SizeRule& rule, const netmesh_options& options,
                       Monitor& monitor, InputReport* input, Domain<D>* domain) {
     context->method = options.method;
-    if (options.method != NETMESH_METHOD_NETMESH)
+    context->audit = options.audit;
+    if (options.ratio > 0)
+        return netmesh::certify<D>(store, points, n, {goal_of(options), options.seed}, monitor, input, domain);
+    if (options.method != NETMESH_METHOD_NETMESH && options.audit == 0)
         return refine<D>(store, points, n,
                          {tau, factor, certify, options.seed, rule, options.method == NETMESH_METHOD_REFINE}, monitor,
                          input, domain);
     Cage* cages;
-    const Status status = netmesh<D>(store, points, n, {tau, factor, options.finish != 0, options.seed}, monitor, input,
-                                     domain, &cages, &context->hierarchy);
+    const HierarchyOptions hierarchy = {tau,
+                                        factor,
+                                        options.finish != 0,
+                                        options.seed,
+                                        options.method == NETMESH_METHOD_NETMESH,
+                                        (options.audit & NETMESH_AUDIT_LOCATION) != 0,
+                                        (options.audit & NETMESH_AUDIT_QUALITY) != 0};
+    const Status status = netmesh<D>(store, points, n, hierarchy, monitor, input, domain, &cages, &context->hierarchy);
     if (cages != nullptr) context->cages_offset = context->arena.offset_of(cages);
     return status;
+}
+
+// Why refinement by the certificate cannot be done as asked for; null when it can, or is not asked for.
+const char* complaint_about_ratio(const netmesh_options& options, const netmesh_job& job) {
+    const bool focused = options.focus_ratio != 0 || options.focus_from != 0 || options.focus_to != 0;
+    if (options.ratio == 0) return focused ? "a focus without a ratio" : nullptr;
+    if (!is_valid_ratio(options.ratio)) return "ratio is not a finite number above the root of 2";
+    if (focused && !(options.focus_ratio > 1 && options.focus_ratio < options.ratio))
+        return "focus_ratio is not between 1 and ratio";
+    if (focused && !(options.focus_from > 0 && options.focus_from < options.focus_to))
+        return "not 0 < focus_from < focus_to";
+    if (job != NETMESH_JOB_PERSIST) return "refinement by the certificate is for persistence with the complete filter";
+    if (options.method != NETMESH_METHOD_SVR) return "refinement by the certificate is a method of its own";
+    if (size_rule_of(options).asks()) return "refinement by the certificate does not over-refine";
+    return nullptr;
 }
 
 bool is_valid_tau(double tau) { return tau > 2 && is_finite(tau); }
@@ -112,6 +136,13 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         return finish(context, Status::invalid_argument, "a mesh with cages is not for persistence; finish it", 4);
     if (options->method == NETMESH_METHOD_NETMESH && rule.asks())
         return finish(context, Status::invalid_argument, "the method netmesh does not over-refine", 5);
+    if (options->audit > (NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY))
+        return finish(context, Status::invalid_argument, "unknown audit", 5);
+    if (options->audit != 0 && (options->method == NETMESH_METHOD_REFINE || for_job != NETMESH_JOB_MESH || rule.asks()))
+        return finish(context, Status::invalid_argument,
+                      "audits are for meshes by svr or netmesh, not over-refined and not for persistence", 5);
+    const char* const complaint = complaint_about_ratio(*options, for_job);
+    if (complaint != nullptr) return finish(context, Status::invalid_argument, complaint, 5);
     clear(context);
     Monitor monitor = monitor_of(*options);
     return with_dimension(options->dim, [&](auto dimension) {
@@ -124,7 +155,8 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
                                           *options, monitor, &input, &domain);
         keep_store<D>(context, input, status);
         context->is_mesh = true;
-        context->tau = tau;
+        context->tau = options->ratio > 0 ? 0 : tau;
+        context->goal = goal_of(*options);
         for (int k = 0; k < D; ++k) context->domain_centre[k] = domain.centre[k];
         context->domain_radius = domain.radius;
         context->enclosing_radius = domain.enclosing_radius;

@@ -1,6 +1,7 @@
 // Filtrations on the points themselves: from points to a complex, from the complex to a diagram.
 #include "api/complex_job.hpp"
 #include "filtration/point_complexes.hpp"
+#include "filtration/rips_graph.hpp"
 #include "memory/sort.hpp"
 #include "numerics/fingerprint.hpp"
 
@@ -107,8 +108,48 @@ Status make_complex(const PointSet& points, const Filter& filter, Arena& arena, 
     return status;
 }
 
+Status persist_listed(netmesh_context* context, const PointSet& points, const Filter& filter,
+                      const ComplexRequest& request, Monitor& monitor) {
+    ListedComplex complex;
+    const Status status = with_dimension(context->point_dim, [&](auto dimension) {
+        return make_complex<decltype(dimension)::value>(points, filter, context->arena, monitor, &complex);
+    });
+    return status == Status::ok ? keep_diagram_of(context, complex, request, monitor) : status;
+}
+
+// The diagram of a Rips complex from its edges alone, as far as there are numbers for its simplices.
+Status persist_edges(netmesh_context* context, const PointSet& points, const ComplexRequest& request, Monitor& monitor,
+                     bool* done) {
+    Arena& arena = context->arena;
+    *done = false;
+    RipsGraph graph;
+    PairList pairs = {};
+    const std::size_t low = arena.low_mark();
+    Status status = with_dimension(context->point_dim, [&](auto dimension) {
+        return rips_graph<decltype(dimension)::value>(points.coordinates, points.count, arena, monitor, &graph);
+    });
+    if (status == Status::invalid_argument || (status == Status::ok && !rips_has_numbers(graph, request.max_degree))) {
+        arena.release_low(low);
+        return Status::ok;
+    }
+    *done = true;
+    if (status == Status::ok)
+        status =
+            persist_rips(graph, request.max_degree, request.keep_zero, arena, monitor, &pairs, &context->simplices);
+    if (status == Status::ok) status = keep_pairs(context, pairs, request);
+    return status;
+}
+
 bool is_points_filter(const netmesh_filter& filter) {
     return in_range(filter, NETMESH_FILTER_RIPS, NETMESH_FILTER_BARYCENTRIC_RIPS);
+}
+
+// A diagram from the edges: these, their order and ranks, and the columns of two degrees with their pivots.
+double edges_bytes(std::uint64_t n, std::uint32_t max_degree) {
+    double columns = 0;
+    for (std::uint32_t p = 1; p <= max_degree; ++p) columns += skeleton_count(n, p) - skeleton_count(n, p - 1);
+    const double points = static_cast<double>(n);
+    return 20 * points * points + 8 * points * (max_degree + 2) + 72 * columns;
 }
 
 double bytes_of(const Filter& filter, std::uint64_t n, std::uint32_t dim) {
@@ -116,6 +157,7 @@ double bytes_of(const Filter& filter, std::uint64_t n, std::uint32_t dim) {
     // A simplex of `width` vertices: facets, cofaces, value; then tables, orders and columns.
     const auto bytes = [](double count, std::uint32_t width) { return count * (8.0 * width + 8 + 24); };
     double total = bytes(skeleton_count(n, dimension), dimension + 1);
+    if (filter.filter == NETMESH_FILTER_RIPS) total = edges_bytes(n, filter.max_degree);
     if (filter.barycentric()) {
         const double chains = barycentric_count(n, filter.k, dimension + 1, filter.max_degree + 1);
         total += bytes(chains, filter.max_degree + 2);
@@ -171,7 +213,6 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const double* po
         return finish(context, Status::invalid_argument, "k is above the number of distinct points", 6);
     }
     if (status == Status::ok) {
-        ListedComplex complex;
         context->point_dim = options->dim;
         context->points = n;
         context->duplicates = set.duplicates;
@@ -181,12 +222,12 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const double* po
         context->filter = filter;
         context->values = values;
         context->certified_ratio = context->certified_ratio_best = wanted.ratio();
-        status = with_dimension(options->dim, [&](auto dimension) {
-            return make_complex<decltype(dimension)::value>(set, wanted, context->arena, monitor, &complex);
-        });
-        if (status == Status::ok)
-            status =
-                keep_diagram_of(context, complex, {max_degree, keep_zero_pairs != 0, representatives != 0}, monitor);
+        ComplexRequest request = {max_degree, keep_zero_pairs != 0, representatives != 0};
+        if (filter == NETMESH_FILTER_RIPS) request.counted = max_degree > 1 ? max_degree : 1;
+        bool done = false;
+        if (filter == NETMESH_FILTER_RIPS && representatives == 0)
+            status = persist_edges(context, set, request, monitor, &done);
+        if (!done) status = persist_listed(context, set, wanted, request, monitor);
     }
     if (status == Status::ok) return finish(context, status, "");
     const netmesh_status result = finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)),

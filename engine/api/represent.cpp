@@ -6,18 +6,8 @@
 namespace netmesh {
 namespace {
 
-// Whether netmesh_persist let inputs enter before their stars.
-bool inputs_enter_at_zero(const netmesh_context* context) {
-    switch (context->filter) {
-    case NETMESH_FILTER_COMPLETE:
-    case NETMESH_FILTER_TIGHT: return true;
-    case NETMESH_FILTER_KNN:
-    case NETMESH_FILTER_KDISTANCE: return context->k <= 1;
-    default: return false;
-    }
-}
-
-Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
+// Pairs of zero length and the alpha filtration: the complex is listed and reduced.
+Status represent_listed(netmesh_context* context, Monitor& monitor, PairList* pairs) {
     Arena& arena = context->arena;
     const std::uint32_t dimension = context->max_degree + 1;
     ListedComplex complex;
@@ -29,8 +19,7 @@ Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
             return alpha_complex<D>(store.view(), store.point(0), Store<D>::vertex_stride, dimension, arena, monitor,
                                     &complex);
         const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-        return lower_star_complex<D>(store.view(), value, inputs_enter_at_zero(context) ? context->inputs : 0,
-                                     dimension, arena, monitor, &complex);
+        return lower_star_complex<D>(store.view(), value, born_at_zero(context), dimension, arena, monitor, &complex);
     });
     if (status == Status::ok && !keep_complex(context, complex)) status = Status::out_of_memory;
     if (status != Status::ok) return status;
@@ -38,6 +27,20 @@ Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
                                  &context->cycles);
     if (status == Status::ok && alpha && !context->keeps_zero) drop_rounding(pairs);
     return status;
+}
+
+Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
+    if (context->filter == NETMESH_FILTER_ALPHA || context->keeps_zero)
+        return represent_listed(context, monitor, pairs);
+    Arena& arena = context->arena;
+    context->kept_offset = 0;
+    return with_dimension(context->dim, [&](auto d) {
+        constexpr int D = decltype(d)::value;
+        const Store<D> store(arena, context->store);
+        const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
+        return lower_star_cycles<D>(store.view(), value, born_at_zero(context), context->max_degree,
+                                    context->pair_count, arena, monitor, pairs, &context->cycles);
+    });
 }
 
 // The bars of the diagram that was there.

@@ -59,7 +59,10 @@ template <int D> Status link_facets(Store<D>& store, CheckResult* why) {
     return Status::ok;
 }
 
+}  // namespace
+
 template <int D> void measure_edges(Store<D>& store) {
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) store.vertex(v).nearest2 = infinity;
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
         const Cell<D>& cell = store.cell(c);
         for (int i = 0; i <= D; ++i)
@@ -74,8 +77,6 @@ template <int D> void measure_edges(Store<D>& store) {
     }
 }
 
-}  // namespace
-
 template <int D>
 Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vertex_count, const std::uint32_t* cells,
                   std::uint32_t cell_count, CheckResult* why) {
@@ -86,7 +87,6 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     for (std::uint32_t v = 0; v < vertex_count; ++v) {
         Vertex<D>& vertex = store.vertex(v);
         for (int k = 0; k < D; ++k) vertex.x[k] = coordinates[std::size_t{v} * D + k] + 0.0;
-        vertex.nearest2 = infinity;
         vertex.cell = vertex.next = none;
         vertex.origin = v;
         vertex.marker = Marker::input;
@@ -127,6 +127,7 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
+    template void measure_edges<D>(Store<D>&);                                                                         \
     template Status load_cells<D>(Store<D>&, const double*, std::uint32_t, const std::uint32_t*, std::uint32_t,        \
                                   CheckResult*);
 NETMESH_INSTANTIATE(2)

@@ -15,4 +15,7 @@ template <int D>
 Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vertex_count, const std::uint32_t* cells,
                   std::uint32_t cell_count, CheckResult* why);
 
+// nearest2 of every vertex anew, over the edges of cells. O(cells).
+template <int D> void measure_edges(Store<D>& store);
+
 }  // namespace netmesh

@@ -126,16 +126,18 @@ template <int K, int D> Status order_from(Faces<D>& faces, int dimension, double
     return status;
 }
 
-// Drops the dimensions above `dimension` < D; the values move down to where the facets of the others end.
-template <int D> void keep_dimensions(Faces<D>& faces, int dimension, double** value, Arena& arena) {
+// Drops the dimensions above `dimension` < D; the values move down to where the facets of the others end. False: out of memory.
+template <int D> bool keep_dimensions(Faces<D>& faces, int dimension, double** value, Arena& arena) {
     arena.release_low(arena.offset_of(faces.facets[dimension + 1]));
     for (int k = 0; k <= dimension; ++k) {
         double* const moved = arena.take_low<double>(faces.count[k]);
+        if (moved == nullptr) return false;
         __builtin_memmove(moved, value[k], sizeof(double) * faces.count[k]);
         value[k] = moved;
     }
     for (int k = dimension + 1; k <= D; ++k) faces.count[k] = 0;
     faces.dimension_max = dimension;
+    return true;
 }
 
 // Everything but giving back what was taken.
@@ -161,7 +163,7 @@ Status diagram_of(const TriangulationView<D>& complex, const Points<D>& points, 
     arena.release_high(high);
 
     const int dimension = static_cast<int>(max_degree) + 1;
-    if (dimension < D) keep_dimensions(faces, dimension, value, arena);
+    if (dimension < D && !keep_dimensions(faces, dimension, value, arena)) return Status::out_of_memory;
     status = order_from<1, D>(faces, dimension, value, arena);
     if (status != Status::ok) return status;
     FilteredComplex filtered = {};

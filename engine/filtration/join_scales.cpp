@@ -145,7 +145,8 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     arena.release_low(low);
     arena.release_high(high);
     if (status != Status::ok) return status;
-    Pair* const pairs = arena.take_low<Pair>(static_cast<std::size_t>(result->pairs.count));  // below: it fits
+    Pair* const pairs = arena.take_low<Pair>(static_cast<std::size_t>(result->pairs.count));  // not above the old ones
+    if (pairs == nullptr) return Status::out_of_memory;
     __builtin_memmove(pairs, result->pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(result->pairs.count));
     result->pairs.pairs = pairs;
     sort_pairs(pairs, result->pairs.count);

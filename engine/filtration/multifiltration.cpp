@@ -179,7 +179,9 @@ Status k_vineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t 
     const Status status = vineyard.run(ratio, out);
     if (status != Status::ok) return status;
     arena.release_low(low);
-    VinePoint* const points = arena.take_low<VinePoint>(static_cast<std::size_t>(out->count));  // below: it fits
+    // Where the old ones are or below.
+    VinePoint* const points = arena.take_low<VinePoint>(static_cast<std::size_t>(out->count));
+    if (points == nullptr) return Status::out_of_memory;
     __builtin_memmove(points, out->points, sizeof(VinePoint) * static_cast<std::size_t>(out->count));
     out->ratio = ratio;
     out->points = points;

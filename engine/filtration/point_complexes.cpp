@@ -2,24 +2,13 @@
 
 #include "filtration/circumsphere.hpp"
 #include "filtration/circumsphere_fast.hpp"
+#include "filtration/half_distance.hpp"
 #include "numerics/real.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr std::uint32_t count_max = 0x7FFFFFFFu;
-
-// Half the distance of two points.
-template <int D> double half_distance(const double* a, const double* b) {
-    double squared = 0;
-    for (int d = 0; d < D; ++d) {
-        const double x = a[d] - b[d];
-        squared += x * x;
-    }
-    if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
-    const double* const point[] = {a, b};
-    return circumsphere_precise(point, 1, D).radius;
-}
 
 // The simplices whose edges are at most 2 * limit long, dimension by dimension. Their values are half their longest
 // edge.
@@ -98,20 +87,6 @@ private:
     Monitor& monitor_;
     ListedComplex& out_;
 };
-
-// Half the least distance within which some point has all others.
-template <int D> double cone_radius(const double* coordinates, std::uint32_t n) {
-    double least = infinity;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        double most = 0;
-        for (std::uint32_t j = 0; j < n && most < least; ++j) {
-            const double half = half_distance<D>(coordinates + std::size_t{i} * D, coordinates + std::size_t{j} * D);
-            if (j != i && half > most) most = half;
-        }
-        if (most < least) least = most;
-    }
-    return least;
-}
 
 template <int D>
 Status list_cliques(const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit, Arena& arena,

@@ -16,6 +16,7 @@ public:
     }
     bool has(std::uint32_t i) const { return (words_[i >> 6] >> (i & 63) & 1) != 0; }
     void insert(std::uint32_t i) { words_[i >> 6] |= std::uint64_t{1} << (i & 63); }
+    void erase(std::uint32_t i) { words_[i >> 6] &= ~(std::uint64_t{1} << (i & 63)); }
 
 private:
     std::uint64_t* words_ = nullptr;

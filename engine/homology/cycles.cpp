@@ -274,7 +274,7 @@ Status Tracer::run(PairList* out, CycleStore* kept) {
     const std::size_t bytes = store_top - arena_.high_mark();
     __builtin_memmove(arena_.at(high - bytes), arena_.at(store_top - bytes), bytes);
     arena_.release_high(high - bytes);
-    kept->top = high;
+    *kept = {0, high};
     *out = writer_.finish();
     return Status::ok;
 }
@@ -303,6 +303,12 @@ Cycle cycle_of(const FilteredComplex& complex, const CycleStore& store, const Ar
     const std::size_t back = std::size_t{pair.cycle - ColumnStore::stored} * 16;
     const auto* const column = reinterpret_cast<const std::uint32_t*>(arena.at(store.top - back));
     return {column + 2, column[1]};
+}
+
+Cycle lower_star_cycle(const CycleStore& store, const Arena& arena, const Pair& pair) {
+    const auto* const cycle =
+        reinterpret_cast<const std::uint32_t*>(arena.at(store.begin + (std::size_t{pair.cycle} - 1) * 16));
+    return {cycle + 1, cycle[0]};
 }
 
 }  // namespace netmesh

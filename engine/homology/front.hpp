@@ -171,6 +171,7 @@ public:
         ++run->count;
         return true;
     }
+    Run below(std::uint32_t c) const { return run(c, 0); }
     Run local(std::uint32_t c) const { return run(c, 1); }
     void put_local(std::uint32_t c, const Run& positions) { put_run(c, 1, positions); }
 

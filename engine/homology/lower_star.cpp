@@ -2,6 +2,7 @@
 // stars where more can happen; a sweep over those finds the rest.
 #include <type_traits>
 
+#include "homology/cycles.hpp"
 #include "homology/link.hpp"
 #include "homology/merge_tree.hpp"
 #include "homology/persistence.hpp"
@@ -23,7 +24,8 @@ public:
         ball_.value = value;
         ball_.vertex_count = ball_.outside = complex.vertex_count;
     }
-    Status run();
+    Status run(CycleWriter* cycles = nullptr);
+    Status run_with_cycles(std::uint64_t pair_count, CycleStore* store);
     PairList finish() { return writer_.finish(); }
     std::uint64_t simplex_count() const { return simplex_count_; }
 
@@ -88,7 +90,7 @@ template <int D> bool LowerStars<D>::finish_small(Link<D>& link, std::uint32_t v
             if (u != link.lowest() && !joins.add(ball_.rank[v], u)) return false;
         }
     }
-    if constexpr (D <= 4) {
+    if constexpr (D == 3 || D == 4) {
         std::uint32_t counts[D + 1];
         link.count_simplices(counts);
         bool regular = pieces == 1 && link.upper_pieces() == 1;
@@ -107,7 +109,7 @@ template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
         below_[v] = link.lowest();
         above_[v] = link.highest() == none ? v : link.highest();
         if (link.bound() > star_bound_) star_bound_ = link.bound();
-        if (D > 4 || !link.small()) {
+        if (D == 2 || D > 4 || !link.small()) {
             ball_.flags[v] |= Ball<D>::large;
             all_small_ = false;
         } else if (!finish_small(link, v, joins)) {
@@ -139,7 +141,7 @@ template <int D> Status LowerStars<D>::look_at_stars(JoinList& joins) {
     return Status::ok;
 }
 
-template <int D> Status LowerStars<D>::run() {
+template <int D> Status LowerStars<D>::run(CycleWriter* cycles) {
     if (!reserve()) return Status::out_of_memory;
     JoinList joins(arena_);
     Status status = look_at_links(joins);
@@ -154,11 +156,18 @@ template <int D> Status LowerStars<D>::run() {
         large_joins.sort_by_rank();
         const JoinList* const lists[] = {&joins, &large_joins};
         const VertexOrder vertices = {ball_.value, ball_.order, ball_.vertex_count, zero_born_count_};
-        if (!join_sublevel(vertices, below_, lists, 2, ball_.rank, writer_)) return Status::out_of_memory;
+        if (!join_sublevel(vertices, below_, lists, 2, ball_.rank, writer_, cycles)) return Status::out_of_memory;
     }
     if (!sweeps_) return Status::ok;
-    Sweep<D> sweep(ball_, star_, above_, writer_, monitor_);
+    Sweep<D> sweep(ball_, star_, above_, writer_, cycles, monitor_);
     return sweep.run(arena_);
+}
+
+template <int D> Status LowerStars<D>::run_with_cycles(std::uint64_t pair_count, CycleStore* store) {
+    if (!writer_.reserve(pair_count)) return Status::out_of_memory;
+    CycleWriter cycles(arena_);
+    store->begin = cycles.begin();
+    return run(&cycles);
 }
 
 }  // namespace
@@ -180,9 +189,26 @@ Status persist_lower_star(const TriangulationView<D>& complex, const double* val
     return Status::ok;
 }
 
+template <int D>
+Status lower_star_cycles(const TriangulationView<D>& complex, const double* value, std::uint32_t zero_born_count,
+                         std::uint32_t max_degree, std::uint64_t pair_count, Arena& arena, Monitor& monitor,
+                         PairList* out, CycleStore* store) {
+    if (complex.vertex_count == 0 || complex.cell_count == 0) return Status::invalid_argument;
+    if (max_degree > D - 1) max_degree = D - 1;
+    ArenaScope scope(arena);
+    LowerStars<D> stars(complex, value, zero_born_count, max_degree, false, arena, monitor);
+    const Status status = stars.run_with_cycles(pair_count, store);
+    if (status != Status::ok) return status;
+    *out = stars.finish();
+    scope.keep_low_from_now();
+    return Status::ok;
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status persist_lower_star<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,    \
-                                          bool, Arena&, Monitor&, PairList*, std::uint64_t*);
+                                          bool, Arena&, Monitor&, PairList*, std::uint64_t*);                          \
+    template Status lower_star_cycles<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,     \
+                                         std::uint64_t, Arena&, Monitor&, PairList*, CycleStore*);
 NETMESH_INSTANTIATE(2)
 NETMESH_INSTANTIATE(3)
 NETMESH_INSTANTIATE(4)

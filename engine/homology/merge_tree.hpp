@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "homology/cycle_writer.hpp"
 #include "homology/pair_writer.hpp"
 #include "homology/union_find.hpp"
 #include "memory/arena.hpp"
@@ -49,10 +50,23 @@ struct VertexOrder {
     double birth(std::uint32_t v) const { return v < zero_born_count ? 0.0 : value[v]; }
 };
 
+// Notes a pair of degree 0 and the vertices of its cycle, if cycles are wanted. False: out of memory.
+inline bool note_component(double birth, double death, std::uint32_t vertex, std::uint32_t older, PairWriter& writer,
+                           CycleWriter* cycles) {
+    std::uint32_t cycle = 0;
+    if (cycles != nullptr && writer.keeps(birth, death, 0)) {
+        std::uint32_t* const vertices = cycles->append(older == none ? 1 : 2, 0, &cycle);
+        if (vertices == nullptr) return false;
+        vertices[0] = vertex;
+        if (older != none) vertices[1] = older;
+    }
+    return writer.add(birth, death, 0, cycle);
+}
+
 // Degree 0. below[v]: a lower link vertex of v or none; becomes the union-find. joins: sorted by rank; those to lower
-// vertices count. False: out of memory.
+// vertices count. cycles: null when none are wanted. False: out of memory.
 inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, const JoinList* const* joins, int lists,
-                          const std::uint32_t* rank, PairWriter& writer) {
+                          const std::uint32_t* rank, PairWriter& writer, CycleWriter* cycles = nullptr) {
     std::size_t next[2] = {0, 0};
     const auto join = [&](std::uint32_t v, std::uint32_t u, double time) {
         std::uint32_t a = find_root(below, v), b = find_root(below, u);
@@ -64,7 +78,7 @@ inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, con
             b = t;
         }
         below[b] = a;
-        return writer.add(vertices.birth(b), time, 0);
+        return note_component(vertices.birth(b), time, b, a, writer, cycles);
     };
     for (std::uint32_t r = 0; r < vertices.count; ++r) {
         const std::uint32_t v = vertices.order[r], u = below[v];
@@ -85,7 +99,7 @@ inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, con
         }
     }
     for (std::uint32_t v = 0; v < vertices.count; ++v) {
-        if (below[v] == v && !writer.add_essential(vertices.birth(v), 0)) return false;
+        if (below[v] == v && !note_component(vertices.birth(v), __builtin_inf(), v, none, writer, cycles)) return false;
     }
     return true;
 }

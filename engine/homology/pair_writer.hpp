@@ -16,6 +16,11 @@ public:
         : arena_(arena), begin_((arena.low_mark() + Arena::alignment - 1) & ~(Arena::alignment - 1)),
           max_degree_(max_degree), keep_zero_(keep_zero) {}
 
+    // Room for this many pairs and no more, so that others may take memory at the low end. False: out of memory.
+    bool reserve(std::uint64_t pairs) {
+        reserved_ = pairs;
+        return pairs <= SIZE_MAX && arena_.take_low<Pair>(static_cast<std::size_t>(pairs)) != nullptr;
+    }
     // Notes a pair unless its degree or its zero length leaves it out. False: out of memory.
     bool add(double birth, double death, std::uint32_t degree, std::uint32_t cycle = 0) {
         if (!keeps(birth, death, degree)) return true;
@@ -38,13 +43,16 @@ public:
 private:
     Pair* pairs() const { return reinterpret_cast<Pair*>(arena_.at(begin_)); }
     // Nothing is taken ahead, so a larger block never does worse.
-    bool grow() { return count_ == 0 ? arena_.take_low<Pair>(1) != nullptr : arena_.extend_low(sizeof(Pair)); }
+    bool grow() {
+        if (reserved_ > 0) return count_ < reserved_;
+        return count_ == 0 ? arena_.take_low<Pair>(1) != nullptr : arena_.extend_low(sizeof(Pair));
+    }
 
     Arena& arena_;
     std::size_t begin_;
     std::uint32_t max_degree_;
     bool keep_zero_;
-    std::uint64_t count_ = 0;
+    std::uint64_t count_ = 0, reserved_ = 0;
 };
 
 }  // namespace netmesh

@@ -6,11 +6,15 @@
 // columns of pivots taken before it, older columns first, and stays at work until it takes a pivot. Whatever it still
 // holds is dropped then, since no younger column can need it in another star. For k = D columns are components of the
 // dual graph: the superlevel sets of the closed sphere, joined at critical facets.
+//
+// Simplices that end a class are no pivots, and a column leaves them out. When cycles are wanted it does not: then it is
+// a boundary at all times, whose last simplex always gives birth, and a cycle of its pair when it takes its pivot.
 #pragma once
 #include "homology/ball.hpp"
 #include "homology/front.hpp"
 #include "homology/pair_writer.hpp"
 #include "homology/star.hpp"
+#include "homology/star_cycles.hpp"
 #include "memory/monitor.hpp"
 #include "memory/sort.hpp"
 
@@ -19,8 +23,10 @@ namespace netmesh {
 template <int D> class Sweep {
 public:
     // above[vertex_count + 1]: for each vertex a higher vertex of its link or `outside`, itself if there is none.
-    Sweep(const Ball<D>& ball, Star<D>& star, std::uint32_t* above, PairWriter& writer, Monitor& monitor)
-        : ball_(ball), star_(star), above_(above), writer_(writer), monitor_(monitor) {}
+    // cycles: null when none are wanted.
+    Sweep(const Ball<D>& ball, Star<D>& star, std::uint32_t* above, PairWriter& writer, CycleWriter* cycles,
+          Monitor& monitor)
+        : ball_(ball), star_(star), above_(above), writer_(writer), monitor_(monitor), cycles_(cycles) {}
 
     // Needs the ball's `irregular` flags. ok, out_of_memory, cancelled, internal.
     Status run(Arena& arena);
@@ -28,8 +34,9 @@ public:
 private:
     Status visit(std::uint32_t r);
     void prefetch_star(std::uint32_t r);
-    bool unite_critical_facets(std::uint32_t v);
+    Status unite_critical_facets(std::uint32_t v);
     std::uint32_t side(std::uint32_t cell, std::uint32_t v);
+    std::uint32_t cell_of(std::uint32_t facet, std::uint32_t v) const;
     std::uint32_t across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const;
     std::uint32_t root(std::uint32_t node);
     std::uint32_t& above(std::uint32_t node) {
@@ -47,6 +54,7 @@ private:
     template <std::uint32_t N> bool add_outer_facets(std::uint32_t c);
     bool flush(std::uint32_t c);
     bool take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v);
+    bool note_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v);
     bool before(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t ka = front_.dimension(a), kb = front_.dimension(b);
         return ka != kb ? ka > kb : front_.age(a) > front_.age(b);
@@ -59,6 +67,8 @@ private:
     PairWriter& writer_;
     Monitor& monitor_;
     Front<D> front_;
+    CycleWriter* cycles_;
+    StarCycles<D>* star_cycles_ = nullptr;
     BitTree column_;  // of the star at work, by position
     std::uint64_t* column_words_ = nullptr;
     std::uint32_t* outer_ = nullptr;  // ranks of facets in other stars, for the column at work
@@ -71,6 +81,9 @@ private:
 };
 
 template <int D> Status Sweep<D>::run(Arena& arena) {
+    StarCycles<D> star_cycles(ball_, star_, front_, cycles_, monitor_);
+    if (cycles_ != nullptr) star_cycles_ = &star_cycles;
+    if (cycles_ != nullptr && !star_cycles.reserve(arena)) return Status::out_of_memory;
     column_words_ = arena.take_high<std::uint64_t>(BitTree::words_needed(star_.capacity()));
     outer_ = arena.take_high<std::uint32_t>(std::size_t{star_.capacity()} * (D - 1));
     if (column_words_ == nullptr || outer_ == nullptr || !front_.reserve(ball_.vertex_count, arena))
@@ -100,7 +113,9 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     work_ += star_.count() / 2;
     column_.adopt(column_words_, star_.count());
     for (std::uint32_t i = 0; i < star_.count(); ++i) star_.note(i) = none;
-    bool fits = add_zero_pairs(ball_.value[v]) && (critical_ == 0 || unite_critical_facets(v));
+    bool fits = add_zero_pairs(ball_.value[v]);
+    const Status united = fits && critical_ > 0 ? unite_critical_facets(v) : Status::ok;
+    if (united != Status::ok) return united;
     std::uint32_t c = sorted(arrived);
     for (std::uint32_t k = D - 1; k >= 2; --k) {
         fits = fits && (critical_ == 0 || start_columns(k, v));
@@ -285,13 +300,21 @@ template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std
     for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
         column_.toggle(p);
         const std::uint32_t row = star_.at(p);
-        if (star_.partner(row) != none && !star_.pairs_up(row)) continue;
+        if (cycles_ == nullptr && star_.partner(row) != none && !star_.pairs_up(row)) continue;
         if (!front_.append(&positions, &p, 1)) return false;
     }
     front_.put_local(c, positions);
+    return note_pair(c, star_.dimension(i), v);
+}
+
+template <int D> bool Sweep<D>::note_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v) {
     const std::uint32_t r = front_.creator_rank(c);
     if (r == ball_.rank[v] && !irregular_) return true;  // counted with the regular star
-    return writer_.add(ball_.value[v], ball_.value[ball_.order[r]], star_.dimension(i));
+    const double birth = ball_.value[v], death = ball_.value[ball_.order[r]];
+    std::uint32_t cycle = 0;
+    if (cycles_ != nullptr && writer_.keeps(birth, death, degree) && !star_cycles_->write_column(c, v, &cycle))
+        return false;
+    return writer_.add(birth, death, degree, cycle);
 }
 
 // Components of the superlevel sets. The root of a component is the oldest there: `outside`, else the vertex of the
@@ -323,6 +346,18 @@ template <int D> std::uint32_t Sweep<D>::side(std::uint32_t cell, std::uint32_t 
     return ball_.outside;
 }
 
+// A cell at `facet` of the star.
+template <int D> std::uint32_t Sweep<D>::cell_of(std::uint32_t facet, std::uint32_t v) const {
+    if (D > 2) return star_.origin(facet) >> 3;
+    for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) {  // edges know their vertex instead
+        const std::uint32_t* const p = ball_.complex.vertices(ball_.incidence[t] >> 3);
+        for (int j = 0; j <= D; ++j) {
+            if (p[j] == star_.vertex(facet)) return ball_.incidence[t] >> 3;
+        }
+    }
+    return none;
+}
+
 // The cell on the other side of `facet` of the star, `none` outside.
 template <int D> std::uint32_t Sweep<D>::across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const {
     const std::uint32_t* p = ball_.complex.vertices(cell);
@@ -337,8 +372,8 @@ template <int D> std::uint32_t Sweep<D>::across(std::uint32_t cell, std::uint32_
 }
 
 // Takes the critical facets of the star from the last to the first: one that joins two components is the pivot of the
-// younger one's creator. False: out of memory.
-template <int D> bool Sweep<D>::unite_critical_facets(std::uint32_t v) {
+// younger one's creator.
+template <int D> Status Sweep<D>::unite_critical_facets(std::uint32_t v) {
     bool creator_free =
         star_.highest() == none;  // no upper vertex: v stands for the component of its first critical cell
     for (std::uint32_t p = star_.count(); p-- > 0;) {
@@ -349,21 +384,28 @@ template <int D> bool Sweep<D>::unite_critical_facets(std::uint32_t v) {
             creator_free = false;
         }
         if (star_.dimension(i) != D - 1) continue;
-        const std::uint32_t cell = star_.origin(i) >> 3;
-        std::uint32_t a = side(cell, v), b = side(across(cell, i, v), v);
+        std::uint32_t cell = cell_of(i, v);
+        const std::uint32_t beyond = across(cell, i, v);
+        std::uint32_t a = side(beyond, v), b = side(cell, v);
         if (a == none || b == none || a == b) continue;
         if (age_of(a, v) < age_of(b, v)) {
             const std::uint32_t t = a;
             a = b;
             b = t;
+            cell = beyond;
         }
         above(b) = a;
         star_.note(i) = 0;
         if (b > ball_.outside && !irregular_) continue;  // counted with the regular star
-        const double death = ball_.value[b > ball_.outside ? v : b];
-        if (!writer_.add(ball_.value[v], death, D - 1)) return false;
+        const double birth = ball_.value[v], death = ball_.value[b > ball_.outside ? v : b];
+        std::uint32_t cycle = 0;
+        if (cycles_ != nullptr && writer_.keeps(birth, death, D - 1)) {
+            const Status status = star_cycles_->write_piece(cell, i, v, &cycle);
+            if (status != Status::ok) return status;
+        }
+        if (!writer_.add(birth, death, D - 1, cycle)) return Status::out_of_memory;
     }
-    return true;
+    return Status::ok;
 }
 
 }  // namespace netmesh

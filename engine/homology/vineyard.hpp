@@ -30,11 +30,12 @@ public:
     };
 
     // Reduces the filtration value[k][count[k]] (no NaN, faces no later than cofaces, magnitudes up to 2^1000), ties by
-    // number. Degrees 0..max_degree. Takes 72 bytes a simplex and the columns at the arena's high end, where nothing
+    // number. Degrees 0..max_degree. Takes 68 bytes a simplex and the columns at the arena's high end, where nothing
     // else may be taken until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
     Status open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, Arena& arena,
                 Monitor& monitor);
-    // From the filtration `from` (the present one) to the next. O(log n) a transposition, and what the columns take.
+    // From the filtration `from` (the present one) to the next. O(log n) a transposition at most, and what the columns
+    // take; simplices that share their values share the logarithm.
     // Without ok the vineyard is no longer of use. out_of_memory, cancelled.
     Status advance(const double* const* from, const double* const* to, Monitor& monitor);
 
@@ -44,35 +45,33 @@ public:
     template <class Visit> void for_each_pair(Visit&& visit) const {
         for (std::uint32_t k = 0; k <= max_degree_; ++k)
             for (std::uint32_t s = 0; s < complex_.count[k]; ++s)
-                if (is_positive(k, s)) visit(VinePair{of_[k].vine[s], k, s, k < top_ ? of_[k].owner[s] : none});
+                if (is_positive(k, s)) visit(VinePair{of_[k].vine[s], k, s, k < top_ ? of_[k].at[s].owner : none});
     }
 
 private:
+    // All that a transposition looks at, in one place.
+    struct Record {
+        std::uint32_t position;
+        std::uint32_t target;  // its position in the filtration to come
+        std::uint32_t low;     // pivot of its reduced column, `none`: positive
+        std::uint32_t owner;   // whose pivot it is, or `none`
+        SparseColumn r, v;
+        double from, to;  // its values in this filtration and the one to come
+    };
     struct Dimension {
-        std::uint32_t* order;     // [position] simplex
-        std::uint32_t* position;  // [simplex]
-        std::uint32_t* target;    // [simplex] its position in the filtration to come
-        std::uint32_t* vine;      // [simplex] of a positive one
-        std::uint32_t* low;       // [simplex] pivot of its reduced column, `none`: positive
-        std::uint32_t* owner;     // [simplex] whose pivot it is, or `none`
-        SparseColumn *r, *v;      // [simplex]
-        std::uint32_t slot;       // of positions 0 and 1
+        std::uint32_t* order;  // [position] simplex
+        std::uint32_t* vine;   // [simplex] of a positive one
+        Record* at;            // [simplex]
+        std::uint32_t slot;    // of positions 0 and 1
     };
 
-    bool is_positive(std::uint32_t k, std::uint32_t s) const { return k == 0 || of_[k].low[s] == none; }
+    bool is_positive(std::uint32_t k, std::uint32_t s) const { return k == 0 || of_[k].at[s].low == none; }
     Status reduce(std::uint32_t k, Monitor& monitor);
     std::uint32_t pivot_of(std::uint32_t k, const SparseColumn& column) const;
-    // A slot: two adjacent positions of a dimension.
-    struct Meeting {
-        double time;
-        std::uint32_t slot, unused;
-        bool before(const Meeting& other) const {
-            return time < other.time || (time == other.time && slot < other.slot);
-        }
-    };
     double time_of(std::uint32_t k, std::uint32_t i) const;
     void play(std::uint32_t node);
     void update(std::uint32_t k, std::uint32_t first, std::uint32_t last);
+    Status play_out(std::uint32_t k, std::uint32_t i, Monitor& monitor);
     std::uint32_t dimension_of(std::uint32_t slot) const;
 
     bool transpose(std::uint32_t k, std::uint32_t a, std::uint32_t b);
@@ -86,11 +85,12 @@ private:
     Arena* arena_ = nullptr;
     Dimension of_[ComplexView::dimension_max + 1] = {};
     ColumnPool pool_;
-    Meeting* tree_ =
-        nullptr;  // a tournament: the earlier of nodes 2 i and 2 i + 1 stands in node i, slot s in node slots_ + s
+    // Meetings. A slot is two adjacent positions of a dimension; the earlier of nodes 2 i and 2 i + 1 of a tournament
+    // stands in node i, slot s in node slots_ + s.
+    std::uint32_t slot_at(std::uint32_t node) const { return node >= slots_ ? node - slots_ : winner_[node]; }
+    double* time_ = nullptr;           // [slot]
+    std::uint32_t* winner_ = nullptr;  // [node], a slot
     std::uint32_t slots_ = 0;
-    const double* const* from_ = nullptr;
-    const double* const* to_ = nullptr;
     std::uint32_t vine_count_ = 0;
     std::uint64_t transpositions_ = 0, work_ = 0;
 };

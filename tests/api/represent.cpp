@@ -114,10 +114,35 @@ TEST_CASE("every bar of a mesh or an alpha complex has a cycle") {
     }
 }
 
+TEST_CASE("a Rips diagram is the same with cycles, for which the complex is listed, and without") {
+    for (const int dim : {2, 3, 6}) {
+        for (const std::uint32_t degree : {0u, 1u, 2u}) {
+            const inputs::Points points = inputs::uniform(dim, 24);
+            Session session(dim);
+            session.reserve(std::size_t(1) << 24);
+            netmesh_report report[2];
+            std::vector<netmesh_pair> pairs[2];
+            for (const int cycles : {0, 1}) {
+                REQUIRE(netmesh_persist_points(session.context, points.data(), 24, NETMESH_FILTER_RIPS,
+                                               NETMESH_VALUES_CERTIFIED, 1, degree, 1, cycles,
+                                               &session.options) == NETMESH_OK);
+                report[cycles] = session.report();
+                pairs[cycles] = session.pairs();
+            }
+            CHECK(report[0].fingerprint == report[1].fingerprint);
+            CHECK(report[0].simplices == report[1].simplices);
+            CHECK(pairs[0].size() == pairs[1].size());
+        }
+    }
+}
+
 TEST_CASE("without room for cycles the diagram stays") {
     const inputs::Points points = inputs::shell(3, 60, 0.7, 1, 3);
     Session whole(3);
     REQUIRE(whole.mesh_and_persist(points) == NETMESH_OK);
+    // With pairs of zero length, for whose cycles the room that the mesh has left is not enough.
+    REQUIRE(netmesh_persist(whole.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 3, 1, &whole.options) ==
+            NETMESH_OK);
     const std::uint64_t enough = whole.report().peak_bytes, print = whole.report().fingerprint;
     bool failed = false, fitted = false;
     for (std::uint64_t bytes = enough; !fitted; bytes += enough / 8) {
@@ -125,7 +150,7 @@ TEST_CASE("without room for cycles the diagram stays") {
         session.reserve(static_cast<std::size_t>(bytes));
         if (netmesh_mesh(session.context, points.data(), 60, NETMESH_JOB_PERSIST, &session.options) != NETMESH_OK)
             continue;
-        if (netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 3, 0,
+        if (netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 3, 1,
                             &session.options) != NETMESH_OK)
             continue;
         const std::uint64_t used = session.report().used_bytes;

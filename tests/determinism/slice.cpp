@@ -167,24 +167,198 @@ const char* make(Input* in, int dim, int which) {
     }
 }
 
-void add_result(Text* line, const char* job, netmesh_status status, const netmesh_context* context) {
+void add_hash(Text* line, const char* job, netmesh_status status, std::uint64_t hash) {
     line->words(" ").words(job).words(" ");
-    netmesh_report report;
-    report.struct_bytes = sizeof report;
-    if (status == NETMESH_OK) status = netmesh_get_report(context, &report);
     if (status == NETMESH_OK) {
-        line->hex(report.fingerprint);
+        line->hex(hash);
     } else {
         line->words("status ").number(static_cast<unsigned>(status));
     }
 }
+
+void add_result(Text* line, const char* job, netmesh_status status, const netmesh_context* context) {
+    netmesh_report report;
+    report.struct_bytes = sizeof report;
+    if (status == NETMESH_OK) status = netmesh_get_report(context, &report);
+    add_hash(line, job, status, report.fingerprint);
+}
+
+class Hash {
+public:
+    void add(std::uint64_t x) { value_ = (value_ ^ x) * 0x100000001B3u + 1; }
+    void add(double x) {
+        std::uint64_t bits;
+        __builtin_memcpy(&bits, &x, sizeof bits);
+        add(bits);
+    }
+    std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 1;
+};
+
+// Simplices of the cycles and bounds of the bars, as far as there are any.
+std::uint64_t hash_of_bars(const netmesh_context* context) {
+    Hash hash;
+    std::uint64_t count;
+    netmesh_simplex simplex;
+    netmesh_bar_bounds bounds;
+    netmesh_pair pair;
+    for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i) {
+        if (netmesh_get_bar_bounds(context, i, &bounds) == NETMESH_OK) {
+            hash.add(bounds.birth_low);
+            hash.add(bounds.death_high);
+            hash.add(bounds.certain_after);
+        }
+        if (netmesh_get_cycle(context, i, &count) != NETMESH_OK) continue;
+        for (std::uint64_t n = 0; n < count; ++n)
+            if (netmesh_get_cycle_simplex(context, i, n, &simplex) == NETMESH_OK)
+                for (std::uint32_t k = 0; k <= pair.degree; ++k) hash.add(std::uint64_t{simplex.vertices[k]});
+    }
+    return hash.value();
+}
+
+double slope(void*, const double* x) { return (x[0] < 0 ? -x[0] : x[0]) * 0.5 + (x[1] < 0 ? -x[1] : x[1]) * 0.25; }
+
+// The other calls, on few points in each dimension: a line a kind of result.
+class Calls {
+public:
+    Calls(Input* in, int dim, void* block, std::size_t bytes, void (*print)(const char*))
+        : in_(*in), block_(block), bytes_(bytes), print_(print) {
+        in_.dim = dim;
+        netmesh_options_init(&options_, static_cast<std::uint32_t>(dim));
+        options_.k = 2;
+    }
+    int run() {
+        in_.count = 0;
+        uniform(&in_, 11, in_.dim < 5 ? in_.dim + 2 : 3);
+        on_mesh();
+        of_mesh();
+        uniform(&in_, 12, 8);
+        on_points();
+        if (in_.dim > 2) return 3;
+        without_points();
+        return 4;
+    }
+
+private:
+    Text begin() const { return Text().words("D").number(static_cast<unsigned>(in_.dim)).words(" calls"); }
+    std::size_t count() const { return static_cast<std::size_t>(in_.count); }
+    netmesh_status mesh(netmesh_job job) {
+        const netmesh_status status = netmesh_init(block_, bytes_, &context_);
+        return status == NETMESH_OK ? netmesh_mesh(context_, in_.x, count(), job, &options_) : status;
+    }
+
+    void on_mesh() {
+        constexpr netmesh_values certified = NETMESH_VALUES_CERTIFIED;
+        Text line = begin();
+        netmesh_status status = mesh(NETMESH_JOB_PERSIST);
+        const auto persist = [&](const char* job, netmesh_filter filter) {
+            if (status == NETMESH_OK) status = netmesh_persist(context_, filter, certified, 6, 0, &options_);
+            add_result(&line, job, status, context_);
+        };
+        persist("tight", NETMESH_FILTER_TIGHT);
+        persist("kdistance", NETMESH_FILTER_KDISTANCE);
+        persist("knn", NETMESH_FILTER_KNN);
+        if (status == NETMESH_OK) status = netmesh_represent(context_, &options_);
+        if (status == NETMESH_OK) status = netmesh_bound_bars(context_, &options_);
+        add_hash(&line, "bars", status, hash_of_bars(context_));
+        const netmesh_function function = {slope, nullptr, 0.75, 0, 2};
+        if (status == NETMESH_OK) status = netmesh_persist_function(context_, &function, certified, 6, 0, &options_);
+        add_result(&line, "function", status, context_);
+        if (status == NETMESH_OK)
+            status = netmesh_vineyard(context_, NETMESH_FILTER_KNN, 1, 2, certified, 6, &options_);
+        add_result(&line, "vineyard", status, context_);
+        print_(line.words());
+    }
+
+    // With cages and without; what is measured of them.
+    void of_mesh() {
+        Text line = begin();
+        netmesh_status status = mesh(NETMESH_JOB_MESH);
+        netmesh_analysis analysis = {};
+        analysis.struct_bytes = sizeof analysis;
+        if (status == NETMESH_OK) status = netmesh_analyse(context_, NETMESH_ANALYSE_ALL, 30, &options_, &analysis);
+        add_hash(&line, "analysis", status, analysis.fingerprint);
+        std::uint32_t order[points_max] = {};
+        double theta[points_max] = {};
+        if (status == NETMESH_OK) status = netmesh_well_paced_order(context_, order, theta);
+        Hash hash;
+        for (int i = 0; i < in_.count; ++i) {
+            hash.add(std::uint64_t{order[i]});
+            hash.add(theta[i]);
+        }
+        add_hash(&line, "order", status, hash.value());
+        in_.count = 0;
+        zoom(&in_, in_.dim < 5 ? 5 : 3, 6, 13);
+        options_.method = NETMESH_METHOD_NETMESH;
+        add_result(&line, "cages", mesh(NETMESH_JOB_MESH), context_);
+        options_.finish = 1;
+        if (in_.dim < 4) add_result(&line, "finished", mesh(NETMESH_JOB_MESH), context_);
+        options_.finish = 0;
+        options_.method = NETMESH_METHOD_SVR;
+        print_(line.words());
+    }
+
+    void on_points() {
+        Text line = begin();
+        const auto persist = [&](const char* job, netmesh_filter filter, int cycles) {
+            netmesh_status status = netmesh_init(block_, bytes_, &context_);
+            if (status == NETMESH_OK)
+                status = netmesh_persist_points(context_, in_.x, count(), filter, NETMESH_VALUES_CERTIFIED, 2, 1, 0,
+                                                cycles, &options_);
+            add_result(&line, job, status, context_);
+            if (cycles != 0) add_hash(&line, "cycles", status, hash_of_bars(context_));
+        };
+        persist("rips", NETMESH_FILTER_RIPS, 1);
+        persist("cech", NETMESH_FILTER_CECH, 1);
+        persist("barycentric-cech", NETMESH_FILTER_BARYCENTRIC_CECH, 0);
+        persist("barycentric-rips", NETMESH_FILTER_BARYCENTRIC_RIPS, 0);
+        print_(line.words());
+    }
+
+    // Scales, a complex given by its simplices, the distance of two diagrams.
+    void without_points() {
+        Text line = begin();
+        in_.count = 0;
+        zoom(&in_, 2, 30, 14);
+        netmesh_status status = netmesh_init(block_, bytes_, &context_);
+        if (status == NETMESH_OK)
+            status = netmesh_persist_scales(context_, in_.x, count(), NETMESH_VALUES_CERTIFIED, 6, 0, &options_);
+        add_result(&line, "scales", status, context_);
+        // Two triangles with a common edge, one of them filled.
+        static const std::uint32_t vertices[] = {0, 1, 2, 3, 0, 1, 1, 2, 2, 0, 3, 1, 2, 3, 0, 1, 2};
+        static const std::uint64_t starts[] = {0, 1, 2, 3, 4, 6, 8, 10, 12, 14, 17};
+        static const double values[] = {0, 0.5, 0.25, 0, 1, 2, 1.5, 2, 3, 2.5};
+        status = netmesh_init(block_, bytes_, &context_);
+        if (status == NETMESH_OK) status = netmesh_homology(context_, vertices, starts, values, 10, 2, 0, 1, &options_);
+        add_result(&line, "homology", status, context_);
+        add_hash(&line, "cycles", status, hash_of_bars(context_));
+        static const netmesh_pair a[] = {{0, 0.25, 1}, {0, 0.5, 2.25}, {1, 0.125, 0.75}};
+        static const netmesh_pair b[] = {{0, 0.3, 1.1}, {1, 0.1, 0.7}, {1, 0.6, 0.65}};
+        netmesh_distance distance = {};
+        status = netmesh_bottleneck(a, 3, b, 3, NETMESH_ALL_DEGREES, NETMESH_SCALE_LOG, block_, bytes_, nullptr,
+                                    nullptr, &distance);
+        Hash hash;
+        hash.add(distance.value);
+        add_hash(&line, "distance", status, hash.value());
+        print_(line.words());
+    }
+
+    Input& in_;
+    void* block_;
+    std::size_t bytes_;
+    void (*print_)(const char*);
+    netmesh_context* context_ = nullptr;
+    netmesh_options options_;
+};
 
 }  // namespace
 
 int run(void* block, std::size_t bytes, int first, int last, void (*print)(const char* line)) {
     static Input in;
     int lines = 0;
-    for (int dim = first; dim <= last; ++dim)
+    for (int dim = first; dim <= last; ++dim) {
         for (int which = 0; which < inputs_per_dimension; ++which, ++lines) {
             Text out;
             out.words("D")
@@ -214,6 +388,8 @@ int run(void* block, std::size_t bytes, int first, int last, void (*print)(const
             add_result(&out, "persist", status, context);
             print(out.words());
         }
+        lines += Calls(&in, dim, block, bytes, print).run();
+    }
     return lines;
 }
 

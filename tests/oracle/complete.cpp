@@ -18,6 +18,7 @@ template <int D> void within_certificate(const std::string& name, const inputs::
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         Session session(D);
         session.options.tau = tau;
+        session.bounds = true;
         REQUIRE(session.mesh_and_persist(points, NETMESH_FILTER_COMPLETE, values) == NETMESH_OK);
         const netmesh_report r = report(session);
         CHECK(r.certified_ratio <= r.tau);
@@ -35,7 +36,43 @@ template <int D> void within_certificate(const std::string& name, const inputs::
     }
 }
 
+// A mesh that is refined by the certificate and promises nothing else.
+template <int D> void reaches_ratio(const std::string& name, const inputs::Points& points, double ratio) {
+    CAPTURE(name);
+    Session exact(D), session(D);
+    REQUIRE(exact.alpha(points) == NETMESH_OK);
+    const Diagram truth = diagram(exact);
+    session.options.ratio = ratio;
+    REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
+    const netmesh_report r = report(session);
+    CHECK(r.certified_ratio <= ratio);
+    const double true_ratio = std::exp(log_distance(diagram(session), truth, D));
+    CHECK(true_ratio <= r.certified_ratio);
+    std::size_t certain = 0;
+    CHECK(bounds_hold(session, truth, &certain));
+    MESSAGE(name << " D=" << D << " by the certificate: true ratio " << true_ratio << ", certified "
+                 << r.certified_ratio << ", " << r.vertices << " vertices, " << certain << " bars surely real");
+}
+
 }  // namespace
+
+TEST_CASE("refinement by the certificate") {
+    for (const double ratio : {3.5, 2.25, 2.0}) {
+        reaches_ratio<2>("uniform", inputs::uniform(2, 300), ratio);
+        reaches_ratio<2>("circle", inputs::circle(101), ratio);
+        reaches_ratio<2>("clusters", inputs::clusters(2, 200), ratio);
+        reaches_ratio<2>("grid", inputs::grid(2, 12), ratio);
+        reaches_ratio<2>("figure eight", inputs::eight(200, 0.05, 16), ratio);
+        reaches_ratio<2>("zoom", inputs::zoom(2, 40, 1), ratio);
+        reaches_ratio<3>("uniform", inputs::uniform(3, 150), ratio);
+        reaches_ratio<3>("sphere", inputs::shell(3, 120, 1, 1, 22), ratio);
+        reaches_ratio<3>("clusters", inputs::clusters(3, 100), ratio);
+        reaches_ratio<3>("grid", inputs::grid(3, 4), ratio);
+        reaches_ratio<3>("torus", inputs::torus(250, 27), ratio);
+    }
+    reaches_ratio<4>("uniform", inputs::uniform(4, 60), 2.25);
+    reaches_ratio<4>("sphere", inputs::shell(4, 60, 1, 1, 31), 2.25);
+}
 
 TEST_CASE("plane") {
     within_certificate<2>("uniform", inputs::uniform(2, 300));

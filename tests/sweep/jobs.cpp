@@ -30,6 +30,19 @@ netmesh_status alpha(const Job& job, netmesh_context* context, netmesh_options* 
     return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
 }
 
+netmesh_status audited(const Job& job, netmesh_context* context, netmesh_options* options) {
+    netmesh_options copy = *options;
+    copy.method = NETMESH_METHOD_NETMESH;
+    copy.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, &copy);
+}
+
+netmesh_status alpha_low(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = delaunay(job, context, options);
+    if (status != NETMESH_OK) return status;
+    return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 0, 0, options);
+}
+
 netmesh_status mesh(const Job& job, netmesh_context* context, netmesh_options* options) {
     return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_PERSIST, options);
 }
@@ -45,21 +58,61 @@ netmesh_status check(const Job& job, netmesh_context* context, netmesh_options* 
     return status != NETMESH_OK ? status : netmesh_check(context, NETMESH_CHECK_ALL, options);
 }
 
+netmesh_status basic_bounds(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = persist<NETMESH_FILTER_BASIC, NETMESH_VALUES_CERTIFIED>(job, context, options);
+    return status != NETMESH_OK ? status : netmesh_bound_bars(context, options);
+}
+
+// With cages: points at distances that shrink twentyfold.
+const inputs::Points& spread_points(const Job& job) {
+    static std::map<std::pair<int, std::size_t>, inputs::Points> made;
+    inputs::Points& points = made[{job.dim, job.points}];
+    if (points.empty()) points = inputs::geometric(job.dim, 20, job.points - 1);
+    return points;
+}
+
+netmesh_status hierarchy(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->method = NETMESH_METHOD_NETMESH;
+    return netmesh_mesh(context, spread_points(job).data(), job.points, NETMESH_JOB_MESH, options);
+}
+
+netmesh_status finished(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->finish = 1;
+    return hierarchy(job, context, options);
+}
+
+netmesh_status reference(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->method = NETMESH_METHOD_REFINE;
+    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, options);
+}
+
+netmesh_status fine(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->over_refine_eps = 0.5;
+    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, options);
+}
+
+// Refined by the certificate.
+netmesh_status by_ratio(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->ratio = 3;
+    return persist<NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED>(job, context, options);
+}
+
 // A mesh as a file would bring it.
 struct Loaded {
     std::vector<double> vertices, domain;
     std::vector<std::uint8_t> markers;
     std::vector<std::uint32_t> cells;
+    std::vector<netmesh_cage> cages;
 };
 
-Loaded mesh_to_load(const Job& job) {
+Loaded mesh_to_load(const Job& job, netmesh_status (*make)(const Job&, netmesh_context*, netmesh_options*)) {
     Loaded loaded;
     std::vector<std::uint64_t> block((std::size_t{1} << 22) / 8 + 2);
     netmesh_options options;
     netmesh_options_init(&options, static_cast<std::uint32_t>(job.dim));
     void* const base = reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(block.data()) + 15) / 16 * 16);
     netmesh_context* context;
-    if (netmesh_init(base, std::size_t{1} << 22, &context) != NETMESH_OK || mesh(job, context, &options) != NETMESH_OK)
+    if (netmesh_init(base, std::size_t{1} << 22, &context) != NETMESH_OK || make(job, context, &options) != NETMESH_OK)
         return loaded;
     netmesh_vertex vertex;
     for (std::uint64_t i = 0; netmesh_get_vertex(context, i, &vertex) == NETMESH_OK; ++i) {
@@ -69,6 +122,8 @@ Loaded mesh_to_load(const Job& job) {
     netmesh_cell cell;
     for (std::uint64_t i = 0; netmesh_get_cell(context, i, &cell) == NETMESH_OK; ++i)
         loaded.cells.insert(loaded.cells.end(), cell.vertices, cell.vertices + job.dim + 1);
+    netmesh_cage cage;
+    for (std::uint64_t i = 0; netmesh_get_cage(context, i, &cage) == NETMESH_OK; ++i) loaded.cages.push_back(cage);
     netmesh_report report;
     report.struct_bytes = sizeof report;
     netmesh_get_report(context, &report);
@@ -76,12 +131,25 @@ Loaded mesh_to_load(const Job& job) {
     return loaded;
 }
 
+netmesh_status load_mesh(const Loaded& m, const Job& job, netmesh_context* context, netmesh_options* options) {
+    return netmesh_load(context, m.vertices.data(), m.markers.data(), m.markers.size(), m.cells.data(),
+                        m.cells.size() / (static_cast<std::size_t>(job.dim) + 1), m.domain.data(), options);
+}
+
 netmesh_status load(const Job& job, netmesh_context* context, netmesh_options* options) {
     static std::map<int, Loaded> made;
     Loaded& m = made[job.dim];
-    if (m.markers.empty()) m = mesh_to_load(job);  // in the first run, when nothing is refused
-    return netmesh_load(context, m.vertices.data(), m.markers.data(), m.markers.size(), m.cells.data(),
-                        m.cells.size() / (static_cast<std::size_t>(job.dim) + 1), m.domain.data(), options);
+    if (m.markers.empty()) m = mesh_to_load(job, mesh);  // in the first run, when nothing is refused
+    return load_mesh(m, job, context, options);
+}
+
+netmesh_status load_cages(const Job& job, netmesh_context* context, netmesh_options* options) {
+    static std::map<int, Loaded> made;
+    Loaded& m = made[job.dim];
+    if (m.markers.empty()) m = mesh_to_load(job, hierarchy);
+    const netmesh_status status = load_mesh(m, job, context, options);
+    if (status != NETMESH_OK) return status;
+    return netmesh_load_cages(context, m.cages.data(), m.cages.size(), options);
 }
 
 }  // namespace
@@ -89,34 +157,72 @@ netmesh_status load(const Job& job, netmesh_context* context, netmesh_options* o
 const std::vector<Job>& all_jobs() {
     constexpr auto complete = persist<NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED>;
     constexpr auto basic = persist<NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS>;
-    static const std::vector<Job> jobs = {
-        {"delaunay", 2, 24, delaunay},
-        {"delaunay", 3, 14, delaunay},
-        {"delaunay", 4, 9, delaunay},
-        {"repeated", 2, 12, repeated},
-        {"alpha", 2, 24, alpha},
-        {"alpha", 3, 12, alpha},
-        {"alpha", 4, 8, alpha},
-        {"mesh", 2, 8, mesh},
-        {"mesh", 3, 5, mesh},
-        {"mesh", 4, 3, mesh},
-        {"complete", 2, 6, complete},
-        {"complete", 3, 4, complete},
-        {"complete", 4, 2, complete},
-        {"basic", 2, 6, basic},
-        {"basic", 3, 4, basic},
-        {"basic", 4, 2, basic},
-        {"check", 2, 6, check},
-        {"check", 3, 4, check},
-        {"check", 4, 2, check},
-        {"load", 2, 6, load},
-        {"load", 3, 4, load},
-        {"load", 4, 2, load},
-        {"alpha", 3, 40, alpha, true},
-        {"delaunay", 4, 30, delaunay, true},
-        {"complete", 2, 30, complete, true},
-        {"complete", 3, 9, complete, true},
-        {"complete", 4, 4, complete, true},
-    };
+    static const std::vector<Job> jobs = [] {
+        std::vector<Job> list = {
+            {"delaunay", 2, 24, delaunay},
+            {"delaunay", 3, 14, delaunay},
+            {"delaunay", 4, 9, delaunay},
+            {"repeated", 2, 12, repeated},
+            {"alpha", 2, 24, alpha},
+            {"alpha", 3, 12, alpha},
+            {"alpha", 4, 8, alpha},
+            {"alpha-low", 2, 12, alpha_low},
+            {"alpha-low", 3, 9, alpha_low},
+            {"alpha-low", 4, 7, alpha_low},
+            {"mesh", 2, 8, mesh},
+            {"mesh", 3, 5, mesh},
+            {"mesh", 4, 3, mesh},
+            {"audited", 2, 4, audited},
+            {"complete", 2, 6, complete},
+            {"complete", 3, 4, complete},
+            {"complete", 4, 2, complete},
+            {"basic", 2, 6, basic},
+            {"basic", 3, 4, basic},
+            {"basic", 4, 2, basic},
+            {"bounds-basic", 3, 4, basic_bounds, false, 0, true},
+            {"check", 2, 6, check, false, 0, true},
+            {"check", 3, 4, check, false, 0, true},
+            {"check", 4, 2, check, false, 0, true},
+            {"load", 2, 6, load},
+            {"load", 3, 4, load},
+            {"load", 4, 2, load},
+            {"alpha", 3, 40, alpha, true},
+            {"delaunay", 4, 30, delaunay, true},
+            {"complete", 2, 30, complete, true},
+            {"complete", 3, 9, complete, true},
+            {"complete", 4, 4, complete, true},
+            {"hierarchy", 2, 8, hierarchy},
+            {"hierarchy", 3, 6, hierarchy},
+            {"hierarchy", 4, 4, hierarchy, true, 50},
+            {"finished", 2, 4, finished, false, 100},
+            {"finished", 3, 4, finished, true, 50},
+            {"finished", 4, 3, finished, true, 25},
+            {"cages", 2, 8, load_cages},
+            {"cages", 3, 6, load_cages},
+            {"cages", 4, 4, load_cages, true, 50},
+            {"reference", 2, 4, reference},
+            {"reference", 3, 2, reference, true, 50},
+            {"fine", 2, 4, fine, false, 200},
+            {"fine", 3, 2, fine, true, 50},
+            {"by-ratio", 2, 6, by_ratio},
+            {"by-ratio", 3, 4, by_ratio},
+            {"by-ratio", 4, 3, by_ratio, true, 100},
+        };
+        for (int dim = 5; dim <= 6; ++dim) {
+            list.push_back({"delaunay", dim, 9, delaunay});
+            list.push_back({"repeated", dim, 8, repeated});
+            list.push_back({"alpha", dim, 8, alpha});
+            list.push_back({"alpha-low", dim, 8, alpha_low});
+            list.push_back({"complete", dim, 2, complete});
+            list.push_back({"basic", dim, 2, basic});
+            list.push_back({"check", dim, 2, check, true, 0, true});
+            list.push_back({"by-ratio", dim, 2, by_ratio});
+            list.push_back({"load", dim, 2, load});
+            list.push_back({"hierarchy", dim, 4, hierarchy});
+            list.push_back({"cages", dim, 4, load_cages});
+        }
+        add_diagram_jobs(&list);
+        return list;
+    }();
     return jobs;
 }

@@ -4,91 +4,45 @@
 //
 //   sweep            everything
 //   sweep quick      a slice
+//   sweep refuse     each request and each poll once, in all dimensions, and no more: for coverage
 //   sweep planted    jobs that do what they must not; fails unless each is seen
+//
+// Names of jobs may follow; then only those run.
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
+#include "sweep/harness.hpp"
 #include "sweep/jobs.hpp"
 
-namespace {
-
-// ---- what the engine asks
-
-long refuse_from = -1, refuse_to = -1;  // requests that are refused, counted from 0
-long requests = 0;
-
-}  // namespace
+Disturbance disturbance;
+Place place;
+long faults = 0;
+Tally total;
 
 namespace netmesh {
 bool sweep_refuses() {
-    const long now = requests++;
-    return now >= refuse_from && now < refuse_to;
+    const long now = disturbance.requests++;
+    return now >= disturbance.refuse_from && now < disturbance.refuse_to;
 }
 }  // namespace netmesh
 
-namespace {
-
-long cancel_at = -1, polls = 0;
-
-int poll(void*, const netmesh_progress*) { return polls++ == cancel_at; }
-
-void disturb_nothing() {
-    refuse_from = refuse_to = cancel_at = -1;
-    requests = polls = 0;
-}
-
-// ---- the block
-
-constexpr std::size_t guard_bytes = 64;
-constexpr unsigned char guard = 0xC3;
-
-// Exactly `bytes` bytes at an aligned address: between guards, or (tight) as an allocation of its own, whose end a
-// sanitizer watches.
-class Block {
-public:
-    Block(std::size_t bytes, unsigned char fill, bool tight) : bytes_(bytes), margin_(tight ? 0 : guard_bytes) {
-        void* memory = nullptr;
-        if (posix_memalign(&memory, 16, bytes + 2 * margin_ + (bytes + 2 * margin_ == 0)) != 0) std::abort();
-        memory_ = static_cast<unsigned char*>(memory);
-        std::memset(memory_, guard, bytes + 2 * margin_);
-        std::memset(base(), fill, bytes);
-    }
-    ~Block() { std::free(memory_); }
-    Block(const Block&) = delete;
-    Block& operator=(const Block&) = delete;
-    unsigned char* base() { return memory_ + margin_; }
-    bool guards_intact() const {
-        for (std::size_t i = 0; i < margin_; ++i)
-            if (memory_[i] != guard || memory_[margin_ + bytes_ + i] != guard) return false;
-        return true;
-    }
-
-private:
-    std::size_t bytes_, margin_;
-    unsigned char* memory_;
-};
-
-// ---- what must hold
-
-long faults = 0;
-const Job* current = nullptr;
-const char* phase = "";
-long long where = 0;
+int sweep_poll(void*, const netmesh_progress*) { return disturbance.polls++ == disturbance.cancel_at; }
 
 bool require(bool good, const char* what) {
     if (!good && ++faults <= 50)
-        std::printf("FAULT %s D%d, %s %lld: %s\n", current->name, current->dim, phase, where, what);
+        std::printf("FAULT %s D%d, %s %lld: %s\n", place.job, place.dim, place.phase, place.where, what);
     return good;
 }
 
+namespace {
+
 struct Outcome {
     netmesh_status status;
-    std::uint64_t fingerprint, used_bytes;
-    bool holds;
+    std::uint64_t fingerprint, figures, used_bytes;
+    bool holds, has_diagram;
     friend bool operator==(const Outcome& a, const Outcome& b) {
-        return a.status == b.status && a.fingerprint == b.fingerprint && a.used_bytes == b.used_bytes &&
-               a.holds == b.holds;
+        return a.status == b.status && a.fingerprint == b.fingerprint && a.figures == b.figures &&
+               a.used_bytes == b.used_bytes && a.holds == b.holds && a.has_diagram == b.has_diagram;
     }
 };
 
@@ -99,11 +53,44 @@ netmesh_report report_of(const netmesh_context* context) {
     return report;
 }
 
+// What can be read and is not in the report's fingerprint: cycles and bounds of the bars.
+std::uint64_t read_bars(const netmesh_context* context) {
+    std::uint64_t hash = 1, count = 0;
+    const auto add = [&hash](std::uint64_t x) { hash = (hash ^ x) * 0x100000001B3u + 1; };
+    netmesh_simplex simplex;
+    netmesh_bar_bounds bounds;
+    netmesh_pair pair;
+    for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i) {
+        if (netmesh_get_bar_bounds(context, i, &bounds) == NETMESH_OK) {
+            require(bounds.birth_low <= pair.birth && pair.birth <= bounds.birth_high, "bounds without their bar");
+            add(bounds.certain);
+        }
+        if (netmesh_get_cycle(context, i, &count) != NETMESH_OK) continue;
+        for (std::uint64_t n = 0; n < count; ++n) {
+            require(netmesh_get_cycle_simplex(context, i, n, &simplex) == NETMESH_OK, "a simplex is missing");
+            for (std::uint32_t k = 0; k <= pair.degree; ++k) add(simplex.vertices[k]);
+        }
+    }
+    return hash;
+}
+
+// The triangulation that is held.
+void look_at_mesh(netmesh_context* context, netmesh_options* options, const netmesh_report& report) {
+    const netmesh_status checked =
+        netmesh_check(context, NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY, options);
+    require(checked == NETMESH_OK, netmesh_get_detail(context).message);
+    require(report_of(context).fingerprint == report.fingerprint, "the check changed the result");
+    netmesh_vertex vertex;
+    for (std::uint64_t i = 0; i < report.vertices; ++i)
+        require(netmesh_get_vertex(context, i, &vertex) == NETMESH_OK, "a vertex is missing");
+}
+
 // Runs the job and looks at what it leaves behind, disturbed or not.
 Outcome run(const Job& job, netmesh_context* context) {
     netmesh_options options;
     netmesh_options_init(&options, static_cast<std::uint32_t>(job.dim));
-    options.poll = poll;
+    options.poll = sweep_poll;
+    figures_of_run = 0;
     Outcome outcome = {};
     outcome.status = job.run(job, context, &options);
     const bool disturbed = outcome.status == NETMESH_OUT_OF_MEMORY || outcome.status == NETMESH_CANCELLED;
@@ -112,44 +99,27 @@ Outcome run(const Job& job, netmesh_context* context) {
     require(detail.status == outcome.status && (outcome.status == NETMESH_OK) == (detail.message[0] == 0),
             "the detail does not fit");
 
-    const long from = refuse_from;
-    refuse_from = refuse_to;
+    const Disturbance before = disturbance;
+    disturbance.refuse_from = disturbance.refuse_to;
     options.poll = nullptr;
     const netmesh_report report = report_of(context);
     outcome.fingerprint = report.fingerprint;
     outcome.used_bytes = report.used_bytes;
-    outcome.holds = report.dim != 0;
-    if (outcome.holds) {
-        const netmesh_status checked = netmesh_check(
-            context, NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY, &options);
-        require(checked == NETMESH_OK, netmesh_get_detail(context).message);
-        require(report_of(context).fingerprint == outcome.fingerprint, "the check changed the result");
-        netmesh_vertex vertex;
-        for (std::uint64_t i = 0; i < report.vertices; ++i)
-            require(netmesh_get_vertex(context, i, &vertex) == NETMESH_OK, "a vertex is missing");
-        std::uint64_t pairs = 0, counted = 0;
-        for (netmesh_pair pair; netmesh_get_pair(context, pairs, &pair) == NETMESH_OK; ++pairs)
-            require(pair.birth <= pair.death && pair.degree < report.dim, "a pair is not one");
-        for (std::uint64_t n : report.pairs) counted += n;
-        require(pairs == counted && (pairs > 0) == (report.has_diagram != 0), "pairs and report differ");
-        // A refused or cancelled persist takes the diagram away, never the mesh.
-        require(!disturbed || !report.has_diagram || std::strcmp(job.name, "check") == 0, "a partial diagram is held");
-    } else {
-        require(report.vertices == 0 && report.cells == 0 && !report.has_diagram, "an empty context holds something");
-    }
-    refuse_from = from;
+    outcome.has_diagram = report.has_diagram != 0;
+    outcome.holds = report.cells != 0 || outcome.has_diagram;
+    if (report.cells != 0) look_at_mesh(context, &options, report);
+    std::uint64_t pairs = 0, counted = 0;
+    for (netmesh_pair pair; netmesh_get_pair(context, pairs, &pair) == NETMESH_OK; ++pairs)
+        require(pair.birth <= pair.death && pair.degree <= report.max_degree, "a pair is not one");
+    for (std::uint64_t n : report.pairs) counted += n;
+    require(pairs == counted && (pairs > 0) == outcome.has_diagram, "pairs and report differ");
+    require(outcome.holds || report.vertices == 0, "an empty context holds something");
+    // A refused or cancelled step takes its own diagram away, never the mesh.
+    require(!disturbed || !outcome.has_diagram || job.keeps_diagram, "a partial diagram is held");
+    outcome.figures = figures_of_run ^ read_bars(context);
+    disturbance = before;
     return outcome;
 }
-
-struct Tally {
-    long refused = 0, cancelled = 0, whole = 0, partial = 0;
-    void count(const Outcome& o) {
-        refused += o.status == NETMESH_OUT_OF_MEMORY;
-        cancelled += o.status == NETMESH_CANCELLED;
-        whole += o.status == NETMESH_OK;
-        partial += o.status != NETMESH_OK && o.holds;
-    }
-} total;
 
 constexpr std::size_t enough = std::size_t{4} << 20;
 
@@ -169,63 +139,67 @@ Undisturbed undisturbed(const Job& job) {
     Block block(enough, 0, false);
     netmesh_context* const context = fresh(&block, enough);
     run(job, context);  // inputs that a job makes for itself are made now
-    disturb_nothing();
+    disturbance = {};
     Undisturbed u;
     u.outcome = run(job, context);
-    u.requests = requests;
-    u.polls = polls;
+    u.requests = disturbance.requests;
+    u.polls = disturbance.polls;
     u.bytes = static_cast<std::size_t>(report_of(context).peak_bytes);
     require(u.outcome.status == NETMESH_OK, "the undisturbed run fails");
     return u;
 }
 
+enum class Mode { all, quick, refuse };
+
+// Of `count` chances every so-manieth is taken.
+long step_of(const Job& job, Mode mode, long count) {
+    const long tries = mode == Mode::quick ? 12
+                       : mode == Mode::all ? job.tries_max
+                       : job.tries_max > 0 ? 4 * job.tries_max
+                                           : 400;
+    return tries > 0 && count > tries ? (count + tries - 1) / tries : 1;
+}
+
 // Request k refused, alone or with all that follow; poll k answered with a wish to stop.
-void refuse_and_cancel(const Job& job, const Undisturbed& u, long step) {
+void refuse_and_cancel(const Job& job, const Undisturbed& u, Mode mode) {
     Block block(enough, 0xAA, false);
     netmesh_context* context = fresh(&block, enough);
-    const auto once = [&](const char* name, long k, bool must_end) {
-        phase = name;
-        where = k;
+    const auto once = [&](const char* name, long k, Disturbance by, bool must_end) {
+        place.phase = name;
+        place.where = k;
+        disturbance = by;
         const Outcome o = run(job, context);
-        total.count(o);
+        total.count(o.status, o.holds);
         require(!must_end || o.status != NETMESH_OK, "went on as if nothing had happened");
+        require(!o.has_diagram || o.fingerprint == u.outcome.fingerprint, "a diagram is held, but not the whole one");
         require(block.guards_intact(), "wrote outside the block");
-        disturb_nothing();
-        require(run(job, context) == u.outcome, "the next run is another one");
+        disturbance = {};
+        if (mode != Mode::refuse) require(run(job, context) == u.outcome, "the next run is another one");
     };
-    for (long k = 0; k < u.requests; k += step) {
-        disturb_nothing();
-        refuse_from = k;
-        refuse_to = k + 1;
-        once("request refused", k, false);
-        disturb_nothing();
-        refuse_from = k;
-        refuse_to = u.requests * 100 + 1000;
-        once("requests refused from", k, true);
+    const long all = u.requests * 100 + 1000;
+    for (long k = 0; k < u.requests; k += step_of(job, mode, u.requests)) {
+        once("request refused", k, {k, k + 1, -1, 0, 0}, false);
+        if (mode != Mode::refuse) once("requests refused from", k, {k, all, -1, 0, 0}, true);
     }
-    for (long k = 0; k < u.polls; k += step) {
-        disturb_nothing();
-        cancel_at = k;
-        once("poll", k, true);
-    }
+    for (long k = 0; k < u.polls; k += step_of(job, mode, u.polls)) once("poll", k, {-1, -1, k, 0, 0}, true);
 }
 
 // One block size: two contents before, between guards and tight.
 bool size(const Job& job, const Undisturbed& u, std::size_t bytes) {
-    phase = "block of bytes";
-    where = static_cast<long long>(bytes);
+    place.phase = "block of bytes";
+    place.where = static_cast<long long>(bytes);
     Outcome outcome[2];
     for (int i = 0; i < 2; ++i) {
-        disturb_nothing();
+        disturbance = {};
         Block block(bytes, i == 0 ? 0xAA : 0x55, i == 1);
         netmesh_context* context = nullptr;
         const netmesh_status made = netmesh_init(block.base(), bytes, &context);
         require(made == NETMESH_OK || (made == NETMESH_OUT_OF_MEMORY && context == nullptr), "init");
-        outcome[i] = made == NETMESH_OK ? run(job, context) : Outcome{made, 0, 0, false};
-        total.count(outcome[i]);
+        outcome[i] = made == NETMESH_OK ? run(job, context) : Outcome{made, 0, 0, 0, false, false};
+        total.count(outcome[i].status, outcome[i].holds);
         require(block.guards_intact(), "wrote outside the block");
         if (made == NETMESH_OK && outcome[i].status == NETMESH_OUT_OF_MEMORY) {
-            disturb_nothing();
+            disturbance = {};
             require(run(job, context) == outcome[i], "a second run in a block that is too small ends differently");
         }
     }
@@ -242,22 +216,21 @@ void sizes(const Job& job, const Undisturbed& u, std::size_t step, double growth
         const bool now = size(job, u, bytes);
         require(now || !fits, "fits in a smaller block but not in this one");
         fits = now;
-        const std::size_t next = static_cast<std::size_t>(static_cast<double>(bytes) * growth);
-        bytes = next > bytes + step ? next : bytes + step;
+        const std::size_t grown = static_cast<std::size_t>(static_cast<double>(bytes) * growth);
+        const std::size_t next = grown > bytes + step ? grown : bytes + step;
+        bytes = bytes < last && next > last ? last : next;
     }
-    phase = "largest block";
+    place.phase = "largest block";
     require(fits, "does not fit in a block of what it used and an eighth more");
 }
 
 void misaligned() {
-    static const Job any = {"init", 2, 0, nullptr};
-    current = &any;
-    phase = "misaligned by";
-    for (where = 1; where < 16; ++where) {
+    place = {"init", 2, "misaligned by", 0};
+    for (std::size_t where = 1; where < 16; ++where) {
+        place.where = static_cast<long long>(where);
         Block block(8192, 0xAA, false);
         netmesh_context* context = nullptr;
-        require(netmesh_init(block.base() + where, 8192 - static_cast<std::size_t>(where), &context) ==
-                    NETMESH_INVALID_ARGUMENT,
+        require(netmesh_init(block.base() + where, 8192 - where, &context) == NETMESH_INVALID_ARGUMENT,
                 "a misaligned block is accepted");
         require(netmesh_adopt(block.base() + where, &context) == NETMESH_INVALID_ARGUMENT,
                 "a misaligned block is adopted");
@@ -300,11 +273,10 @@ const Job planted_jobs[] = {
 int unseen() {
     int missed = 0;
     for (const Job& job : planted_jobs) {
-        current = &job;
+        place = {job.name, job.dim, "undisturbed", 0};
         faults = 0;
-        disturb_nothing();
         const Undisturbed u = undisturbed(job);
-        refuse_and_cancel(job, u, 1);
+        refuse_and_cancel(job, u, Mode::all);
         for (std::size_t bytes = 4096; bytes < u.bytes + 4096; bytes += 256)
             if (std::strcmp(job.name, "overruns") != 0) size(job, u, bytes);
         std::printf("planted job \"%s\": %ld faults seen\n", job.name, faults);
@@ -317,20 +289,26 @@ int unseen() {
 
 int main(int argc, char** argv) {
     if (argc > 1 && std::strcmp(argv[1], "planted") == 0) return unseen() == 0 ? 0 : 1;
-    const bool quick = argc > 1 && std::strcmp(argv[1], "quick") == 0;
+    Mode mode = Mode::all;
+    int name = 1;
+    if (argc > 1 && std::strcmp(argv[1], "quick") == 0) mode = Mode::quick;
+    if (argc > 1 && std::strcmp(argv[1], "refuse") == 0) mode = Mode::refuse;
+    if (mode != Mode::all) name = 2;
     misaligned();
+    sweep_distances();
     for (const Job& job : all_jobs()) {
-        if (quick && job.large) continue;
-        current = &job;
-        phase = "undisturbed";
+        bool wanted = name >= argc;
+        for (int i = name; i < argc; ++i) wanted = wanted || std::strcmp(argv[i], job.name) == 0;
+        if (!wanted || (mode == Mode::quick && job.large) || (mode != Mode::refuse && job.dim > 4)) continue;
+        place = {job.name, job.dim, "undisturbed", 0};
         const Tally before = total;
-        disturb_nothing();
         const Undisturbed u = undisturbed(job);
-        refuse_and_cancel(job, u, quick ? 7 : 1);
-        sizes(job, u, quick ? 256 : 16, quick ? 1.05 : 1.005);
+        refuse_and_cancel(job, u, mode);
+        const double growth = mode == Mode::quick ? 1.1 : job.tries_max > 0 ? 1.1 : 1.005;
+        if (mode != Mode::refuse) sizes(job, u, mode == Mode::quick ? 256 : 16, growth);
         // Every single byte of the way, where it is short.
-        if (!quick && job.dim == 2 && u.bytes < 9000) sizes(job, u, 1, 1);
-        std::printf("%-9s D%d: %5ld requests, %4ld polls, %7zu bytes; %6ld refused, %4ld cancelled, %5ld of them with "
+        if (mode == Mode::all && job.dim == 2 && u.bytes < 9000) sizes(job, u, 1, 1);
+        std::printf("%-16s D%d: %5ld requests, %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %5ld of them with "
                     "a partial mesh, %6ld whole\n",
                     job.name, job.dim, u.requests, u.polls, u.bytes, total.refused - before.refused,
                     total.cancelled - before.cancelled, total.partial - before.partial, total.whole - before.whole);

@@ -115,6 +115,8 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     }
     if (!outcome.good()) return outcome;
     if (!options.tau && files.node.tau > 0) session.set_tau(files.node.tau);
+    const double ratio = options.ratio.value_or(files.node.ratio);
+    session.set_goal(ratio, options.focus, options.from, options.to);
     if (options.eps == 0 || promises_accuracy(options)) session.set_eps(files.node.eps);
     outcome = session.run(NETMESH_JOB_PERSIST, files.node.cloud, [&](Session& s) {
         const netmesh_status status = load_mesh(s, files);
@@ -128,7 +130,9 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     run->checked->push_back(files.neighbours.name + " names the cells behind the facets");
     run->engine = session.report();
     run->clock = session.clock();
-    if (!files.node.domain.empty()) {
+    if (!files.node.domain.empty() && ratio > 0) {
+        run->checked->push_back("certified ratio at most " + rounded_text(ratio, 6) + " by the bounds of every cell");
+    } else if (!files.node.domain.empty()) {
         run->checked->push_back("aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6) + " (tau " +
                                 rounded_text(session.engine_options().tau, 6) + ")");
     }
@@ -142,8 +146,9 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
                                 " of the size asked for (eps " +
                                 rounded_text(session.engine_options().over_refine_eps, 6) + ")");
     }
-    run->checked->push_back(files.node.domain.empty() ? "degrees within the bounds of fat cells (chapter 5)"
-                                                      : "size and degrees within the bounds of chapters 3 and 5");
+    run->checked->push_back(files.node.domain.empty() || ratio > 0
+                                ? "degrees within the bounds of fat cells (chapter 5)"
+                                : "size and degrees within the bounds of chapters 3 and 5");
     if (!options.points_path.empty()) {
         run->checked->push_back("inputs equal " + points.name + " bit for bit, duplicates merged");
     }

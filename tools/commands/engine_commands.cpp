@@ -111,14 +111,22 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     const bool triangulate = triangulates_only(options);
     netmesh_status status = session.call(triangulate ? NETMESH_STAGE_DELAUNAY : NETMESH_STAGE_REFINE, [&] {
         const double* const points = cloud.coordinates.data();
+        if (options.fit) {
+            return netmesh_fit(context, points, cloud.rows(), max_degree_of(options, cloud.dim), options.all ? 1 : 0,
+                               options.bounds ? 1 : 0, engine_options);
+        }
         return triangulate ? netmesh_delaunay(context, points, cloud.rows(), engine_options)
                            : netmesh_mesh(context, points, cloud.rows(), job_of(options), engine_options);
     });
-    if (status == NETMESH_OK && options.command == Command::persist) {
+    if (status == NETMESH_OK && options.command == Command::persist && !options.fit) {
         status = bound(session.call(NETMESH_STAGE_REDUCE, [&] {
             return netmesh_persist(context, filter_of(options), options.values.value_or(NETMESH_VALUES_CERTIFIED),
                                    max_degree_of(options, cloud.dim), options.all ? 1 : 0, engine_options);
         }));
+    }
+    if (status == NETMESH_OK && options.fit) {  // what was reached is what is checked
+        const netmesh_report reached = session.report();
+        session.set_goal(reached.ratio, reached.focus_ratio, reached.focus_from, reached.focus_to);
     }
     if (status == NETMESH_OK && options.analyse) {
         analysis->struct_bytes = sizeof *analysis;
@@ -145,7 +153,7 @@ std::string checked_text(const Options& options) {
 
 // What the result is made of, by the options: files, pictures, data on stdout.
 std::vector<FileJob> result_jobs(const Options& options, const netmesh_context* context, const ContextMesh& mesh,
-                                 const std::vector<Bar>& bars, const std::vector<netmesh_bar_bounds>& bounds,
+                                 const std::vector<Bar>& bars, const Bounds& bounds,
                                  const netmesh_report& report) {
     std::vector<FileJob> jobs;
     const bool data_on_stdout = options.out.empty() && !options.json;
@@ -155,7 +163,7 @@ std::vector<FileJob> result_jobs(const Options& options, const netmesh_context* 
         }
         if (!options.mesh_out.empty()) add_mesh_files(mesh, options.mesh_out, &jobs);
         if (!options.svg.empty()) {
-            jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, report); }});
+            jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, report, bounds); }});
         }
         if (!options.out.empty() || data_on_stdout) {
             jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, bounds, out); }});
@@ -181,11 +189,8 @@ netmesh_job job_of(netmesh_filter filter) {
 Outcome run_engine_command(const Options& options) {
     const double start = platform::seconds_now();
     Outcome outcome = check_accuracy(options);
+    if (outcome.good()) outcome = check_ratio(options);
     if (outcome.good()) outcome = check_filter(options);
-    if (outcome.good() && options.bounds && filter_of(options) == NETMESH_FILTER_BASIC) {
-        outcome =
-            usage_error("--bounds: the basic filter's certificate begins at a scale and has no bounds for single bars");
-    }
     if (outcome.good()) outcome = check_outputs(options, 0);
     PointCloud cloud;
     if (outcome.good()) outcome = read_points(options.positionals[0], &cloud);
@@ -213,7 +218,7 @@ Outcome run_engine_command(const Options& options) {
 
     const double computed = platform::seconds_now();
     std::vector<Bar> bars;
-    std::vector<netmesh_bar_bounds> bounds;
+    Bounds bounds;
     if (options.command == Command::persist) {
         bars = bars_of(session.context());
         bounds = bounds_of(session.context());
@@ -229,14 +234,14 @@ Outcome run_engine_command(const Options& options) {
     }
     ContextMesh mesh(session.context());
     const std::string& mesh_path = options.command == Command::persist ? options.mesh_out : options.out;
-    if (mesh.tau > 0 && ending_of(mesh_path) == ".vtu") mesh.measure(session.context());
+    if (run.engine->is_mesh != 0 && ending_of(mesh_path) == ".vtu") mesh.measure(session.context());
     outcome = write_files(result_jobs(options, session.context(), mesh, bars, bounds, *run.engine));
     if (!outcome.good()) return outcome;
     run.write_seconds = platform::seconds_now() - computed;
     run.total_seconds = platform::seconds_now() - start;
     if (options.bounds) {
         run.certain.resize(run.engine->max_degree + 1);
-        for (std::size_t i = 0; i < bounds.size(); i++) run.certain[bars[i].degree] += bounds[i].certain;
+        for (std::size_t i = 0; i < bounds.bars.size(); i++) run.certain[bars[i].degree] += bounds.bars[i].certain;
         run.bounds = &bounds;
     }
     if (options.json && options.out.empty() && options.command == Command::persist) run.bars = &bars;

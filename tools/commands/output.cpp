@@ -56,6 +56,7 @@ ContextMesh::ContextMesh(const netmesh_context* context) : context_(context) {
     vertex_count = report.vertices;
     cell_count = report.cells;
     tau = report.tau;
+    ratio = report.ratio;
     eps = report.over_refine_eps;
     for (std::uint32_t k = 0; k <= dim; k++) domain[k] = report.domain[k];
     if (vertex_count > 0) has_values = vertex(0).has_value != 0;
@@ -92,10 +93,12 @@ std::vector<Bar> bars_of(const netmesh_context* context) {
     return bars;
 }
 
-std::vector<netmesh_bar_bounds> bounds_of(const netmesh_context* context) {
-    std::vector<netmesh_bar_bounds> bounds;
+Bounds bounds_of(const netmesh_context* context) {
+    Bounds bounds;
     netmesh_bar_bounds b;
-    for (std::uint64_t i = 0; netmesh_get_bar_bounds(context, i, &b) == NETMESH_OK; i++) bounds.push_back(b);
+    for (std::uint64_t i = 0; netmesh_get_bar_bounds(context, i, &b) == NETMESH_OK; i++) bounds.bars.push_back(b);
+    netmesh_scale_step step;
+    for (std::uint64_t i = 0; netmesh_get_scale_step(context, i, &step) == NETMESH_OK; i++) bounds.steps.push_back(step);
     return bounds;
 }
 

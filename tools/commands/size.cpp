@@ -16,7 +16,7 @@ Outcome run_size(const Options& options) {
     if (!outcome.good()) return outcome;
     (promises_accuracy(options) ? engine_options.eps : engine_options.over_refine_eps) = options.eps;
     engine_options.seed = options.seed;
-    engine_options.method = options.method;
+    engine_options.method = options.method.value_or(NETMESH_METHOD_SVR);
     std::vector<netmesh_job> jobs = {NETMESH_JOB_DELAUNAY, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST};
     if (options.filter) {
         jobs = {job_of(*options.filter)};

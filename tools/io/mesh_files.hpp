@@ -22,6 +22,7 @@ public:
     std::uint32_t dim = 0;
     std::uint64_t vertex_count = 0, cell_count = 0;
     double tau = 0;                           // bound asked for; 0 for a Delaunay triangulation
+    double ratio = 0;                         // asked of the certificate instead; 0: not asked for
     double eps = 0;                           // of over-refinement; 0 when there was none
     double domain[NETMESH_DIM_MAX + 1] = {};  // centre, radius at index dim; radius 0 for a Delaunay triangulation
     bool has_values = false;                  // vertices carry filter values
@@ -31,7 +32,7 @@ public:
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
-// `# domain c1 .. cD r` and `# tau T`, for a mesh, `# eps E` for an over-refined one, `# cage V R` for each cage: its centre's id
+// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` for an over-refined one, `# cage V R` for each cage: its centre's id
 // and its radius.
 void write_node(const MeshSource& mesh, TextWriter& out);
 void write_ele(const MeshSource& mesh, TextWriter& out);
@@ -48,11 +49,11 @@ struct NodeFile {
     std::uint32_t attribute_count = 0;
     std::vector<double> attributes;  // [rows][attribute_count]
     bool has_markers = false;
-    std::vector<std::uint8_t> markers;  // [rows]; 0 where the file has none
-    std::uint64_t first_id = 0;         // 0 or 1
-    std::vector<double> domain;         // dim + 1 numbers, or empty
-    double tau = 0, eps = 0;            // 0 when the file does not say
-    std::vector<netmesh_cage> cages;    // centres counted from 0; no parents
+    std::vector<std::uint8_t> markers;   // [rows]; 0 where the file has none
+    std::uint64_t first_id = 0;          // 0 or 1
+    std::vector<double> domain;          // dim + 1 numbers, or empty
+    double tau = 0, ratio = 0, eps = 0;  // 0 when the file does not say
+    std::vector<netmesh_cage> cages;     // centres counted from 0; no parents
 };
 
 // Every fault is Exit::data with file and line. node->cloud.name is used for messages.

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "tools/io/lines.hpp"
 #include "tools/io/mesh_files.hpp"
 
@@ -5,11 +8,11 @@ namespace netmesh::tool {
 
 namespace {
 
-// `# domain c1 .. cD r`, `# tau T`, `# eps E` and `# cage V R`; other comments say nothing.
+// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E` and `# cage V R`; other comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
-    if (words.empty() || (words[0] != "domain" && words[0] != "tau" && words[0] != "eps" && words[0] != "cage"))
-        return {};
+    static constexpr std::string_view known[] = {"domain", "tau", "ratio", "eps", "cage"};
+    if (words.empty() || std::find(std::begin(known), std::end(known), words[0]) == std::end(known)) return {};
     std::vector<double> numbers;
     for (std::size_t i = 1; i < words.size(); i++) {
         double value;
@@ -19,6 +22,11 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
     if (words[0] == "tau") {
         if (numbers.size() != 1 || !(numbers[0] > 2)) return "tau is one number above 2";
         node->tau = numbers[0];
+        return {};
+    }
+    if (words[0] == "ratio") {
+        if (numbers.size() != 1 || !(numbers[0] * numbers[0] > 2)) return "ratio is one number above the root of 2";
+        node->ratio = numbers[0];
         return {};
     }
     if (words[0] == "cage") {

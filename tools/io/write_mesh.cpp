@@ -6,7 +6,7 @@ void write_node(const MeshSource& mesh, TextWriter& out) {
     if (mesh.domain[mesh.dim] > 0) {
         out << "# domain";
         for (std::uint32_t k = 0; k <= mesh.dim; k++) out << ' ' << mesh.domain[k];
-        out << "\n# tau " << mesh.tau << '\n';
+        mesh.ratio > 0 ? out << "\n# ratio " << mesh.ratio << '\n' : out << "\n# tau " << mesh.tau << '\n';
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
         for (const netmesh_cage& cage : mesh.cages) out << "# cage " << cage.centre << ' ' << cage.radius << '\n';
     }

@@ -13,7 +13,7 @@ void write_options(Json& json, const RunReport& run) {
     json.open('{');
     const bool meshes = run.engine && run.engine->is_mesh != 0;
     json.key("tau");
-    if (meshes) {
+    if (meshes && run.engine->tau > 0) {
         json.value(run.engine->tau);
     } else if (options.tau) {
         json.value(*options.tau);
@@ -25,7 +25,7 @@ void write_options(Json& json, const RunReport& run) {
     json.key("eps");
     options.eps > 0 ? json.value(options.eps) : json.null();
     json.key("method");
-    meshes ? json.value(method_name(options.method)) : json.null();
+    meshes ? json.value(run.engine->ratio > 0 ? "certificate" : method_name(run.engine->method)) : json.null();
     json.entry("finish", options.finish);
     json.key("filter");
     persists&& run.engine ? json.value(filter_name(run.engine->filter)) : json.null();
@@ -68,6 +68,39 @@ void write_input(Json& json, const RunReport& run) {
     json.close('}');
 }
 
+void write_audit(Json& json, const netmesh_audit& audit) {
+    json.key("audit");
+    json.open('{');
+    if ((audit.what & NETMESH_AUDIT_LOCATION) != 0) {
+        json.key("location");
+        json.open('{');
+        json.key("load");
+        json.open('[');
+        for (std::uint32_t k = 0; k < audit.rounds; k++) json.value(static_cast<std::uint64_t>(audit.load[k]));
+        json.close(']');
+        json.entry("nets", audit.nets);
+        json.entry("nets_max", audit.nets_max);
+        json.entry("ply_max", audit.ply_max);
+        json.entry("ply_mean", audit.ply_mean);
+        json.entry("touches_max", audit.touches_max);
+        json.entry("touches_mean", audit.touches_mean);
+        json.entry("tests_mean", audit.tests_mean);
+        json.close('}');
+    }
+    if ((audit.what & NETMESH_AUDIT_QUALITY) != 0) {
+        json.key("quality");
+        json.open('{');
+        json.entry("meshes", audit.meshes);
+        json.entry("aspect_ratio_max", audit.aspect_ratio_max);
+        json.entry("feature_ratio", audit.feature_ratio);
+        json.entry("cage_ratio", audit.cage_ratio);
+        json.entry("steiner_ratio", audit.steiner_ratio);
+        json.entry("input_ratio", audit.input_ratio);
+        json.close('}');
+    }
+    json.close('}');
+}
+
 void write_mesh(Json& json, const RunReport& run) {
     json.key("mesh");
     if (!run.engine || run.engine->cells == 0) {
@@ -82,7 +115,13 @@ void write_mesh(Json& json, const RunReport& run) {
     json.entry("cells", engine.cells);
     if (engine.is_mesh != 0) {
         json.entry("aspect_ratio_max", engine.aspect_ratio_max);
-        json.entry("tau", engine.tau);
+        engine.tau > 0 ? json.entry("tau", engine.tau) : json.null_entry("tau");
+        if (engine.ratio > 0) json.entry("ratio", engine.ratio);
+        if (engine.focus_ratio > 0) {
+            json.entry("focus_ratio", engine.focus_ratio);
+            json.entry("focus_from", engine.focus_from);
+            json.entry("focus_to", engine.focus_to);
+        }
         if (engine.size_ratio_max > 0) json.entry("size_ratio_max", engine.size_ratio_max);
         json.key("domain");
         json.open('[');
@@ -93,6 +132,7 @@ void write_mesh(Json& json, const RunReport& run) {
             json.entry("cages_made", engine.cages_made);
             json.entry("touches", engine.touches);
         }
+        if (engine.audit.what != 0) write_audit(json, engine.audit);
     } else {
         json.null_entry("aspect_ratio_max");
         json.null_entry("tau");
@@ -186,10 +226,18 @@ void write_bounds(Json& json, const RunReport& run) {
     json.open('[');
     for (const std::uint64_t count : run.certain) json.value(count);
     json.close(']');
+    json.key("scale_steps");
+    json.open('[');
+    for (const netmesh_scale_step& step : run.bounds->steps) {
+        json.open('[');
+        for (const double x : {step.from, step.reach, step.ratio}) json.value(x);
+        json.close(']');
+    }
+    json.close(']');
     if (run.bars == nullptr) return;
     json.key("bounds");
     json.open('[');
-    for (const netmesh_bar_bounds& b : *run.bounds) {
+    for (const netmesh_bar_bounds& b : run.bounds->bars) {
         json.open('[');
         for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high}) json.value(x);
         json.value(b.certain != 0);

@@ -1,0 +1,37 @@
+// Distances of points as Rips and Cech complexes measure them.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "filtration/circumsphere.hpp"
+#include "numerics/real.hpp"
+
+namespace netmesh {
+
+// Half the distance of two points.
+template <int D> double half_distance(const double* a, const double* b) {
+    double squared = 0;
+    for (int d = 0; d < D; ++d) {
+        const double x = a[d] - b[d];
+        squared += x * x;
+    }
+    if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
+    const double* const point[] = {a, b};
+    return circumsphere_precise(point, 1, D).radius;
+}
+
+// Half the least distance within which some point has all others.
+template <int D> double cone_radius(const double* coordinates, std::uint32_t n) {
+    double least = infinity;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        double most = 0;
+        for (std::uint32_t j = 0; j < n && most < least; ++j) {
+            const double half = half_distance<D>(coordinates + std::size_t{i} * D, coordinates + std::size_t{j} * D);
+            if (j != i && half > most) most = half;
+        }
+        if (most < least) least = most;
+    }
+    return least;
+}
+
+}  // namespace netmesh

@@ -1,0 +1,53 @@
+#include "filtration/rips_graph.hpp"
+
+#include "filtration/half_distance.hpp"
+
+namespace netmesh {
+namespace {
+
+// Calls f(i, j, half their distance) for all j < i within the limit. False: cancelled.
+template <int D, class F>
+bool each_edge(const double* coordinates, std::uint32_t n, double limit, Monitor& monitor, F f) {
+    for (std::uint32_t i = 1; i < n; ++i) {
+        if (monitor.advance(i, 1 + i / 16)) return false;
+        for (std::uint32_t j = 0; j < i; ++j) {
+            const double half = half_distance<D>(coordinates + std::size_t{i} * D, coordinates + std::size_t{j} * D);
+            if (half <= limit) f(i, j, half);
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+template <int D>
+Status rips_graph(const double* coordinates, std::uint32_t n, Arena& arena, Monitor& monitor, RipsGraph* out) {
+    *out = {};
+    if (n > RipsGraph::vertices_max) return Status::invalid_argument;
+    monitor.begin(NETMESH_STAGE_FILTER, 0);
+    const double limit = cone_radius<D>(coordinates, n);
+    std::uint32_t count = 0;  // below 2^31, as n is
+    if (!each_edge<D>(coordinates, n, limit, monitor, [&](std::uint32_t, std::uint32_t, double) { ++count; }))
+        return Status::cancelled;
+    double* const value = arena.take_low<double>(count);
+    std::uint32_t* const ends = arena.take_low<std::uint32_t>(count);
+    if (value == nullptr || ends == nullptr) return Status::out_of_memory;
+    std::uint32_t at = 0;
+    const bool going = each_edge<D>(coordinates, n, limit, monitor, [&](std::uint32_t i, std::uint32_t j, double half) {
+        value[at] = half;
+        ends[at++] = RipsGraph::edge(i, j);
+    });
+    *out = {n, count, value, ends};
+    return going ? Status::ok : Status::cancelled;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status rips_graph<D>(const double*, std::uint32_t, Arena&, Monitor&, RipsGraph*);
+NETMESH_INSTANTIATE(2)
+NETMESH_INSTANTIATE(3)
+NETMESH_INSTANTIATE(4)
+NETMESH_INSTANTIATE(5)
+NETMESH_INSTANTIATE(6)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,50 @@
+// Refinement by the certificate: the coarsest mesh from which the complete filter (filtration/mesh_filter.hpp) proves a ratio.
+#pragma once
+#include <cstdint>
+
+#include "mesh/refine.hpp"
+
+namespace netmesh {
+
+// With lo <= F <= hi on the cell of a vertex as in mesh_filter.hpp: hi <= ratio^2 lo everywhere, and hi <= focus^2 lo in each Steiner
+// cell that matters to scales of interest, those with hi > from and lo < to.
+struct RatioGoal {
+    double ratio;     // > sqrt 2
+    double focus;     // > 1; 0: there are no scales of interest
+    double from, to;  // 0 < from < to
+};
+
+struct CertifyOptions {
+    RatioGoal goal;
+    std::uint64_t seed;
+};
+
+// Inputs are inserted in spatial order and after each of them every bad cell is refined, as in refine.hpp, but bad is what spoils the
+// certificate, on whole cells, and nothing else. Only inputs need a bounded aspect ratio, hi / lo = R / r <= ratio^2 (three quarters of
+// that is what they get, see input_share). A Steiner cell
+// may be long where d_P changes little. Afterwards the certified ratio is at most `ratio`; no aspect ratio is promised.
+// On the set of 7.7 that takes half of the vertices of a quality mesh that certifies as much.
+//
+// Write d = d_P(v) over all inputs, inserted or not, n the nearest one, R the distance to v's farthest corner, c the ratio asked of
+// the cell. A bad input cell has a corner at more than nn(v) from v. A bad Steiner cell has hi > c^2 lo with hi <= d + R
+// and lo = max(d/2, d - R), so its farthest corner is at more than k d, k = (c^2 - 1) / (c^2 + 1); the one farthest from n, which
+// defines hi, is at more than (c^2/2 - 1) d from v. K is the larger constant, and a Steiner point goes towards the corner that
+// defines hi when that is at K d at least, else towards the farthest; it stops 1.1 times as far as it must be. So
+//   - a Steiner point x is at K d_P(v) at least from every vertex, and d_P(x) <= d_P(v) + 1.1 K d_P(v) unless x is the corner and
+//     nearer: the distance from x to the nearest vertex is at least a constant times d_P(x);
+//   - an uninserted input in x's empty ball is inserted in place of x, so x is as far from those too; by induction every
+//     Steiner point keeps a constant times f_P(p) from every input p;
+//   - hi is cut at rho, so a bad cell has d < 2 rho / c^2 and x is within 1 + 2 (1 + 1.1 K) / c^2 enclosing radii of the centre,
+//     or 2.1 next to an input: a compact set, and the frame is put outside of it.
+// Hence packing (3.6) bounds the number of vertices: by a constant for the annuli of d_P between f_P(p) and rho about each input,
+// that is by the size of a quality mesh up to a factor that depends on c alone. For scales of interest and c^2 <= 2 the cells next to an
+// input can never be good, their lo being d/2; they are refined until hi <= from, so the number of layers is finite all the
+// same. An input cell is never asked for more than `ratio`.
+//
+// Afterwards as after refine(), but for the quality; `domain` is the smallest enclosing ball. ok, out_of_memory, cancelled,
+// out_of_range, too_close and what take_input says, as there.
+template <int D>
+Status certify(Store<D>& store, const double* points, std::size_t n, const CertifyOptions& options, Monitor& monitor,
+               InputReport* input, Domain<D>* domain);
+
+}  // namespace netmesh

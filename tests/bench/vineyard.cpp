@@ -1,0 +1,71 @@
+// Vineyards of the distance to the k-th nearest point, k = 1, 2, ..: processor time and what a transposition takes, and
+// whether each diagram is the one that is computed for its k alone.
+//
+//   vineyard [points, 40] [filtrations, 20] [D, 3]
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <vector>
+
+#include "common/inputs.hpp"
+#include "common/session.hpp"
+
+namespace {
+
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+bool before(const netmesh_pair& a, const netmesh_pair& b) {
+    if (a.degree != b.degree) return a.degree < b.degree;
+    return a.birth != b.birth ? a.birth < b.birth : a.death < b.death;
+}
+
+// How many of the diagrams are those of netmesh_persist.
+std::uint32_t equal_diagrams(Session& session, std::vector<std::vector<netmesh_pair>> diagrams, double* took) {
+    std::uint32_t equal = 0;
+    const double start = seconds();
+    for (std::uint32_t k = 1; k < diagrams.size(); ++k) {
+        session.options.k = k;
+        if (netmesh_persist(session.context, NETMESH_FILTER_KNN, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
+                            &session.options) != NETMESH_OK)
+            continue;
+        const std::vector<netmesh_pair> fresh = session.pairs();
+        std::sort(diagrams[k].begin(), diagrams[k].end(), before);
+        const auto same = [](const netmesh_pair& a, const netmesh_pair& b) {
+            return a.degree == b.degree && a.birth == b.birth && a.death == b.death;
+        };
+        equal += std::equal(fresh.begin(), fresh.end(), diagrams[k].begin(), diagrams[k].end(), same) ? 1 : 0;
+    }
+    *took = seconds() - start;
+    return equal;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto argument = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
+    const auto points = static_cast<std::size_t>(argument(1, 40));
+    const auto filtrations = static_cast<std::uint32_t>(argument(2, 20));
+    const int dim = argument(3, 3);
+    Session session(dim);
+    session.reserve(std::size_t{1} << 34);  // little of that is used, the rest costs nothing
+    if (session.mesh(inputs::uniform(dim, points), NETMESH_JOB_PERSIST) != NETMESH_OK) return 1;
+    const double start = seconds();
+    const netmesh_status status =
+        netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, filtrations, NETMESH_VALUES_CERTIFIED,
+                         static_cast<std::uint32_t>(dim) - 1, &session.options);
+    const double took = seconds() - start;
+    const netmesh_report report = session.report();
+    std::vector<std::vector<netmesh_pair>> diagrams(filtrations + 1);
+    netmesh_vine_point p;
+    for (std::uint64_t i = 0; netmesh_get_vine_point(session.context, i, &p) == NETMESH_OK; ++i)
+        diagrams[p.k].push_back({p.degree, p.birth, p.death});
+    double fresh;
+    const std::uint32_t equal = equal_diagrams(session, diagrams, &fresh);
+    std::printf("%u filtrations of %llu simplices in D = %d: %s, %.2f s, %llu transpositions at %.0f ns, %.1f MiB; "
+                "%llu vines; %u diagrams are those of fresh computations, which take %.2f s\n",
+                filtrations, static_cast<unsigned long long>(report.simplices), dim, netmesh_status_text(status), took,
+                static_cast<unsigned long long>(report.transpositions), took / double(report.transpositions) * 1e9,
+                double(report.peak_bytes) / 1048576, static_cast<unsigned long long>(report.vines), equal, fresh);
+    return status == NETMESH_OK && equal == filtrations ? 0 : 1;
+}

@@ -1,0 +1,225 @@
+// The checkers see every kind of damage, and name it.
+#include "delaunay/check.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+#include "delaunay/load.hpp"
+#include "delaunay/triangulate.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+// A triangulation of few points, damaged and restored.
+template <int D> struct Patient {
+    Patient() : block(std::size_t{1} << 20), store(block.arena, state) {
+        const inputs::Points points = inputs::uniform(D, 3 * D + 3);
+        Monitor monitor;
+        InputReport input;
+        REQUIRE(triangulate<D>(store, points.data(), points.size() / D, 1, monitor, &input) == Status::ok);
+        REQUIRE(state.cell_slots > 2);
+        REQUIRE(check_combinatorial<D>(store).violation == nullptr);
+        REQUIRE(check_geometric<D>(store).violation == nullptr);
+        REQUIRE(check_delaunay<D>(store).violation == nullptr);
+    }
+    std::string combinatorial() const { return said(check_combinatorial<D>(store)); }
+    std::string geometric() const { return said(check_geometric<D>(store)); }
+    static std::string said(const CheckResult& r) { return r.violation == nullptr ? "nothing" : r.violation; }
+
+    // A cell and a position with a neighbour.
+    std::pair<std::uint32_t, int> inner_facet() const {
+        for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+            for (int i = 0; i <= D; ++i)
+                if (store.cell(c).neighbour[i] != none) return {c, i};
+        return {0, 0};
+    }
+    Block block;
+    StoreState state = {};
+    Store<D> store;
+};
+
+template <class T> class Changed {
+public:
+    Changed(T& place, T value) : place_(place), kept_(place) { place = value; }
+    ~Changed() { place_ = kept_; }
+    Changed(const Changed&) = delete;
+    Changed& operator=(const Changed&) = delete;
+
+private:
+    T &place_, kept_;
+};
+
+template <int D> void damage_cells() {
+    Patient<D> p;
+    const auto [c, i] = p.inner_facet();
+    Cell<D>& cell = p.store.cell(c);
+    {
+        const Changed<std::uint32_t> change(cell.vertex[0], p.state.vertex_count);
+        CHECK(p.combinatorial() == "a cell has a vertex that does not exist");
+    }
+    {
+        const Changed<std::uint32_t> change(cell.vertex[0], cell.vertex[1]);
+        CHECK(p.combinatorial() == "a cell has a vertex twice");
+    }
+    for (const std::uint32_t word : {p.state.cell_slots << 3, c << 3, (c == 0 ? 8u : 0u) | 7u}) {
+        const Changed<std::uint32_t> change(cell.neighbour[i], word);
+        CHECK(p.combinatorial() == "a neighbour does not exist");
+    }
+    {
+        const std::uint32_t word = cell.neighbour[i];
+        const Changed<std::uint32_t> change(cell.neighbour[i], word ^ ((word & 7u) < 2 ? 1u : 2u));
+        const std::string said = p.combinatorial();
+        CHECK((said == "neighbours are not mutual" || said == "a neighbour does not exist"));
+    }
+    {
+        const std::uint32_t word = cell.neighbour[i];
+        const Changed<std::uint32_t> change(p.store.cell(word >> 3).neighbour[word & 7u], none);
+        CHECK(p.combinatorial() == "neighbours are not mutual");
+    }
+    {  // a facet that the neighbour does not have
+        const std::uint32_t word = cell.neighbour[i];
+        Cell<D>& other = p.store.cell(word >> 3);
+        const int j = static_cast<int>(word & 7u) == 0 ? 1 : 0;
+        std::uint32_t stranger = 0;
+        const auto has = [&](const Cell<D>& of, std::uint32_t v) {
+            for (const std::uint32_t u : of.vertex)
+                if (u == v) return true;
+            return false;
+        };
+        while (has(cell, stranger) || has(other, stranger)) ++stranger;
+        const Changed<std::uint32_t> change(other.vertex[j], stranger);
+        CHECK(p.combinatorial() == "neighbours do not share a facet");
+    }
+    {  // all of the cell's vertices
+        const std::uint32_t word = cell.neighbour[i];
+        Cell<D>& other = p.store.cell(word >> 3);
+        const Changed<std::uint32_t> change(other.vertex[word & 7u], cell.vertex[i]);
+        CHECK(p.combinatorial() == "neighbours share more than a facet");
+    }
+    {
+        std::uint32_t v = 0;
+        while (p.store.vertex(v).cell == none) ++v;
+        const Changed<std::uint32_t> nowhere(p.store.vertex(v).cell, p.state.cell_slots);
+        CHECK(p.combinatorial() == "a vertex points to a cell that it does not belong to");
+    }
+    {
+        const std::uint32_t v = cell.vertex[0];
+        std::uint32_t elsewhere = 0;
+        for (; elsewhere < p.state.cell_slots; ++elsewhere) {
+            bool there = false;
+            for (const std::uint32_t u : p.store.cell(elsewhere).vertex) there = there || u == v;
+            if (!there) break;
+        }
+        REQUIRE(elsewhere < p.state.cell_slots);
+        const Changed<std::uint32_t> change(p.store.vertex(v).cell, elsewhere);
+        CHECK(p.combinatorial() == "a vertex points to a cell that it does not belong to");
+    }
+    CHECK(p.combinatorial() == "nothing");
+}
+
+template <int D> void damage_places() {
+    Patient<D> p;
+    const auto [c, i] = p.inner_facet();
+    {
+        Cell<D>& cell = p.store.cell(c);
+        std::swap(cell.vertex[0], cell.vertex[1]);
+        CHECK(p.geometric() == "a cell is not positively oriented");
+        std::swap(cell.vertex[0], cell.vertex[1]);
+    }
+    CHECK(p.geometric() == "nothing");
+}
+
+// A triangulation without one of its cells.
+template <int D> void leave_out() {
+    const Patient<D> p;
+    std::vector<double> x;
+    for (std::uint32_t v = 0; v < p.state.vertex_count; ++v) x.insert(x.end(), p.store.point(v), p.store.point(v) + D);
+    int not_convex = 0;
+    for (std::uint32_t out = 0; out < p.state.cell_slots; ++out) {
+        std::vector<std::uint32_t> cells;
+        for (std::uint32_t c = 0; c < p.state.cell_slots; ++c)
+            if (c != out) cells.insert(cells.end(), p.store.cell(c).vertex, p.store.cell(c).vertex + D + 1);
+        Block block(std::size_t{1} << 20);
+        StoreState state = {};
+        Store<D> store(block.arena, state);
+        CheckResult why;
+        if (load_cells<D>(store, x.data(), p.state.vertex_count, cells.data(), p.state.cell_slots - 1, &why) !=
+            Status::ok)
+            continue;
+        not_convex += Patient<D>::said(check_geometric<D>(store)) == "the hull is not convex";
+    }
+    CHECK(not_convex > 0);
+}
+
+// Two copies of one simplex, each with a hull of its own, and two that cross.
+template <int D> void overlap(double shift) {
+    double x[2 * (D + 1) * D] = {};
+    std::uint32_t cells[2 * (D + 1)];
+    for (int v = 0; v <= D; ++v)
+        for (int k = 0; k < D; ++k) {
+            x[v * D + k] = v == k + 1 ? 1 : 0;
+            x[(D + 1 + v) * D + k] = x[v * D + k] + shift;
+        }
+    for (std::uint32_t v = 0; v < 2 * (D + 1); ++v) cells[v] = v;
+    Block block(std::size_t{1} << 18);
+    StoreState state = {};
+    Store<D> store(block.arena, state);
+    CheckResult why;
+    const Status status = load_cells<D>(store, x, 2 * (D + 1), cells, 2, &why);
+    if (status != Status::ok) {
+        CHECK(status == Status::check_failed);
+        return;
+    }
+    const CheckResult r = check_geometric<D>(store);
+    REQUIRE(r.violation != nullptr);
+    CHECK(std::string(r.violation) == "two cells overlap");
+}
+
+// What load refuses: a facet of three cells, a vertex that does not exist or comes twice.
+template <int D> void refuse_to_load() {
+    double x[(D + 3) * D] = {};
+    for (int v = 0; v < D + 3; ++v)
+        for (int k = 0; k < D; ++k) x[v * D + k] = v == k + 1 ? 1 : v > D ? (v - D) * (k + 1) * 0.75 : 0;
+    std::uint32_t cells[3 * (D + 1)];
+    for (std::uint32_t c = 0; c < 3; ++c)
+        for (std::uint32_t i = 0; i <= D; ++i) cells[c * (D + 1) + i] = i < D ? i + 1 : c == 0 ? 0 : D + c;
+    Block block(std::size_t{1} << 18);
+    CheckResult why = {nullptr, none};
+    const auto load = [&](std::uint32_t count) {
+        StoreState state = {};
+        const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
+        Store<D> store(block.arena, state);
+        const Status status = load_cells<D>(store, x, D + 3, cells, count, &why);
+        block.arena.release_low(low);
+        block.arena.release_high(high);
+        return status;
+    };
+    CHECK(load(2) == Status::ok);
+    CHECK(load(3) == Status::check_failed);
+    const Changed<std::uint32_t> far(cells[0], D + 3);
+    CHECK(load(1) == Status::check_failed);
+    const Changed<std::uint32_t> twice(cells[0], cells[1]);
+    CHECK(load(1) == Status::check_failed);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE_DEFINE("damage is seen", T, damage) {
+    constexpr int D = T::value;
+    damage_cells<D>();
+    damage_places<D>();
+    leave_out<D>();
+    overlap<D>(0);
+    overlap<D>(1.0 / 64);
+    refuse_to_load<D>();
+}
+TEST_CASE_TEMPLATE_INVOKE(damage, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                          std::integral_constant<int, 6>);

@@ -1,0 +1,151 @@
+// Rips complexes of which only edges are stored, against the textbook reduction of all their simplices.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "block.hpp"
+#include "homology/rips.hpp"
+#include "oracle.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+struct Graph {
+    std::uint32_t vertices;
+    std::vector<double> value;
+    std::vector<std::uint32_t> ends;
+};
+
+// Each pair of vertices is an edge with this probability in percent; few values make many ties, zero among them.
+Graph random_graph(std::mt19937& random, std::uint32_t n, std::uint32_t percent, std::uint32_t values) {
+    Graph g = {n, {}, {}};
+    for (std::uint32_t i = 1; i < n; ++i) {
+        for (std::uint32_t j = 0; j < i; ++j) {
+            if (random() % 100 >= percent) continue;
+            g.value.push_back(double(random() % values));
+            g.ends.push_back(RipsGraph::edge(i, j));
+        }
+    }
+    return g;
+}
+
+// All cliques of up to `most` vertices, in the order of a filtration.
+oracle::Filtered flag_complex(const Graph& g, std::uint32_t most) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<std::vector<double>> joined(g.vertices, std::vector<double>(g.vertices, infinity));
+    for (std::size_t e = 0; e < g.ends.size(); ++e) {
+        const std::uint32_t i = g.ends[e] >> 16, j = g.ends[e] & 0xFFFF;
+        joined[i][j] = joined[j][i] = g.value[e];
+    }
+    std::vector<oracle::Simplex> all;
+    for (std::uint32_t v = 0; v < g.vertices; ++v) all.push_back({v});
+    for (std::size_t at = 0; at < all.size(); ++at) {
+        if (all[at].size() == most) continue;
+        for (std::uint32_t w = all[at].back() + 1; w < g.vertices; ++w) {
+            const oracle::Simplex s = all[at];
+            if (!std::all_of(s.begin(), s.end(), [&](std::uint32_t v) { return joined[v][w] < infinity; })) continue;
+            all.push_back(s);
+            all.back().push_back(w);
+        }
+    }
+    return oracle::filter(all, [&](const oracle::Simplex& s) {
+        double latest = 0;
+        for (const std::uint32_t v : s) {
+            for (const std::uint32_t w : s) latest = v < w ? std::max(latest, joined[v][w]) : latest;
+        }
+        return latest;
+    });
+}
+
+Status run(Graph g, std::uint32_t degree, bool keep, Block& block, PairList* out, std::uint64_t* simplices) {
+    Monitor monitor;
+    RipsGraph graph = {g.vertices, static_cast<std::uint32_t>(g.value.size()), g.value.data(), g.ends.data()};
+    REQUIRE(rips_has_numbers(graph, degree));
+    return persist_rips(graph, degree, keep, block.arena, monitor, out, simplices);
+}
+
+void check(const Graph& g, std::uint32_t degree_most) {
+    Block block(std::size_t{8} << 20);
+    for (std::uint32_t degree = 0; degree <= degree_most; ++degree) {
+        const auto f = flag_complex(g, degree + 2);
+        const auto counted = std::count_if(f.simplices.begin(), f.simplices.end(), [&](const oracle::Simplex& s) {
+            return s.size() <= std::max<std::uint32_t>(degree, 1) + 1;
+        });
+        for (const bool keep : {false, true}) {
+            CAPTURE(degree);
+            CAPTURE(keep);
+            const auto expected = oracle::diagram(f, degree, keep);
+            const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
+            PairList out;
+            std::uint64_t simplices = 0;
+            REQUIRE(run(g, degree, keep, block, &out, &simplices) == Status::ok);
+            REQUIRE(oracle::same(expected, out));
+            CHECK(simplices == static_cast<std::uint64_t>(counted));
+            CHECK(block.arena.high_mark() == high);
+            block.arena.release_low(low);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("small graphs") {
+    check({1, {}, {}}, 3);
+    check({2, {}, {}}, 2);
+    check({2, {0}, {RipsGraph::edge(1, 0)}}, 2);
+    check({3, {1, 2, 3}, {RipsGraph::edge(1, 0), RipsGraph::edge(2, 0), RipsGraph::edge(2, 1)}}, 3);
+}
+
+TEST_CASE("random graphs, whole and with holes") {
+    std::mt19937 random(41);
+    for (int round = 0; round < 40; ++round) {
+        CAPTURE(round);
+        const std::uint32_t values[] = {1, 3, 12, 1u << 30};
+        for (const std::uint32_t percent : {30u, 60u, 85u, 100u})
+            check(random_graph(random, 5 + random() % 7, percent, values[round % 4]), 4);
+    }
+}
+
+// More than a block of vertices, whose rows are read in pieces.
+TEST_CASE("many vertices") {
+    std::mt19937 random(42);
+    check(random_graph(random, 90, 100, 1u << 30), 1);
+    check(random_graph(random, 140, 12, 40), 2);
+}
+
+TEST_CASE("every arena size gives the diagram or out_of_memory") {
+    std::mt19937 random(43);
+    const Graph g = random_graph(random, 24, 90, 1000);
+    const auto expected = oracle::diagram(flag_complex(g, 4), 2, false);
+    bool enough = false;
+    std::size_t bytes = 0;
+    for (; !enough; bytes += 256) {
+        Block block(bytes);
+        PairList out;
+        std::uint64_t simplices;
+        const Status status = run(g, 2, false, block, &out, &simplices);
+        enough = status == Status::ok;
+        if (enough) {
+            CHECK(oracle::same(expected, out));
+        } else {
+            REQUIRE(status == Status::out_of_memory);
+            CHECK(block.arena.bytes_used() == 0);
+        }
+    }
+    CHECK(bytes > 4096);
+}
+
+TEST_CASE("simplices that have no numbers are refused") {
+    Monitor monitor;
+    Block block(1 << 16);
+    RipsGraph graph = {64, 2016, nullptr, nullptr};
+    CHECK(rips_has_numbers(graph, 10));
+    CHECK(!rips_has_numbers(graph, 30));
+    PairList out;
+    std::uint64_t simplices;
+    CHECK(persist_rips(graph, 30, false, block.arena, monitor, &out, &simplices) == Status::invalid_argument);
+    graph.vertices = RipsGraph::vertices_max + 1;
+    CHECK(!rips_has_numbers(graph, 1));
+}

@@ -1,0 +1,23 @@
+/* Hands the engine a coordinate that nobody has written: a checker that sees it ends the program. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "netmesh.h"
+
+int main(void) {
+    netmesh_context* context;
+    netmesh_options options;
+    netmesh_report report;
+    void* block = NULL;
+    double* points = malloc(8 * sizeof *points);
+    if (points == NULL || posix_memalign(&block, 16, 65536) != 0) return 0;
+    for (int i = 0; i < 7; ++i) points[i] = i * i;
+    netmesh_options_init(&options, 2);
+    if (netmesh_init(block, 65536, &context) != NETMESH_OK) return 0;
+    if (netmesh_delaunay(context, points, 4, &options) == NETMESH_OK) {
+        report.struct_bytes = sizeof report;
+        netmesh_get_report(context, &report);
+        printf("%d cells\n", (int)report.cells);
+    }
+    return 0;
+}

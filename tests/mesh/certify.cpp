@@ -1,0 +1,96 @@
+// Refinement by the certificate: the ratio asked for is reached, by independent recomputation, on every kind of input.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "common/session.hpp"
+
+namespace {
+
+// Meshes by the certificate, filters, checks. The diagram must claim the ratio asked for.
+void check_ratio(Session& session, const inputs::Points& points) {
+    REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
+    const netmesh_report report = session.report();
+    CHECK(report.complete == 1);
+    CHECK(report.ratio == session.options.ratio);
+    CHECK(report.tau == 0);
+    CHECK(report.certified_ratio <= session.options.ratio);
+    CHECK(report.certified_ratio_best <= report.certified_ratio);
+    const netmesh_status checked = session.check();
+    CAPTURE(std::string(netmesh_get_detail(session.context).message));
+    CHECK(checked == NETMESH_OK);
+}
+
+}  // namespace
+
+TEST_CASE("certified ratios on all kinds of input") {
+    for (int dim = 2; dim <= 6; ++dim) {
+        const std::size_t n = dim == 2 ? 200 : dim == 3 ? 60 : dim == 4 ? 25 : dim == 5 ? 12 : 8;
+        for (const double ratio : {2.25, 3.0, 1.95}) {
+            if (ratio < 2 && dim > 3) continue;
+            CAPTURE(dim);
+            CAPTURE(ratio);
+            Session session(dim);
+            session.options.ratio = ratio;
+            check_ratio(session, inputs::uniform(dim, n));
+            check_ratio(session, inputs::grid(dim, dim == 2 ? 6 : dim == 3 ? 3 : 2));
+            check_ratio(session, inputs::shell(dim, n, 1, 1, 7));
+            check_ratio(session, inputs::uniform(dim, 1));
+            check_ratio(session, inputs::uniform(dim, 2));
+        }
+    }
+}
+
+TEST_CASE("clusters of a large spread") {
+    Session session(2);
+    session.options.ratio = 2.25;
+    inputs::Points points;
+    for (int i = 0; i < 40; ++i) points.insert(points.end(), {std::ldexp(1.0, -i), 0});
+    check_ratio(session, points);
+}
+
+TEST_CASE("fewer vertices than a mesh of the aspect ratio that proves as much") {
+    for (int dim = 2; dim <= 4; ++dim) {
+        Session session(dim);
+        const inputs::Points points = inputs::shell(dim, dim == 2 ? 300 : dim == 3 ? 200 : 60, 1, 1, 7);
+        session.options.tau = 3.0625;
+        REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
+        const std::uint64_t quality = session.report().vertices;
+        session.options.ratio = 2.25;
+        check_ratio(session, points);
+        CHECK(session.report().vertices < quality);
+    }
+}
+
+TEST_CASE("scales of interest") {
+    const inputs::Points points = inputs::shell(3, 100, 1, 1, 7);
+    Session session(3);
+    session.options.ratio = 2.25;
+    check_ratio(session, points);
+    const std::uint64_t without = session.report().vertices;
+    session.options.focus_ratio = 1.5;
+    session.options.focus_from = 0.4;
+    session.options.focus_to = 0.9;
+    CHECK(session.check() == NETMESH_CHECK_FAILED);
+    check_ratio(session, points);
+    CHECK(session.report().vertices > without);
+    CHECK(session.report().focus_ratio == 1.5);
+
+    session.options.focus_ratio = 1.3;  // more than what the mesh was made for
+    CHECK(session.check() == NETMESH_CHECK_FAILED);
+    CHECK(std::string(netmesh_get_detail(session.context).message).find("at its scale") != std::string::npos);
+    session.options.focus_ratio = 1.5;
+    session.options.ratio = 1.9;
+    CHECK(session.check() == NETMESH_CHECK_FAILED);
+}
+
+TEST_CASE("a mesh that promises less fails the check") {
+    Session session(2);
+    session.options.ratio = 3;
+    const inputs::Points points = inputs::uniform(2, 200);
+    check_ratio(session, points);
+    REQUIRE(session.report().certified_ratio > 2.5);
+    session.options.ratio = 2.5;
+    CHECK(session.check() == NETMESH_CHECK_FAILED);
+}

@@ -1,0 +1,73 @@
+#include <cstdio>
+#include <vector>
+
+#include "common/inputs.hpp"
+#include "sweep/harness.hpp"
+
+namespace {
+
+struct Result {
+    netmesh_status status;
+    double value;
+    friend bool operator==(const Result& a, const Result& b) { return a.status == b.status && a.value == b.value; }
+};
+
+std::vector<netmesh_pair> diagram(std::uint64_t seed, std::size_t count) {
+    const inputs::Points p = inputs::uniform(2, count, seed);
+    std::vector<netmesh_pair> pairs;
+    for (std::size_t i = 0; i < count; ++i)
+        pairs.push_back({static_cast<std::uint32_t>(i % 2), p[2 * i], p[2 * i] + 2 * p[2 * i + 1]});
+    return pairs;
+}
+
+struct Distances {
+    std::vector<netmesh_pair> a, b;
+    netmesh_scale scale;
+
+    Result in(Block* block, std::size_t bytes) const {
+        netmesh_distance distance = {-1, 0};
+        const netmesh_status status = netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), NETMESH_ALL_DEGREES,
+                                                         scale, block->base(), bytes, sweep_poll, nullptr, &distance);
+        const bool disturbed = status == NETMESH_OUT_OF_MEMORY || status == NETMESH_CANCELLED;
+        require(status == NETMESH_OK || disturbed, netmesh_status_text(status));
+        require(!disturbed || distance.value == -1, "a distance without an OK");
+        require(block->guards_intact(), "wrote outside the block");
+        total.count(status, false);
+        return {status, distance.value};
+    }
+};
+
+}  // namespace
+
+void sweep_distances() {
+    for (const netmesh_scale scale : {NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG}) {
+        const Distances job = {diagram(1, 24), diagram(2, 21), scale};
+        place = {"distance", 0, "undisturbed", 0};
+        const Tally before = total;
+        const std::size_t bytes = netmesh_bottleneck_bytes(job.a.size(), job.b.size());
+        Block block(bytes, 0xAA, false);
+        disturbance = {};
+        const Result undisturbed = job.in(&block, bytes);
+        const long polls = disturbance.polls;
+        require(undisturbed.status == NETMESH_OK, "the undisturbed run fails");
+        place.phase = "poll";
+        for (long k = 0; k < polls; ++k) {
+            place.where = k;
+            disturbance = {-1, -1, k, 0, 0};
+            require(job.in(&block, bytes).status == NETMESH_CANCELLED, "went on as if nothing had happened");
+            disturbance = {};
+            require(job.in(&block, bytes) == undisturbed, "the next run is another one");
+        }
+        place.phase = "block of bytes";
+        for (std::size_t size = 0; size <= bytes + 64; size += size + 256 < bytes ? 61 : 1) {
+            place.where = static_cast<long long>(size);
+            Block guarded(size, 0xAA, false), tight(size, 0x55, true);
+            const Result first = job.in(&guarded, size);
+            require(job.in(&tight, size) == first, "the content of the block before matters");
+            if (size >= bytes) require(first == undisturbed, "does not fit in the bytes that it asks for");
+        }
+        std::printf("%-16s   :                 %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %6ld whole\n",
+                    scale == NETMESH_SCALE_LOG ? "distance, log" : "distance", polls, bytes,
+                    total.refused - before.refused, total.cancelled - before.cancelled, total.whole - before.whole);
+    }
+}
