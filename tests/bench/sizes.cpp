@@ -93,8 +93,7 @@ template <int D> Trial mesh(const inputs::Points& points, double tau, std::uint6
     Domain<D> domain = {};
     const std::clock_t start = std::clock();
     Trial trial = {};
-    trial.status =
-        refine<D>(store, points.data(), points.size() / D, {tau, 1, false, seed}, monitor, &input, &domain);
+    trial.status = refine<D>(store, points.data(), points.size() / D, {tau, 1, false, seed}, monitor, &input, &domain);
     trial.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     trial.vertices = state.vertex_count;
     trial.cells = state.cell_slots;
@@ -144,8 +143,8 @@ int main(int argc, char** argv) {
     const std::uint64_t seeds = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 5;
     const char* const name = argc > 2 ? argv[2] : "";
     const double only = argc > 3 ? std::atof(argv[3]) : 0;
-    std::printf("%-17s %5s %8s %8s %8s %8s %8s %8s %8s\n", "vertices / input", "tau", "mean", "least", "most", "cells/v",
-                "us/v", "s", "worst");
+    std::printf("%-17s %5s %8s %8s %8s %8s %8s %8s %8s\n", "vertices / input", "tau", "mean", "least", "most",
+                "cells/v", "us/v", "s", "worst");
     for (const Row& row : rows) {
         if (std::strncmp(row.name, name, std::strlen(name)) != 0) continue;
         for (const double tau : row.taus)
