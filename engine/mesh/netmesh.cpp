@@ -455,7 +455,7 @@ template <int D> Status NetMesh<D>::clean_vertex(std::uint32_t v) {
     });
     if (!fits) return Status::out_of_memory;
     if (!is_bad(corner.distance2, nearest2)) return Status::ok;
-    const double wanted = pull_back * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
+    const double wanted = pull_back[D] * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
     const double fraction = wanted < whole ? wanted / whole : 1;
     double x[D];
     for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
@@ -515,7 +515,7 @@ template <int D> Status NetMesh<D>::clean_cage(std::uint32_t d) {
     const Cage& cage = hierarchy_.cage(d);
     const double inner = in_radius<D>(cage), whole = square_root(corner.distance2 > 0 ? corner.distance2 : 0);
     if (!(whole > tau_ * inner)) return Status::ok;
-    const double wanted = pull_back * tau_ * inner;
+    const double wanted = pull_back[D] * tau_ * inner;
     const double distance = wanted < whole ? wanted : whole, empty = distance - cage.radius;
     const double* const c = store_.point(cage.centre);
     double x[D];
