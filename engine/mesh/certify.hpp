@@ -20,9 +20,9 @@ struct CertifyOptions {
 };
 
 // Inputs are inserted in spatial order and after each of them every bad cell is refined, as in refine.hpp, but bad is what spoils the
-// certificate, on whole cells, and nothing else. Only inputs need a bounded aspect ratio, hi / lo = R / r <= ratio^2 (three quarters of
-// that is what they get, see input_share). A Steiner cell
-// may be long where d_P changes little. Afterwards the certified ratio is at most `ratio`; no aspect ratio is promised.
+// certificate, on whole cells, and nothing else. Only inputs need a bounded aspect ratio, hi / lo = R / r <= ratio^2 (four fifths of
+// that is what they get, see input_share). A Steiner cell may be long where d_P changes little. Afterwards the certified ratio is at
+// most `ratio`; no aspect ratio is promised.
 // On the set of 7.7 that takes half of the vertices of a quality mesh that certifies as much.
 //
 // Write d = d_P(v) over all inputs, inserted or not, n the nearest one, R the distance to v's farthest corner, c the ratio asked of
@@ -32,8 +32,8 @@ struct CertifyOptions {
 // defines hi when that is at K d at least, else towards the farthest; it stops 1.1 times as far as it must be. So
 //   - a Steiner point x is at K d_P(v) at least from every vertex, and d_P(x) <= d_P(v) + 1.1 K d_P(v) unless x is the corner and
 //     nearer: the distance from x to the nearest vertex is at least a constant times d_P(x);
-//   - an uninserted input in x's empty ball is inserted in place of x, so x is as far from those too; by induction every
-//     Steiner point keeps a constant times f_P(p) from every input p;
+//   - an uninserted input within nine tenths of that (yield_radius) is inserted in place of x, so x keeps its distance from those
+//     too; by induction every Steiner point keeps a constant times f_P(p) from every input p;
 //   - hi is cut at rho, so a bad cell has d < 2 rho / c^2 and x is within 1 + 2 (1 + 1.1 K) / c^2 enclosing radii of the centre,
 //     or 2.1 next to an input: a compact set, and the frame is put outside of it.
 // Hence packing (3.6) bounds the number of vertices: by a constant for the annuli of d_P between f_P(p) and rho about each input,
