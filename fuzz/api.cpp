@@ -204,12 +204,9 @@ private:
         case 3: f.cut = tape_.number(); break;
         default: break;
         }
-        const netmesh_status status = netmesh_persist_function(context_, tape_.rarely() ? nullptr : &f,
-                                                               static_cast<netmesh_values>(tape_.below(3)),
-                                                               tape_.below(7), tape_.byte() & 1, maybe(o));
-        // None of these functions is above a multiple of d_2: with that claim, INTERNAL may be the answer to a false
-        // promise.
-        if (f.distance_factor == 0 || status != NETMESH_INTERNAL) ended(status);
+        ended(netmesh_persist_function(context_, tape_.rarely() ? nullptr : &f,
+                                       static_cast<netmesh_values>(tape_.below(3)), tape_.below(7), tape_.byte() & 1,
+                                       maybe(o)));
     }
     void persist_scales() {
         const netmesh_options o = make_options();
@@ -353,6 +350,9 @@ private:
         require(netmesh_get_pair(context_, i, &pair) == NETMESH_OK && pair.death >= pair.birth);
         netmesh_bar_bounds bounds;
         netmesh_get_bar_bounds(context_, i, &bounds);
+        netmesh_scale_step step;
+        if (netmesh_get_scale_step(context_, i, &step) == NETMESH_OK)
+            require(step.from <= step.reach && step.ratio >= 1);
         std::uint64_t simplices = 0;
         if (netmesh_get_cycle(context_, i, &simplices) != NETMESH_OK) return;
         netmesh_simplex s;

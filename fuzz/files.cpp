@@ -8,6 +8,7 @@
 #include "tools/io/diagram_file.hpp"
 #include "tools/io/mesh_files.hpp"
 #include "tools/io/points.hpp"
+#include "tools/io/vine_file.hpp"
 
 using namespace netmesh::tool;
 using fuzz::require;
@@ -73,6 +74,21 @@ void read_diagram(std::string_view content) {
     TextWriter text;
     write_diagram(bars, {}, text);
     require(parse_diagram(text.text(), name, &again).good() && again == bars);
+    for (const BoundLine& line : bound_lines(content)) require(line.number > 0 && !line.text.empty());
+}
+
+void read_vines(std::string_view content) {
+    VineFile file;
+    if (!ended(parse_vines(content, name, &file))) return;
+    const Vines& vines = file.vines;
+    require(!vines.ratios.empty() && file.lines.size() == vines.points.size());
+    require(file.filter == NETMESH_FILTER_KNN || file.filter == NETMESH_FILTER_KDISTANCE);
+    for (std::size_t i = 0; i < vines.points.size(); ++i) {
+        const netmesh_vine_point& p = vines.points[i];
+        require(p.k >= vines.k_first && p.k - vines.k_first < vines.ratios.size());
+        require(std::isfinite(p.birth) && p.birth >= 0 && p.death > p.birth);
+        require(i == 0 ? p.vine == 0 : p.vine - vines.points[i - 1].vine <= 1);
+    }
 }
 
 void read_complex(std::string_view content) {
@@ -91,7 +107,7 @@ void read_complex(std::string_view content) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
-    switch (data[0] % 9) {
+    switch (data[0] % 10) {
     case 0: read_points_by(parse_text_points, content); break;
     case 1: read_points_by(parse_npy_points, content); break;
     case 2: read_points_by(parse_off_points, content); break;
@@ -100,6 +116,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 5: read_node(content); break;
     case 6: read_cells(content); break;
     case 7: read_diagram(content); break;
+    case 9: read_vines(content); break;
     default: read_complex(content); break;
     }
     return 0;

@@ -46,10 +46,10 @@ constexpr CommandEntry commands[] = {
     {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
      "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
      "persist.\n"},
-    {Command::check, "check", "MESH.node | DIAGRAM.pers", 1, "recompute every certificate from the files alone",
-     "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram is recomputed "
-     "from\n"
-     "--points or --mesh; alone, it is only looked at for what every diagram must satisfy.\n"},
+    {Command::check, "check", "MESH.node | DIAGRAM.pers | FILE.vines", 1, "recompute every certificate from the files alone",
+     "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram, with its bounds\n"
+     "where it has any, or a vineyard is recomputed from --points or --mesh; alone, it is only looked at for what every\n"
+     "diagram must satisfy.\n"},
     {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
 };
 
@@ -217,6 +217,14 @@ std::string apply_mesh_path(Options& options, const std::string& text) {
 std::string apply_json(Options& options, const std::string&) { return options.json = true, ""; }
 std::string apply_analyse(Options& options, const std::string&) { return options.analyse = true, ""; }
 std::string apply_check(Options& options, const std::string&) { return options.check = true, ""; }
+std::string apply_audit(Options& options, const std::string& value) {
+    constexpr std::pair<const char*, unsigned> names[] = {{"location", NETMESH_AUDIT_LOCATION},
+                                                          {"quality", NETMESH_AUDIT_QUALITY},
+                                                          {"all", NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY}};
+    for (const auto& [name, what] : names)
+        if (value == name) return options.audit = what, "";
+    return "not location, quality or all";
+}
 std::string apply_finish(Options& options, const std::string&) { return options.finish = true, ""; }
 std::string apply_fit(Options& options, const std::string&) { return options.fit = true, ""; }
 std::string apply_all(Options& options, const std::string&) { return options.all = true, ""; }
@@ -241,8 +249,8 @@ constexpr OptionEntry option_entries[] = {
     {"-n", sample, "N", apply_count, "number of points"},
     {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
     {"--points", size, "N", apply_count, "number of points"},
-    {"--points", check, "FILE", apply_points_path, "the points that the mesh or diagram was made of"},
-    {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram was made of"},
+    {"--points", check, "FILE", apply_points_path, "the points that the mesh, diagram or vineyard was made of"},
+    {"--mesh", check, "MESH.node", apply_mesh_path, "the mesh that the diagram or vineyard was made of"},
     {"--mesh", persist, "MESH.node", apply_mesh_out, "also write the mesh that is filtered, with the filter's values"},
     {"--tau", mesh | persist | vineyard | size | check, "T", apply_tau,
      "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
@@ -266,6 +274,9 @@ constexpr OptionEntry option_entries[] = {
      "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
     {"--finish", mesh | persist | size, nullptr, apply_finish,
      "go on from a hierarchical mesh to one of quality tau without cages"},
+    {"--audit", mesh | size, "WHAT", apply_audit,
+     "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured after each\n"
+     "                    insertion, for small runs; or all. Figures go to the report"},
     {"--filter", vineyard, "F", apply_filter, "knn (default) or kdistance"},
     {"--filter", persist | size | check, "F", apply_filter,
      "complete (default), basic, tight, scales, alpha, knn or kdistance; of few points rips, cech, barycentric-cech or\n"
@@ -296,7 +307,8 @@ constexpr OptionEntry option_entries[] = {
     {"--check", engine | vineyard, nullptr, apply_check, "run the independent checkers on the result"},
     {"--check", homology, nullptr, apply_check, "check that each cycle is one, and born with its bar"},
     {"--bounds", persist, nullptr, apply_bounds,
-     "where each birth and death surely is and which bars surely are real, behind the bars and in JSON"},
+     "where each birth and death surely is and which bars surely are real, behind the bars, and the certified ratio by\n"
+     "                    scale, in front of them; both in JSON and in the picture"},
     {"--all", persist | homology | size | check, nullptr, apply_all, "keep bars of length zero"},
     {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_json,
      "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
@@ -404,6 +416,8 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
         }
     }
     const bool hierarchical = options->method == NETMESH_METHOD_NETMESH;
+    if (options->audit != 0 && (options->method == NETMESH_METHOD_REFINE || options->eps > 0))
+        return usage_error("--audit goes with --method svr or netmesh, and not with --eps");
     if (options->finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options->command == Command::persist && hierarchical && !options->finish) {
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

@@ -31,6 +31,7 @@ Session::Session(const Options& options, std::uint32_t dim)
     engine_options_.seed = options.seed;
     engine_options_.method = options.method.value_or(NETMESH_METHOD_SVR);
     engine_options_.finish = options.finish ? 1 : 0;
+    engine_options_.audit = options.audit;
     engine_options_.k = options.k.value_or(1);
     engine_options_.poll = poll;
     engine_options_.user = this;

@@ -169,6 +169,7 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
         context->dim = D;
         context->complete = true;
         context->is_mesh = domain != nullptr;
+        context->is_loaded = true;
         context->points = context->inputs = inputs;
         context->duplicates = 0;
         context->input_fingerprint = 0;

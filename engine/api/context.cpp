@@ -56,7 +56,7 @@ void clear_diagram(netmesh_context* context) {
 void clear(netmesh_context* context) {
     clear_diagram(context);
     context->dim = 0;
-    context->is_mesh = context->complete = context->is_complex = context->has_cycles = false;
+    context->is_mesh = context->complete = context->is_complex = context->has_cycles = context->is_loaded = false;
     context->method = NETMESH_METHOD_SVR;
     context->cages_offset = 0;
     context->hierarchy = HierarchyReport{};

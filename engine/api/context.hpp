@@ -55,6 +55,7 @@ struct Context {
     double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
 
     netmesh_method method;
+    std::uint32_t audit;  // what was audited
     std::uint64_t cages_offset;
     HierarchyReport hierarchy;
 
@@ -75,8 +76,10 @@ struct Context {
     std::uint64_t scale_vertices;
     double separation;
 
+    bool is_loaded;  // the mesh came through netmesh_load
+
     bool has_bounds;
-    std::uint64_t bounds_offset;
+    std::uint64_t bounds_offset, curve_offset, curve_steps;
 
     bool has_vineyard;
     std::uint32_t k_first, k_last, vines;

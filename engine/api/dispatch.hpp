@@ -42,6 +42,11 @@ inline SizeRule size_rule_of(const netmesh_options& options) {
 // Records a failure (or success) for netmesh_get_detail and translates it.
 inline netmesh_status finish(netmesh_context* context, Status status, const char* message, std::uint64_t a = 0,
                              std::uint64_t b = 0) {
+    if (status == Status::internal && context->is_loaded) {
+        // What was loaded passed as a ball by its facets and its hull alone.
+        status = Status::check_failed;
+        message = "the cells that were loaded are not a triangulated ball";
+    }
     context->detail = netmesh_detail{};
     context->detail.status = static_cast<netmesh_status>(status);
     context->detail.index_a = a;

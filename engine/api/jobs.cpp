@@ -47,15 +47,22 @@ Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* p
                       double factor, bool certify, const SizeRule& rule, const netmesh_options& options,
                       Monitor& monitor, InputReport* input, Domain<D>* domain) {
     context->method = options.method;
+    context->audit = options.audit;
     if (options.ratio > 0)
         return netmesh::certify<D>(store, points, n, {goal_of(options), options.seed}, monitor, input, domain);
-    if (options.method != NETMESH_METHOD_NETMESH)
+    if (options.method != NETMESH_METHOD_NETMESH && options.audit == 0)
         return refine<D>(store, points, n,
                          {tau, factor, certify, options.seed, rule, options.method == NETMESH_METHOD_REFINE}, monitor,
                          input, domain);
     Cage* cages;
-    const Status status = netmesh<D>(store, points, n, {tau, factor, options.finish != 0, options.seed}, monitor, input,
-                                     domain, &cages, &context->hierarchy);
+    const HierarchyOptions hierarchy = {tau,
+                                        factor,
+                                        options.finish != 0,
+                                        options.seed,
+                                        options.method == NETMESH_METHOD_NETMESH,
+                                        (options.audit & NETMESH_AUDIT_LOCATION) != 0,
+                                        (options.audit & NETMESH_AUDIT_QUALITY) != 0};
+    const Status status = netmesh<D>(store, points, n, hierarchy, monitor, input, domain, &cages, &context->hierarchy);
     if (cages != nullptr) context->cages_offset = context->arena.offset_of(cages);
     return status;
 }
@@ -129,6 +136,11 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         return finish(context, Status::invalid_argument, "a mesh with cages is not for persistence; finish it", 4);
     if (options->method == NETMESH_METHOD_NETMESH && rule.asks())
         return finish(context, Status::invalid_argument, "the method netmesh does not over-refine", 5);
+    if (options->audit > (NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY))
+        return finish(context, Status::invalid_argument, "unknown audit", 5);
+    if (options->audit != 0 && (options->method == NETMESH_METHOD_REFINE || for_job != NETMESH_JOB_MESH || rule.asks()))
+        return finish(context, Status::invalid_argument,
+                      "audits are for meshes by svr or netmesh, not over-refined and not for persistence", 5);
     const char* const complaint = complaint_about_ratio(*options, for_job);
     if (complaint != nullptr) return finish(context, Status::invalid_argument, complaint, 5);
     clear(context);

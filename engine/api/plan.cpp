@@ -20,6 +20,9 @@ constexpr double gradient_bytes_per_simplex = 8;
 constexpr double alpha_bytes_per_simplex = 48;
 constexpr double hierarchy_bytes_per_point = 44;
 constexpr double sort_bytes_per_point = 24;
+// Audits: scratch for each vertex and cell, and what is left of the block when lists have taken their share of it.
+constexpr double audit_bytes_per_vertex = 40, audit_bytes_per_cell = 16, audit_bytes_per_point = 24;
+constexpr double audit_balls_per_point[] = {0, 0, 8, 24, 96, 480, 2400};
 
 double power_in_eighths(double x, int k) {
     const double root = square_root(square_root(square_root(x)));
@@ -28,7 +31,9 @@ double power_in_eighths(double x, int k) {
     return p;
 }
 
-template <int D> double planned_bytes(netmesh_job job, netmesh_method method, double tau, double eps, double points) {
+template <int D>
+double planned_bytes(netmesh_job job, netmesh_method method, std::uint32_t audit, double tau, double eps,
+                     double points) {
     const bool tight = job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES;
     const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST || tight;
     double vertices = points, cells = points * delaunay_cells_per_point[D];
@@ -40,7 +45,13 @@ template <int D> double planned_bytes(netmesh_job job, netmesh_method method, do
         cells = vertices * mesh_cells_per_vertex[D];
     }
     double bytes = vertices * sizeof(Vertex<D>) + cells * sizeof(Cell<D>) + 9 * points;
-    if (meshes && method == NETMESH_METHOD_NETMESH) bytes += hierarchy_bytes_per_point * points;
+    if (meshes && (method == NETMESH_METHOD_NETMESH || audit != 0)) bytes += hierarchy_bytes_per_point * points;
+    if (meshes && audit != 0) {
+        bytes += audit_bytes_per_vertex * vertices + audit_bytes_per_cell * cells + audit_bytes_per_point * points;
+        const double lists = 16 * audit_balls_per_point[D] * points;
+        if (bytes < 3 * lists) bytes = 3 * lists;
+        bytes += bytes / 3;
+    }
     const double simplices = cells * simplices_per_cell[D];
     if (job == NETMESH_JOB_PERSIST || tight) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
@@ -72,7 +83,8 @@ extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* opt
         if (!(size > 0 && size < tight)) size = tight;
     }
     const double bytes = with_dimension(options->dim, [&](auto dimension) {
-        return planned_bytes<decltype(dimension)::value>(job, options->method, tau, size, static_cast<double>(points));
+        return planned_bytes<decltype(dimension)::value>(job, options->method, options->audit, tau, size,
+                                                         static_cast<double>(points));
     });
     if (!(bytes < 0x1p62) || bytes >= static_cast<double>(SIZE_MAX / 2)) return SIZE_MAX;
     return (static_cast<size_t>(bytes) + Arena::alignment) & ~(Arena::alignment - 1);

@@ -100,6 +100,28 @@ void report_diagram(const netmesh_context* context, netmesh_report* report) {
     report->certified_from = context->certified_from;
 }
 
+void report_audit(const netmesh_context* context, netmesh_audit* audit) {
+    static_assert(LocationAudit::rounds_max == NETMESH_ROUNDS_MAX);
+    const LocationAudit& location = context->hierarchy.location;
+    const QualityAudit& quality = context->hierarchy.quality;
+    audit->what = context->audit;
+    audit->rounds = location.rounds;
+    audit->nets = location.nets;
+    audit->nets_max = location.nets_max;
+    for (std::uint32_t k = 0; k < location.rounds; ++k) audit->load[k] = location.load[k];
+    audit->ply_max = location.ply_max;
+    audit->ply_mean = location.ply_mean;
+    audit->touches_max = location.touches_max;
+    audit->touches_mean = location.touches_mean;
+    audit->tests_mean = location.tests_mean;
+    audit->meshes = quality.meshes;
+    audit->aspect_ratio_max = quality.worst;
+    audit->feature_ratio = quality.feature;
+    audit->cage_ratio = quality.cage;
+    audit->steiner_ratio = quality.steiner;
+    audit->input_ratio = quality.input;
+}
+
 void report_complex(const netmesh_context* context, netmesh_report* report) {
     report->dim = context->point_dim;
     report->complete = context->complete;
@@ -156,6 +178,7 @@ netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report
         report->cages = context->hierarchy.cages;
         report->cages_made = context->hierarchy.cages_made;
         report->touches = context->hierarchy.touches;
+        report_audit(context, &report->audit);
     }
     report->has_vineyard = context->has_vineyard;
     if (context->scales > 0) {

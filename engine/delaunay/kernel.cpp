@@ -116,6 +116,7 @@ template <int D> std::uint32_t Kernel<D>::locate(const double* q, std::uint32_t 
         }
         if (next == none) break;
         c = next;
+        ++steps_;
     }
     if (in_conflict(c, q, id)) return c;
     return walk(q, c);
@@ -139,6 +140,7 @@ template <int D> std::uint32_t Kernel<D>::walk(const double* q, std::uint32_t fr
         }
         if (next == none) return c;
         c = next;
+        ++steps_;
     }
 }
 

@@ -53,6 +53,8 @@ public:
     // A cell in conflict with q, found by descending powers from cell `from`; the powers of adjacent balls compare as q
     // lies to the sides of their common facet, so a local minimum contains q. Expected 2-7 steps from a near start.
     std::uint32_t locate(const double* q, std::uint32_t id, std::uint32_t from);
+    // Cells that it has gone on from, in all.
+    std::uint64_t steps() const { return steps_; }
 
     // The cells in conflict with q, found from `first`, one of them. False when the gap is too small for the list;
     // nothing but marks has changed.
@@ -105,6 +107,7 @@ private:
 
     Store<D>& store_;
     double error_max_;
+    std::uint64_t steps_ = 0;
     bool stars_;
 };
 

@@ -1,97 +1,78 @@
 #include "filtration/bar_bounds.hpp"
 
-#include "numerics/value_order.hpp"
+#include "filtration/value_table.hpp"
 
 namespace netmesh {
 namespace {
 
-// Keys in ascending order, with an extreme of all items up to (from) each.
-struct Table {
-    double* key;
-    double* extreme;
-    std::uint32_t count;
-
-    // Items with key <= x (< x).
-    std::uint32_t up_to(double x, bool strictly) const {
-        std::uint32_t first = 0, last = count;
-        while (first < last) {
-            const std::uint32_t middle = first + (last - first) / 2;
-            if (strictly ? key[middle] < x : key[middle] <= x) {
-                first = middle + 1;
-            } else {
-                last = middle;
-            }
-        }
-        return first;
-    }
-};
-
 class Interleaving {
 public:
-    Status open(const double* value, const Interval* interval, std::uint32_t count, Arena& arena);
-    double phi(double b) const {
-        const std::uint32_t n = by_value_.up_to(b, false);
-        return n > 0 && by_value_.extreme[n - 1] > b ? by_value_.extreme[n - 1] : b;
+    Status open(const double* value, const Interval* interval, std::uint32_t count, Arena& arena) {
+        const auto t = [&](std::uint32_t v) { return value[v]; };
+        const auto lo = [&](std::uint32_t v) { return interval[v].lo; };
+        const auto hi = [&](std::uint32_t v) { return interval[v].hi; };
+        const bool room = by_value_.open_largest(count, t, hi, arena) && by_low_.open_largest(count, lo, t, arena) &&
+                          lows_.open_least(count, t, lo, arena);
+        return room ? Status::ok : Status::out_of_memory;
     }
-    double psi(double a) const {
-        const std::uint32_t n = by_low_.up_to(a, false);
-        return n > 0 && by_low_.extreme[n - 1] > a ? by_low_.extreme[n - 1] : a;
-    }
+    double phi(double b) const { return larger(by_value_.largest_up_to(b), b); }
+    double psi(double a) const { return larger(by_low_.largest_up_to(a), a); }
     double psi_inverse(double b) const {
-        const std::uint32_t n = by_value_.up_to(b, true);
-        return n < by_value_.count && least_[n] < b ? least_[n] : b;
+        const double least = lows_.least_from(b);
+        return least < b ? least : b;
     }
+    // The step that begins at scale `from`, where the next one begins; infinity for the last.
+    ScaleStep step(double from, double* next) const {
+        const double enough = psi(phi(from)) * (1 + 0x1p-4);
+        const auto exceeds = [&](double a) { return a > from && psi(phi(a)) > enough; };
+        const std::uint32_t i = by_value_.first_where(exceeds), j = by_low_.first_where(exceeds);
+        const double a = i < by_value_.count() ? by_value_.key(i) : infinity;
+        const double b = j < by_low_.count() ? by_low_.key(j) : infinity;
+        *next = a < b ? a : b;
+        // Between keys psi(phi(a)) is constant or a.
+        double reach = psi(phi(from));
+        if (i > 0) reach = larger(reach, psi(phi(by_value_.key(i - 1))));
+        if (j > 0) reach = larger(reach, psi(phi(by_low_.key(j - 1))));
+        return {from, reach};
+    }
+    double first_scale() const { return by_value_.first() < by_low_.first() ? by_value_.first() : by_low_.first(); }
 
 private:
-    Table by_value_ = {}, by_low_ = {};
-    double* least_ = nullptr;  // of lo, from here on by value
-};
+    static double larger(double a, double b) { return a > b ? a : b; }
 
-Status Interleaving::open(const double* value, const Interval* interval, std::uint32_t count, Arena& arena) {
-    std::uint32_t* const from = arena.take_high<std::uint32_t>(count);
-    by_value_ = {arena.take_high<double>(count), arena.take_high<double>(count), count};
-    by_low_ = {arena.take_high<double>(count), arena.take_high<double>(count), count};
-    least_ = arena.take_high<double>(count);
-    if (from == nullptr || by_value_.key == nullptr || by_value_.extreme == nullptr || by_low_.key == nullptr ||
-        by_low_.extreme == nullptr || least_ == nullptr)
-        return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        by_value_.key[v] = value[v];
-        by_low_.key[v] = interval[v].lo;
-    }
-    if (!sort_values(by_value_.key, from, count, arena)) return Status::out_of_memory;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const double hi = interval[from[i]].hi;
-        by_value_.extreme[i] = i > 0 && by_value_.extreme[i - 1] > hi ? by_value_.extreme[i - 1] : hi;
-    }
-    for (std::uint32_t i = count; i-- > 0;) {
-        const double lo = interval[from[i]].lo;
-        least_[i] = i + 1 < count && least_[i + 1] < lo ? least_[i + 1] : lo;
-    }
-    if (!sort_values(by_low_.key, from, count, arena)) return Status::out_of_memory;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const double t = value[from[i]];
-        by_low_.extreme[i] = i > 0 && by_low_.extreme[i - 1] > t ? by_low_.extreme[i - 1] : t;
-    }
-    return Status::ok;
-}
+    ValueTable by_value_, by_low_, lows_;  // hi by t, t by lo, lo by t
+};
 
 }  // namespace
 
 Status bound_bars(const double* value, const Interval* interval, std::uint32_t count, const Pair* pairs,
-                  std::uint64_t pair_count, Arena& arena, BarBounds* bounds) {
-    const ArenaScope scope(arena);
+                  std::uint64_t pair_count, Arena& arena, BarBounds* bounds, ScaleCurve* curve) {
+    const std::size_t high = arena.high_mark();
     Interleaving interleaving;
-    const Status status = interleaving.open(value, interval, count, arena);
-    if (status != Status::ok) return status;
-    for (std::uint64_t i = 0; i < pair_count; ++i) {
+    Status status = interleaving.open(value, interval, count, arena);
+    *curve = {arena.take_low<ScaleStep>(0), 0};
+    if (curve->steps == nullptr) status = Status::out_of_memory;
+    for (double at = status == Status::ok ? interleaving.first_scale() : infinity; at < infinity; ++curve->count) {
+        if (!arena.extend_low(sizeof(ScaleStep))) {
+            status = Status::out_of_memory;
+            break;
+        }
+        curve->steps[curve->count] = interleaving.step(at, &at);
+    }
+    for (std::uint64_t i = 0; i < pair_count && status == Status::ok; ++i) {
         const double birth = pairs[i].birth, death = pairs[i].death;
-        const double latest = interleaving.phi(birth);
-        bounds[i] = {interleaving.psi_inverse(birth), latest, interleaving.psi_inverse(death),
-                     death < infinity ? interleaving.phi(death) : infinity, interleaving.psi(latest)};
+        const double latest = interleaving.phi(birth), after = interleaving.psi(latest);
+        bounds[i] = {interleaving.psi_inverse(birth),
+                     latest,
+                     interleaving.psi_inverse(death),
+                     death < infinity ? interleaving.phi(death) : infinity,
+                     after,
+                     death > after ? 1u : 0u,
+                     0};
         if (birth == 0) bounds[i].birth_low = 0;
     }
-    return Status::ok;
+    arena.release_high(high);
+    return status;
 }
 
 }  // namespace netmesh

@@ -1,11 +1,15 @@
-// For each bar of a filter on a mesh, where the true bar surely is: interleaving by scale instead of by one ratio.
+// For each bar of a filter on a mesh, where the true bar surely is, and the ratio near each scale: interleaving by scale instead of
+// by one ratio.
 //
 // With lo_v <= F <= hi_v on the cell (or clump) of v and t_v the filter's value, the cover at scale b lies in the
 // sublevel set of F at phi(b) = max(b, hi_v over t_v <= b), and the sublevel set at a in the cover at psi(a) = max(a,
 // t_v over lo_v <= a): the arguments of mesh_filter.hpp, function_filter.hpp and tight_filter.hpp with each cell's own
 // bounds. Hence the true birth is in [psi^-(b), phi(b)], psi^-(b) = min(b, lo_v over t_v >= b), the true death
 // likewise, and a bar of the filter stands for a class of F when its death is after psi(phi(birth)). Near scale a the
-// diagrams are within sqrt(psi(phi(a)) / a): a bad cell spoils only the scales from its value to its hi.
+// diagrams are within c(a) = sqrt(psi(phi(a)) / a): a bad cell spoils only the scales from its value to its hi.
+//
+// The basic filter's inputs are there from the start, t_v = 0 <= hi_v = R_v, and the same holds: phi(b) is never below the
+// largest R_v of an input, and a true bar that dies before need not be in the diagram.
 #pragma once
 #include <cstdint>
 
@@ -16,12 +20,25 @@ namespace netmesh {
 
 struct BarBounds {
     double birth_low, birth_high, death_low, death_high;
-    double certain_after;  // the bar is surely real when its death is after this
+    double certain_after;   // the bar is surely real when its death is after this
+    std::uint32_t certain;  // or for another reason: 1
+    std::uint32_t unused;
 };
 
-// bounds[i] of pairs[i], for the filter value[count] with interval[count]. Births at 0 are exact, deaths at infinity
-// too. O((count + pair_count) log count). Scratch: 48 bytes a vertex. out_of_memory.
+// From scale `from` to the next step's, psi(phi(a)) <= max(reach, a). Before the first step it is a.
+struct ScaleStep {
+    double from, reach;
+};
+
+struct ScaleCurve {
+    ScaleStep* steps;  // [count], ascending in both, at the arena's low end
+    std::uint64_t count;
+};
+
+// bounds[i] of pairs[i] and the curve, for the filter value[count] with interval[count]. Deaths at infinity are exact. A step
+// comes where psi(phi(a)) has grown by a 16th; their number is bounded by the logarithm of the spread of scales. O((count +
+// pair_count + steps) log count). Scratch: 48 bytes a vertex. out_of_memory.
 Status bound_bars(const double* value, const Interval* interval, std::uint32_t count, const Pair* pairs,
-                  std::uint64_t pair_count, Arena& arena, BarBounds* bounds);
+                  std::uint64_t pair_count, Arena& arena, BarBounds* bounds, ScaleCurve* curve);
 
 }  // namespace netmesh

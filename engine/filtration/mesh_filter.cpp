@@ -67,12 +67,12 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
     certificate->ratio_best = best;
     double ratio = 1;
     for (std::uint32_t v = 0; v < count; ++v) {
+        const Interval i = bounds.interval(v);
+        if (intervals != nullptr) intervals[v] = i;
         if (basic && store.vertex(v).marker == Marker::input) {
             value[v] = 0;
             continue;
         }
-        const Interval i = bounds.interval(v);
-        if (intervals != nullptr) intervals[v] = i;
         double t = bounds.own_value(v);
         if (values == FilterValues::certified) {
             const double least = i.hi / best, most = i.lo * best;

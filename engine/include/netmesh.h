@@ -38,7 +38,8 @@ typedef enum netmesh_status {
     NETMESH_FLAT = 6,             /* fewer than D+1 affinely independent points: no triangulation */
     NETMESH_TOO_CLOSE = 7,        /* points index_a < index_b are distinct but closer than 64 units in the last place */
     NETMESH_NO_RESULT = 8,        /* the call needs an earlier step that has not been done */
-    NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which */
+    NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which. Any job on a mesh taken over by
+                                     netmesh_load whose cells turn out not to be a triangulated ball */
     NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
     NETMESH_NOT_A_COMPLEX = 12 /* simplex index_a has no place in a filtered complex, detail.message says why; index_b:
@@ -88,6 +89,12 @@ typedef enum netmesh_method {
     NETMESH_METHOD_REFINE =
         2 /* VoronoiRefine (3.2) in the bounding domain and with the boundary net of 3.5: the reference */
 } netmesh_method;
+
+/* LOCATION: point location as in 4.7.2. Every input that is not inserted yet is stored in all D-balls (circumscribed balls) that
+ * contain it, and inputs are inserted in rounds of range nets (4.7.5), each of which is drawn from again until the largest load has
+ * halved. QUALITY: quality and the invariants of 4.8 and 4.9 are measured after each insertion. */
+typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
+
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone (results
  * are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre, positive,
  * and nowhere below 64 units in the last place of the coordinates: other values end the job with INVALID_ARGUMENT.
@@ -123,6 +130,10 @@ typedef struct netmesh_options {
     double ratio;                /* > sqrt 2; below about 1.9 meshes grow fast. 0: a mesh of aspect ratio tau */
     double focus_ratio;          /* in (1, ratio); 0: no scales of interest */
     double focus_from, focus_to; /* 0 < focus_from < focus_to */
+    /* A union of netmesh_audit_what, for NETMESH_JOB_MESH with SVR or NETMESH without sizes. The mesh is as good as without; it
+     * takes several times as long, with QUALITY about the number of cells for each vertex: for small runs. INTERNAL when an audit
+     * finds a point out of its balls or an encroached cage. */
+    uint32_t audit;
 } netmesh_options;
 
 /* Defaults for dimension dim (clamped to 2..6): tau 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6); seed 1; no poll. */
@@ -209,7 +220,7 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
                             const netmesh_options* options);
 
 /* A cage (4.5, epsilon = 1/2): its centre, an input; inputs within half of its radius; between there and the radius its shell,
- * 2 D exempt vertices; nothing between one and four radii but shells of other cages. Its domain is its ball without the balls
+ * 2 D exempt vertices; nothing between one and four radii but shells and Steiner points of other cages beside it. Its domain is its ball without the balls
  * of the cages directly inside it; cells of a domain's vertices are clipped to the ball of half of the radius. The cell of
  * the cage is the union of its vertices' cells, its in-radius as in 4.6. */
 typedef struct netmesh_cage {
@@ -377,7 +388,8 @@ typedef struct netmesh_analysis {
     uint64_t fingerprint;  /* of all figures; equal on every platform */
     /* Size (3.4, 3.6, 3.8): theta_i is the distance of the i-th input to the nearest before it over that to the second
      * nearest, in the ordering of netmesh_well_paced_order. */
-    uint64_t size;              /* |M|: vertices that are not exempt */
+    uint64_t size; /* |M|: vertices that are not exempt */
+    /* With cages the next two say nothing (0, infinity), nor does feature_ratio_bound (infinity): quality is that of domains. */
     double size_lower;          /* every mesh of aspect ratio tau on this domain has more vertices (3.4.2) */
     double size_upper;          /* every mesh of this feature_ratio has fewer (3.4.1) */
     double feature_ratio;       /* largest f_P(v) / f_M(v), distances to the second nearest input and vertex */
@@ -431,6 +443,25 @@ typedef enum netmesh_predicate_stage {
     NETMESH_PREDICATE_STAGES = 5
 } netmesh_predicate_stage;
 
+#define NETMESH_ROUNDS_MAX 32
+
+/* What the audits of options.audit found; 0 where not asked for. */
+typedef struct netmesh_audit {
+    uint32_t what; /* a union of netmesh_audit_what */
+    /* LOCATION. Load: points in a D-ball. */
+    uint32_t rounds, nets, nets_max;   /* samples drawn, in all and in one round */
+    uint32_t load[NETMESH_ROUNDS_MAX]; /* largest when each round begins; 0 after the last */
+    uint32_t ply_max;                  /* most D-balls that a point was in */
+    double ply_mean;                   /* D-balls that a point was in when its turn came */
+    uint32_t touches_max;              /* most insertions that moved a point or looked whether to move it (4.13) */
+    double touches_mean, tests_mean;   /* tests: the same for each new D-ball */
+    /* QUALITY: worst of all intermediate meshes. f_P: distance to the second nearest inserted input of the domain. */
+    uint32_t meshes;
+    double aspect_ratio_max;                       /* of vertices and cages, definition 4.5 */
+    double feature_ratio;                          /* K of the feature size invariant: f_P(v) / f_M(v) */
+    double cage_ratio, steiner_ratio, input_ratio; /* K' of the insertion radius invariant */
+} netmesh_audit;
+
 typedef struct netmesh_report {
     uint32_t struct_bytes; /* in: sizeof(netmesh_report) */
     uint32_t dim;
@@ -447,7 +478,7 @@ typedef struct netmesh_report {
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D; radius 0 for a Delaunay triangulation */
     netmesh_method method;              /* of the mesh; SVR after load */
     uint64_t cages, cages_made;         /* of a hierarchical mesh; made: those released again are counted too */
-    uint64_t touches; /* NETMESH_METHOD_NETMESH: inputs looked at by searches, domains passed by point location */
+    uint64_t touches; /* NETMESH_METHOD_NETMESH: inputs looked at, cells and domains passed by point location */
     /* diagram */
     uint32_t has_diagram;
     netmesh_filter filter;
@@ -456,7 +487,7 @@ typedef struct netmesh_report {
     uint32_t k;                                 /* of the filters KNN, KDISTANCE and the barycentric ones, else 0 */
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
-    uint64_t simplices;                         /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
+    uint64_t simplices;     /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
     double certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
                                    the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
@@ -480,6 +511,7 @@ typedef struct netmesh_report {
     double size_ratio_max;  /* worst R_v / f(v) of over-refinement, at most 1; 0 when none was asked for */
     double ratio;           /* asked for of a mesh refined by the certificate, else 0 */
     double focus_ratio, focus_from, focus_to; /* likewise */
+    netmesh_audit audit;
 } netmesh_report;
 
 netmesh_status netmesh_get_report(const netmesh_context* context, netmesh_report* report);
@@ -550,18 +582,28 @@ size_t netmesh_bottleneck_bytes(uint64_t count_a, uint64_t count_b);
 netmesh_status netmesh_bottleneck(const netmesh_pair* a, size_t count_a, const netmesh_pair* b, size_t count_b,
                                   uint32_t degree, netmesh_scale scale, void* scratch, size_t scratch_bytes,
                                   netmesh_poll poll, void* user, netmesh_distance* distance);
-/* For each bar where the true one surely is, from the bounds of every cell instead of one ratio, and whether the bar surely stands for
- * a class of the true diagram. Filters COMPLETE, TIGHT, KNN and KDISTANCE: by scale; ALPHA, SCALES, FUNCTION: by the certified
- * ratio. The numbers stay with the diagram: 40 bytes a bar. The diagram stays whole on failure.
- * NO_RESULT (no diagram, or the basic filter's), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+/* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely stands for
+ * a class of the true diagram; and the ratio as a function of scale. Filters COMPLETE, BASIC, TIGHT, KNN and KDISTANCE: by scale,
+ * and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; ALPHA, SCALES, FUNCTION: by the
+ * certified ratio. The numbers stay with the diagram: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and what a diagram
+ * takes; netmesh_plan_bytes does not count it. The diagram stays whole on failure.
+ * NO_RESULT (no diagram), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_options* options);
 typedef struct netmesh_bar_bounds {
     double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched */
     double
         certain_after; /* psi(phi(birth)), certificates hold near the scale `birth` within sqrt(certain_after / birth) */
-    uint32_t certain;  /* 1: death > certain_after, so the bar is surely real */
+    uint32_t certain;  /* 1: surely real: all bars with 1 belong to different true bars within their bounds. Surely so when death >
+                          certain_after, often for other reasons */
 } netmesh_bar_bounds;
 netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds);
+/* The certified ratio as a function of scale, after netmesh_bound_bars: for alpha from `from` up to the next step's `from` it is
+ * min(certified_ratio, sqrt(max(reach, alpha) / alpha)), before the first step 1. Steps ascend in `from` and in `reach`. */
+typedef struct netmesh_scale_step {
+    double from, reach; /* radii; reach may be infinite */
+    double ratio;       /* at alpha = from, the largest of the step */
+} netmesh_scale_step;
+netmesh_status netmesh_get_scale_step(const netmesh_context* context, uint64_t index, netmesh_scale_step* step);
 
 /* Where a vine is at one k: a pair of that k's diagram. Sorted by vine, then k; vines are numbered from 0 by degree, the first k at
  * which they have a length, birth and death there. A vine that loses its length and gets it again keeps its number. */

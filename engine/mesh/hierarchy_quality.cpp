@@ -21,6 +21,12 @@ public:
 
 private:
     template <class Visit> void visit_ball(std::uint32_t centre, double radius, Visit&& visit);
+    bool is_finite(std::uint32_t c) const { return store_.is_live(c) && !store_.is_ghost(c); }
+    // The cell behind facet i; none outside, where a store in use has a ghost.
+    std::uint32_t neighbour(std::uint32_t c, int i) const {
+        const std::uint32_t word = store_.cell(c).neighbour[i];
+        return word == none || store_.is_ghost(word >> 3) ? none : word >> 3;
+    }
     bool corner(std::uint32_t c, Cell<D>* scratch) const;
     double ratio(std::uint32_t v) const {
         const bool counts = store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt;
@@ -78,9 +84,8 @@ void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& vis
         }
         for (int i = 0; i <= D; ++i) {
             // The neighbour has all vertices of the cell but the i-th.
-            if ((inside & ~(1u << i)) == 0 || cell.neighbour[i] == none) continue;
-            const std::uint32_t n = cell.neighbour[i] >> 3;
-            if (mark_[n] == stamp_) continue;
+            const std::uint32_t n = (inside & ~(1u << i)) == 0 ? none : neighbour(list_[k], i);
+            if (n == none || mark_[n] == stamp_) continue;
             mark_[n] = stamp_;
             list_[count++] = n;
         }
@@ -141,8 +146,10 @@ template <int D> CheckResult Measurement<D>::find_encroached() {
             const Marker marker = store_.vertex(v).marker;
             if (d2 < r2)
                 inner |= marker == Marker::input && d2 > e2;
-            else
-                outer |= d2 > r2 && (marker != Marker::exempt || domain_[v] == none);
+            else if (d2 > r2)
+                outer |=
+                    marker == Marker::input || domain_[v] == none ||
+                    (marker == Marker::steiner && is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
         });
         if (inner) return {"an input encroaches on a cage from inside", cage.centre};
         if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};
@@ -164,9 +171,9 @@ template <class Offer>
 void Measurement<D>::clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& here, Offer&& offer) const {
     if (ball.contains(here.centre)) return offer(here.centre, -1);
     for (int i = 0; i <= D; ++i) {
-        const std::uint32_t word = store_.cell(c).neighbour[i];
+        const std::uint32_t n = neighbour(c, i);
         Cell<D> there;
-        if (word == none || !corner(word >> 3, &there)) continue;
+        if (n == none || !corner(n, &there)) continue;
         double z[2][D];
         const int crossings = sphere_crossings<D>(ball, here.centre, there.centre, z);
         for (int j = 0; j < crossings; ++j) offer(z[j], i);
@@ -224,6 +231,7 @@ template <int D> void Measurement<D>::measure_cells() {
         cage_out2_[d] = 0;
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
+        if (!is_finite(c)) continue;
         const Cell<D>& cell = store_.cell(c);
         bool equal = true;
         for (int i = 0; i <= D; ++i) {

@@ -9,6 +9,22 @@ struct Range {
     std::uint32_t begin, end;
 };
 
+// A range to be looked at, beyond planes across each axis at these distances from x. Squares are summed as those of distances are,
+// so that no distance to a point in the range is computed to be less than least2.
+template <int D> struct Waiting {
+    Range range;
+    double least2, offset[D];
+
+    Waiting beyond(int axis, double distance, Range part) const {
+        Waiting other = {part, 0, {}};
+        for (int k = 0; k < D; ++k) {
+            other.offset[k] = k == axis ? distance : offset[k];
+            other.least2 += other.offset[k] * other.offset[k];
+        }
+        return other;
+    }
+};
+
 constexpr auto is_nearer = [](const Neighbour& a, const Neighbour& b) {
     return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.input < b.input);
 };
@@ -88,14 +104,13 @@ template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena,
 template <int D>
 template <class Consider, class Bound>
 void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) const {
-    Range stack[40];
-    double plane2[40];  // no point of the range is nearer than this, squared
+    Waiting<D> stack[40];
     int depth = 0;
-    stack[0] = {0, count_};
-    plane2[depth++] = 0;
+    stack[depth++] = {{0, count_}, 0, {}};
     while (depth > 0) {
-        Range range = stack[--depth];
-        if (plane2[depth] > bound2()) continue;
+        const Waiting<D> from = stack[--depth];
+        if (from.least2 > bound2()) continue;
+        Range range = from.range;
         while (range.end - range.begin > leaf) {
             const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
             const int axis = axis_[middle];
@@ -110,8 +125,8 @@ void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) c
                 }
             }
             const Range below = {range.begin, middle}, above = {middle + 1, range.end};
-            stack[depth] = offset < 0 ? above : below;
-            plane2[depth++] = offset * offset;
+            stack[depth] = from.beyond(axis, offset, offset < 0 ? above : below);
+            if (!(stack[depth].least2 > bound2())) ++depth;
             range = offset < 0 ? below : above;
         }
         for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
@@ -135,6 +150,21 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
     if (start != none) consider(start);
     visit(x, consider, [&] { return best2; });
     *distance2 = best2;
+    return best;
+}
+
+template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, double bound2, double* distance2) const {
+    std::uint32_t best = none;
+    *distance2 = bound2;
+    const auto consider = [&](std::uint32_t v) -> double {
+        const double d2 = squared_distance(x, v);
+        if (d2 < *distance2 || (d2 == *distance2 && best != none && v < best)) {
+            *distance2 = d2;
+            best = v;
+        }
+        return d2;
+    };
+    visit(x, consider, [&] { return *distance2; });
     return best;
 }
 
@@ -177,11 +207,12 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
         }
         return d2;
     };
-    Range stack[40];
+    Waiting<D> stack[40];
     int depth = 0;
-    stack[depth++] = {0, count_};
+    stack[depth++] = {{0, count_}, 0, {}};
     while (depth > 0) {
-        const Range range = stack[--depth];
+        const Waiting<D> from = stack[--depth];
+        const Range range = from.range;
         if (range.end - range.begin <= leaf) {
             for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
             continue;
@@ -189,8 +220,12 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
         const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
         const double d = square_root(consider(items_[middle])), reach = reach_[middle];
         if ((d + reach) * (1 + 8 * unit_roundoff) < best1 || (d - reach) * (1 - 8 * unit_roundoff) > outer) continue;
-        stack[depth++] = {range.begin, middle};
-        stack[depth++] = {middle + 1, range.end};
+        const double offset = x[axis_[middle]] - store_->point(items_[middle])[axis_[middle]];
+        const Range below = {range.begin, middle}, above = {middle + 1, range.end};
+        stack[depth] = from;
+        stack[depth++].range = offset < 0 ? below : above;
+        stack[depth] = from.beyond(axis_[middle], offset, offset < 0 ? above : below);
+        if (!(stack[depth].least2 > outer * outer)) ++depth;
     }
     *distance2 = best2;
     return best;

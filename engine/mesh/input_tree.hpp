@@ -33,6 +33,10 @@ public:
     // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
     std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
 
+    // The same among the inputs nearer to x than bound, of which there may be `none`. Where there is none, parts of the tree that are
+    // farther away are passed over at once.
+    std::uint32_t nearest_within(const double* x, double bound2, double* distance2) const;
+
     // Its layout, for other searches: items of a range below the middle have an axis(middle) coordinate at most that of the
     // middle item, those above at least.
     TreeRange root() const { return {0, count_}; }

@@ -23,8 +23,8 @@ namespace {
 //
 // ReleaseCage happens when a Steiner point comes nearer than a cage's clearance, which only gaps not much wider than a cage
 // needs let happen. Cages are never made again about the same inputs, as their shells stay as vertices, so refinement ends
-// where it would end without cages. The shell of a neighbouring cage is as near as its centre, up to a quarter, and does not
-// count as encroaching. Whoever lost a clipping sphere by a release is found by a look at all cells after the last
+// where it would end without cages. The shell of a neighbouring cage and Steiner points inside it are as near as its centre, up to
+// a quarter, and do not count as encroaching. Whoever lost a clipping sphere by a release is found by a look at all cells after the last
 // insertion; those next to the shell at once.
 //
 // YieldingInsert of a shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the way to the centre. An input that
@@ -55,24 +55,28 @@ private:
 template <int D> class NetMesh {
 public:
     NetMesh(Store<D>& store, const HierarchyOptions& options, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain),
-          tau_(options.tau * (1 - tau_margin)) {}
+        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain), options_(options),
+          measures_(options.audit_quality), tau_(options.tau * (1 - tau_margin)) {}
 
-    Status open(const HierarchyOptions& options, InputReport* input);
+    Status open(InputReport* input);
     Status run(const std::uint32_t* order);
+    Status run_rounds(std::uint32_t* order);
     Status finish();
+    void find_nearest_inputs();
     std::uint32_t keep_cages(HierarchyReport* report);
     // First thing at the low end.
     Status reserve(std::size_t n) { return hierarchy_.open(store_, store_.arena, static_cast<std::uint32_t>(n)); }
     Cage* cages() { return hierarchy_.cages(); }
+    bool lists_are_full() const { return lists_full_; }
 
 private:
     Status insert(std::uint32_t v, std::uint32_t from);
     Status fill(std::uint32_t v, const Cavity& cavity);
     Status insert_input(std::uint32_t p, std::uint32_t from, Path* path);
+    Status insert_with_path(std::uint32_t p, Path* path);
+    Status audit(std::uint32_t v, bool cleaning);
     Status approach(std::uint32_t p, const Cavity& cavity, Path* path);
-    Status insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t start,
-                          std::uint32_t cell);
+    Status insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t near, std::uint32_t cell);
     Status new_cage(std::uint32_t p, double reach);
     Status release_encroached();
     Status release_cage(std::uint32_t d);
@@ -85,7 +89,7 @@ private:
 
     void update_star(const Cavity& cavity, std::uint32_t v);
     void settle(std::uint32_t p, const Cavity& cavity);
-    void meet(std::uint32_t w, const double* x, bool encroaches);
+    void meet(std::uint32_t w, const double* x, bool encroaches, std::uint32_t within);
     void queue_bad_vertices(std::uint32_t c);
     void queue_bad_cages(std::uint32_t c);
     void queue_bad_crossings(const Domain<D>& ball, std::uint32_t c, unsigned positions);
@@ -95,15 +99,25 @@ private:
     }
 
     bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }
+    // Where the search for input p starts.
+    std::uint32_t start_for(std::uint32_t p) const {
+        return lists_.is_open() ? lists_.ball_of(p) : store_.state.last_cell;
+    }
     Domain<D> ball_of(std::uint32_t d) { return domain_ball<D>(store_, hierarchy_.cages(), d, domain_); }
 
     Store<D>& store_;
     Kernel<D> kernel_;
     Monitor& monitor_;
     Domain<D>& domain_;
+    const HierarchyOptions& options_;
     InputTree<D> tree_;
     BucketQueue<D> queue_;
     Hierarchy<D> hierarchy_;
+    BallLists<D> lists_;
+    LocationAudit location_ = {};
+    QualityAudit quality_ = {};
+    std::uint32_t audited_ = none;  // vertices made before the step at hand
+    bool lists_full_ = false, measures_;
     double tau_;
     std::uint32_t inputs_ = 0, inserted_ = 0;
     // Of the input p whose turn it is: its nearest neighbour u in M_Omega, Omega the domain of p, the nearest distance of u in
@@ -114,17 +128,22 @@ private:
     std::uint64_t passed_ = 0;         // domains passed in finding the domain of an input
 };
 
-template <int D> Status NetMesh<D>::open(const HierarchyOptions& options, InputReport* input) {
+template <int D> Status NetMesh<D>::open(InputReport* input) {
     inputs_ = store_.state.vertex_count;
     Status status = tree_.build(store_, store_.arena, inputs_, true);
     if (status == Status::ok) status = check_separation<D>(store_, tree_, input);
     if (status != Status::ok) return status;
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
-    domain_.radius = domain_.enclosing_radius * options.domain_factor * (1 + tau_margin);
+    domain_.radius = domain_.enclosing_radius * options_.domain_factor * (1 + tau_margin);
     const double reach = frame_factor[D] * domain_.radius;
-    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok || store_.open_cells() != Status::ok)
+    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
+    if (options_.audit_location && lists_.open(store_, store_.arena, inputs_) != Status::ok)
         return Status::out_of_memory;
-    return open_frame<D>(store_, kernel_, tree_, domain_, reach);
+    if (store_.open_cells() != Status::ok) return Status::out_of_memory;
+    status = open_frame<D>(store_, kernel_, tree_, domain_, reach);
+    audited_ = store_.state.vertex_count;
+    if (status == Status::ok && lists_.is_open() && !lists_.start(kernel_)) status = Status::out_of_memory;
+    return status;
 }
 
 // Inserts vertex v, whose record is complete, near cell `from`. Nothing has changed when memory runs out.
@@ -136,9 +155,19 @@ template <int D> Status NetMesh<D>::insert(std::uint32_t v, std::uint32_t from) 
 
 template <int D> Status NetMesh<D>::fill(std::uint32_t v, const Cavity& cavity) {
     if (!kernel_.can_fill(cavity, 0)) return Status::out_of_memory;
+    const bool is_input = store_.vertex(v).marker == Marker::input;
+    if (lists_.is_open()) {
+        if (is_input && !lists_.agrees(kernel_, cavity, v)) return Status::internal;
+        lists_.detach(kernel_, cavity, v);
+    }
     kernel_.fill(cavity, v);
-    if (store_.vertex(v).marker == Marker::input) ++inserted_;
+    if (is_input) ++inserted_;
     update_star(cavity, v);
+    // The mesh is whole, only the lists are not: the job stops as if it had been asked to.
+    if (lists_.is_open() && !lists_.attach(kernel_, cavity, v)) {
+        lists_full_ = true;
+        return Status::cancelled;
+    }
     monitor_.mesh_size(store_.state.vertex_count - inputs_ + inserted_, store_.live_cells());
     return monitor_.advance(inserted_, 4 + 2 * cavity.facets) ? Status::cancelled : Status::ok;
 }
@@ -147,9 +176,11 @@ template <int D> Status NetMesh<D>::fill(std::uint32_t v, const Cavity& cavity) 
 template <int D> void NetMesh<D>::update_star(const Cavity& cavity, std::uint32_t v) {
     update_nearest<D>(store_, kernel_, cavity, v, queue_);
     const Vertex<D>& centre = store_.vertex(v);
-    if (hierarchy_.live() > 0)
+    if (hierarchy_.live() > 0) {
+        const std::uint32_t within = centre.marker == Marker::steiner ? hierarchy_.of(v) : none;
         kernel_.visit_neighbours(cavity, v,
-                                 [&](std::uint32_t w) { meet(w, centre.x, centre.marker != Marker::exempt); });
+                                 [&](std::uint32_t w) { meet(w, centre.x, centre.marker != Marker::exempt, within); });
+    }
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
         const std::uint32_t c = kernel_.new_cell(k);
         queue_bad_vertices(c);
@@ -178,8 +209,9 @@ template <int D> void NetMesh<D>::settle(std::uint32_t p, const Cavity& cavity) 
     near_nearest2_ = hierarchy_.cage(near_cage_).nearest2;
 }
 
-// A new vertex at x has become a neighbour of w: it is outside of the cages that contain w but not x.
-template <int D> void NetMesh<D>::meet(std::uint32_t w, const double* x, bool encroaches) {
+// A new vertex at x has become a neighbour of w: it is outside of the cages that contain w but not x. `within`: the domain
+// of a Steiner point, whose cage is the one that a cage beside it has to do with.
+template <int D> void NetMesh<D>::meet(std::uint32_t w, const double* x, bool encroaches, std::uint32_t within) {
     for (std::uint32_t d = hierarchy_.of(w); d != none && !hierarchy_.contains(d, x); d = hierarchy_.parent(d)) {
         Cage& cage = hierarchy_.cage(d);
         const double d2 = distance2<D>(x, store_.point(cage.centre)), clear = cage_clearance * cage.radius;
@@ -188,6 +220,7 @@ template <int D> void NetMesh<D>::meet(std::uint32_t w, const double* x, bool en
             push_cage(d);
         }
         if (!encroaches || !(d2 < clear * clear) || cage.next != none) continue;
+        if (!hierarchy_.contains(within, store_.point(cage.centre))) continue;
         cage.next = encroached_ == none ? d : encroached_;  // the last one points at itself
         encroached_ = d;
     }
@@ -266,6 +299,7 @@ template <int D> void NetMesh<D>::queue_bad_cages(std::uint32_t c) {
 // Climbs from p, which is not medial, through inputs farther and farther from its nearest neighbour, which are to be inserted
 // first, to the cage that contains them all, if there is room for one.
 template <int D> Status NetMesh<D>::approach(std::uint32_t p, const Cavity& cavity, Path* path) {
+    if (!options_.cages) return Status::ok;
     settle(p, cavity);
     if (store_.vertex(near_).marker != Marker::input) return Status::ok;
     constexpr double clearance = cage_clearance / cage_epsilon * (1 + 2 * tau_margin);
@@ -291,7 +325,33 @@ template <int D> Status NetMesh<D>::insert_input(std::uint32_t p, std::uint32_t 
     Status status = approach(p, cavity, path);
     if (status != Status::ok || (path != nullptr && path->top() != p)) return status;
     status = before == store_.state.vertex_count ? fill(p, cavity) : insert(p, store_.vertex(near_).cell);
-    return status == Status::ok ? release_encroached() : status;
+    if (status == Status::ok) status = release_encroached();
+    return status == Status::ok ? audit(p, path == nullptr) : status;
+}
+
+// Inserts p and what has to come before it, and restores the quality of all cells each time.
+template <int D> Status NetMesh<D>::insert_with_path(std::uint32_t p, Path* path) {
+    for (path->push(p); !path->empty();) {
+        const std::uint32_t top = path->top();
+        if (store_.vertex(top).cell != none) {
+            path->pop();
+            continue;
+        }
+        Status status = insert_input(top, start_for(top), path);
+        if (status == Status::ok && path->top() == top) status = clean();
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+// One intermediate mesh is whole: vertex v has been inserted, and the shell of a cage before, if one was made.
+template <int D> Status NetMesh<D>::audit(std::uint32_t v, bool cleaning) {
+    if (!measures_) return Status::ok;
+    const Status status = audit_quality<D>(store_, hierarchy_.cages(), hierarchy_.made(), domain_, store_.arena,
+                                           {audited_, v, cleaning}, &quality_);
+    audited_ = store_.state.vertex_count;
+    if (status != Status::ok) return status;
+    return quality_.encroached > 0 || quality_.cage > cage_insertion_bound<D>() ? Status::internal : status;
 }
 
 // The cage of the inputs within `reach` of the nearest neighbour of p. There are no vertices in it yet, but for those of a
@@ -309,16 +369,14 @@ template <int D> Status NetMesh<D>::new_cage(std::uint32_t p, double reach) {
     const double* const c = store_.point(u);
     std::uint64_t random = mix64(std::uint64_t{u} << 32 | d);
     for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
-        double x[D], d2;
+        double x[D];
         for (int k = 0; k < D; ++k) {
             random = mix64(random);
             const double jitter = shell_jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
             const double axis = k != static_cast<int>(i / 2) ? 0 : i % 2 == 0 ? 1 : -1;
             x[k] = c[k] + shell_factor * radius * (axis + jitter);
         }
-        const std::uint32_t near = tree_.nearest(x, u, none, &d2);
-        make_vertex<D>(store_, x, near, Marker::exempt);
-        hierarchy_.hint(near, d);
+        make_vertex<D>(store_, x, u, Marker::exempt);
     }
     for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
         const Status status = insert(v, store_.vertex(u).cell);
@@ -361,20 +419,23 @@ template <int D> Status NetMesh<D>::release_cage(std::uint32_t d) {
     return Status::ok;
 }
 
-// Inserts a Steiner point at x in a domain, where a ball of this squared radius about x is empty, or yields to an input.
+// Inserts a Steiner point at x in a domain, where a ball of this squared radius about x is empty, or yields to an input. `near`: an
+// input in the domain or in one inside it.
 template <int D>
-Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t start,
+Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t near,
                                   std::uint32_t cell) {
     double input2;
-    const std::uint32_t near = tree_.nearest(x, start, none, &input2);
-    if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none)
-        return insert_input(near, cell, nullptr);
+    const bool may_yield = inserted_ < inputs_;
+    const std::uint32_t input =
+        may_yield ? tree_.nearest_within(x, yield_radius * yield_radius * empty2, &input2) : none;
+    if (input != none && store_.vertex(input).cell == none) return insert_input(input, cell, nullptr);
     if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
     const std::uint32_t s = make_vertex<D>(store_, x, near, Marker::steiner);
     hierarchy_.hint(near, domain);
-    const Status status = insert(s, cell);
+    Status status = insert(s, cell);
     if (status == Status::out_of_memory) store_.truncate_vertices(s);
-    return status == Status::ok ? release_encroached() : status;
+    if (status == Status::ok) status = release_encroached();
+    return status == Status::ok ? audit(s, true) : status;
 }
 
 // Farthest corner of the clipped cell of v, and a Steiner point towards it when that makes the cell bad.
@@ -394,12 +455,12 @@ template <int D> Status NetMesh<D>::clean_vertex(std::uint32_t v) {
     });
     if (!fits) return Status::out_of_memory;
     if (!is_bad(corner.distance2, nearest2)) return Status::ok;
-    const double wanted = pull_back * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
+    const double wanted = pull_back[D] * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
     const double fraction = wanted < whole ? wanted / whole : 1;
     double x[D];
     for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
-    const std::uint32_t start = store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
-    const Status status = insert_steiner(x, distance2<D>(x, p), d, start, corner.cell);
+    const std::uint32_t near = store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
+    const Status status = insert_steiner(x, distance2<D>(x, p), d, near, corner.cell);
     if (status == Status::ok) queue_.push(v);
     return status;
 }
@@ -454,7 +515,7 @@ template <int D> Status NetMesh<D>::clean_cage(std::uint32_t d) {
     const Cage& cage = hierarchy_.cage(d);
     const double inner = in_radius<D>(cage), whole = square_root(corner.distance2 > 0 ? corner.distance2 : 0);
     if (!(whole > tau_ * inner)) return Status::ok;
-    const double wanted = pull_back * tau_ * inner;
+    const double wanted = pull_back[D] * tau_ * inner;
     const double distance = wanted < whole ? wanted : whole, empty = distance - cage.radius;
     const double* const c = store_.point(cage.centre);
     double x[D];
@@ -476,19 +537,31 @@ template <int D> Status NetMesh<D>::clean() {
 }
 
 template <int D> Status NetMesh<D>::run(const std::uint32_t* order) {
-    monitor_.begin(NETMESH_STAGE_REFINE, inputs_);
     Path path;
-    for (std::uint32_t k = 0; k < inputs_; ++k)
-        for (path.push(order[k]); !path.empty();) {
-            const std::uint32_t p = path.top();
-            if (store_.vertex(p).cell != none) {
-                path.pop();
-                continue;
+    for (std::uint32_t k = 0; k < inputs_; ++k) {
+        if (store_.vertex(order[k]).cell != none) continue;
+        const Status status = insert_with_path(order[k], &path);
+        if (status != Status::ok) return status;
+    }
+    return sweep();
+}
+
+// SelectRound (4.7.5), where a net is a sample whose effect is verified. order: scratch.
+template <int D> Status NetMesh<D>::run_rounds(std::uint32_t* order) {
+    Path path;
+    for (std::uint32_t load = lists_.load(); load > 0; load = lists_.load()) {
+        location_.load[location_.rounds++] = load;
+        std::uint32_t nets = 0;
+        do {
+            const std::uint32_t count = lists_.draw_nets(load / 2, options_.seed + location_.nets++, order);
+            if (++nets > location_.nets_max) location_.nets_max = nets;
+            for (std::uint32_t k = 0; k < count; ++k) {
+                const Status status =
+                    store_.vertex(order[k]).cell != none ? Status::ok : insert_with_path(order[k], &path);
+                if (status != Status::ok) return status;
             }
-            Status status = insert_input(p, store_.state.last_cell, &path);
-            if (status == Status::ok && path.top() == p) status = clean();
-            if (status != Status::ok) return status;
-        }
+        } while (lists_.load() > load / 2);
+    }
     return sweep();
 }
 
@@ -508,12 +581,21 @@ template <int D> Status NetMesh<D>::sweep() {
 }
 
 template <int D> Status NetMesh<D>::finish() {
+    measures_ = false;
     for (std::uint32_t d = 0; d < hierarchy_.made(); ++d) {
         if (!hierarchy_.is_live(d)) continue;
         const Status status = release_cage(d);
         if (status != Status::ok) return status;
     }
     return sweep();
+}
+
+// What filters ask of a mesh without cages: the nearest input of each vertex.
+template <int D> void NetMesh<D>::find_nearest_inputs() {
+    for (std::uint32_t v = inputs_; v < store_.state.vertex_count; ++v) {
+        double d2;
+        store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);
+    }
 }
 
 // Moves the cages that are left to the front; parents are named by their new places.
@@ -527,7 +609,9 @@ template <int D> std::uint32_t NetMesh<D>::keep_cages(HierarchyReport* report) {
     }
     for (std::uint32_t d = 0; d < hierarchy_.made(); ++d)
         if (hierarchy_.is_live(d) && cages[d].parent != none) cages[d].parent = cages[cages[d].parent].next;
-    *report = {kept, hierarchy_.made(), hierarchy_.made() - kept, tree_.touches() + passed_};
+    if (lists_.is_open()) lists_.report(&location_);
+    *report = {kept,      hierarchy_.made(), hierarchy_.made() - kept, tree_.touches() + kernel_.steps() + passed_,
+               location_, quality_};
     std::uint32_t out = 0;
     for (std::uint32_t d = 0; out < kept; ++d) {
         if (!hierarchy_.is_live(d)) continue;
@@ -551,10 +635,15 @@ Status netmesh(Store<D>& store, const double* points, std::size_t n, const Hiera
     std::uint32_t* order;
     status = take_input<D>(store, points, n, options.seed, monitor, input, &order);
     if (status != Status::ok) return status;
-    status = mesher.open(options, input);
-    if (status == Status::ok) status = mesher.run(order);
+    status = mesher.open(input);
+    if (status == Status::ok) {
+        monitor.begin(NETMESH_STAGE_REFINE, input->rows - input->duplicates);
+        status = options.audit_location ? mesher.run_rounds(order) : mesher.run(order);
+    }
     if (status == Status::ok && options.finish) status = mesher.finish();
+    if (status == Status::cancelled && mesher.lists_are_full()) status = Status::out_of_memory;
     const std::uint32_t kept = mesher.keep_cages(report);
+    if (kept == 0 && store.state.cell_slots > 0) mesher.find_nearest_inputs();
     *cages = mesher.cages();
     const std::size_t low = store.arena.offset_of(*cages + kept);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));

@@ -31,6 +31,7 @@ private:
 
     Status insert(std::uint32_t v, std::uint32_t from);
     Status split(std::uint32_t v, const Corner<D>& corner);
+    bool must_yield(const double* x, double empty2, std::uint32_t near, double input2) const;
     Status clean();
     bool look(std::uint32_t v, CellView* view);
     const Corner<D>* bad_corner(std::uint32_t v, const CellView& view) const;
@@ -217,10 +218,19 @@ template <int D> const Corner<D>* Refinement<D>::bad_corner(std::uint32_t v, con
     return hi > (2 + tau_) * lo || hi > tau_ * d ? &view.whole : nullptr;
 }
 
+// Must a Steiner point at x, with an empty ball of this squared radius, give way to its nearest input, not inserted yet?
+template <int D>
+bool Refinement<D>::must_yield(const double* x, double empty2, std::uint32_t near, double input2) const {
+    if (input2 < yield_radius * yield_radius * empty2 || !(input2 < empty2)) return input2 < empty2;
+    double second2;  // f_P(x) squared
+    tree_.nearest(x, none, near, &second2);
+    return (tau_ - 2) * (tau_ - 2) * second2 > (tau_ + 2) * (tau_ + 2) * input2;
+}
+
 // Inserts a Steiner point between v and a bad corner of its cell, or yields to an input near that place.
 template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner<D>& corner) {
     const double nearest2 = store_.vertex(v).nearest2;
-    const double wanted = reference_ ? infinity : pull_back * 0.5 * tau_ * square_root(nearest2);
+    const double wanted = reference_ ? infinity : pull_back[D] * 0.5 * tau_ * square_root(nearest2);
     const double whole = square_root(corner.distance2);
     const double fraction = wanted < whole ? wanted / whole : 1;
     const double* const p = store_.point(v);
@@ -230,8 +240,7 @@ template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner<D>& c
 
     double input2;
     const std::uint32_t near = tree_.nearest(x, nearest_input(v), none, &input2);
-    if (input2 < yield_radius * yield_radius * empty2 && store_.vertex(near).cell == none)
-        return insert(near, corner.cell);
+    if (store_.vertex(near).cell == none && must_yield(x, empty2, near, input2)) return insert(near, corner.cell);
     if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
     const std::uint32_t s = make_vertex<D>(store_, x, near, Marker::steiner);
     Status status = sized_ ? note_size(s) : Status::ok;

@@ -1,6 +1,7 @@
 // Hierarchical meshes through the C interface: cages read, carried, loaded and checked.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "common/session.hpp"
@@ -125,6 +126,62 @@ TEST_CASE("methods, finishing and what goes with them") {
     CHECK(session.report().vertices > 10 * caged);
     session.options.method = static_cast<netmesh_method>(3);
     CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+}
+
+TEST_CASE("audits report what they found, and go with what they are for") {
+    const inputs::Points points = inputs::nested(2, 4, 12, 1e3);
+    Session session(2);
+    session.options.tau = 3;
+    REQUIRE(session.mesh(points) == NETMESH_OK);
+    CHECK(session.report().audit.what == 0);
+    CHECK(session.report().audit.rounds == 0);
+    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_NETMESH}) {
+        session.options.method = method;
+        session.options.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+        REQUIRE(session.mesh(method == NETMESH_METHOD_SVR ? inputs::uniform(2, 30) : points) == NETMESH_OK);
+        CHECK(session.check() == NETMESH_OK);
+        const netmesh_audit audit = session.report().audit;
+        CHECK(audit.what == session.options.audit);
+        CHECK(session.report().method == method);
+        CHECK((session.report().cages > 0) == (method == NETMESH_METHOD_NETMESH));
+        REQUIRE(audit.rounds > 1);
+        CHECK(audit.load[0] == session.report().inputs);
+        for (int k = 0; k + 1 < NETMESH_ROUNDS_MAX; ++k) CHECK(audit.load[k + 1] <= audit.load[k] / 2);
+        CHECK(audit.ply_mean > 1);
+        CHECK(audit.touches_mean > 1);
+        CHECK(audit.meshes > session.report().inputs);
+        CHECK(audit.aspect_ratio_max >= session.report().aspect_ratio_max);
+        CHECK(audit.feature_ratio >= audit.steiner_ratio);
+    }
+    session.options.finish = 1;
+    REQUIRE(session.mesh(points) == NETMESH_OK);
+    CHECK(session.report().cages == 0);
+    CHECK(session.report().audit.rounds > 1);
+    CHECK(session.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_INVALID_ARGUMENT);
+    session.options.audit = 4;
+    CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+    session.options.audit = NETMESH_AUDIT_LOCATION;
+    session.options.method = NETMESH_METHOD_REFINE;
+    CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+}
+
+TEST_CASE("bounds on the size are not claimed for a mesh with cages") {
+    Session session(2);
+    session.options.method = NETMESH_METHOD_NETMESH;
+    REQUIRE(session.mesh(inputs::geometric(2, 1e3, 8)) == NETMESH_OK);
+    REQUIRE(session.report().cages > 0);
+    netmesh_analysis a;
+    a.struct_bytes = sizeof a;
+    REQUIRE(netmesh_analyse(session.context, NETMESH_ANALYSE_SIZE, 0.5, &session.options, &a) == NETMESH_OK);
+    CHECK(a.size_lower == 0);
+    CHECK(std::isinf(a.size_upper));
+    CHECK(std::isinf(a.feature_ratio_bound));
+    CHECK(a.integral_lower[0] > 0);
+    session.options.finish = 1;
+    REQUIRE(session.mesh(inputs::geometric(2, 1e3, 8)) == NETMESH_OK);
+    REQUIRE(netmesh_analyse(session.context, NETMESH_ANALYSE_SIZE, 0.5, &session.options, &a) == NETMESH_OK);
+    CHECK(a.size_upper > a.size);
+    CHECK(a.size_upper < 1e12);
 }
 
 TEST_CASE("cells are measured one by one") {

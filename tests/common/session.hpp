@@ -52,8 +52,9 @@ public:
         const std::size_t n = points.size() / options.dim;
         return until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST, &options, n), [&] {
             const netmesh_status status = netmesh_mesh(context, points.data(), n, NETMESH_JOB_PERSIST, &options);
-            return status != NETMESH_OK ? status
-                                        : netmesh_persist(context, filter, values, NETMESH_DIM_MAX, 0, &options);
+            if (status != NETMESH_OK) return status;
+            const netmesh_status found = netmesh_persist(context, filter, values, NETMESH_DIM_MAX, 0, &options);
+            return found == NETMESH_OK && bounds ? netmesh_bound_bars(context, &options) : found;
         });
     }
     netmesh_status alpha(const inputs::Points& points) {
@@ -103,6 +104,7 @@ public:
 
     netmesh_context* context = nullptr;
     netmesh_options options;
+    bool bounds = false;  // mesh_and_persist goes on to netmesh_bound_bars
 
 private:
     void* block_ = nullptr;

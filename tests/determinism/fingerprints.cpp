@@ -48,6 +48,30 @@ void represent(const char* job, Session& session, netmesh_status status) {
                 static_cast<int>(status));
 }
 
+// Every number of the bounds of bars and of the ratio by scale.
+void bound(const char* job, Session& session) {
+    const netmesh_status status = netmesh_bound_bars(session.context, &session.options);
+    failed = failed || status != NETMESH_OK;
+    std::uint64_t hash = 1, bars = 0, steps = 0, certain = 0;
+    const auto add = [&](double x) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        hash = (hash ^ bits) * 0x100000001B3u + (hash >> 32);
+    };
+    netmesh_bar_bounds b;
+    for (; netmesh_get_bar_bounds(session.context, bars, &b) == NETMESH_OK; ++bars) {
+        for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high, b.certain_after}) add(x);
+        certain += b.certain;
+    }
+    netmesh_scale_step s;
+    for (; netmesh_get_scale_step(session.context, steps, &s) == NETMESH_OK; ++steps)
+        for (const double x : {s.from, s.reach, s.ratio}) add(x);
+    std::printf("bounds %s D%" PRIu32 " %016" PRIx64 " bars %" PRIu64 " certain %" PRIu64 " steps %" PRIu64
+                " status %d\n",
+                job, session.options.dim, hash, bars, certain, steps, static_cast<int>(status));
+    std::fflush(stdout);
+}
+
 void print_analysis(const char* input, Session& session, std::uint32_t what) {
     netmesh_analysis a = {};
     a.struct_bytes = sizeof a;
@@ -56,6 +80,26 @@ void print_analysis(const char* input, Session& session, std::uint32_t what) {
     std::printf("analyse %s D%" PRIu32 " status %d result %016" PRIx64 " boxes %" PRIu64 " ply %" PRIu64
                 " degree %" PRIu64 "\n",
                 input, session.options.dim, static_cast<int>(status), a.fingerprint, a.boxes, a.ply_max, a.degree_max);
+    std::fflush(stdout);
+}
+
+void print_audit(const char* input, Session& session, const inputs::Points& points) {
+    session.options.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    const netmesh_status status = session.mesh(points);
+    session.options.audit = 0;
+    print("audit", input, session, status);
+    const netmesh_audit a = session.report().audit;
+    const double ratios[] = {a.ply_mean,      a.touches_mean, a.tests_mean,    a.aspect_ratio_max,
+                             a.feature_ratio, a.cage_ratio,   a.steiner_ratio, a.input_ratio};
+    std::uint64_t hash = 1;
+    for (const double ratio : ratios) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &ratio, sizeof bits);
+        hash = (hash ^ bits) * 0x100000001B3u;
+    }
+    std::printf("audit %s D%" PRIu32 " rounds %" PRIu32 " nets %" PRIu32 " ply %" PRIu32 " touches %" PRIu32
+                " meshes %" PRIu32 " ratios %016" PRIx64 "\n",
+                input, session.options.dim, a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, hash);
     std::fflush(stdout);
 }
 
@@ -77,6 +121,8 @@ void dimension(int dim) {
     session.options.method = NETMESH_METHOD_NETMESH;
     print("netmesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
     print("netmesh", "geometric", session, session.mesh(inputs::geometric(dim, 1000, dim < 5 ? 40 : 10)));
+    print_audit("uniform", session, inputs::uniform(dim, 4 + meshed[d] / 16));
+    print_audit("geometric", session, inputs::geometric(dim, 1000, 10));
     session.options.finish = 1;
     print("netmesh-finish", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d] / 4)));
     session.options.finish = 0;
@@ -88,6 +134,7 @@ void dimension(int dim) {
     print("mesh-eps", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4 + 3)));
     session.options.over_refine_eps = 0;
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
+    bound("uniform", session);
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session,
           session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
@@ -97,6 +144,7 @@ void dimension(int dim) {
         session.options.k = 5;
         print(filter == NETMESH_FILTER_KNN ? "persist-knn" : "persist-kdistance", "uniform", session,
               session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
+        bound(filter == NETMESH_FILTER_KNN ? "knn" : "kdistance", session);
     }
     session.options.ratio = 2.25;
     print("persist-ratio", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));

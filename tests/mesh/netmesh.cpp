@@ -18,9 +18,9 @@ namespace {
 
 template <int D> struct Hierarchical {
     Hierarchical(const inputs::Points& points, double tau, bool finish = false,
-                 std::size_t bytes = std::size_t{1} << 25)
+                 std::size_t bytes = std::size_t{1} << 25, std::uint64_t seed = 1)
         : block(bytes), store(block.arena, state) {
-        status = netmesh::netmesh<D>(store, points.data(), points.size() / D, {tau, 1, finish, 1}, monitor, &input,
+        status = netmesh::netmesh<D>(store, points.data(), points.size() / D, {tau, 1, finish, seed}, monitor, &input,
                                      &domain, &cages, &report);
     }
     HierarchyQuality quality() {
@@ -146,6 +146,34 @@ TEST_CASE("Steiner points release cages that have too little room, and the mesh 
     const HierarchyQuality q = m.quality();
     CHECK(q.encroached.violation == nullptr);
     CHECK(q.worst <= 2.3);
+}
+
+TEST_CASE("a Steiner point of the cage beside it does not encroach on a cage") {
+    // Found by fuzzing: two cages four radii apart, one of them with Steiner points on the near side.
+    const inputs::Points points = {
+        -0x1.f66a6bc80bd24p-23, -0x1.c29b8d2b625dcp-9,  0x1.4e7b5fa51bb3cp-16,  -0x1.f97f1cdda1d64p-23,
+        -0x1.bb848ce610034p-9,  0x1.4e7234e25b3fep-16,  -0x1.07e41b98751acp-22, -0x1.88d749ac47bd4p-1,
+        0x1.58b0607498cc6p-16,  0x1.15cf5ecb56dfep-21,  -0x1.88d8cd59c46a5p-1,  -0x1.7c03d789a65c7p-13,
+        -0x1.36622561948e2p-14, -0x1.88d749b54e645p-1,  0x1.d4faffab0b9dap-2,   -0x1.b672f33b92706p-10,
+        0x1.c09fdc6065854p-9,   0x1.1251ed157296bp-10,  -0x1.8f0c866b43ac7p-13, -0x1.d47b026b8704bp-5,
+        0x1.2a8a0f3cdb8cp-14,   -0x1.8f0d2d4daaa01p-13, -0x1.be86f1cf88bebp-5,  0x1.247c0c746b234p-14,
+        -0x1.bf80e067922f8p-13, -0x1.d47b0127bffa2p-5,  0x1.3a7c11079e193p-8,   0x1.608f613be518fp-8,
+        -0x1.885888dcbedc9p-1,  0x1.4443549e1c63p-16,   -0x1.d57d95db25c17p-12, -0x1.34eed7bcc36d9p-1,
+        0x1.019b2513a5b9ap-5,   -0x1.3ee6e46497b79p-3,  -0x1.cf836010891d1p-5,  0x1.3907f88d08835p-8};
+    Hierarchical<3> m(points, 2.2, false, std::size_t{1} << 22, 3480);
+    REQUIRE(m.status == Status::ok);
+    REQUIRE(m.report.cages >= 2);
+    const HierarchyQuality q = m.quality();
+    CHECK(q.encroached.violation == nullptr);
+    CHECK(q.worst <= 2.2);
+    bool near = false;
+    for (std::uint32_t d = 0; d < m.report.cages; ++d)
+        for (std::uint32_t v = 0; v < m.state.vertex_count; ++v) {
+            const double r = std::sqrt(distance2<3>(m.store.point(v), m.store.point(m.cages[d].centre)));
+            near |= m.store.vertex(v).marker == Marker::steiner && r > m.cages[d].radius &&
+                    r < cage_clearance * m.cages[d].radius;
+        }
+    CHECK(near);
 }
 
 TEST_CASE("planted violations of hierarchical quality are found") {

@@ -18,6 +18,7 @@ template <int D> void within_certificate(const std::string& name, const inputs::
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         Session session(D);
         session.options.tau = tau;
+        session.bounds = true;
         REQUIRE(session.mesh_and_persist(points, NETMESH_FILTER_COMPLETE, values) == NETMESH_OK);
         const netmesh_report r = report(session);
         CHECK(r.certified_ratio <= r.tau);

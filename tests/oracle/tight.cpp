@@ -23,9 +23,10 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
         REQUIRE(session.until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_TIGHT, &session.options, n), [&] {
             const netmesh_status status =
                 netmesh_mesh(session.context, points.data(), n, NETMESH_JOB_PERSIST_TIGHT, &session.options);
-            return status != NETMESH_OK
-                       ? status
-                       : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, values, D - 1, 0, &session.options);
+            if (status != NETMESH_OK) return status;
+            const netmesh_status found =
+                netmesh_persist(session.context, NETMESH_FILTER_TIGHT, values, D - 1, 0, &session.options);
+            return found == NETMESH_OK ? netmesh_bound_bars(session.context, &session.options) : found;
         }) == NETMESH_OK);
         const netmesh_report r = report(session);
         const double distance = log_distance(diagram(session), truth, D);

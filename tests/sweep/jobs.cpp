@@ -30,6 +30,13 @@ netmesh_status alpha(const Job& job, netmesh_context* context, netmesh_options* 
     return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
 }
 
+netmesh_status audited(const Job& job, netmesh_context* context, netmesh_options* options) {
+    netmesh_options copy = *options;
+    copy.method = NETMESH_METHOD_NETMESH;
+    copy.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, &copy);
+}
+
 netmesh_status alpha_low(const Job& job, netmesh_context* context, netmesh_options* options) {
     const netmesh_status status = delaunay(job, context, options);
     if (status != NETMESH_OK) return status;
@@ -49,6 +56,11 @@ netmesh_status persist(const Job& job, netmesh_context* context, netmesh_options
 netmesh_status check(const Job& job, netmesh_context* context, netmesh_options* options) {
     const netmesh_status status = mesh(job, context, options);
     return status != NETMESH_OK ? status : netmesh_check(context, NETMESH_CHECK_ALL, options);
+}
+
+netmesh_status basic_bounds(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = persist<NETMESH_FILTER_BASIC, NETMESH_VALUES_CERTIFIED>(job, context, options);
+    return status != NETMESH_OK ? status : netmesh_bound_bars(context, options);
 }
 
 // With cages: points at distances that shrink twentyfold.
@@ -160,12 +172,14 @@ const std::vector<Job>& all_jobs() {
             {"mesh", 2, 8, mesh},
             {"mesh", 3, 5, mesh},
             {"mesh", 4, 3, mesh},
+            {"audited", 2, 4, audited},
             {"complete", 2, 6, complete},
             {"complete", 3, 4, complete},
             {"complete", 4, 2, complete},
             {"basic", 2, 6, basic},
             {"basic", 3, 4, basic},
             {"basic", 4, 2, basic},
+            {"bounds-basic", 3, 4, basic_bounds, false, 0, true},
             {"check", 2, 6, check, false, 0, true},
             {"check", 3, 4, check, false, 0, true},
             {"check", 4, 2, check, false, 0, true},

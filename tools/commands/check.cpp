@@ -44,10 +44,12 @@ Outcome mismatch(const std::string& what) { return {Exit::check, "netmesh: check
 Outcome run_check(const Options& options) {
     const double start = platform::seconds_now();
     const std::string ending = ending_of(options.positionals[0]);
-    if (ending != ".node" && ending != ".pers") {
-        return usage_error(options.positionals[0] + ": check takes a mesh (.node) or a diagram (.pers)");
+    if (ending != ".node" && ending != ".pers" && ending != ".vines") {
+        return usage_error(options.positionals[0] +
+                           ": check takes a mesh (.node), a diagram (.pers) or a vineyard (.vines)");
     }
-    if (ending == ".node" && !options.mesh_path.empty()) return usage_error("--mesh goes with a diagram (.pers)");
+    if (ending == ".node" && !options.mesh_path.empty())
+        return usage_error("--mesh goes with a diagram (.pers) or a vineyard (.vines)");
     if (!options.mesh_path.empty() && ending_of(options.mesh_path) != ".node") {
         return usage_error("--mesh " + options.mesh_path + ": must be a .node file");
     }
@@ -65,7 +67,7 @@ Outcome run_check(const Options& options) {
             outcome = check_mesh(options, files, &run, session);
         }
     } else {
-        outcome = check_diagram(options, &run);
+        outcome = ending == ".pers" ? check_diagram(options, &run) : check_vines(options, &run);
     }
     if (!outcome.good()) return outcome;
     run.total_seconds = platform::seconds_now() - start;

@@ -13,6 +13,7 @@ struct DiagramFile {
     std::string name;
     std::vector<Bar> bars;
     std::vector<std::uint64_t> lines;
+    std::vector<BoundLine> bounds;
     bool has_zero_bars = false;
     std::uint32_t top_degree = 0;
 };
@@ -23,6 +24,7 @@ Outcome read_diagram(const std::string& path, DiagramFile* file) {
     Outcome outcome = read_content(path, &content);
     if (outcome.good()) outcome = parse_diagram(content, file->name, &file->bars, &file->lines);
     if (!outcome.good()) return outcome;
+    file->bounds = bound_lines(content);
     for (const Bar& bar : file->bars) {
         file->has_zero_bars = file->has_zero_bars || bar.birth == bar.death;
         file->top_degree = std::max(file->top_degree, bar.degree);
@@ -61,12 +63,26 @@ void compare(const DiagramFile& file, const std::vector<Bar>& recomputed, const 
     best->closest += " has " + bar_text(file.bars, at) + " where " + bar_text(recomputed, at) + " is due";
 }
 
+// What the file says about bounds against those of the diagram that the session holds. Empty where they agree.
+std::string bounds_complaint(const DiagramFile& file, const netmesh_context* context) {
+    TextWriter text;
+    write_diagram(bars_of(context), bounds_of(context), text);
+    const std::vector<BoundLine> due = bound_lines(text.text());
+    for (std::size_t i = 0; i < file.bounds.size() || i < due.size(); i++) {
+        if (i < file.bounds.size() && i < due.size() && file.bounds[i].text == due[i].text) continue;
+        const std::uint64_t line = i < file.bounds.size() ? file.bounds[i].number : file.lines.back();
+        return file.name + ":" + std::to_string(line) +
+               ": bounds differ: " + (i < due.size() ? "\"" + due[i].text + "\" is due" : "nothing is due");
+    }
+    return "";
+}
+
 using Prepare = std::function<netmesh_status(Session&)>;
 
 // Runs `prepare` (mesh, triangulation or load) and each candidate on it until one equals the file.
 Outcome recompute(const Options& options, const DiagramFile& file, const std::vector<Candidate>& list,
                   const PointCloud& cloud, netmesh_job job, const Prepare& prepare, Session& session, Comparison* best,
-                  Candidate* found) {
+                  Candidate* found, std::string* complaint) {
     if (list.empty() || best->equal) return {};
     return session.run(job, cloud, [&](Session& s) {
         netmesh_status status = prepare(s);
@@ -86,12 +102,16 @@ Outcome recompute(const Options& options, const DiagramFile& file, const std::ve
             *found = list[i];
             if (best->equal) break;
         }
+        if (status != NETMESH_OK || !best->equal || file.bounds.empty()) return status;
+        status = s.call(NETMESH_STAGE_CERTIFY, [&] { return netmesh_bound_bars(s.context(), &s.engine_options()); });
+        if (status == NETMESH_OK) *complaint = bounds_complaint(file, s.context());
         return status;
     });
 }
 
 Outcome conclude(const DiagramFile& file, const Comparison& best, const Candidate& found, const std::string& source,
-                 const Session& session, RunReport* run) {
+                 const std::string& complaint, const Session& session, RunReport* run) {
+    if (!complaint.empty()) return mismatch(complaint);
     if (!best.equal) {
         return mismatch(file.name + " is not the diagram of " + source + "; closest is " + best.closest);
     }
@@ -102,6 +122,7 @@ Outcome conclude(const DiagramFile& file, const Comparison& best, const Candidat
     if (run->engine->certified_from > 0) text += " from radius " + rounded_text(run->engine->certified_from, 6);
     if (run->engine->is_mesh != 0) text += "; aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6);
     run->checked->push_back(text);
+    if (!file.bounds.empty()) run->checked->push_back("its bounds of bars and ratios by scale are those computed anew");
     return {};
 }
 
@@ -112,6 +133,7 @@ Outcome check_diagram_with_points(const Options& options, const DiagramFile& fil
     Session session(options, points.dim);
     Comparison best;
     Candidate found = {};
+    std::string complaint;
     const double* const x = points.coordinates.data();
     const netmesh_job job =
         options.filter && promises_accuracy(options) ? job_of(*options.filter) : NETMESH_JOB_PERSIST;
@@ -123,11 +145,11 @@ Outcome check_diagram_with_points(const Options& options, const DiagramFile& fil
     const std::vector<Candidate> list = candidates(options, true, false);
     if (!list.empty() && list[0].filter == NETMESH_FILTER_COMPLETE && list[0].values == NETMESH_VALUES_CERTIFIED) {
         session.set_goal(options.ratio.value_or(session.default_ratio()), options.focus, options.from, options.to);
-        outcome = recompute(options, file, {list[0]}, points, job, mesh, session, &best, &found);
+        outcome = recompute(options, file, {list[0]}, points, job, mesh, session, &best, &found, &complaint);
         session.set_goal(0, 0, 0, 0);
         if (!outcome.good()) return outcome;
     }
-    outcome = recompute(options, file, list, points, job, mesh, session, &best, &found);
+    outcome = recompute(options, file, list, points, job, mesh, session, &best, &found, &complaint);
     if (!outcome.good()) return outcome;
     outcome = recompute(
         options, file, candidates(options, false, true), points, NETMESH_JOB_PERSIST_ALPHA,
@@ -135,10 +157,10 @@ Outcome check_diagram_with_points(const Options& options, const DiagramFile& fil
             return s.call(NETMESH_STAGE_DELAUNAY,
                           [&] { return netmesh_delaunay(s.context(), x, points.rows(), &s.engine_options()); });
         },
-        session, &best, &found);
+        session, &best, &found, &complaint);
     // Flat points have no triangulation: then only the mesh filters could have made the diagram.
     if (!outcome.good() && outcome.exit != Exit::degenerate) return outcome;
-    return conclude(file, best, found, points.name, session, run);
+    return conclude(file, best, found, points.name, complaint, session, run);
 }
 
 // Filters on the points themselves grow too fast to be tried: only the one that --filter names.
@@ -155,6 +177,7 @@ Outcome check_points_filter(const Options& options, const DiagramFile& file, Run
     if (plan == 0) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
     Comparison best;
     Candidate found = {};
+    std::string complaint;
     outcome = session.run_planned(plan, points, [&](Session& s) {
         netmesh_status status = NETMESH_OK;
         for (std::size_t i = 0; i < list.size() && status == NETMESH_OK && !best.equal; i++) {
@@ -169,7 +192,7 @@ Outcome check_points_filter(const Options& options, const DiagramFile& file, Run
         }
         return status;
     });
-    return outcome.good() ? conclude(file, best, found, points.name, session, run) : outcome;
+    return outcome.good() ? conclude(file, best, found, points.name, complaint, session, run) : outcome;
 }
 
 Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file, RunReport* run) {
@@ -182,11 +205,12 @@ Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file,
     const bool is_mesh = !files.node.domain.empty();
     Comparison best;
     Candidate found = {};
+    std::string complaint;
     outcome = recompute(
         options, file, candidates(options, is_mesh, !is_mesh), files.node.cloud,
         is_mesh ? NETMESH_JOB_PERSIST : NETMESH_JOB_PERSIST_ALPHA, [&](Session& s) { return load_mesh(s, files); },
-        session, &best, &found);
-    return outcome.good() ? conclude(file, best, found, files.node.cloud.name, session, run) : outcome;
+        session, &best, &found, &complaint);
+    return outcome.good() ? conclude(file, best, found, files.node.cloud.name, complaint, session, run) : outcome;
 }
 
 }  // namespace

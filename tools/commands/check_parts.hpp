@@ -36,4 +36,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
 // The diagram of the positional argument: by itself, or recomputed from --mesh or --points.
 Outcome check_diagram(const Options& options, RunReport* run);
 
+// The vineyard of the positional argument, likewise.
+Outcome check_vines(const Options& options, RunReport* run);
+
 }  // namespace netmesh::tool

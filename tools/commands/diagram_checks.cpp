@@ -1,5 +1,6 @@
 #include "tools/commands/diagram_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -37,6 +38,15 @@ std::string bar_text(const std::vector<Bar>& bars, std::size_t index) {
     text += ' ';
     append_number(text, bars[index].death);
     return text;
+}
+
+std::vector<Bar> diagram_at(const Vines& vines, std::uint32_t k) {
+    std::vector<Bar> bars;
+    for (const netmesh_vine_point& p : vines.points) {
+        if (p.k == k) bars.push_back({p.degree, p.birth, p.death});
+    }
+    std::sort(bars.begin(), bars.end(), comes_before);
+    return bars;
 }
 
 }  // namespace netmesh::tool

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/io/diagram_file.hpp"
+#include "tools/io/vine_file.hpp"
 
 namespace netmesh::tool {
 
@@ -19,5 +20,8 @@ std::size_t first_difference(const std::vector<Bar>& a, const std::vector<Bar>& 
 
 // "1 0.25 0.5", or "nothing" past the end.
 std::string bar_text(const std::vector<Bar>& bars, std::size_t index);
+
+// The diagram of one k, in canonical order.
+std::vector<Bar> diagram_at(const Vines& vines, std::uint32_t k);
 
 }  // namespace netmesh::tool

@@ -153,7 +153,7 @@ std::string checked_text(const Options& options) {
 
 // What the result is made of, by the options: files, pictures, data on stdout.
 std::vector<FileJob> result_jobs(const Options& options, const netmesh_context* context, const ContextMesh& mesh,
-                                 const std::vector<Bar>& bars, const std::vector<netmesh_bar_bounds>& bounds,
+                                 const std::vector<Bar>& bars, const Bounds& bounds,
                                  const netmesh_report& report) {
     std::vector<FileJob> jobs;
     const bool data_on_stdout = options.out.empty() && !options.json;
@@ -163,7 +163,7 @@ std::vector<FileJob> result_jobs(const Options& options, const netmesh_context* 
         }
         if (!options.mesh_out.empty()) add_mesh_files(mesh, options.mesh_out, &jobs);
         if (!options.svg.empty()) {
-            jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, report); }});
+            jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, report, bounds); }});
         }
         if (!options.out.empty() || data_on_stdout) {
             jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, bounds, out); }});
@@ -191,10 +191,6 @@ Outcome run_engine_command(const Options& options) {
     Outcome outcome = check_accuracy(options);
     if (outcome.good()) outcome = check_ratio(options);
     if (outcome.good()) outcome = check_filter(options);
-    if (outcome.good() && options.bounds && filter_of(options) == NETMESH_FILTER_BASIC) {
-        outcome =
-            usage_error("--bounds: the basic filter's certificate begins at a scale and has no bounds for single bars");
-    }
     if (outcome.good()) outcome = check_outputs(options, 0);
     PointCloud cloud;
     if (outcome.good()) outcome = read_points(options.positionals[0], &cloud);
@@ -222,7 +218,7 @@ Outcome run_engine_command(const Options& options) {
 
     const double computed = platform::seconds_now();
     std::vector<Bar> bars;
-    std::vector<netmesh_bar_bounds> bounds;
+    Bounds bounds;
     if (options.command == Command::persist) {
         bars = bars_of(session.context());
         bounds = bounds_of(session.context());
@@ -245,7 +241,7 @@ Outcome run_engine_command(const Options& options) {
     run.total_seconds = platform::seconds_now() - start;
     if (options.bounds) {
         run.certain.resize(run.engine->max_degree + 1);
-        for (std::size_t i = 0; i < bounds.size(); i++) run.certain[bars[i].degree] += bounds[i].certain;
+        for (std::size_t i = 0; i < bounds.bars.size(); i++) run.certain[bars[i].degree] += bounds.bars[i].certain;
         run.bounds = &bounds;
     }
     if (options.json && options.out.empty() && options.command == Command::persist) run.bars = &bars;

@@ -93,10 +93,12 @@ std::vector<Bar> bars_of(const netmesh_context* context) {
     return bars;
 }
 
-std::vector<netmesh_bar_bounds> bounds_of(const netmesh_context* context) {
-    std::vector<netmesh_bar_bounds> bounds;
+Bounds bounds_of(const netmesh_context* context) {
+    Bounds bounds;
     netmesh_bar_bounds b;
-    for (std::uint64_t i = 0; netmesh_get_bar_bounds(context, i, &b) == NETMESH_OK; i++) bounds.push_back(b);
+    for (std::uint64_t i = 0; netmesh_get_bar_bounds(context, i, &b) == NETMESH_OK; i++) bounds.bars.push_back(b);
+    netmesh_scale_step step;
+    for (std::uint64_t i = 0; netmesh_get_scale_step(context, i, &step) == NETMESH_OK; i++) bounds.steps.push_back(step);
     return bounds;
 }
 

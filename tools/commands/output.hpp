@@ -36,9 +36,9 @@ private:
     const netmesh_context* context_;
 };
 
-// The diagram inside a context.
 // Empty unless the context holds bounds.
-std::vector<netmesh_bar_bounds> bounds_of(const netmesh_context* context);
+Bounds bounds_of(const netmesh_context* context);
+// The diagram inside a context.
 std::vector<Bar> bars_of(const netmesh_context* context);
 
 // Exit::usage unless `path` is empty (stdout, OFF) or has an ending that meshes can be written to; with a dimension

@@ -17,16 +17,6 @@ namespace {
 
 netmesh_filter filter_of(const Options& options) { return options.filter.value_or(NETMESH_FILTER_KNN); }
 
-// The diagram of one k, in canonical order.
-std::vector<Bar> diagram_at(const Vines& vines, std::uint32_t k) {
-    std::vector<Bar> bars;
-    for (const netmesh_vine_point& p : vines.points) {
-        if (p.k == k) bars.push_back({p.degree, p.birth, p.death});
-    }
-    std::sort(bars.begin(), bars.end(), comes_before);
-    return bars;
-}
-
 // The checkers of the mesh, then each diagram computed afresh.
 netmesh_status check(Session& session, const Options& options, const Vines& vines, std::uint32_t max_degree,
                      std::string* fault) {

@@ -1,5 +1,6 @@
 #include "tools/io/diagram_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tools/io/lines.hpp"
@@ -12,7 +13,11 @@ bool comes_before(const Bar& a, const Bar& b) {
     return a.death < b.death;
 }
 
-void write_diagram(const std::vector<Bar>& bars, const std::vector<netmesh_bar_bounds>& bounds, TextWriter& out) {
+void write_diagram(const std::vector<Bar>& bars, const Bounds& known, TextWriter& out) {
+    for (const netmesh_scale_step& step : known.steps) {
+        out << "# scale " << step.from << " reach " << step.reach << " ratio " << step.ratio << '\n';
+    }
+    const std::vector<netmesh_bar_bounds>& bounds = known.bars;
     for (std::size_t i = 0; i < bars.size(); i++) {
         out << bars[i].degree << ' ' << bars[i].birth << ' ' << bars[i].death;
         if (i < bounds.size()) {
@@ -22,6 +27,21 @@ void write_diagram(const std::vector<Bar>& bars, const std::vector<netmesh_bar_b
         }
         out << '\n';
     }
+}
+
+std::vector<BoundLine> bound_lines(std::string_view content) {
+    std::vector<BoundLine> lines;
+    std::uint64_t number = 0;
+    while (!content.empty()) {
+        const std::size_t end = std::min(content.find('\n'), content.size());
+        std::string_view line = content.substr(0, end);
+        content.remove_prefix(std::min(end + 1, content.size()));
+        number++;
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        const bool of_bar = line.find(" # birth ") != std::string_view::npos;
+        if (of_bar || line.substr(0, 8) == "# scale ") lines.push_back({number, std::string(line)});
+    }
+    return lines;
 }
 
 namespace {

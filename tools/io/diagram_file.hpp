@@ -23,8 +23,22 @@ inline bool operator==(const Bar& a, const Bar& b) {
 // The order of .pers files: degree, birth, death.
 bool comes_before(const Bar& a, const Bar& b);
 
-// With bounds, one for each bar, every line ends in a comment: `# birth A B death C D real`, the last word where it is.
-void write_diagram(const std::vector<Bar>& bars, const std::vector<netmesh_bar_bounds>& bounds, TextWriter& out);
+// What is surely known about a diagram: of each bar, and the certified ratio by scale.
+struct Bounds {
+    std::vector<netmesh_bar_bounds> bars;
+    std::vector<netmesh_scale_step> steps;
+};
+
+// With bounds, comments `# scale FROM reach REACH ratio RATIO` (netmesh_scale_step) come first, and every line ends in a comment:
+// `# birth A B death C D real`, the last word where it is.
+void write_diagram(const std::vector<Bar>& bars, const Bounds& bounds, TextWriter& out);
+
+// A line that write_diagram makes of bounds.
+struct BoundLine {
+    std::uint64_t number;
+    std::string text;
+};
+std::vector<BoundLine> bound_lines(std::string_view content);
 
 // Comments and blank lines are skipped; births are finite and >= 0, deaths >= births. Any order. lines[i], when asked
 // for, is the physical line of bar i. Faults are Exit::data with file and line.

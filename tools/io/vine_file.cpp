@@ -1,5 +1,9 @@
 #include "tools/io/vine_file.hpp"
 
+#include <cmath>
+#include <string>
+
+#include "tools/io/lines.hpp"
 #include "tools/options.hpp"
 
 namespace netmesh::tool {
@@ -31,6 +35,83 @@ void write_vines(const Vines& vines, const netmesh_report& report, TextWriter& o
     for (const netmesh_vine_point& p : vines.points) {
         out << p.vine << ' ' << p.degree << ' ' << p.k << ' ' << p.birth << ' ' << p.death << '\n';
     }
+}
+
+namespace {
+
+bool parse_index(std::string_view word, std::uint32_t* index) {
+    std::uint64_t value;
+    if (!parse_unsigned(std::string(word), &value) || value >= NETMESH_NONE) return false;
+    *index = static_cast<std::uint32_t>(value);
+    return true;
+}
+
+// `# filter knn, certified values` or `# k 3 certified ratio 2.1`; other comments say nothing.
+Complaint parse_comment(std::string_view line, VineFile* file) {
+    const std::vector<std::string_view> words = split_blanks(line);
+    if (words.size() == 5 && words[1] == "filter") {
+        file->filter = words[2] == "knn,"         ? NETMESH_FILTER_KNN
+                       : words[2] == "kdistance," ? NETMESH_FILTER_KDISTANCE
+                                                  : NETMESH_FILTER_NONE;
+        file->values = words[3] == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
+        return file->filter == NETMESH_FILTER_NONE ? "a vineyard's filter is knn or kdistance" : "";
+    }
+    if (words.size() != 6 || words[1] != "k" || words[3] != "certified") return {};
+    std::uint32_t k;
+    double ratio;
+    if (!parse_index(words[2], &k) || !parse_finite(std::string(words[5]), &ratio) || !(ratio >= 1))
+        return "not `# k K certified ratio C`";
+    Vines& vines = file->vines;
+    if (vines.ratios.empty()) vines.k_first = k;
+    if (k < 1 || k != vines.k_first + vines.ratios.size()) return "the k of the ratios are not one after the other";
+    vines.ratios.push_back(ratio);
+    return {};
+}
+
+Complaint parse_point(std::string_view line, const Vines& vines, netmesh_vine_point* point) {
+    const std::vector<std::string_view> words = split_blanks(line);
+    if (words.size() != 5) return std::to_string(words.size()) + " fields; a line is: vine degree k birth death";
+    if (!parse_index(words[0], &point->vine)) return quoted(words[0]) + " is not a vine";
+    if (!parse_index(words[1], &point->degree)) return quoted(words[1]) + " is not a degree";
+    if (!parse_index(words[2], &point->k) || point->k < vines.k_first ||
+        point->k - vines.k_first >= vines.ratios.size())
+        return quoted(words[2]) + " is not a k with a certified ratio above";
+    if (!parse_finite(std::string(words[3]), &point->birth) || point->birth < 0)
+        return quoted(words[3]) + " is not a birth: finite and not below 0";
+    point->death = HUGE_VAL;
+    if (words[4] != "inf" && (!parse_finite(std::string(words[4]), &point->death) || point->death <= point->birth))
+        return quoted(words[4]) + " is not a death: inf, or finite and after the birth";
+    if (vines.points.empty()) return point->vine == 0 ? "" : "the first vine is not 0";
+    const netmesh_vine_point& before = vines.points.back();
+    if (point->vine == before.vine) {
+        if (point->k <= before.k) return "the k of a vine do not ascend";
+        return point->degree == before.degree ? "" : "a vine changes its degree";
+    }
+    return point->vine == before.vine + 1 ? "" : "vines are not numbered one after the other";
+}
+
+}  // namespace
+
+Outcome parse_vines(std::string_view content, const std::string& name, VineFile* file) {
+    std::uint64_t number = 0;
+    while (!content.empty()) {
+        const std::size_t end = content.find('\n');
+        std::string_view line = content.substr(0, end);
+        content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
+        number++;
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        if (split_blanks(line).empty()) continue;
+        netmesh_vine_point point;
+        const bool comment = line.front() == '#';
+        const Complaint complaint = comment ? parse_comment(line, file) : parse_point(line, file->vines, &point);
+        if (!complaint.empty()) return line_error(name, number, complaint);
+        if (comment) continue;
+        file->vines.points.push_back(point);
+        file->lines.push_back(number);
+    }
+    if (file->filter == NETMESH_FILTER_NONE) return line_error(name, 1, "no line `# filter F, V values`");
+    if (file->vines.ratios.empty()) return line_error(name, 1, "no line `# k K certified ratio C`");
+    return {};
 }
 
 }  // namespace netmesh::tool

@@ -109,7 +109,30 @@ void draw_labels(Svg& svg, const Panel& panel, double y, const BarGroup& group) 
 
 }  // namespace
 
+BarStyle style_of(const std::vector<Bar>& bars, const netmesh_report& report, const Bounds& bounds) {
+    BarStyle style{report.certified_ratio, report.certified_from};
+    style.has_flags = !bounds.bars.empty();
+    style.steps = bounds.steps;
+    // Of equal bars all have to be real, as they are drawn alike.
+    for (std::size_t first = 0, last; first < bounds.bars.size(); first = last) {
+        bool all = true;
+        for (last = first; last < bounds.bars.size() && bars[last] == bars[first]; last++)
+            all = all && bounds.bars[last].certain != 0;
+        if (all) style.real.push_back(bars[first]);
+    }
+    return style;
+}
+
+double BarStyle::doubtful(double birth) const {
+    double reach = steps.empty() ? ratio * ratio * birth : birth;
+    for (const netmesh_scale_step& step : steps) {
+        if (step.from <= birth) reach = std::isfinite(step.reach) ? step.reach : ratio * ratio * birth;
+    }
+    return std::max(reach, birth);
+}
+
 bool BarStyle::certain(const Bar& bar) const {
+    if (has_flags) return std::binary_search(real.begin(), real.end(), bar, comes_before);
     const double start = std::max(bar.birth, from);
     return bar.birth == 0 ? bar.death > from : bar.death > ratio * ratio * start;
 }

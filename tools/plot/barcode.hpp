@@ -15,9 +15,17 @@ struct Panel {
 struct BarStyle {
     double ratio;  // certified ratio c
     double from;   // radius from which it holds
+    std::vector<netmesh_scale_step> steps = {};  // the ratio by scale, when it is known
+    bool has_flags = false;                      // then `real` tells which bars are
+    std::vector<Bar> real = {};                  // sorted
     // True when the exact diagram surely has a class for this bar.
     bool certain(const Bar& bar) const;
+    // Death up to which a bar with this birth may be an artefact.
+    double doubtful(double birth) const;
 };
+
+// The style that certified ratio and bounds, if there are any, give.
+BarStyle style_of(const std::vector<Bar>& bars, const netmesh_report& report, const Bounds& bounds);
 
 // Bars of one degree as the barcode shows them.
 struct BarGroup {

@@ -54,8 +54,8 @@ std::string certificate(const netmesh_report& report) {
     return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the " + of;
 }
 
-void draw_key(Svg& svg, double x, double y, const netmesh_report& report, std::uint32_t max_degree) {
-    for (std::uint32_t degree = 0; degree <= max_degree; degree++) {
+void draw_key(Svg& svg, double x, double y, const netmesh_report& report, const BarStyle& style) {
+    for (std::uint32_t degree = 0; degree <= report.max_degree; degree++) {
         svg.circle(x, y - 4, 4, degree_colour(degree));
         svg.text(x + 9, y, homology_label(degree), 13, ink, Anchor::start);
         x += 44;
@@ -63,6 +63,14 @@ void draw_key(Svg& svg, double x, double y, const netmesh_report& report, std::u
     if (report.certified_ratio <= 1) return;
     const double square = report.certified_ratio * report.certified_ratio;
     svg.rect(x + 8, y - 11, 22, 13, "#fbf3dc");
+    if (style.has_flags) {
+        svg.text(
+            x + 38, y,
+            "death / birth \xE2\x89\xA4 c(birth)\xC2\xB2, the certified ratio at the scale of birth; faint bars may be "
+            "artefacts, every solid class is real",
+            12, faint_ink, Anchor::start);
+        return;
+    }
     svg.text(x + 38, y,
              "death / birth \xE2\x89\xA4 c\xC2\xB2 = " + rounded_text(square, 3) +
                  ": drawn faint, may be an artefact; every solid class is real",
@@ -71,10 +79,10 @@ void draw_key(Svg& svg, double x, double y, const netmesh_report& report, std::u
 
 }  // namespace
 
-std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report) {
+std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report, const Bounds& bounds) {
     TextWriter out;
     Svg svg(out, page_width, page_height);
-    const BarStyle style{report.certified_ratio, report.certified_from};
+    const BarStyle style = style_of(bars, report, bounds);
     const LogScale scale = scale_for(bars);
     const std::string subject = report.dim == 0
                                     ? "a complex of " + grouped_text(report.simplices) + " simplices"
@@ -86,7 +94,7 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     draw_barcode(svg, barcode, group_bars(bars, report.max_degree, rows_max), scale, style);
     const Panel scatter{800, 92, 440, 520};
     draw_scatter(svg, scatter, bars, scale, style);
-    draw_key(svg, 52, page_height - 26, report, report.max_degree);
+    draw_key(svg, 52, page_height - 26, report, style);
     svg.finish();
     return out.text();
 }

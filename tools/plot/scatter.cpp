@@ -58,11 +58,44 @@ void draw_axes(Svg& svg, const Square& square, const LogScale& scale) {
     svg.upright_text(square.panel.x - 38, (square.top() + square.bottom()) / 2, "death", 12, ink);
 }
 
+// Up to the death that is doubtful for each birth, where that is known by scale.
+void draw_doubt(Svg& svg, const Square& square, const LogScale& scale, const BarStyle& style) {
+    std::vector<double> area = {square.x_of(scale.high), square.y_of(scale.high), square.x_of(scale.low),
+                                square.y_of(scale.low)};
+    std::vector<double> edges = {scale.low};
+    for (const netmesh_scale_step& step : style.steps) {
+        for (const double radius : {step.from, step.reach}) {
+            const double at = std::log(radius);
+            if (at > scale.low && at < scale.high) edges.push_back(at);
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.push_back(scale.high);
+    for (std::size_t i = 0; i + 1 < edges.size(); i++) {
+        // Between two edges the doubtful death is one value or, where nothing is doubtful, the birth itself.
+        const double middle = std::exp((edges[i] + edges[i + 1]) / 2), doubtful = style.doubtful(middle);
+        for (const double at : {edges[i], edges[i + 1]}) {
+            const double x = square.x_of(at), top = doubtful > middle ? std::log(doubtful) : at;
+            area.insert(area.end(), {x, square.y_of(std::min(top, scale.high))});
+        }
+    }
+    svg.polygon(area.data(), static_cast<int>(area.size() / 2), "#fbf3dc");
+    svg.begin_path();
+    for (std::size_t i = 4; i < area.size(); i += 2) {
+        i == 4 ? svg.move_to(area[i], area[i + 1]) : svg.draw_to(area[i], area[i + 1]);
+    }
+    svg.end_path("#d9b95c", 1);
+}
+
 // Below the diagonal nothing can be; between it and death = c^2 birth nothing is certain.
 void draw_regions(Svg& svg, const Square& square, const LogScale& scale, const BarStyle& style) {
     const double below[] = {square.x_of(scale.low),  square.y_of(scale.low), square.x_of(scale.high),
                             square.y_of(scale.high), square.right(),         square.bottom()};
     svg.polygon(below, 3, "#f4f5f6");
+    if (!style.steps.empty() && std::isfinite(style.steps.back().reach)) {
+        draw_doubt(svg, square, scale, style);
+        return;
+    }
     const double width = 2 * std::log(style.ratio);
     if (width > 0 && std::isfinite(width)) {
         const double reach = std::min(width, scale.high - scale.low);

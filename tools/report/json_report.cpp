@@ -68,6 +68,39 @@ void write_input(Json& json, const RunReport& run) {
     json.close('}');
 }
 
+void write_audit(Json& json, const netmesh_audit& audit) {
+    json.key("audit");
+    json.open('{');
+    if ((audit.what & NETMESH_AUDIT_LOCATION) != 0) {
+        json.key("location");
+        json.open('{');
+        json.key("load");
+        json.open('[');
+        for (std::uint32_t k = 0; k < audit.rounds; k++) json.value(static_cast<std::uint64_t>(audit.load[k]));
+        json.close(']');
+        json.entry("nets", audit.nets);
+        json.entry("nets_max", audit.nets_max);
+        json.entry("ply_max", audit.ply_max);
+        json.entry("ply_mean", audit.ply_mean);
+        json.entry("touches_max", audit.touches_max);
+        json.entry("touches_mean", audit.touches_mean);
+        json.entry("tests_mean", audit.tests_mean);
+        json.close('}');
+    }
+    if ((audit.what & NETMESH_AUDIT_QUALITY) != 0) {
+        json.key("quality");
+        json.open('{');
+        json.entry("meshes", audit.meshes);
+        json.entry("aspect_ratio_max", audit.aspect_ratio_max);
+        json.entry("feature_ratio", audit.feature_ratio);
+        json.entry("cage_ratio", audit.cage_ratio);
+        json.entry("steiner_ratio", audit.steiner_ratio);
+        json.entry("input_ratio", audit.input_ratio);
+        json.close('}');
+    }
+    json.close('}');
+}
+
 void write_mesh(Json& json, const RunReport& run) {
     json.key("mesh");
     if (!run.engine || run.engine->cells == 0) {
@@ -99,6 +132,7 @@ void write_mesh(Json& json, const RunReport& run) {
             json.entry("cages_made", engine.cages_made);
             json.entry("touches", engine.touches);
         }
+        if (engine.audit.what != 0) write_audit(json, engine.audit);
     } else {
         json.null_entry("aspect_ratio_max");
         json.null_entry("tau");
@@ -192,10 +226,18 @@ void write_bounds(Json& json, const RunReport& run) {
     json.open('[');
     for (const std::uint64_t count : run.certain) json.value(count);
     json.close(']');
+    json.key("scale_steps");
+    json.open('[');
+    for (const netmesh_scale_step& step : run.bounds->steps) {
+        json.open('[');
+        for (const double x : {step.from, step.reach, step.ratio}) json.value(x);
+        json.close(']');
+    }
+    json.close(']');
     if (run.bars == nullptr) return;
     json.key("bounds");
     json.open('[');
-    for (const netmesh_bar_bounds& b : *run.bounds) {
+    for (const netmesh_bar_bounds& b : run.bounds->bars) {
         json.open('[');
         for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high}) json.value(x);
         json.value(b.certain != 0);

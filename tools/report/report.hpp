@@ -25,7 +25,7 @@ struct RunReport {
     double read_seconds = 0, write_seconds = 0, total_seconds = 0;
     std::optional<StageClock> clock;
     const Vines* vines = nullptr;                             // vineyard
-    const std::vector<netmesh_bar_bounds>* bounds = nullptr;  // of all bars, --bounds
+    const Bounds* bounds = nullptr;                           // of all bars, --bounds
     std::vector<std::uint64_t> certain;                       // bars surely real, by degree, --bounds
     const std::vector<Bar>* bars = nullptr;                   // diagram.bars, when the data has no other way out
     std::optional<std::uint64_t> plan_bytes;                  // size

@@ -17,6 +17,24 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
+std::string audit_lines(const netmesh_audit& audit) {
+    std::string text;
+    if ((audit.what & NETMESH_AUDIT_LOCATION) != 0) {
+        text += "located  in " + counted(audit.rounds, "round", "rounds") + " of " +
+                counted(audit.nets, "net", "nets") + ", load";
+        for (std::uint32_t k = 0; k < audit.rounds; k++) text += " " + grouped_text(audit.load[k]);
+        text += "\n         in " + rounded_text(audit.ply_mean, 4) + " D-balls (at most " +
+                grouped_text(audit.ply_max) + "), touched " + rounded_text(audit.touches_mean, 4) + " times (" +
+                grouped_text(audit.touches_max) + ") a point\n";
+    }
+    if ((audit.what & NETMESH_AUDIT_QUALITY) != 0)
+        text += "audited  " + counted(audit.meshes, "mesh", "meshes") + ", aspect ratio at most " +
+                rounded_text(audit.aspect_ratio_max, 4) + "; K " + rounded_text(audit.feature_ratio, 4) +
+                ", when inserted: shells " + rounded_text(audit.cage_ratio, 4) + ", cleaning " +
+                rounded_text(audit.steiner_ratio, 4) + ", inputs " + rounded_text(audit.input_ratio, 4) + "\n";
+    return text;
+}
+
 std::string goal_text(const netmesh_report& engine) {
     std::string text = "ratio " + rounded_text(engine.ratio, 5);
     if (engine.focus_ratio > 0) {
@@ -42,18 +60,23 @@ std::string mesh_lines(const netmesh_report& engine) {
                                  : " (tau " + rounded_text(engine.tau, 5) + ")\n";
         if (engine.size_ratio_max > 0)
             text += "size     cells reach " + rounded_text(engine.size_ratio_max, 5) + " of the size asked for\n";
+        text += audit_lines(engine.audit);
     }
     return text;
 }
 
 std::string range_text(double from, double to) { return rounded_text(from, 4) + " and " + rounded_text(to, 4); }
 
-std::string analysis_lines(const netmesh_analysis& a) {
+std::string analysis_lines(const netmesh_analysis& a, bool caged) {
     std::string text;
     if ((a.what & NETMESH_ANALYSE_SIZE) != 0) {
-        text += "bounds   " + grouped_text(a.size) + " vertices, between " + range_text(a.size_lower, a.size_upper) +
-                "; feature size ratio " + rounded_text(a.feature_ratio, 4) + " (at most " +
-                rounded_text(a.feature_ratio_bound, 4) + ")\n";
+        text += "bounds   " + grouped_text(a.size) + " vertices";
+        if (caged)
+            text += "; size bounds are for meshes without cages";
+        else
+            text += ", between " + range_text(a.size_lower, a.size_upper);
+        text += "; feature size ratio " + rounded_text(a.feature_ratio, 4) +
+                (caged ? "\n" : " (at most " + rounded_text(a.feature_ratio_bound, 4) + ")\n");
         text += "pace     theta " + rounded_text(a.theta, 4) + " (at most " + rounded_text(a.theta_limit, 4) +
                 " in any order), sum of ln 1/theta " + rounded_text(a.theta_log_sum, 4) +
                 "; feature size integral between " + range_text(a.integral_lower[0], a.integral_upper[0]) + "\n";
@@ -148,7 +171,7 @@ std::string text_report(const RunReport& run) {
         } else if (engine.cells > 0) {
             text += mesh_lines(engine);
         }
-        if (run.analysis) text += analysis_lines(*run.analysis);
+        if (run.analysis) text += analysis_lines(*run.analysis, run.engine->cages > 0);
         if (engine.has_diagram != 0) text += diagram_lines(engine);
         if (engine.has_diagram != 0 && engine.dim == 0) text += betti_line(engine);
         for (std::size_t degree = 0; degree < run.certain.size(); degree++) {

@@ -221,6 +221,15 @@ TEST_CASE("mesh --method netmesh: cages written, drawn and checked from the file
     CHECK(folder.run("mesh p.txt -o f.node --method netmesh --finish --quiet").exit == 0);
     CHECK(folder.read("f.node").find("# cage") == std::string::npos);
     CHECK(folder.run("check f.node --points p.txt").exit == 0);
+    const Result audited = folder.run("mesh p.txt -o a.node --method netmesh --audit all --json");
+    CHECK(audited.exit == 0);
+    CHECK(number_in(audited.out, "nets") >= 1);
+    CHECK(number_in(audited.out, "meshes") >= 6);
+    const Result located = folder.run("mesh p.txt -o a.node --method netmesh --audit location");
+    CHECK(located.err.find("located  in") != std::string::npos);
+    CHECK(folder.run("check a.node --points p.txt").exit == 0);
+    CHECK(folder.run("mesh p.txt -o a.node --audit some").exit == 2);
+    CHECK(folder.run("mesh p.txt -o a.node --audit all --method refine").exit == 2);
     CHECK(folder.run("mesh p.txt -o r.node --method refine --quiet").exit == 0);
     CHECK(folder.run("check r.node --points p.txt").exit == 0);
 }
@@ -257,7 +266,7 @@ TEST_CASE("persist: diagrams that are checked, tampering found") {
 TEST_CASE("persist: bounds of single bars") {
     const Folder folder;
     CHECK(folder.run("sample annulus -n 60 -o p.csv").exit == 0);
-    for (const char* filter : {"complete", "alpha", "knn --k 3", "scales"}) {
+    for (const char* filter : {"complete", "basic", "alpha", "knn --k 3", "scales"}) {
         CAPTURE(filter);
         const std::string line = std::string("persist p.csv --bounds --filter ") + filter;
         CHECK(folder.run(line + " -o d.pers --quiet").exit == 0);
@@ -265,12 +274,58 @@ TEST_CASE("persist: bounds of single bars") {
         CHECK(bars.find(" # birth ") != std::string::npos);
         CHECK(bars.find(" inf # birth ") != std::string::npos);
         CHECK(bars.find(" real\n") != std::string::npos);
-        CHECK(folder.run(std::string("check d.pers --points p.csv --filter ") + filter).exit == 0);
+        const std::string check = std::string("check d.pers --points p.csv --filter ") + filter;
+        const Result good = folder.run(check);
+        CHECK(good.exit == 0);
+        CHECK(good.out.find("bounds of bars and ratios by scale are those computed anew") != std::string::npos);
+        CHECK((bars.find("# scale ") != std::string::npos) == (std::string(filter) != "alpha"));
+        // A digit of a bound, or of the ratio at a scale, is not what it was.
+        std::string forged = bars;
+        forged[forged.find_last_of("0123456789")] ^= 1;
+        folder.write("d.pers", forged);
+        const Result bad = folder.run(check);
+        CHECK(bad.exit == 7);
+        CHECK(bad.says("bounds differ"));
+        if (bars.substr(0, 8) == "# scale ") {
+            forged = bars;
+            forged.replace(forged.find(" ratio ") + 7, 1, "9");
+            folder.write("d.pers", forged);
+            CHECK(folder.run(check).says("d.pers:1: bounds differ"));
+        }
         const Result json = folder.run(line + " --json");
         CHECK(json.out.find("\"certain\": [") != std::string::npos);
         CHECK(json.out.find("\"bounds\": [[") != std::string::npos);
+        CHECK(json.out.find("\"scale_steps\": [") != std::string::npos);
     }
-    CHECK(folder.run("persist p.csv --bounds --filter basic").exit == 2);
+    CHECK(folder.run("persist p.csv --bounds --quiet -o d.pers --svg d.svg").exit == 0);
+    CHECK(folder.read("d.svg").find("the certified ratio at the scale of birth") != std::string::npos);
+}
+
+TEST_CASE("check: vineyards") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 40 -o p.csv").exit == 0);
+    CHECK(folder.run("mesh p.csv -o m.node --quiet").exit == 0);
+    CHECK(folder.run("vineyard p.csv --k 2..4 --filter kdistance -o v.vines --quiet").exit == 0);
+    const std::string vines = folder.read("v.vines");
+    CHECK(folder.run("check v.vines").exit == 0);
+    const Result good = folder.run("check v.vines --points p.csv");
+    CHECK(good.exit == 0);
+    CHECK(good.out.find("is the vineyard of p.csv for filter kdistance, certified values") != std::string::npos);
+    CHECK(folder.run("check v.vines --points p.csv --max-degree 0").exit == 7);
+    // Another mesh has another vineyard; points that persistence meshes less far out too.
+    CHECK(folder.run("check v.vines --points p.csv --tau 3").exit == 7);
+    folder.write("v.vines", vines.substr(0, vines.rfind('\n', vines.size() - 2) + 1));  // the last point is gone
+    CHECK(folder.run("check v.vines --points p.csv").exit == 7);
+    std::string forged = vines;
+    forged.replace(forged.find("certified ratio ") + 16, 1, "9");
+    folder.write("v.vines", forged);
+    CHECK(folder.run("check v.vines --points p.csv").says("the certified ratio at k = 2 is"));
+    folder.write("v.vines", vines + "x");
+    CHECK(folder.run("check v.vines").exit == 3);
+    folder.write("v.vines", vines.substr(vines.find("# k ")));
+    CHECK(folder.run("check v.vines").exit == 3);
+    folder.write("v.vines", vines + "0 0 2 0 1\n");
+    CHECK(folder.run("check v.vines").says("vines are not numbered one after the other"));
 }
 
 TEST_CASE("persist: tight, and scale by scale") {
@@ -598,7 +653,7 @@ TEST_CASE("persist: filters on the points themselves") {
         const std::string size = folder.run("size --dim 2 --points 14 --filter " + filter).out;
         CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory " + size.substr(0, size.size() - 1))
                   .exit == 0);
-        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory 6K").exit == 4);
+        CHECK(folder.run("persist p.csv --quiet --filter " + filter + " --memory 3K").exit == 4);
     }
     CHECK(folder.run("persist p.csv --filter cech --quiet -o cech.pers --representatives c.txt").exit == 0);
     CHECK(folder.read("c.txt").rfind("bar 0 0 ", 0) == 0);

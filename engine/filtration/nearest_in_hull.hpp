@@ -1,0 +1,136 @@
+// How far a point is from the convex hull of others, from below.
+#pragma once
+#include <cstdint>
+
+#include "numerics/real.hpp"
+
+namespace netmesh {
+
+template <int D> double dot(const double* a, const double* b) {
+    double sum = 0;
+    for (int k = 0; k < D; ++k) sum += a[k] * b[k];
+    return sum;
+}
+
+// All of conv Y lies on w.y <= height, |w| = 1 but for rounding: a point q is at least w.q - height away from it.
+template <int D> struct HalfSpace {
+    double w[D], height;
+    double distance(const double* q) const { return dot<D>(w, q) - height; }
+};
+
+// The point of conv Y nearest to q by Wolfe's algorithm: at most D + 1 of the points, affinely independent, carry it.
+template <int D> class NearestInHull {
+public:
+    // y[count][D], count >= 1. *best: the half-space that bounds the distance of q best of all met on the way; w = 0 where q
+    // seems to be inside. O(count D) a step, a few steps.
+    void run(const double* y, std::uint32_t count, const double* q, HalfSpace<D>* best) {
+        start(y, count, q);
+        *best = HalfSpace<D>{};
+        double bound = 0;
+        for (int step = 0; step < 4 * D; ++step) {
+            const double length = square_root(dot<D>(x_, x_));
+            if (!(length > 0)) return;
+            std::uint32_t at = 0;
+            double least = infinity;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const double s = dot<D>(y + std::size_t{i} * D, x_);
+                if (s < least) {
+                    least = s;
+                    at = i;
+                }
+            }
+            const double distance = (least - dot<D>(q, x_)) / length;
+            if (distance > bound) {
+                bound = distance;
+                for (int k = 0; k < D; ++k) best->w[k] = -x_[k] / length;
+                best->height = -least / length;
+            }
+            if (bound >= length * (1 - 0x1p-10) || members_ > D) return;
+            for (int k = 0; k < D; ++k)
+                member_[members_][k] = y[std::size_t{at} * D + static_cast<std::size_t>(k)] - q[k];
+            weight_[members_++] = 0;
+            if (!descend()) return;
+        }
+    }
+
+private:
+    void start(const double* y, std::uint32_t count, const double* q) {
+        double best2 = infinity;
+        members_ = 1;
+        weight_[0] = 1;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            double z[D];
+            for (int k = 0; k < D; ++k) z[k] = y[std::size_t{i} * D + static_cast<std::size_t>(k)] - q[k];
+            const double d2 = dot<D>(z, z);
+            if (!(d2 < best2)) continue;
+            best2 = d2;
+            for (int k = 0; k < D; ++k) member_[0][k] = x_[k] = z[k];
+        }
+    }
+    // To the nearest point of the members' affine hull, leaving behind those that the way there passes. False: they are
+    // not affinely independent.
+    bool descend() {
+        for (int round = 0; round <= D; ++round) {
+            double mu[D + 1];
+            if (!affine_weights(mu)) return false;
+            int leaves = -1;
+            double part = 1;
+            for (int i = 0; i < members_; ++i) {
+                if (mu[i] > 0x1p-40) continue;
+                const double t = weight_[i] / (weight_[i] - mu[i]);
+                if (leaves >= 0 && !(t < part)) continue;
+                leaves = i;
+                part = t;
+            }
+            if (leaves < 0) {
+                for (int i = 0; i < members_; ++i) weight_[i] = mu[i];
+                break;
+            }
+            for (int i = 0; i < members_; ++i) weight_[i] += part * (mu[i] - weight_[i]);
+            --members_;
+            weight_[leaves] = weight_[members_];
+            for (int k = 0; k < D; ++k) member_[leaves][k] = member_[members_][k];
+        }
+        for (int k = 0; k < D; ++k) {
+            x_[k] = 0;
+            for (int i = 0; i < members_; ++i) x_[k] += weight_[i] * member_[i][k];
+        }
+        return true;
+    }
+    // Weights of sum 1 that minimise |sum mu_i member_i|, by Gauss and Jordan with row pivots.
+    bool affine_weights(double* mu) const {
+        const int n = members_ + 1;
+        double a[D + 2][D + 3];
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j <= n; ++j)
+                a[i][j] = i < members_ && j < members_                  ? dot<D>(member_[i], member_[j])
+                          : (i == members_) != (j == members_) && j < n ? 1
+                          : i == members_ && j == n                     ? 1
+                                                                        : 0;
+        for (int c = 0; c < n; ++c) {
+            int pivot = c;
+            for (int r = c + 1; r < n; ++r)
+                if (absolute(a[r][c]) > absolute(a[pivot][c])) pivot = r;
+            if (!(absolute(a[pivot][c]) > 0)) return false;
+            for (int j = 0; j <= n; ++j) {
+                const double t = a[pivot][j];
+                a[pivot][j] = a[c][j];
+                a[c][j] = t;
+            }
+            for (int r = 0; r < n; ++r) {
+                if (r == c) continue;
+                const double factor = a[r][c] / a[c][c];
+                for (int j = c; j <= n; ++j) a[r][j] -= factor * a[c][j];
+            }
+        }
+        for (int i = 0; i < members_; ++i) mu[i] = a[i][n] / a[i][i];
+        return true;
+    }
+
+    double member_[D + 1][D];  // from q
+    double weight_[D + 1];
+    double x_[D];
+    int members_;
+};
+
+}  // namespace netmesh

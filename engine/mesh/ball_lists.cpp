@@ -1,0 +1,194 @@
+#include "mesh/ball_lists.hpp"
+
+#include "numerics/random.hpp"
+
+namespace netmesh {
+
+template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::uint32_t inputs) {
+    store_ = &store;
+    inputs_ = inputs;
+    std::uint32_t** const arrays[] = {&first_of_input_, &ply_, &waiting_next_, &stamp_, &touches_};
+    for (std::uint32_t** const array : arrays) {
+        *array = arena.take_low<std::uint32_t>(inputs);
+        if (*array == nullptr) return Status::out_of_memory;
+    }
+    for (std::uint32_t p = 0; p < inputs; ++p) {
+        first_of_input_[p] = none;
+        ply_[p] = stamp_[p] = touches_[p] = 0;
+    }
+    std::size_t entries = arena.bytes_free() / 4 / sizeof(Entry);
+    const std::size_t enough = (std::size_t{inputs} + 256) << (2 * D);
+    if (entries > enough) entries = enough;
+    if (entries >= none) entries = none - 1;
+    entries_max_ = static_cast<std::uint32_t>(entries);
+    Entry* const pool = arena.take_low<Entry>(entries);
+    const std::size_t cells = arena.bytes_free() / (sizeof(Cell<D>) + 2 * sizeof(std::uint32_t)) + 1;
+    first_of_cell_ = arena.take_low<std::uint32_t>(cells);
+    load_of_cell_ = arena.take_low<std::uint32_t>(cells);
+    if (pool == nullptr || first_of_cell_ == nullptr || load_of_cell_ == nullptr) return Status::out_of_memory;
+    entries_ = pool;
+    return Status::ok;
+}
+
+template <int D> bool BallLists<D>::store(std::uint32_t cell, std::uint32_t input) {
+    std::uint32_t e = free_;
+    if (e != none)
+        free_ = entries_[e].next_of_cell;
+    else if (entries_used_ < entries_max_)
+        e = entries_used_++;
+    else {
+        store_->arena.refuse(16 * sizeof(Entry));
+        return false;
+    }
+    entries_[e] = {cell, input, first_of_cell_[cell], first_of_input_[input]};
+    first_of_cell_[cell] = first_of_input_[input] = e;
+    ++load_of_cell_[cell];
+    if (++ply_[input] > ply_max_) ply_max_ = ply_[input];
+    return true;
+}
+
+// Stores the input in the cell's ball if that contains it.
+template <int D> bool BallLists<D>::consider(Kernel<D>& kernel, std::uint32_t cell, std::uint32_t input) {
+    ++tests_;
+    return !kernel.in_conflict(cell, store_->point(input), input) || store(cell, input);
+}
+
+template <int D> bool BallLists<D>::start(Kernel<D>& kernel) {
+    for (std::uint32_t c = 0; c < store_->state.cell_slots; ++c) {
+        first_of_cell_[c] = none;
+        load_of_cell_[c] = 0;
+        if (!store_->is_live(c) || store_->is_ghost(c)) continue;
+        for (std::uint32_t p = 0; p < inputs_; ++p)
+            if (!consider(kernel, c, p)) return false;
+    }
+    tests_ = 0;
+    return true;
+}
+
+template <int D> void BallLists<D>::unlink_from_input(std::uint32_t entry) {
+    const std::uint32_t input = entries_[entry].input;
+    std::uint32_t* link = &first_of_input_[input];
+    while (*link != entry) link = &entries_[*link].next_of_input;
+    *link = entries_[entry].next_of_input;
+    --ply_[input];
+}
+
+// One touch for each insertion. Stamps: now_ for inputs out of balls that are gone, now_ + 1 for other ones looked at.
+template <int D> void BallLists<D>::touch(std::uint32_t input, std::uint32_t stamp) {
+    stamp_[input] = stamp;
+    ++touches_[input];
+}
+
+template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v) {
+    now_ += 2;
+    waiting_ = none;
+    if (v < inputs_) {
+        ply_sum_ += ply_[v];
+        ++located_;
+    }
+    for (std::uint32_t k = 0; k < cavity.cells; ++k) {
+        const std::uint32_t c = kernel.cavity_cell(k);
+        if (store_->is_ghost(c)) continue;
+        for (std::uint32_t e = first_of_cell_[c]; e != none;) {
+            const std::uint32_t p = entries_[e].input, next = entries_[e].next_of_cell;
+            unlink_from_input(e);
+            entries_[e].next_of_cell = free_;
+            free_ = e;
+            e = next;
+            if (p == v || stamp_[p] == now_) continue;
+            touch(p, now_);
+            waiting_next_[p] = waiting_;
+            waiting_ = p;
+        }
+        first_of_cell_[c] = none;
+        load_of_cell_[c] = 0;
+    }
+}
+
+template <int D> bool BallLists<D>::attach(Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v) {
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
+        const std::uint32_t c = kernel.new_cell(k);
+        first_of_cell_[c] = none;
+        load_of_cell_[c] = 0;
+    }
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
+        const std::uint32_t c = kernel.new_cell(k);
+        const Cell<D>& cell = store_->cell(c);
+        if (store_->is_ghost(c)) continue;
+        for (std::uint32_t p = waiting_; p != none; p = waiting_next_[p])
+            if (!consider(kernel, c, p)) return false;
+        int i = 0;
+        while (cell.vertex[i] != v) ++i;
+        const std::uint32_t outer = cell.neighbour[i] >> 3;
+        if (store_->is_ghost(outer)) continue;
+        for (std::uint32_t e = first_of_cell_[outer]; e != none; e = entries_[e].next_of_cell) {
+            const std::uint32_t p = entries_[e].input;
+            if (stamp_[p] == now_) continue;
+            if (stamp_[p] != now_ + 1) touch(p, now_ + 1);
+            if (!consider(kernel, c, p)) return false;
+        }
+    }
+    return true;
+}
+
+template <int D> bool BallLists<D>::agrees(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t input) const {
+    if (ply_[input] != cavity.cells) return false;
+    for (std::uint32_t e = first_of_input_[input]; e != none; e = entries_[e].next_of_input) {
+        std::uint32_t k = 0;
+        while (k < cavity.cells && kernel.cavity_cell(k) != entries_[e].cell) ++k;
+        if (k == cavity.cells) return false;
+    }
+    return true;
+}
+
+template <int D> std::uint32_t BallLists<D>::load() const {
+    std::uint32_t most = 0;
+    for (std::uint32_t c = 0; c < store_->state.cell_slots; ++c)
+        if (store_->is_live(c) && !store_->is_ghost(c) && load_of_cell_[c] > most) most = load_of_cell_[c];
+    return most;
+}
+
+template <int D> std::uint32_t BallLists<D>::draw_nets(std::uint32_t most, std::uint64_t seed, std::uint32_t* chosen) {
+    std::uint32_t count = 0;
+    std::uint64_t random = mix64(seed);
+    now_ += 2;
+    for (std::uint32_t c = 0; c < store_->state.cell_slots; ++c) {
+        if (!store_->is_live(c) || store_->is_ghost(c) || load_of_cell_[c] <= most) continue;
+        std::uint32_t left = 0;  // not drawn yet
+        for (std::uint32_t e = first_of_cell_[c]; e != none; e = entries_[e].next_of_cell)
+            left += stamp_[entries_[e].input] != now_;
+        const std::uint32_t drawn = load_of_cell_[c] - left;
+        std::uint32_t wanted = drawn < net_size ? net_size - drawn : 0;
+        for (std::uint32_t e = first_of_cell_[c]; e != none && wanted > 0; e = entries_[e].next_of_cell) {
+            const std::uint32_t p = entries_[e].input;
+            if (stamp_[p] == now_) continue;
+            random = mix64(random);
+            if (random % left-- >= wanted) continue;
+            --wanted;
+            stamp_[p] = now_;
+            chosen[count++] = p;
+        }
+    }
+    return count;
+}
+
+template <int D> void BallLists<D>::report(LocationAudit* audit) const {
+    std::uint64_t touches = 0;
+    audit->touches_max = 0;
+    for (std::uint32_t p = 0; p < inputs_; ++p) {
+        touches += touches_[p];
+        if (touches_[p] > audit->touches_max) audit->touches_max = touches_[p];
+    }
+    audit->ply_max = ply_max_;
+    audit->ply_mean = located_ > 0 ? static_cast<double>(ply_sum_) / located_ : 0;
+    audit->touches_mean = static_cast<double>(touches) / inputs_;
+    audit->tests_mean = static_cast<double>(tests_) / inputs_;
+}
+
+template class BallLists<2>;
+template class BallLists<3>;
+template class BallLists<4>;
+template class BallLists<5>;
+template class BallLists<6>;
+
+}  // namespace netmesh
