@@ -112,8 +112,8 @@ Status analyse(netmesh_context* context, std::uint32_t what, double tolerance, c
         status =
             analyse_size<D>(store, domain, context->inputs, {tau_of(options), size_rule_of(options), wanted, boxes_max},
                             context->arena, monitor, &size);
-        if (context->hierarchy.cages > 0) {
-            // Cells are of quality in their own domains alone, which is what lets a mesh be smaller.
+        if (context->hierarchy.cages > 0 || context->goal.ratio > 0) {
+            // Cells are of quality in their own domains alone, or none is promised, which is what lets a mesh be smaller.
             size.size_lower = 0;
             size.size_upper = size.feature_ratio_bound = infinity;
         }
