@@ -26,6 +26,7 @@ TEST_CASE("a mesh's size stands between its bounds, and checks include them") {
         INFO("D = " << dim);
         const std::size_t n[] = {0, 0, 300, 80, 25, 10, 6};
         Session session(dim);
+        session.reserve(std::size_t{1} << 25);  // for the check as well
         REQUIRE(session.mesh(inputs::clusters(dim, n[dim])) == NETMESH_OK);
         const netmesh_analysis a = analysed(session, NETMESH_ANALYSE_ALL, 40);
         const netmesh_report r = session.report();
