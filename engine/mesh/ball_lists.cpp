@@ -22,7 +22,9 @@ template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::u
     if (entries >= none) entries = none - 1;
     entries_max_ = static_cast<std::uint32_t>(entries);
     Entry* const pool = arena.take_low<Entry>(entries);
-    const std::size_t cells = arena.bytes_free() / (sizeof(Cell<D>) + 2 * sizeof(std::uint32_t)) + 1;
+    std::size_t cells = arena.bytes_free() / (sizeof(Cell<D>) + 2 * sizeof(std::uint32_t)) + 1;
+    if (cells > Store<D>::slots_max) cells = Store<D>::slots_max;
+    cells_max_ = static_cast<std::uint32_t>(cells);
     first_of_cell_ = arena.take_low<std::uint32_t>(cells);
     load_of_cell_ = arena.take_low<std::uint32_t>(cells);
     if (pool == nullptr || first_of_cell_ == nullptr || load_of_cell_ == nullptr) return Status::out_of_memory;
@@ -53,10 +55,20 @@ template <int D> bool BallLists<D>::consider(Kernel<D>& kernel, std::uint32_t ce
     return !kernel.in_conflict(cell, store_->point(input), input) || store(cell, input);
 }
 
+// A new cell, with nothing in its ball yet.
+template <int D> bool BallLists<D>::open_ball(std::uint32_t cell) {
+    if (cell >= cells_max_) {
+        store_->arena.refuse(16 * sizeof(Entry));
+        return false;
+    }
+    first_of_cell_[cell] = none;
+    load_of_cell_[cell] = 0;
+    return true;
+}
+
 template <int D> bool BallLists<D>::start(Kernel<D>& kernel) {
     for (std::uint32_t c = 0; c < store_->state.cell_slots; ++c) {
-        first_of_cell_[c] = none;
-        load_of_cell_[c] = 0;
+        if (!open_ball(c)) return false;
         if (!store_->is_live(c) || store_->is_ghost(c)) continue;
         for (std::uint32_t p = 0; p < inputs_; ++p)
             if (!consider(kernel, c, p)) return false;
@@ -106,11 +118,8 @@ template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity
 }
 
 template <int D> bool BallLists<D>::attach(Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v) {
-    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const std::uint32_t c = kernel.new_cell(k);
-        first_of_cell_[c] = none;
-        load_of_cell_[c] = 0;
-    }
+    for (std::uint32_t k = 0; k < cavity.facets; ++k)
+        if (!open_ball(kernel.new_cell(k))) return false;
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
         const std::uint32_t c = kernel.new_cell(k);
         const Cell<D>& cell = store_->cell(c);

@@ -54,6 +54,7 @@ private:
     struct Entry {
         std::uint32_t cell, input, next_of_cell, next_of_input;
     };
+    bool open_ball(std::uint32_t cell);
     bool store(std::uint32_t cell, std::uint32_t input);
     bool consider(Kernel<D>& kernel, std::uint32_t cell, std::uint32_t input);
     void unlink_from_input(std::uint32_t entry);
@@ -63,7 +64,7 @@ private:
     Entry* entries_ = nullptr;
     std::uint32_t *first_of_cell_, *load_of_cell_;
     std::uint32_t *first_of_input_, *ply_, *waiting_next_, *stamp_, *touches_;  // [inputs]
-    std::uint32_t inputs_, entries_max_, entries_used_ = 0, free_ = none, now_ = 0, waiting_ = none;
+    std::uint32_t inputs_, cells_max_, entries_max_, entries_used_ = 0, free_ = none, now_ = 0, waiting_ = none;
     std::uint32_t ply_max_ = 0, located_ = 0;
     std::uint64_t ply_sum_ = 0, tests_ = 0;
 };

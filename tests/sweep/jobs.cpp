@@ -172,7 +172,7 @@ const std::vector<Job>& all_jobs() {
             {"mesh", 2, 8, mesh},
             {"mesh", 3, 5, mesh},
             {"mesh", 4, 3, mesh},
-            {"audited", 2, 4, audited},
+            {"audited", 2, 4, audited, false, 40},
             {"complete", 2, 6, complete},
             {"complete", 3, 4, complete},
             {"complete", 4, 2, complete},
