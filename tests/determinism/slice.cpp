@@ -177,7 +177,7 @@ void add_hash(Text* line, const char* job, netmesh_status status, std::uint64_t 
 }
 
 void add_result(Text* line, const char* job, netmesh_status status, const netmesh_context* context) {
-    netmesh_report report;
+    netmesh_report report = {};
     report.struct_bytes = sizeof report;
     if (status == NETMESH_OK) status = netmesh_get_report(context, &report);
     add_hash(line, job, status, report.fingerprint);
