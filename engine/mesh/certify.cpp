@@ -1,10 +1,8 @@
 #include "mesh/certify.hpp"
 
 #include "delaunay/load.hpp"
-#include "mesh/bucket_queue.hpp"
 #include "mesh/corner.hpp"
-#include "mesh/nearest.hpp"
-#include "mesh/opening.hpp"
+#include "mesh/insertion.hpp"
 
 namespace netmesh {
 namespace {
@@ -33,15 +31,26 @@ struct Bound {
     }
 };
 
-template <int D> class Certification {
+// While it runs nearest2 of a Steiner vertex is the squared distance to the nearest input.
+template <int D> class Certification : public Insertion<D, Certification<D>> {
+    using Base = Insertion<D, Certification<D>>;
+    friend Base;
+    using Base::domain_;
+    using Base::inputs_;
+    using Base::insert;
+    using Base::kernel_;
+    using Base::nearest_input;
+    using Base::open_at;
+    using Base::queue_;
+    using Base::store_;
+    using Base::tree_;
+
 public:
     Certification(Store<D>& store, const RatioGoal& goal, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain), goal_(goal),
-          bound_(goal.ratio), focus_(goal.focus > 0 && goal.focus < goal.ratio ? goal.focus : goal.ratio) {}
+        : Base(store, monitor, domain), goal_(goal), bound_(goal.ratio),
+          focus_(goal.focus > 0 && goal.focus < goal.ratio ? goal.focus : goal.ratio) {}
 
-    Status check_input(InputReport* input);
     Status open();
-    Status run(const std::uint32_t* order);
 
 private:
     struct CellView {
@@ -49,7 +58,6 @@ private:
         Corner<D> from_input;  // from the nearest input; `distance2` is to that
     };
 
-    Status insert(std::uint32_t v, std::uint32_t from);
     Status split(std::uint32_t v, const CellView& view);
     Status clean();
     bool look(std::uint32_t v, CellView* view);
@@ -57,27 +65,11 @@ private:
     void update_star(const Cavity& cavity, std::uint32_t v);
     double least_bad2(const Vertex<D>& vertex) const;
     const Bound& bound_at(const Vertex<D>& vertex) const;
-    std::uint32_t nearest_input(std::uint32_t v) const {
-        return store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
-    }
 
-    Store<D>& store_;  // nearest2 of a Steiner vertex is the squared distance to the nearest input while this runs
-    Kernel<D> kernel_;
-    Monitor& monitor_;
-    Domain<D>& domain_;
     RatioGoal goal_;
     Bound bound_, focus_;
     double cut2_ = 0;  // squared enclosing radius
-    InputTree<D> tree_;
-    BucketQueue<D> queue_;
-    std::uint32_t inputs_ = 0, inserted_ = 0;
 };
-
-template <int D> Status Certification<D>::check_input(InputReport* input) {
-    inputs_ = store_.state.vertex_count;
-    const Status status = tree_.build(store_, store_.arena, inputs_);
-    return status == Status::ok ? check_separation<D>(store_, tree_, input) : status;
-}
 
 template <int D> Status Certification<D>::open() {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
@@ -86,9 +78,7 @@ template <int D> Status Certification<D>::open() {
     const double extent = bound_.extent() > focus_.extent() ? bound_.extent() : focus_.extent();
     const double factor = 1.05 * square_root(D) * extent;
     const double reach = domain_.radius * (factor > frame_factor[D] ? factor : frame_factor[D]);
-    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok || store_.open_cells() != Status::ok)
-        return Status::out_of_memory;
-    return open_frame<D>(store_, kernel_, tree_, domain_, reach);
+    return open_at(reach);
 }
 
 // The bound that may hold for a cell, as far as d_P of its vertex tells: a focused one has d/2 <= lo < to, and from < hi <= c^2 d
@@ -107,19 +97,6 @@ template <int D> double Certification<D>::least_bad2(const Vertex<D>& vertex) co
         is_input ? bound.input : bound.ratio2;  // 2 hi over the root of nearest2, at most, if good for sure
     if (4 * cut2_ <= most * most * vertex.nearest2) return infinity;
     return is_input ? 0.25 * most * most * vertex.nearest2 : bound.reach2 * vertex.nearest2;
-}
-
-// Inserts vertex v, whose record is complete, near cell `from`. Nothing has changed when memory runs out.
-template <int D> Status Certification<D>::insert(std::uint32_t v, std::uint32_t from) {
-    const double* const q = store_.point(v);
-    const std::uint32_t hit = kernel_.locate(q, v, from);
-    Cavity cavity;
-    if (!kernel_.find_cavity(q, v, hit, &cavity) || !kernel_.can_fill(cavity, 0)) return Status::out_of_memory;
-    kernel_.fill(cavity, v);
-    update_star(cavity, v);
-    if (store_.vertex(v).marker == Marker::input) ++inserted_;
-    monitor_.mesh_size(store_.state.vertex_count - inputs_ + inserted_, store_.live_cells());
-    return monitor_.advance(inserted_, 4 + 2 * cavity.facets) ? Status::cancelled : Status::ok;
 }
 
 // A cell may have become bad by a new corner, an input's also because its nearest neighbour came nearer.
@@ -206,17 +183,6 @@ template <int D> Status Certification<D>::clean() {
         if (status != Status::ok) return status;
         queue_.push(v);
     }
-}
-
-template <int D> Status Certification<D>::run(const std::uint32_t* order) {
-    monitor_.begin(NETMESH_STAGE_REFINE, inputs_);
-    for (std::uint32_t k = 0; k < inputs_; ++k) {
-        if (store_.vertex(order[k]).cell != none) continue;
-        Status status = insert(order[k], store_.state.last_cell);
-        if (status == Status::ok) status = clean();
-        if (status != Status::ok) return status;
-    }
-    return Status::ok;
 }
 
 }  // namespace

@@ -1,24 +1,33 @@
 #include "mesh/refine.hpp"
 
-#include "mesh/bucket_queue.hpp"
 #include "mesh/corner.hpp"
+#include "mesh/insertion.hpp"
 #include "mesh/nearest.hpp"
-#include "mesh/opening.hpp"
 
 namespace netmesh {
 namespace {
 
-template <int D> class Refinement {
+template <int D> class Refinement : public Insertion<D, Refinement<D>> {
+    using Base = Insertion<D, Refinement<D>>;
+    friend Base;
+    using Base::domain_;
+    using Base::inputs_;
+    using Base::insert;
+    using Base::kernel_;
+    using Base::monitor_;
+    using Base::nearest_input;
+    using Base::open_at;
+    using Base::queue_;
+    using Base::store_;
+    using Base::tree_;
+
 public:
     Refinement(Store<D>& store, const RefineOptions& options, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain),
-          tau_(options.tau * (1 - tau_margin)), certify_(options.certify && !options.reference),
-          reference_(options.reference), rule_(options.size) {}
+        : Base(store, monitor, domain), tau_(options.tau * (1 - tau_margin)),
+          certify_(options.certify && !options.reference), reference_(options.reference), rule_(options.size) {}
 
-    Status check_input(InputReport* input);
     Status open(const RefineOptions& options);
     Status open_net();
-    Status run(const std::uint32_t* order);
     Status run_reference(const std::uint32_t* order);
     Status reach_sizes(InputReport* input);
 
@@ -29,15 +38,11 @@ private:
         double reach2;      // squared distance from the nearest input to the farthest corner from it
     };
 
-    Status insert(std::uint32_t v, std::uint32_t from);
     Status split(std::uint32_t v, const Corner<D>& corner);
     bool must_yield(const double* x, double empty2, std::uint32_t near, double input2) const;
     Status clean();
     bool look(std::uint32_t v, CellView* view);
     const Corner<D>* bad_corner(std::uint32_t v, const CellView& view) const;
-    std::uint32_t nearest_input(std::uint32_t v) const {
-        return store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
-    }
     void update_star(const Cavity& cavity, std::uint32_t v);
     void queue_bad_vertices(std::uint32_t c);
     bool may_spoil_certificate(std::uint32_t v, const double* x) const;
@@ -50,25 +55,12 @@ private:
     Status note_size(std::uint32_t v);
     bool look_at_poles(std::uint32_t v, CellView* view);
 
-    Store<D>& store_;
-    Kernel<D> kernel_;
-    Monitor& monitor_;
-    Domain<D>& domain_;
-    InputTree<D> tree_;
-    BucketQueue<D> queue_;
     double tau_;
     bool certify_, reference_;
     SizeRule rule_;
     bool sized_ = false;            // sizes are asked for by now
     std::uint32_t refused_ = none;  // row of the input nearest to the vertex whose size is refused
-    std::uint32_t inputs_ = 0, inserted_ = 0;
 };
-
-template <int D> Status Refinement<D>::check_input(InputReport* input) {
-    inputs_ = store_.state.vertex_count;
-    const Status status = tree_.build(store_, store_.arena, inputs_);
-    return status == Status::ok ? check_separation<D>(store_, tree_, input) : status;
-}
 
 template <int D> Status Refinement<D>::open(const RefineOptions& options) {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
@@ -79,9 +71,7 @@ template <int D> Status Refinement<D>::open(const RefineOptions& options) {
         const double k = 2 * options.tau / (options.tau - 2);
         reach = domain_.radius = (k * square_root(2) + 2) * 2 * domain_.enclosing_radius;
     }
-    if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok || store_.open_cells() != Status::ok)
-        return Status::out_of_memory;
-    return open_frame<D>(store_, kernel_, tree_, domain_, reach);
+    return open_at(reach);
 }
 
 // The boundary net: with an input inside, each cell joins it to a facet of the net's hull, and the point of the sphere
@@ -111,19 +101,6 @@ template <int D> Status Refinement<D>::open_net() {
         }
     }
     return status;
-}
-
-// Inserts vertex v, whose record is complete, near cell `from`. Nothing has changed when memory runs out.
-template <int D> Status Refinement<D>::insert(std::uint32_t v, std::uint32_t from) {
-    const double* const q = store_.point(v);
-    const std::uint32_t hit = kernel_.locate(q, v, from);
-    Cavity cavity;
-    if (!kernel_.find_cavity(q, v, hit, &cavity) || !kernel_.can_fill(cavity, 0)) return Status::out_of_memory;
-    kernel_.fill(cavity, v);
-    update_star(cavity, v);
-    if (store_.vertex(v).marker == Marker::input) ++inserted_;
-    monitor_.mesh_size(store_.state.vertex_count - inputs_ + inserted_, store_.live_cells());
-    return monitor_.advance(inserted_, 4 + 2 * cavity.facets) ? Status::cancelled : Status::ok;
 }
 
 // Nearest-neighbour distances around the new vertex v, and the queue: a vertex may have become bad when its nearest
@@ -320,17 +297,6 @@ template <int D> Status Refinement<D>::reach_sizes(InputReport* input) {
     if (status == Status::ok) status = clean();
     if (status == Status::invalid_argument) input->row_a = refused_;
     return status;
-}
-
-template <int D> Status Refinement<D>::run(const std::uint32_t* order) {
-    monitor_.begin(NETMESH_STAGE_REFINE, inputs_);
-    for (std::uint32_t k = 0; k < inputs_; ++k) {
-        if (store_.vertex(order[k]).cell != none) continue;
-        Status status = insert(order[k], store_.state.last_cell);
-        if (status == Status::ok) status = clean();
-        if (status != Status::ok) return status;
-    }
-    return Status::ok;
 }
 
 }  // namespace
