@@ -304,20 +304,6 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
             }
         CHECK(said() == "nothing");
     }
-    SUBCASE("any gap: the same figures, or none") {
-        const double worst = m.quality().worst;
-        const std::size_t low = m.block.arena.low_mark(), top = m.block.arena.high_mark();
-        bool fits = false;
-        for (double bytes = 64; !fits; bytes *= D < 6 ? 1.05 : 1.2) {
-            m.block.arena.release_low(top - static_cast<std::size_t>(bytes) / 16 * 16);
-            HierarchyQuality q;
-            const Status status = measure_hierarchy<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, &q);
-            m.block.arena.release_low(low);
-            fits = status == Status::ok;
-            REQUIRE((fits || status == Status::out_of_memory));
-            if (fits) CHECK(q.worst == worst);
-        }
-    }
 }
 TEST_CASE_TEMPLATE_INVOKE(planted, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
