@@ -11,8 +11,8 @@ template <int D> std::uint32_t position_in(const Cell<D>& cell, std::uint32_t v)
 }
 
 template <int D>
-void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside, const double* q, double error_max,
-                 Cell<D>& cell) {
+void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside, const double* q,
+                 double error_max, Cell<D>& cell) {
     if (pencil_sphere<D>(inside, outside, q, error_max, cell)) return;
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);

@@ -112,8 +112,7 @@ double farthest_pole(const Store<D>& store, const Domain<D>& domain, std::uint32
             bool proper = true;
             for (int i = 0; i <= D && proper; ++i) {
                 const std::uint32_t w = store.cell(c).vertex[i];
-                if (set >> i & 1u)
-                    proper = w != v && flat.codimension < D - 1 && flat.cut(p, store.point(w));
+                if (set >> i & 1u) proper = w != v && flat.codimension < D - 1 && flat.cut(p, store.point(w));
             }
             double at[D], d2 = 0;
             if (!proper || !pole<D>(domain, p, flat, at)) continue;

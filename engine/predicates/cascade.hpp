@@ -34,9 +34,9 @@ template <int D, bool lifted> bool is_exact(const FloatResult& result, int quant
 // rounds a coordinate below 2^51 quanta to a multiple of the quantum.
 template <int D, bool lifted> bool is_exact_at_once(const double* const* points, double magnitude) {
     constexpr int degree = lifted ? D + 2 : D;
+    static_assert(degree >= 2, "a quantum between -563 and 486");
     if (!(magnitude > 0)) return false;
     const int quantum = (exponent_of(magnitude) - 53 + 4096 * degree) / degree - 4096 + 1;
-    if (quantum < -960 || quantum > 960) return false;
     const double shift = 1.5 * power_of_two(52 + quantum);
     double remainders = 0, sizes = 0;
     for (int i = 0; i < Frame<D, lifted>::points; ++i)

@@ -189,7 +189,8 @@ TEST_CASE_TEMPLATE_DEFINE("points that only their last bits tell apart are not t
     const double least = std::numeric_limits<double>::denorm_min();
     inputs::Points points;
     for (int i = 0; i < 2 * D + 2; ++i)
-        for (int k = 0; k < D; ++k) points.push_back(i == 2 * k ? 3 * least : i == 2 * k + 1 ? -least : k == 0 ? i * least : 0);
+        for (int k = 0; k < D; ++k)
+            points.push_back(i == 2 * k ? 3 * least : i == 2 * k + 1 ? -least : k == 0 ? i * least : 0);
     Triangulated<D> t(points, std::size_t{1} << 20);
     REQUIRE(t.status == Status::ok);
     CHECK(violation<D>(t.store) == nullptr);

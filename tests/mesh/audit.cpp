@@ -157,8 +157,8 @@ TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls"
 }
 TEST_CASE_TEMPLATE_INVOKE(missed, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
-TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball is drawn from twice for the same inputs", T,
-                          nets) {
+TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball is drawn from twice for the same inputs",
+                          T, nets) {
     constexpr int D = T::value;
     constexpr std::uint32_t n = D < 5 ? 500 : 150, first = 20;
     Stored<D> s(inputs::uniform(D, n), std::size_t{1} << 24);
@@ -181,7 +181,8 @@ TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball i
             load = std::max(load, inside.size());
             if (inside.size() <= most) continue;
             std::size_t in_net = 0;
-            for (const std::uint32_t v : inside) in_net += std::binary_search(chosen.begin(), chosen.begin() + drawn, v);
+            for (const std::uint32_t v : inside)
+                in_net += std::binary_search(chosen.begin(), chosen.begin() + drawn, v);
             lacking += in_net < std::min<std::size_t>(4 * D, inside.size());
         }
         CHECK(lacking == 0);
@@ -238,8 +239,8 @@ TEST_CASE_TEMPLATE_INVOKE(quality, Dimensions<2>, Dimensions<3>, Dimensions<4>);
 TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, planted) {
     constexpr int D = T::value;
     constexpr double tau = D < 5 ? 3 : 8;
-    Audited<D> m(D < 5 ? inputs::nested(D, 3, D < 4 ? 12 : 4, 1e3) : inputs::close_pairs(D, 3, 0.03, 1), tau, true, false,
-                 D < 5);
+    Audited<D> m(D < 5 ? inputs::nested(D, 3, D < 4 ? 12 : 4, 1e3) : inputs::close_pairs(D, 3, 0.03, 1), tau, true,
+                 false, D < 5);
     REQUIRE(m.status == Status::ok);
     REQUIRE(m.report.cages > 0);
     QualityAudit audit = {};
@@ -307,7 +308,8 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         for (double bytes = 64; bytes < static_cast<double>(top - low); bytes *= D < 5 ? 1.02 : D == 5 ? 1.1 : 1.4) {
             m.block.arena.release_low(top - static_cast<std::size_t>(bytes) / 16 * 16);
             audit = {};
-            const Status status = audit_quality<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, none_new, &audit);
+            const Status status =
+                audit_quality<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, none_new, &audit);
             m.block.arena.release_low(low);
             REQUIRE((status == Status::ok || (status == Status::out_of_memory && !fits)));
             if (status != Status::ok) continue;

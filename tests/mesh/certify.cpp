@@ -145,8 +145,8 @@ TEST_CASE("scales of interest in every dimension: early, late, all and none") {
         session.options.ratio = ratio;
         check_ratio(session, points);
         const std::uint64_t without = session.report().vertices;
-        for (const Window& w : {Window{focus, 0.02, 0.05}, Window{focus, 0.1, 0.2}, Window{focus, 0.05, 4},
-                                Window{focus, 3, 5}}) {
+        for (const Window& w :
+             {Window{focus, 0.02, 0.05}, Window{focus, 0.1, 0.2}, Window{focus, 0.05, 4}, Window{focus, 3, 5}}) {
             if (dim == 6 && w.to != 4) continue;
             CAPTURE(dim);
             CAPTURE(w.focus);
@@ -175,8 +175,8 @@ template <int D> struct Certified {
     netmesh::Status status;
 };
 
-TEST_CASE_TEMPLATE_DEFINE("goals that change nothing, that are beyond what coordinates resolve, and below the root of 2", T,
-                          goals) {
+TEST_CASE_TEMPLATE_DEFINE(
+    "goals that change nothing, that are beyond what coordinates resolve, and below the root of 2", T, goals) {
     constexpr int D = T::value;
     const inputs::Points points = inputs::close_pairs(D, 2, 0.02, 2);
     const Certified<D> plain(points, {4, 0, 0, 0});

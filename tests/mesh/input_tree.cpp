@@ -48,9 +48,12 @@ template <int D> using Dimensions = std::integral_constant<int, D>;
 
 TEST_CASE_TEMPLATE_DEFINE("searches find what looking at all inputs finds", T, searches) {
     constexpr int D = T::value;
-    for (const inputs::Points& points :
-         {inputs::clusters(D, 300), inputs::grid(D, D == 2 ? 12 : D == 3 ? 6 : D == 4 ? 4 : 2 + (D == 5)),
-          inputs::zoom(D, 400, 2), inputs::nested(D, 4, 40, 1e6), inputs::uniform(D, 3)})
+    for (const inputs::Points& points : {inputs::clusters(D, 300),
+                                         inputs::grid(D, D == 2   ? 12
+                                                         : D == 3 ? 6
+                                                         : D == 4 ? 4
+                                                                  : 2 + (D == 5)),
+                                         inputs::zoom(D, 400, 2), inputs::nested(D, 4, 40, 1e6), inputs::uniform(D, 3)})
         for (const bool rings : {true, false}) {
             Planted<D> p(points, rings);
             REQUIRE(p.status == Status::ok);
@@ -165,7 +168,7 @@ TEST_CASE_TEMPLATE_DEFINE("segments cross a sphere where they should", T, crossi
     Domain<D> ball = {};
     ball.radius = ball.enclosing_radius = 5;
     for (int k = 0; k < D; ++k) ball.centre[k] = k;
-    const auto place = [&](double x, double y, double (&p)[D]) {
+    const auto place = [&](double x, double y, double(&p)[D]) {
         for (int k = 0; k < D; ++k) p[k] = k;
         p[0] += x;
         p[1] += y;

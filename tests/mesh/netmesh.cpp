@@ -253,7 +253,8 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
     }
     // Neighbours of the shell from outside, and inputs, put where they must not be.
     const auto put = [&](std::uint32_t v, const Cage& c, double radii) {
-        for (int k = 0; k < D; ++k) m.store.vertex(v).x[k] = m.store.point(c.centre)[k] + (k == 1 ? radii * c.radius : 0);
+        for (int k = 0; k < D; ++k)
+            m.store.vertex(v).x[k] = m.store.point(c.centre)[k] + (k == 1 ? radii * c.radius : 0);
     };
     const auto is_centre = [&](std::uint32_t v) {
         return std::any_of(m.cages, m.cages + m.report.cages, [v](const Cage& c) { return c.centre == v; });

@@ -143,7 +143,8 @@ TEST_CASE("the reference in 4D, in arenas that it fits and in others") {
         InputReport input;
         Domain<4> domain;
         // A tau that asks for nothing but the net.
-        const Status status = refine<4>(store, points.data(), 3, {1e6, 1, false, 1, {}, true}, monitor, &input, &domain);
+        const Status status =
+            refine<4>(store, points.data(), 3, {1e6, 1, false, 1, {}, true}, monitor, &input, &domain);
         REQUIRE((status == Status::ok || status == Status::out_of_memory));
         if (state.cell_slots == 0) continue;
         if (bytes < 1e5 || status == Status::ok) CHECK(violation<4>(store) == nullptr);

@@ -17,7 +17,10 @@ using namespace netmesh;
 namespace {
 
 template <int D> struct Small {
-    Small(const inputs::Points& points, const HierarchyOptions& options, std::size_t bytes = std::size_t{1} << (D < 5 ? 22 : D == 5 ? 24 : 25))
+    Small(const inputs::Points& points, const HierarchyOptions& options,
+          std::size_t bytes = std::size_t{1} << (D < 5    ? 22
+                                                 : D == 5 ? 24
+                                                          : 25))
         : block(bytes), store(block.arena, state) {
         status = netmesh::netmesh<D>(store, points.data(), points.size() / D, options, monitor, &input, &domain, &cages,
                                      &report);
@@ -81,7 +84,14 @@ template <int D> using Dimensions = std::integral_constant<int, D>;
 
 TEST_CASE_TEMPLATE_DEFINE("small meshes with gaps keep what they promise, cages kept or released", T, small) {
     constexpr int D = T::value;
-    constexpr double taus[3] = {D < 4 ? 2.3 : D < 5 ? 4 : D < 6 ? 6 : 8, D < 4 ? 3 : D < 5 ? 5 : D < 6 ? 8 : 10,
+    constexpr double taus[3] = {D < 4   ? 2.3
+                                : D < 5 ? 4
+                                : D < 6 ? 6
+                                        : 8,
+                                D < 4   ? 3
+                                : D < 5 ? 5
+                                : D < 6 ? 8
+                                        : 10,
                                 D < 5 ? 6 : 12};
     std::uint32_t made = 0, released = 0, kept = 0;
     for (std::uint64_t seed = 0; seed < (D < 5 ? 160 : D == 5 ? 90 : 30); ++seed) {
