@@ -90,14 +90,11 @@ template <int D> bool LowerStars<D>::finish_small(Link<D>& link, std::uint32_t v
             if (u != link.lowest() && !joins.add(ball_.rank[v], u)) return false;
         }
     }
-    if constexpr (D == 3 || D == 4) {
-        std::uint32_t counts[D + 1];
-        link.count_simplices(counts);
-        bool regular = pieces == 1 && link.upper_pieces() == 1;
-        if (D == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
-        return note_star(v, counts, regular);
-    }
-    return true;
+    std::uint32_t counts[D + 1];
+    link.count_simplices(counts);
+    bool regular = pieces == 1 && link.upper_pieces() == 1;
+    if constexpr (D == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
+    return note_star(v, counts, regular);
 }
 
 template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
@@ -109,11 +106,14 @@ template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
         below_[v] = link.lowest();
         above_[v] = link.highest() == none ? v : link.highest();
         if (link.bound() > star_bound_) star_bound_ = link.bound();
-        if (D == 2 || D > 4 || !link.small()) {
+        bool finished = false;
+        if constexpr (Link<D>::tells_all) {
+            finished = link.small();
+            if (finished && !finish_small(link, v, joins)) return Status::out_of_memory;
+        }
+        if (!finished) {
             ball_.flags[v] |= Ball<D>::large;
             all_small_ = false;
-        } else if (!finish_small(link, v, joins)) {
-            return Status::out_of_memory;
         }
         if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 8)) return Status::cancelled;
     }
