@@ -110,8 +110,10 @@ template <int D> bool Link<D>::read(const Ball<D>& ball, std::uint32_t v, std::u
         std::uint32_t s[D];
         std::uint32_t k = 0;
         std::uint64_t mask = 0;
-        sound = sound && label_count_ + D <= label_limit;
-        if (!sound) break;
+        if (label_count_ + D > label_limit) {
+            sound = false;
+            break;
+        }
         for (std::uint32_t j = 0; j < D; ++j) {
             const std::uint32_t u = p[j + (j >= i ? 1 : 0)];
             s[j] = ball.slot[u];

@@ -317,8 +317,8 @@ template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std
     Run positions = no_run;
     for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
         column_.toggle(p);
-        const std::uint32_t row = star_.at(p);
-        if (cycles_ == nullptr && star_.partner(row) != none && !star_.pairs_up(row)) continue;
+        // No row left pairs up: when i became critical the dimension of their partners was gone from the star.
+        if (cycles_ == nullptr && star_.partner(star_.at(p)) != none) continue;
         if (!front_.append(&positions, &p, 1)) return false;
     }
     front_.put_local(c, positions);
@@ -327,7 +327,11 @@ template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std
 
 template <int D> bool Sweep<D>::note_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v) {
     const std::uint32_t r = front_.creator_rank(c);
-    if (r == ball_.rank[v] && !irregular_) return true;  // counted with the regular star
+    // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3, where
+    // every lower link collapses as far as it can. Its pairs are counted already.
+    if constexpr (D == 4) {
+        if (r == ball_.rank[v] && !irregular_) return true;
+    }
     const double birth = ball_.value[v], death = ball_.value[ball_.order[r]];
     std::uint32_t cycle = 0;
     if (cycles_ != nullptr && writer_.keeps(birth, death, degree) && !star_cycles_->write_column(c, v, &cycle))
