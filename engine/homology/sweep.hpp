@@ -93,7 +93,7 @@ template <int D> Status Sweep<D>::run(Arena& arena) {
     }
     monitor_.begin(NETMESH_STAGE_REDUCE, ball_.vertex_count);
     for (std::uint32_t r = front_.waiting().top(); r != none; r = front_.waiting().top()) {
-        front_.waiting().erase(r);
+        front_.waiting().toggle(r);
         work_ = 1;
         const Status status = visit(r);
         if (status != Status::ok) return status;

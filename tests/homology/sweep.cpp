@@ -72,10 +72,9 @@ Status cycles(const Input<D>& input, const std::vector<Pair>& expected, std::vec
 template <int D> void check_sizes(const Input<D>& input, std::size_t part) {
     for (const bool keep_zero : {false, true}) {
         const auto expected = general(input, D - 1, keep_zero);
-        const auto outcome =
-            disturbed::by_size(std::size_t{8} << 20, part, [&](Arena& arena, Monitor& monitor) {
-                return pairs(input, D - 1, keep_zero, expected, arena, monitor);
-            });
+        const auto outcome = disturbed::by_size(std::size_t{8} << 20, part, [&](Arena& arena, Monitor& monitor) {
+            return pairs(input, D - 1, keep_zero, expected, arena, monitor);
+        });
         CHECK(outcome.refused > 50);
         if (keep_zero) continue;
         std::vector<std::vector<std::uint32_t>> seen;
