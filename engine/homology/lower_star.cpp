@@ -31,9 +31,11 @@ public:
 
 private:
     bool reserve();
-    bool opens_stars() const {
-        if constexpr (Link<D>::tells_all) return sweeps_ || any_large_;
-        return true;
+    bool reserve_star() {
+        if constexpr (Link<D>::tells_all) {
+            if (!sweeps_ && !any_large_) return true;
+        }
+        return star_.reserve(ball_, star_bound_, arena_);
     }
     Status look_at_links(JoinList& joins);
     bool finish_small(Link<D>& link, std::uint32_t v, JoinList& joins);
@@ -152,7 +154,7 @@ template <int D> Status LowerStars<D>::run(CycleWriter* cycles) {
     JoinList joins(arena_);
     Status status = look_at_links(joins);
     if (status != Status::ok) return status;
-    if (opens_stars() && !star_.reserve(ball_, star_bound_, arena_)) return Status::out_of_memory;
+    if (!reserve_star()) return Status::out_of_memory;
     {
         const HighScope scope(arena_);
         JoinList large_joins(arena_);

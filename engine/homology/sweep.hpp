@@ -82,8 +82,10 @@ private:
 
 template <int D> Status Sweep<D>::run(Arena& arena) {
     StarCycles<D> star_cycles(ball_, star_, front_, cycles_, monitor_);
-    if (cycles_ != nullptr) star_cycles_ = &star_cycles;
-    if (cycles_ != nullptr && !star_cycles.reserve(arena)) return Status::out_of_memory;
+    if (cycles_ != nullptr) {
+        if (!star_cycles.reserve(arena)) return Status::out_of_memory;
+        star_cycles_ = &star_cycles;
+    }
     if constexpr (D > 2) {
         if (!reserve_columns(arena)) return Status::out_of_memory;
     }
@@ -99,7 +101,10 @@ template <int D> Status Sweep<D>::run(Arena& arena) {
         if (status != Status::ok) return status;
         if (monitor_.advance(ball_.vertex_count - r, work_)) return Status::cancelled;
     }
-    return front_.column_count() == 0 ? Status::ok : Status::internal;
+    if constexpr (D > 2) {
+        if (front_.column_count() != 0) return Status::internal;
+    }
+    return Status::ok;
 }
 
 template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {

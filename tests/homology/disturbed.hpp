@@ -13,9 +13,9 @@ struct Outcome {
     int refused, whole;
 };
 
-// run(arena, monitor) looks at its result when it returns ok. Sizes from somewhat more than it needs down to nothing, in
-// steps of 16 bytes first and of a part of what is missing then.
-template <class Run> Outcome by_size(std::size_t enough, std::size_t part, Run run) {
+// run(arena, monitor) looks at its result when it returns ok. Sizes from somewhat more than it needs down to nothing: in
+// steps of 16 bytes until `dense` bytes are missing, then of a twentieth of what is.
+template <class Run> Outcome by_size(std::size_t enough, std::size_t dense, Run run) {
     std::size_t peak = 0;
     {
         Block block(enough);
@@ -25,7 +25,7 @@ template <class Run> Outcome by_size(std::size_t enough, std::size_t part, Run r
     }
     Outcome outcome = {0, 0};
     const std::size_t most = ((peak + 15) & ~std::size_t{15}) + 32;
-    for (std::size_t less = 0; less <= most; less += 16 + (less / part & ~std::size_t{15})) {
+    for (std::size_t less = 0; less <= most; less += less < dense ? 16 : less / 20 / 16 * 16 + 16) {
         Block block(most - less);
         netmesh::Monitor monitor;
         const netmesh::Status status = run(block.arena, monitor);

@@ -54,10 +54,10 @@ struct Reductions {
 void check_sizes(const oracle::Filtered& f, std::uint32_t degree, bool keep_zero) {
     const oracle::Explicit listed(f);
     Reductions r(listed.complex, degree, keep_zero, oracle::diagram(f, degree, keep_zero));
-    const std::size_t enough = std::size_t{1} << 20, part = 60;
-    disturbed::by_size(enough, part, [&](Arena& arena, Monitor& monitor) { return r.filtration(arena, monitor); });
-    disturbed::by_size(enough, part, [&](Arena& arena, Monitor& monitor) { return r.skeleton(arena, monitor); });
-    disturbed::by_size(enough, part, [&](Arena& arena, Monitor& monitor) { return r.with_cycles(arena, monitor); });
+    const std::size_t enough = std::size_t{1} << 20, dense = 1500;
+    disturbed::by_size(enough, dense, [&](Arena& arena, Monitor& monitor) { return r.filtration(arena, monitor); });
+    disturbed::by_size(enough, dense, [&](Arena& arena, Monitor& monitor) { return r.skeleton(arena, monitor); });
+    disturbed::by_size(enough, dense, [&](Arena& arena, Monitor& monitor) { return r.with_cycles(arena, monitor); });
 }
 
 std::vector<Simplex> copies(const std::vector<Simplex>& maximal, std::uint32_t count, std::uint32_t vertices) {

@@ -165,7 +165,7 @@ TEST_CASE("graphs of several kinds in blocks of all sizes") {
             const auto f = flag_complex(g, degree + 2);
             for (const bool keep : {false, true}) {
                 const auto expected = oracle::diagram(f, degree, keep);
-                disturbed::by_size(std::size_t{4} << 20, 40, [&](Arena& arena, Monitor& monitor) {
+                disturbed::by_size(std::size_t{4} << 20, 1000, [&](Arena& arena, Monitor& monitor) {
                     PairList out;
                     std::uint64_t simplices;
                     const Status status = run(g, degree, keep, arena, monitor, &out, &simplices);
@@ -199,13 +199,17 @@ TEST_CASE("stopped at any poll, then the diagram of an undisturbed run") {
         CHECK(expected.size() > degree);
         CHECK(disturbed::at_polls(enough, once) > 0);
     };
-    Graph plane = random_graph(random, 460, 100, 1);
-    std::vector<double> x(2 * plane.vertices);
-    for (double& t : x) t = double(random() % 100000);
-    for (std::size_t e = 0; e < plane.ends.size(); ++e) {
-        const std::uint32_t i = plane.ends[e] >> 16, j = plane.ends[e] & 0xFFFF;
-        plane.value[e] = std::hypot(x[2 * i] - x[2 * j], x[2 * i + 1] - x[2 * j + 1]);
-    }
-    check(plane, 1);
+    const auto plane = [&random](std::uint32_t n) {
+        Graph g = random_graph(random, n, 100, 1);
+        std::vector<double> x(2 * n);
+        for (double& t : x) t = double(random() % 100000);
+        for (std::size_t e = 0; e < g.ends.size(); ++e) {
+            const std::uint32_t i = g.ends[e] >> 16, j = g.ends[e] & 0xFFFF;
+            g.value[e] = std::hypot(x[2 * i] - x[2 * j], x[2 * i + 1] - x[2 * j + 1]);
+        }
+        return g;
+    };
+    check(plane(460), 1);
+    check(plane(110), 3);
     check(random_graph(random, 60, 75, 1u << 30), 3);
 }

@@ -69,30 +69,49 @@ Status cycles(const Input<D>& input, const std::vector<Pair>& expected, std::vec
     return status;
 }
 
-template <int D> void check_sizes(const Input<D>& input, std::size_t part) {
+// Pairs with and without those of zero length, cycles, and components alone, for which stars are opened but not swept.
+template <int D> void check_sizes(const Input<D>& input, std::size_t dense) {
+    const std::size_t enough = std::size_t{8} << 20;
     for (const bool keep_zero : {false, true}) {
         const auto expected = general(input, D - 1, keep_zero);
-        const auto outcome = disturbed::by_size(std::size_t{8} << 20, part, [&](Arena& arena, Monitor& monitor) {
-            return pairs(input, D - 1, keep_zero, expected, arena, monitor);
-        });
+        const auto outcome =
+            disturbed::by_size(enough, keep_zero ? dense / 2 : dense, [&](Arena& arena, Monitor& monitor) {
+                return pairs(input, D - 1, keep_zero, expected, arena, monitor);
+            });
         CHECK(outcome.refused > 50);
         if (keep_zero) continue;
         std::vector<std::vector<std::uint32_t>> seen;
-        disturbed::by_size(std::size_t{8} << 20, part, [&](Arena& arena, Monitor& monitor) {
+        disturbed::by_size(enough, dense, [&](Arena& arena, Monitor& monitor) {
             return cycles(input, expected, &seen, arena, monitor);
         });
     }
+    const auto components = general(input, 0, false);
+    disturbed::by_size(enough, 500, [&](Arena& arena, Monitor& monitor) {
+        return pairs(input, 0, false, components, arena, monitor);
+    });
 }
 
 }  // namespace
 
-TEST_CASE("columns in blocks of all sizes") {
+TEST_CASE("columns in blocks of all sizes, in the plane") {
+    std::mt19937 random(60);
+    check_sizes(random_values(grid::freudenthal<2>({9, 8}, random), 1000, 0, random), 8000);
+}
+TEST_CASE("columns in blocks of all sizes, in space") {
     std::mt19937 random(61);
-    check_sizes(random_values(grid::freudenthal<2>({9, 8}, random), 1000, 0, random), 40);
-    check_sizes(random_values(grid::freudenthal<3>({5, 5, 4}, random), 1000, 30, random), 40);
-    check_sizes(random_values(grid::freudenthal<4>({3, 2, 2, 2}, random), 1000, 0, random), 40);
-    check_sizes(random_values(grid::freudenthal<5>({2, 2, 1, 1, 1}, random), 1000, 0, random), 40);
-    check_sizes(random_values(grid::freudenthal<6>({2, 1, 1, 1, 1, 1}, random), 1000, 0, random), 40);
+    check_sizes(random_values(grid::freudenthal<3>({5, 5, 4}, random), 1000, 30, random), 16000);
+}
+TEST_CASE("columns in blocks of all sizes, in four dimensions") {
+    std::mt19937 random(62);
+    check_sizes(random_values(grid::freudenthal<4>({3, 2, 2, 2}, random), 1000, 0, random), 16000);
+}
+TEST_CASE("columns in blocks of all sizes, in five dimensions") {
+    std::mt19937 random(63);
+    check_sizes(random_values(grid::freudenthal<5>({2, 2, 1, 1, 1}, random), 1000, 0, random), 4000);
+}
+TEST_CASE("columns in blocks of all sizes, in six dimensions") {
+    std::mt19937 random(64);
+    check_sizes(random_values(grid::freudenthal<6>({2, 1, 1, 1, 1, 1}, random), 1000, 0, random), 2000);
 }
 
 TEST_CASE("large links in blocks of all sizes") {
@@ -101,9 +120,14 @@ TEST_CASE("large links in blocks of all sizes") {
         auto space = random_values(grid::cone_over_stack<3>(70), 1000, 0, random);
         auto four = random_values(grid::cone_over_stack<4>(66), 1000, 40, random);
         space.value.back() = four.value.back() = apex_first ? -1 : 500;
-        check_sizes(space, 20);
-        check_sizes(four, 20);
+        check_sizes(space, 1000);
+        check_sizes(four, 1000);
     }
+    // Along the stack, with the apex in between: its star is regular.
+    auto regular = random_values(grid::cone_over_stack<3>(80), 1000, 0, random);
+    for (std::uint32_t v = 0; v < regular.ball.vertex_count; ++v) regular.value[v] = v;
+    regular.value.back() = 40.5;
+    check_sizes(regular, 200);
 }
 
 namespace {

@@ -258,12 +258,12 @@ struct Way {
 // Random values need long columns: the pool grows beyond what is needed in passing to order the simplices.
 TEST_CASE("columns of a vineyard in blocks of all sizes") {
     std::mt19937 random(8);
-    for (int round = 0; round < 6; ++round) {
-        const Complex complex(random_complex(random, 13, 45));
+    for (int round = 0; round < 24; ++round) {
+        const Complex complex(random_complex(random, 8 + random() % 8, 30 + static_cast<int>(random() % 40)));
         std::vector<Values> through;
-        for (int i = 0; i < 6; ++i) through.push_back(complex.values([&] { return double(random() % 1000); }));
+        for (int i = 0; i < 10; ++i) through.push_back(complex.values([&] { return double(random() % 1000); }));
         const Way way(complex, 1 + round % 3, through);
-        disturbed::by_size(std::size_t{1} << 20, 60,
+        disturbed::by_size(std::size_t{1} << 20, 1600,
                            [&](Arena& arena, Monitor& monitor) { return way.go(arena, monitor); });
     }
 }
