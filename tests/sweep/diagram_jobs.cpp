@@ -65,11 +65,15 @@ double rough(void*, const double* x) {
     return sum - std::floor(sum);
 }
 
-netmesh_status irregular(const Job& job, netmesh_context* context, netmesh_options* options) {
+template <int keep_zero> netmesh_status irregular(const Job& job, netmesh_context* context, netmesh_options* options) {
     const netmesh_status status = mesh(job, context, options);
     if (status != NETMESH_OK) return status;
     const netmesh_function f = {rough, nullptr, 1e6, 0, 2};
-    return netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, 1, options);
+    return netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, keep_zero, options);
+}
+netmesh_status irregular_cycles(const Job& job, netmesh_context* context, netmesh_options* options) {
+    const netmesh_status status = irregular<0>(job, context, options);
+    return status == NETMESH_OK ? netmesh_represent(context, options) : status;
 }
 
 netmesh_status vineyard(const Job& job, netmesh_context* context, netmesh_options* options) {
@@ -179,7 +183,9 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back({"bounds", dim, few, bounds, large, 0, true});
         jobs->push_back({"function", dim, few, function, large});
         static const std::size_t some[] = {0, 0, 6, 24, 10, 6, 4};
-        jobs->push_back({"irregular", dim, some[dim], irregular, dim > 2, 60});
+        jobs->push_back({"irregular", dim, some[dim], irregular<1>, dim > 2, 60});
+        static const std::size_t more[] = {0, 0, 16, 24, 20, 14, 9};
+        jobs->push_back({"rough-cycles", dim, more[dim], irregular_cycles, true, 60, true});
         jobs->push_back({"scales-one", dim, 1, scales, true, 30});
         jobs->push_back({"cycles", dim, few, represent<NETMESH_FILTER_COMPLETE>, large, 100, true});
         jobs->push_back({"cycles-alpha", dim,
