@@ -132,6 +132,33 @@ TEST_CASE("scales of interest") {
     CHECK(session.check() == NETMESH_CHECK_FAILED);
 }
 
+TEST_CASE("scales of interest in every dimension: early, late, all and none") {
+    struct Window {
+        double focus, from, to;
+    };
+    for (int dim = 2; dim <= 6; ++dim) {
+        const double ratio = dim < 4 ? 2.25 : dim == 4 ? 2.6 : 3.2, focus = dim < 4 ? 1.6 : dim == 4 ? 2 : 2.4;
+        const inputs::Points points = inputs::shell(dim, dim < 4 ? 30 : dim == 4 ? 12 : dim == 5 ? 7 : 4, 0.5, 1, 7);
+        Session session(dim);
+        session.options.ratio = ratio;
+        check_ratio(session, points);
+        const std::uint64_t without = session.report().vertices;
+        for (const Window& w : {Window{focus, 0.05, 0.1}, Window{focus, 0.3, 0.7}, Window{focus, 0.1, 4},
+                                Window{focus, 3, 5}, Window{ratio, 0.3, 0.7}, Window{2 * ratio, 0.1, 4}}) {
+            CAPTURE(dim);
+            CAPTURE(w.focus);
+            CAPTURE(w.from);
+            session.options.focus_ratio = w.focus;
+            session.options.focus_from = w.from;
+            session.options.focus_to = w.to;
+            check_ratio(session, points);
+            if (w.focus >= ratio) CHECK(session.report().vertices == without);
+            if (w.focus < ratio && w.to == 4) CHECK(session.report().vertices > without);
+        }
+        session.options.focus_ratio = 0;
+    }
+}
+
 TEST_CASE("a mesh that promises less fails the check") {
     Session session(2);
     session.options.ratio = 3;
