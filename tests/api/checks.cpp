@@ -160,6 +160,13 @@ TEST_CASE("rows of points that scales cannot be meshed with") {
         const std::size_t d = static_cast<std::size_t>(dim);
         Session s(dim);
         s.reserve(std::size_t{1} << 22);
+        for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
+            const inputs::Points one(d, 0.25);
+            REQUIRE(netmesh_persist_scales(s.context, one.data(), 1, values, 9, 0, &s.options) == NETMESH_OK);
+            CHECK(s.pairs().size() == 1);
+            CHECK(s.report().scales == 1);
+            CHECK(netmesh_represent(s.context, &s.options) == NETMESH_NO_RESULT);
+        }
         const auto refused = [&](const inputs::Points& p, netmesh_status status, std::uint64_t a, std::uint64_t b) {
             CHECK(netmesh_persist_scales(s.context, p.data(), p.size() / d, NETMESH_VALUES_CERTIFIED, 1, 0,
                                          &s.options) == status);
@@ -181,5 +188,7 @@ TEST_CASE("rows of points that scales cannot be meshed with") {
         refused(p, NETMESH_TOO_CLOSE, 1, 2);
         p[d + 1] = p[2 * d + 1] = 1e-4;  // the size asked for is too little
         refused(p, NETMESH_INVALID_ARGUMENT, 8, 0);
+        p[2 * d] = HUGE_VAL;
+        refused(p, NETMESH_NOT_FINITE, 2, 0);
     }
 }

@@ -100,23 +100,24 @@ TEST_CASE("a fit that is stopped on its way leaves no diagram") {
     struct Polls {
         long made = 0, stop_at = -1;
     } polls;
-    const inputs::Points points = inputs::uniform(2, 60);
+    const inputs::Points points = inputs::uniform(2, 300);
     Session session(2);
+    session.reserve(std::size_t{1} << 22);
     session.options.user = &polls;
     session.options.poll = [](void* user, const netmesh_progress*) {
         Polls& p = *static_cast<Polls*>(user);
         return static_cast<int>(p.made++ == p.stop_at);
     };
-    REQUIRE(netmesh_fit(session.context, points.data(), 60, 1, 0, 0, &session.options) == NETMESH_OK);
+    REQUIRE(netmesh_fit(session.context, points.data(), 300, 1, 0, 0, &session.options) == NETMESH_OK);
     const long all = polls.made;
     const std::uint64_t print = session.report().fingerprint;
     REQUIRE(all > 2);
     for (const long stop_at : {0L, all / 2, all - 1}) {
         polls = {0, stop_at};
-        CHECK(netmesh_fit(session.context, points.data(), 60, 1, 0, 0, &session.options) == NETMESH_CANCELLED);
+        CHECK(netmesh_fit(session.context, points.data(), 300, 1, 0, 0, &session.options) == NETMESH_CANCELLED);
         CHECK(session.report().has_diagram == 0);
     }
     polls = {};
-    REQUIRE(netmesh_fit(session.context, points.data(), 60, 1, 0, 0, &session.options) == NETMESH_OK);
+    REQUIRE(netmesh_fit(session.context, points.data(), 300, 1, 0, 0, &session.options) == NETMESH_OK);
     CHECK(session.report().fingerprint == print);
 }
