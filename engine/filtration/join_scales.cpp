@@ -80,8 +80,9 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
         const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
         const std::uint64_t b = points_.vertex(partition_.chosen()[input.row_b]).origin;
-        result_->row_a = a < b ? a : b;
-        result_->row_b = a < b ? b : a;
+        const bool are_two = input.row_b > input.row_a;
+        result_->row_a = are_two && b < a ? b : a;
+        result_->row_b = !are_two ? 0 : a < b ? b : a;
     }
     if (status != Status::ok) return status;
     double* const value = arena_.take_low<double>(state.vertex_count);

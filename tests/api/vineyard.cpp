@@ -59,6 +59,9 @@ TEST_CASE("each diagram equals a fresh one") {
     diagrams_equal_fresh_ones(2, inputs::uniform(2, 30), 8);
     diagrams_equal_fresh_ones(2, inputs::grid(2, 5), 4);
     diagrams_equal_fresh_ones(3, inputs::uniform(3, 8), 3);
+    diagrams_equal_fresh_ones(4, inputs::uniform(4, 5), 4);
+    diagrams_equal_fresh_ones(5, inputs::uniform(5, 4), 4);
+    diagrams_equal_fresh_ones(6, inputs::uniform(6, 4), 4);
 }
 
 TEST_CASE("what a vineyard refuses") {
