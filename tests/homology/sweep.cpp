@@ -123,11 +123,16 @@ TEST_CASE("large links in blocks of all sizes") {
         check_sizes(space, 1000);
         check_sizes(four, 1000);
     }
-    // Along the stack, with the apex in between: its star is regular.
-    auto regular = random_values(grid::cone_over_stack<3>(80), 1000, 0, random);
-    for (std::uint32_t v = 0; v < regular.ball.vertex_count; ++v) regular.value[v] = v;
-    regular.value.back() = 40.5;
-    check_sizes(regular, 200);
+    // Along the stack, with the apex in between: its star is regular. Or in turns of six, and the lower link in pieces.
+    for (const bool in_turns : {false, true}) {
+        auto space = random_values(grid::cone_over_stack<3>(80), 1000, 0, random);
+        auto four = random_values(grid::cone_over_stack<4>(80), 1000, 0, random);
+        for (std::uint32_t v = 0; v < space.value.size(); ++v) space.value[v] = in_turns ? v / 6 % 2 * 100 + v % 6 : v;
+        for (std::uint32_t v = 0; v < four.value.size(); ++v) four.value[v] = in_turns ? v / 6 % 2 * 100 + v % 6 : v;
+        space.value.back() = four.value.back() = 40.5;
+        check_sizes(space, 500);
+        check_sizes(four, 500);
+    }
 }
 
 namespace {
