@@ -194,7 +194,8 @@ template <int D> std::uint32_t Sweep<D>::sorted(std::uint32_t columns) {
 template <int D> std::uint32_t Sweep<D>::merge(std::uint32_t a, std::uint32_t b) {
     std::uint32_t first = none, last = none;
     while (a != none || b != none) {
-        std::uint32_t& from = b == none || (a != none && before(a, b)) ? a : b;
+        const bool from_a = b == none || (a != none && before(a, b));
+        std::uint32_t& from = from_a ? a : b;
         const std::uint32_t c = from;
         from = front_.next(c);
         (last == none ? first : front_.next(last)) = c;
