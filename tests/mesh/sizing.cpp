@@ -267,7 +267,7 @@ TEST_CASE("a size refused at a Steiner point names the input nearest to it, and 
     for (int dim = 2; dim <= 6; ++dim) {
         CAPTURE(dim);
         const inputs::Points points = inputs::uniform(dim, 3);
-        OnlyAtInputs only = {dim, &points, dim < 5 ? 0.3 : 0.6, -1};
+        OnlyAtInputs only = {dim, &points, dim < 5 ? 0.3 : 0.45, -1};
         Session session(dim);
         session.options.tau = 4;
         session.options.size = OnlyAtInputs::at;
@@ -286,27 +286,32 @@ TEST_CASE("a size refused at a Steiner point names the input nearest to it, and 
 
 TEST_CASE_TEMPLATE_DEFINE("size ratios in any gap: the same figure, or none", T, gaps) {
     constexpr int D = T::value;
-    const inputs::Points points = inputs::uniform(D, 4);
+    const inputs::Points points = inputs::jittered(D, 2, 0.1, 3);
+    const std::uint32_t n = 1u << D;
     Block block(std::size_t{1} << 23);
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
     InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), 4, {D < 5 ? 3.0 : 6.0, 1, false, 1}, monitor, &input, &domain) == Status::ok);
+    REQUIRE(triangulate<D>(store, points.data(), n, 1, monitor, &input) == Status::ok);
+    measure_edges<D>(store);
+    Domain<D> domain;
+    smallest_enclosing_ball<D>(store, n, domain);
+    domain.radius = domain.enclosing_radius;
     store.vertex(3).cell = none;  // what is not in the mesh has no size
     SizeRule rule;
     rule.eps = 0.5;
-    double expected, worst;
+    double expected, worst, aspect;
     std::uint32_t at, v;
-    REQUIRE(worst_size_ratio<D>(store, domain, 4, rule, Corners::recomputed, block.arena, &expected, &at) == Status::ok);
+    REQUIRE(worst_size_ratio<D>(store, domain, n, rule, Corners::recomputed, block.arena, &expected, &at) == Status::ok);
+    REQUIRE(recomputed_aspect_ratio<D>(store, domain, block.arena, &aspect, &v) == Status::ok);
     CHECK(expected > 0);
     CHECK(at != 3);
     const std::size_t low = block.arena.low_mark(), top = block.arena.high_mark();
     bool fits = false;
     for (std::size_t bytes = 0; !fits; bytes += 16) {
         block.arena.release_low(top - bytes);
-        const Status status = worst_size_ratio<D>(store, domain, 4, rule, Corners::kept, block.arena, &worst, &v);
+        const Status status = worst_size_ratio<D>(store, domain, n, rule, Corners::kept, block.arena, &worst, &v);
         block.arena.release_low(low);
         fits = status == Status::ok;
         REQUIRE((fits || status == Status::out_of_memory));
@@ -320,7 +325,7 @@ TEST_CASE_TEMPLATE_DEFINE("size ratios in any gap: the same figure, or none", T,
         measured = status == Status::ok;
         REQUIRE((measured || status == Status::out_of_memory));
     }
-    CHECK(worst <= (D < 5 ? 3 : 6));
+    CHECK(worst == aspect);
 }
 TEST_CASE_TEMPLATE_INVOKE(gaps, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
                           std::integral_constant<int, 4>, std::integral_constant<int, 5>,
@@ -392,25 +397,27 @@ TEST_CASE_TEMPLATE_DEFINE("cells too flat for a corner do not count", T, flat) {
         cells[i] = i;
         cells[D + 1 + i] = i == 0 ? D + 1 : i;
     }
-    const auto out_radii = [&](const double* places, Corners corners, std::uint32_t count) {
+    const auto out_radii = [&](const double* places, Corners corners, std::uint32_t count, double radius) {
         Block block(std::size_t{1} << 16);
         StoreState state = {};
         Store<D> store(block.arena, state);
         CheckResult why;
         REQUIRE(load_cells<D>(store, places, D + 2, cells + (count == 1 ? D + 1 : 0), count, &why) == Status::ok);
         Domain<D> domain = {};
-        domain.radius = domain.enclosing_radius = count == 3 ? 0.1 : 0.9;
+        domain.radius = domain.enclosing_radius = radius;
         std::vector<double> out2(D + 2);
         clipped_out_radii<D>(store, domain, corners, out2.data());
         return out2;
     };
-    for (const Corners corners : {Corners::kept, Corners::recomputed}) {
-        const std::vector<double> alone = out_radii(x.data(), corners, 1);
-        std::vector<double> flattened = x;  // vertex 0 into the plane of the common facet
-        for (int k = 0; k < D; ++k) flattened[static_cast<std::size_t>(k)] = k < 2 ? 0.5 : 0;
-        CHECK(out_radii(flattened.data(), corners, 2) == alone);
-        CHECK(out_radii(x.data(), corners, 2) != alone);
-    }
+    // The common corner inside of the domain and outside.
+    for (const double radius : {0.6 * std::sqrt(D), 0.4 * std::sqrt(D)})
+        for (const Corners corners : {Corners::kept, Corners::recomputed}) {
+            const std::vector<double> alone = out_radii(x.data(), corners, 1, radius);
+            std::vector<double> flattened = x;  // vertex 0 into the plane of the common facet
+            for (int k = 0; k < D; ++k) flattened[static_cast<std::size_t>(k)] = k < 2 ? 0.5 : 0;
+            CHECK(out_radii(flattened.data(), corners, 2, radius) == alone);
+            if (radius > 0.5 * std::sqrt(D)) CHECK(out_radii(x.data(), corners, 2, radius) != alone);
+        }
 }
 TEST_CASE_TEMPLATE_INVOKE(flat, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
                           std::integral_constant<int, 4>, std::integral_constant<int, 5>,

@@ -84,11 +84,11 @@ TEST_CASE_TEMPLATE_DEFINE("small meshes with gaps keep what they promise, cages 
     constexpr double taus[3] = {D < 4 ? 2.3 : D < 5 ? 4 : D < 6 ? 6 : 8, D < 4 ? 3 : D < 5 ? 5 : D < 6 ? 8 : 10,
                                 D < 5 ? 6 : 12};
     std::uint32_t made = 0, released = 0, kept = 0;
-    for (std::uint64_t seed = 0; seed < (D < 5 ? 240 : D == 5 ? 120 : 45); ++seed) {
+    for (std::uint64_t seed = 0; seed < (D < 5 ? 160 : D == 5 ? 90 : 30); ++seed) {
         CAPTURE(seed);
-        HierarchyOptions options = {taus[seed % 3], seed % 4 < 2 ? 1 : 1.25, seed % 5 == 0, seed};
+        HierarchyOptions options = {taus[seed % 3], seed % 4 < 2 ? 1 : 1.25, seed % (D < 6 ? 5 : 20) == 0, seed};
         options.audit_location = seed % 3 == 1;
-        options.audit_quality = seed % (D < 6 ? 7 : 30) == 2;
+        options.audit_quality = D < 6 ? seed % 7 == 2 : seed == 22;
         options.cages = seed % 11 != 7;
         Small<D> m(small_set<D>(seed), options);
         REQUIRE(m.status == Status::ok);
@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE_DEFINE("small meshes with gaps keep what they promise, cages 
     MESSAGE(D, ": ", made, " made, ", kept, " kept, ", released, " released");
     CHECK(made > 20);
     CHECK(kept > 10);
-    CHECK(released >= 3);
+    CHECK(released >= 2);
 }
 TEST_CASE_TEMPLATE_INVOKE(small, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
@@ -109,7 +109,7 @@ TEST_CASE_TEMPLATE_DEFINE("any arena size leaves a Delaunay mesh of what was ins
     constexpr int D = T::value;
     const inputs::Points points = small_set<D>(D < 5 ? 4 : 0);
     std::uint32_t partial = 0, whole = 0;
-    for (double bytes = 256; bytes < (D < 5 ? 2e6 : 6e6); bytes *= D < 5 ? 1.07 : 1.2)
+    for (double bytes = 256; bytes < (D < 5 ? 2e6 : 6e6); bytes *= D < 5 ? 1.07 : D == 5 ? 1.2 : 1.3)
         for (const int kind : {0, 1, 2}) {
             HierarchyOptions options = {D < 5 ? 5.0 : 12.0, 1, kind == 2, 1};
             options.audit_location = kind == 1;
