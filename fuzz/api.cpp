@@ -88,7 +88,7 @@ private:
         o.poll = poll_budget;
         o.user = &polls_left_;
         if (tape_.below(4) != 0) return o;
-        switch (tape_.below(14)) {
+        switch (tape_.below(18)) {
         case 0: o.dim = dim_ = 2 + tape_.below(5); break;
         case 1: o.dim = tape_.byte(); break;
         case 2: o.struct_bytes = tape_.byte(); break;
@@ -106,7 +106,19 @@ private:
             well_.kind = static_cast<int>(tape_.below(5));
             break;
         case 12: o.seed = tape_.byte(); break;
-        default: o.tau = 2 + tape_.byte() / 64.0; break;
+        case 13: o.tau = 2 + tape_.byte() / 64.0; break;
+        case 14: o.ratio = 1.75 + tape_.byte() / 64.0; break;
+        case 15:
+            o.ratio = 2 + tape_.byte() / 64.0;
+            o.focus_ratio = o.ratio - tape_.byte() / 256.0;
+            o.focus_from = std::ldexp(1.0, static_cast<int>(tape_.below(16)) - 8);
+            o.focus_to = o.focus_from * (1 + tape_.byte() / 16.0);
+            break;
+        case 16: o.audit = tape_.below(5); break;
+        default:
+            (tape_.byte() & 1 ? o.ratio : o.focus_ratio) = tape_.number();
+            (tape_.byte() & 1 ? o.focus_from : o.focus_to) = tape_.number();
+            break;
         }
         return o;
     }
@@ -142,6 +154,30 @@ private:
         const std::size_t n = o.dim == 0 ? 0 : x.size() / o.dim;
         const auto job = static_cast<netmesh_job>(tape_.rarely() ? tape_.byte() : 2 + tape_.below(4));
         ended(netmesh_mesh(context_, tape_.rarely() ? nullptr : x.data(), n, job, maybe(o)));
+    }
+    void fit() {
+        netmesh_options o = make_options();
+        if (polls_left_ > 0) polls_left_ = 30;  // some runs
+        if (tape_.byte() & 1) o.ratio = 2 + tape_.byte() / 64.0;
+        if (tape_.byte() & 1) {
+            o.focus_from = std::ldexp(1.0, static_cast<int>(tape_.below(16)) - 8);
+            o.focus_to = o.focus_from * (1 + tape_.byte() / 16.0);
+        }
+        const std::vector<double> x = make_points(o.dim);
+        const std::size_t n = o.dim == 0 ? 0 : x.size() / o.dim;
+        const std::uint32_t degree = tape_.below(8);
+        const int zeros = tape_.byte() & 1, bounds = tape_.byte() & 1;
+        if (ended(netmesh_fit(context_, tape_.rarely() ? nullptr : x.data(), n, degree, zeros, bounds, maybe(o))) !=
+            NETMESH_OK)
+            return;
+        const netmesh_report r = report();
+        require(r.certified_ratio <= r.ratio && r.has_diagram != 0);
+        o.ratio = r.ratio;
+        o.focus_ratio = r.focus_ratio;
+        o.focus_from = r.focus_from;
+        o.focus_to = r.focus_to;
+        const netmesh_status status = ended(netmesh_check(context_, 15, &o));
+        require(status != NETMESH_CHECK_FAILED);
     }
     void persist() {
         const netmesh_options o = make_options();
@@ -381,7 +417,7 @@ private:
     }
 
     void call() {
-        switch (tape_.below(24)) {
+        switch (tape_.below(25)) {
         case 0:
         case 1: return triangulate();
         case 2:
@@ -412,7 +448,8 @@ private:
         case 19: return persist_scales();
         case 20: return move();
         case 21: return plan();
-        case 22: return tape_.rarely() ? start() : read_all();
+        case 22: return fit();
+        case 23: return tape_.rarely() ? start() : read_all();
         default: return read_all();
         }
     }

@@ -175,6 +175,8 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
         }
         if (status == Status::invalid_argument) {
             clear(context);
+            if (options->ratio > 0)
+                return finish(context, status, "focus_from is below what coordinates resolve at focus_ratio", 5);
             return finish(context, status, "the size asked for is not positive or below what coordinates resolve", 6,
                           input.row_a);
         }

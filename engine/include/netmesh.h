@@ -127,7 +127,7 @@ typedef struct netmesh_options {
      * certified ratio is at most `ratio`, in place of one of aspect ratio tau. focus_ratio asks for more at scales
      * between focus_from and focus_to (radii): hi / lo <= focus_ratio^2 for the bounds (see netmesh_bound_bars) of every cell of a
      * Steiner vertex with hi > focus_from and lo < focus_to. */
-    double ratio;                /* > sqrt 2; below about 1.9 meshes grow fast. 0: a mesh of aspect ratio tau */
+    double ratio;                /* > sqrt 2; below about 1.6 meshes grow fast. 0: a mesh of aspect ratio tau */
     double focus_ratio;          /* in (1, ratio); 0: no scales of interest */
     double focus_from, focus_to; /* 0 < focus_from < focus_to */
     /* A union of netmesh_audit_what, for NETMESH_JOB_MESH with SVR or NETMESH without sizes. The mesh is as good as without; it
@@ -205,7 +205,9 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
  * at least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
  * point. Meshes with cages are not for persistence, and NETMESH_METHOD_NETMESH does not over-refine.
  * With options->ratio the mesh, by SVR and for NETMESH_JOB_PERSIST only, is refined by the certificate of the complete filter instead, to
- * about half of the vertices for the same ratio. No aspect ratio is promised then; report.tau is 0.
+ * about half of the vertices for the same ratio. No aspect ratio is promised then; report.tau is 0. For a ratio below 2 distances
+ * must be 64 / (ratio^2 / 2 - 1) units, and with scales of interest focus_from must be 64 / k units, k = focus_ratio^2 / 2 - 1, or
+ * (focus_ratio^2 - 1) / (focus_ratio^2 + 1) when focus_ratio is at most sqrt 2 (INVALID_ARGUMENT 5).
  * INVALID_ARGUMENT (6: the sizes asked for; index_b: a row near by), NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY,
  * CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size_t n, netmesh_job for_job,

@@ -17,11 +17,12 @@ constexpr double input_share = 0.8, input_least = 2.2;
 
 // A ratio asked for, and the K of certify.hpp that goes with it.
 struct Bound {
-    double ratio2, reach2, input;  // c^2, K^2, largest R / r of an input's cell
+    double ratio2, reach2, step, input;  // c^2, K^2, k, largest R / r of an input's cell
 
     explicit Bound(double ratio) : ratio2(ratio * ratio * (1 - tau_margin)) {
         const double near = (ratio2 - 1) / (ratio2 + 1), far = 0.5 * ratio2 - 1;
         reach2 = near > far ? near * near : far * far;
+        step = far > 0 ? far : near;
         input = input_share * ratio2 > input_least ? input_share * ratio2 : ratio2 < input_least ? ratio2 : input_least;
     }
     // Nothing is refined farther from the domain's centre, in enclosing radii.
@@ -51,6 +52,8 @@ public:
           focus_(goal.focus > 0 && goal.focus < goal.ratio ? goal.focus : goal.ratio) {}
 
     Status open();
+    // invalid_argument: coordinates do not resolve the scales of interest; else as that of Insertion.
+    Status check(InputReport* input);
 
 private:
     struct CellView {
@@ -70,6 +73,17 @@ private:
     Bound bound_, focus_;
     double cut2_ = 0;  // squared enclosing radius
 };
+
+// A Steiner point comes as near to others as `step` times its distance to the inputs.
+template <int D> Status Certification<D>::check(InputReport* input) {
+    const Status status = this->check_input(bound_.step < 1 ? resolution / bound_.step : resolution, input);
+    if (status != Status::ok || !(goal_.focus > 0)) return status;
+    double size = 0;
+    for (std::uint32_t v = 0; v < inputs_; ++v)
+        for (int k = 0; k < D; ++k)
+            if (absolute(store_.point(v)[k]) > size) size = absolute(store_.point(v)[k]);
+    return goal_.from * focus_.step < resolution * size ? Status::invalid_argument : Status::ok;
+}
 
 template <int D> Status Certification<D>::open() {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
@@ -147,15 +161,20 @@ template <int D> bool Certification<D>::is_bad(std::uint32_t v, const CellView& 
 // Inserts a Steiner point between v and a corner of its bad cell, or yields to an input near that place.
 template <int D> Status Certification<D>::split(std::uint32_t v, const CellView& view) {
     const double* const p = store_.point(v);
-    const double least2 = least_bad2(store_.vertex(v));
+    const Vertex<D>& vertex = store_.vertex(v);
+    const double least2 = least_bad2(vertex);
     const Corner<D>* corner = &view.from_input;
-    double whole2 = distance2<D>(corner->x, p);
-    if (whole2 < least2) {
+    double whole2 = distance2<D>(corner->x, p), level = 0;
+    if (whole2 < least2 && bound_at(vertex).ratio2 <= 2) {
         corner = &view.farthest;
         whole2 = corner->distance2;
+    } else if (vertex.marker == Marker::steiner) {
+        level =
+            1 - (corner->distance2 - vertex.nearest2) / whole2;  // from there on the nearest input is no nearer than v
     }
     const double wanted2 = overshoot * overshoot * least2;
-    const double fraction = wanted2 < whole2 ? square_root(wanted2 / whole2) : 1;
+    double fraction = wanted2 < whole2 ? square_root(wanted2 / whole2) : 1;
+    if (fraction < level) fraction = level;
     double x[D];
     for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner->x[k] - p[k]);
 
@@ -195,7 +214,7 @@ Status certify(Store<D>& store, const double* points, std::size_t n, const Certi
     Status status = take_input<D>(store, points, n, options.seed, monitor, input, &order);
     if (status != Status::ok) return status;
     Certification<D> certification(store, options.goal, monitor, *domain);
-    status = certification.check_input(input);
+    status = certification.check(input);
     if (status == Status::ok) status = certification.open();
     if (status == Status::ok) status = certification.run(order);
     store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));

@@ -27,22 +27,26 @@ struct CertifyOptions {
 //
 // Write d = d_P(v) over all inputs, inserted or not, n the nearest one, R the distance to v's farthest corner, c the ratio asked of
 // the cell. A bad input cell has a corner at more than nn(v) from v. A bad Steiner cell has hi > c^2 lo with hi <= d + R
-// and lo = max(d/2, d - R), so its farthest corner is at more than k d, k = (c^2 - 1) / (c^2 + 1); the one farthest from n, which
-// defines hi, is at more than (c^2/2 - 1) d from v. K is the larger constant, and a Steiner point goes towards the corner that
-// defines hi when that is at K d at least, else towards the farthest; it stops 1.1 times as far as it must be. So
-//   - a Steiner point x is at K d_P(v) at least from every vertex, and d_P(x) <= d_P(v) + 1.1 K d_P(v) unless x is the corner and
-//     nearer: the distance from x to the nearest vertex is at least a constant times d_P(x);
-//   - an uninserted input within nine tenths of that (yield_radius) is inserted in place of x, so x keeps its distance from those
-//     too; by induction every Steiner point keeps a constant times f_P(p) from every input p;
+// and lo = max(d/2, d - R), so its farthest corner is at more than (c^2 - 1) / (c^2 + 1) d from v; the one farthest from n, which
+// defines hi, at more than k d, k = c^2/2 - 1. K is the larger constant. A Steiner point x goes from v towards the corner that defines
+// hi and stops at 1.1 K d, or at the corner, or, if it would be nearer to n there than v is, where it is as far as v. So
+//   - x is at k d_P(v) at least from every vertex, and |x - v| <= max(2, 1.1 K) d_P(v);
+//   - an uninserted input within nine tenths of |x - v| (yield_radius) is inserted in place of x, so x keeps its distance from
+//     those too;
+//   - d_P(x) >= d_P(v) while n remains the nearest input. Another one, p, is at .9 k d at least from x and at a constant times d
+//     at most from n, so d_P(x) is at least a constant times f_P(p). By induction every Steiner point keeps that from every input.
+//     (Without the third place to stop, points spiral into an input when c^2 < 3: those that end a cell may begin the next.)
 //   - hi is cut at rho, so a bad cell has d < 2 rho / c^2 and x is within 1 + 2 (1 + 1.1 K) / c^2 enclosing radii of the centre,
 //     or 2.1 next to an input: a compact set, and the frame is put outside of it.
 // Hence packing (3.6) bounds the number of vertices: by a constant for the annuli of d_P between f_P(p) and rho about each input,
-// that is by the size of a quality mesh up to a factor that depends on c alone. For scales of interest and c^2 <= 2 the cells next to an
-// input can never be good, their lo being d/2; they are refined until hi <= from, so the number of layers is finite all the
-// same. An input cell is never asked for more than `ratio`.
+// that is by the size of a quality mesh up to a factor that depends on c alone. For scales of interest and c^2 <= 2 the cells next to
+// an input can never be good, their lo being d/2, and k is not positive: when the corner that defines hi is nearer than K d, the
+// farthest serves, and cells are refined until hi <= from, so the number of layers is finite all the same. An input cell is never asked
+// for more than `ratio`.
 //
 // Afterwards as after refine(), but for the quality; `domain` is the smallest enclosing ball. ok, out_of_memory, cancelled,
-// out_of_range, too_close and what take_input says, as there.
+// out_of_range, too_close (k times the distance of two inputs is too little) and what take_input says, as there; invalid_argument:
+// coordinates do not resolve k `from`, of scales of interest, or K `from` where k is not positive.
 template <int D>
 Status certify(Store<D>& store, const double* points, std::size_t n, const CertifyOptions& options, Monitor& monitor,
                InputReport* input, Domain<D>* domain);

@@ -11,10 +11,11 @@ namespace netmesh {
 // restores what is asked of all cells.
 template <int D, class Self> class Insertion {
 public:
-    Status check_input(InputReport* input) {
+    // finest: see check_separation.
+    Status check_input(double finest, InputReport* input) {
         inputs_ = store_.state.vertex_count;
         const Status status = tree_.build(store_, store_.arena, inputs_);
-        return status == Status::ok ? check_separation<D>(store_, tree_, input) : status;
+        return status == Status::ok ? check_separation<D>(store_, tree_, finest, input) : status;
     }
 
     // Inserts the inputs in this order, those that a Steiner point has not yielded to yet, and cleans after each.

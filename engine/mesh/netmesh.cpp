@@ -131,7 +131,7 @@ private:
 template <int D> Status NetMesh<D>::open(InputReport* input) {
     inputs_ = store_.state.vertex_count;
     Status status = tree_.build(store_, store_.arena, inputs_, true);
-    if (status == Status::ok) status = check_separation<D>(store_, tree_, input);
+    if (status == Status::ok) status = check_separation<D>(store_, tree_, resolution, input);
     if (status != Status::ok) return status;
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     domain_.radius = domain_.enclosing_radius * options_.domain_factor * (1 + tau_margin);

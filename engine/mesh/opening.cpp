@@ -3,7 +3,8 @@
 #include "mesh/distance.hpp"
 
 namespace netmesh {
-template <int D> Status check_separation(const Store<D>& store, const InputTree<D>& tree, InputReport* input) {
+template <int D>
+Status check_separation(const Store<D>& store, const InputTree<D>& tree, double finest, InputReport* input) {
     const std::uint32_t inputs = store.state.vertex_count;
     for (std::uint32_t v = 0; v < inputs; ++v)
         for (int k = 0; k < D; ++k)
@@ -19,11 +20,12 @@ template <int D> Status check_separation(const Store<D>& store, const InputTree<
         for (int k = 0; k < D; ++k)
             if (absolute(store.point(v)[k]) > size) size = absolute(store.point(v)[k]);
         const bool tiny = d2 < separation_min * separation_min;
-        if (!tiny && d2 >= (resolution * size) * (resolution * size)) continue;
+        const double least = finest * size;
+        if (!tiny && d2 >= least * least) continue;
         const std::uint64_t a = store.vertex(v).origin, b = store.vertex(near).origin;
         input->row_a = a < b ? a : b;
         input->row_b = a < b ? b : a;
-        return tiny && d2 > (resolution * size) * (resolution * size) ? Status::out_of_range : Status::too_close;
+        return tiny && d2 > least * least ? Status::out_of_range : Status::too_close;
     }
     return Status::ok;
 }
@@ -68,7 +70,7 @@ template <int D> void settle_spheres(Store<D>& store) {
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status check_separation<D>(const Store<D>&, const InputTree<D>&, InputReport*);                           \
+    template Status check_separation<D>(const Store<D>&, const InputTree<D>&, double, InputReport*);                   \
     template Status open_frame<D>(Store<D>&, Kernel<D>&, const InputTree<D>&, const Domain<D>&, double);               \
     template void settle_spheres<D>(Store<D>&);
 NETMESH_INSTANTIATE(2)

@@ -14,8 +14,9 @@ constexpr double separation_min = 0x1p-500;
 constexpr double resolution = 64 * 0x1p-52;
 
 // The store holds inputs alone, `tree` is over them. out_of_range: a coordinate above 2^500 or two inputs closer than 2^-500;
-// too_close: two inputs closer than 64 units in the last place. Rows in *input. O(n log n).
-template <int D> Status check_separation(const Store<D>& store, const InputTree<D>& tree, InputReport* input);
+// too_close: two inputs closer than `finest` times the magnitude of their coordinates. Rows in *input. O(n log n).
+template <int D>
+Status check_separation(const Store<D>& store, const InputTree<D>& tree, double finest, InputReport* input);
 
 // A new vertex at x, not inserted yet. Room for it must be there.
 template <int D>

@@ -309,7 +309,7 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
     Status status = take_input<D>(store, points, n, options.seed, monitor, input, &order);
     if (status != Status::ok) return status;
     Refinement<D> refinement(store, options, monitor, *domain);
-    status = refinement.check_input(input);
+    status = refinement.check_input(resolution, input);
     if (status == Status::ok) status = refinement.open(options);
     if (status == Status::ok) status = options.reference ? refinement.run_reference(order) : refinement.run(order);
     if (status == Status::ok) status = refinement.reach_sizes(input);

@@ -1,5 +1,5 @@
 // Which bars of the experiment of 7.7 are surely real: 2,000 points of the curve on the Clifford torus, on a mesh of tau 4 whose cells
-// have an out-radius of at most SIZE (0.18) where the points are FROM (0.95) or more away.
+// have an out-radius of at most SIZE (0.16) where the points are FROM (0.95) or more away.
 //
 //   bench_sure [SIZE [FROM]]
 #include <cinttypes>
@@ -32,7 +32,7 @@ double size_of(void* user, const double* x) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    Wish wish = {inputs::clifford(2000), argc > 1 ? std::atof(argv[1]) : 0.18, argc > 2 ? std::atof(argv[2]) : 0.95};
+    Wish wish = {inputs::clifford(2000), argc > 1 ? std::atof(argv[1]) : 0.16, argc > 2 ? std::atof(argv[2]) : 0.95};
     Session session(4);
     session.bounds = true;
     session.options.tau = 4;

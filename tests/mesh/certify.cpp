@@ -42,6 +42,53 @@ TEST_CASE("certified ratios on all kinds of input") {
     }
 }
 
+// Steiner points could spiral into an input when the ratio is below sqrt 3 (these inputs were found by fuzzing).
+TEST_CASE("ratios down to the root of 2") {
+    const inputs::Points five = {0, -2, -1, 0, -1, 1, -1, 1, -2, -1};
+    const inputs::Points four = {-3, 3, -1, 3.0000000000000004, -3, -3, 1, 1};
+    for (const double ratio : {1.75, 1.65, 1.6306723114402859, 1.58, 1.5, 1.42}) {
+        CAPTURE(ratio);
+        Session session(2);
+        session.options.ratio = ratio;
+        for (const inputs::Points& points : {five, four, inputs::uniform(2, 3)}) {
+            check_ratio(session, points);
+            CHECK(session.report().vertices < (ratio < 1.5 ? 10000 : 200));
+        }
+    }
+    for (const double ratio : {1.7, 1.55}) {
+        Session session(3);
+        session.options.ratio = ratio;
+        check_ratio(session, inputs::uniform(3, 4));
+        CHECK(session.report().vertices < 1000);
+    }
+}
+
+TEST_CASE("distances and scales that coordinates do not resolve") {
+    Session session(2);
+    session.options.ratio = 1.5;  // Steiner points come nearer by (2.25 / 2 - 1)
+    const auto mesh = [&](double gap) {
+        const inputs::Points points = {1, 1, 1 + gap, 1};
+        return netmesh_mesh(session.context, points.data(), 2, NETMESH_JOB_PERSIST, &session.options);
+    };
+    CHECK(mesh(64 * 0x1p-52 * 7.9) == NETMESH_TOO_CLOSE);
+    CHECK(mesh(64 * 0x1p-52 * 8.1) == NETMESH_OK);
+    session.options.ratio = 2;
+    CHECK(mesh(65 * 0x1p-52) == NETMESH_OK);
+    CHECK(mesh(63 * 0x1p-52) == NETMESH_TOO_CLOSE);
+
+    session.options.focus_to = 1;
+    for (const double focus : {1.25, 1.5}) {
+        session.options.focus_ratio = focus;
+        const double step = focus == 1.25 ? 0.5625 / 2.5625 : 0.125;
+        session.options.focus_from = 1.5 * 64 * 0x1p-52 / step;
+        CHECK(mesh(0.25) == NETMESH_OK);
+        session.options.focus_from = 0.9 * 64 * 0x1p-52 * 1.25 / step;
+        CHECK(mesh(0.25) == NETMESH_INVALID_ARGUMENT);
+        CHECK(std::string(netmesh_get_detail(session.context).message).find("focus_from") == 0);
+        CHECK(session.report().vertices == 0);
+    }
+}
+
 TEST_CASE("clusters of a large spread") {
     Session session(2);
     session.options.ratio = 2.25;
