@@ -166,6 +166,10 @@ TEST_CASE("rows of points that scales cannot be meshed with") {
             CHECK(s.pairs().size() == 1);
             CHECK(s.report().scales == 1);
             CHECK(netmesh_represent(s.context, &s.options) == NETMESH_NO_RESULT);
+            CHECK(s.check() == NETMESH_NO_RESULT);
+            netmesh_analysis analysis = {};
+            analysis.struct_bytes = sizeof analysis;
+            CHECK(netmesh_analyse(s.context, NETMESH_ANALYSE_FATNESS, 0, &s.options, &analysis) == NETMESH_NO_RESULT);
         }
         const auto refused = [&](const inputs::Points& p, netmesh_status status, std::uint64_t a, std::uint64_t b) {
             CHECK(netmesh_persist_scales(s.context, p.data(), p.size() / d, NETMESH_VALUES_CERTIFIED, 1, 0,

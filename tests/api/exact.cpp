@@ -51,6 +51,7 @@ TEST_CASE("diagrams are within their certified ratio of the exact one") {
         REQUIRE(s.report().steiner > 0);
         for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_TIGHT, NETMESH_FILTER_BASIC})
             for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
+                if (dim == 6 && (filter == NETMESH_FILTER_BASIC || values == NETMESH_VALUES_THESIS)) continue;
                 REQUIRE(netmesh_persist(s.context, filter, values, NETMESH_DIM_MAX, 0, &s.options) == NETMESH_OK);
                 CHECK(std::isfinite(s.report().certified_ratio));
                 if (filter != NETMESH_FILTER_BASIC)

@@ -361,6 +361,29 @@ TEST_CASE_TEMPLATE("values can be stopped at the cells", T, std::integral_consta
     CHECK(block.arena.bytes_used() == 0);
 }
 
+TEST_CASE("values of edges can be stopped, and may be as long as squares overflow") {
+    Cloud<2> c;
+    c.cells = freudenthal<2>(190);
+    c.x = freudenthal_points<2>(190);
+    Block block(std::size_t{1} << 25);
+    int polls = 0;
+    Monitor second(
+        [](void* user, const netmesh_progress* progress) {
+            return static_cast<int>(progress->total > 0 && ++*static_cast<int*>(user) == 2);
+        },
+        &polls);
+    PairList list;
+    CHECK(persist_alpha<2>(c.cells.view(), c.x.data(), 2 * sizeof(double), 2, false, block.arena, second, &list,
+                           nullptr) == Status::cancelled);
+    CHECK(polls == 2);
+    const double huge = 0x1p600;
+    const auto far = cloud<2>({0, 0, 6 * huge, 0, 0, 8 * huge}, {{0, 1, 2}});
+    const Values values = alpha(far);
+    CHECK(values.at({0, 1}) == 3 * huge);
+    CHECK(values.at({0, 2}) == 4 * huge);
+    CHECK(values.at({1, 2}) == 5 * huge);
+}
+
 TEST_CASE("the diagram has no memory of the order of cells, of spare bytes in the records, or of higher degrees") {
     Cloud<3> c;
     Random random{5};

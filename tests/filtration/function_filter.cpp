@@ -128,7 +128,7 @@ TEST_CASE("d_k and the k-distance stay within their certificate") {
     sample_distances<3>(inputs::uniform(3, 40), 3, 80);
     sample_distances<4>(inputs::uniform(4, 12), 3.08, 30);
     sample_distances<5>(inputs::uniform(5, 8), 2.2, 20);
-    sample_distances<6>(inputs::uniform(6, 7), 2.2, 20);
+    sample_distances<6>(inputs::clusters(6, 8), 3, 20);
 }
 
 // Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 - sqrt(2) eps). The domain
@@ -191,9 +191,9 @@ TEST_CASE_TEMPLATE("a function on cells that leave the domain, or of which nothi
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>,
                    std::integral_constant<int, 5>, std::integral_constant<int, 6>) {
     constexpr int D = T::value;
-    constexpr std::size_t few[] = {0, 0, 20, 10, 7, 8, 5};
-    const inputs::Points points = inputs::uniform(D, few[D]);
-    Mesh<D> mesh(points, D < 5 ? 2.5 : 2.2);
+    constexpr std::size_t few[] = {0, 0, 20, 10, 7, 8, 8};
+    const inputs::Points points = D < 6 ? inputs::uniform(D, few[D]) : inputs::clusters(D, few[D]);
+    Mesh<D> mesh(points, D < 5 ? 2.5 : D == 5 ? 2.2 : 3);
     Domain<D> inner = mesh.domain;
     inner.radius *= 0.25;
     const double cut = 1 + 1.5 * inner.radius;

@@ -190,6 +190,14 @@ template <int D> void check_cech_values(const inputs::Points& points, std::uint3
     CHECK(total == netmesh::skeleton_count(n, dimension));
 }
 
+// Steps along each axis and back: many of the smallest balls have more points on their spheres than they need.
+inputs::Points cross(int dim) {
+    const std::size_t d = static_cast<std::size_t>(dim);
+    inputs::Points p(2 * d * d, 0.0);
+    for (std::size_t k = 0; k < d; ++k) p[2 * k * d + k] = -(p[(2 * k + 1) * d + k] = 1);
+    return p;
+}
+
 }  // namespace
 
 TEST_CASE("Cech values are smallest enclosing balls") {
@@ -201,6 +209,9 @@ TEST_CASE("Cech values are smallest enclosing balls") {
     check_cech_values<4>(inputs::clifford(10), 5);
     check_cech_values<5>(inputs::uniform(5, 9), 6);
     check_cech_values<6>(inputs::uniform(6, 9), 8);
+    check_cech_values<3>(cross(3), 3);
+    check_cech_values<5>(cross(5), 3);
+    check_cech_values<6>(cross(6), 3);
 }
 
 TEST_CASE("Rips and Cech diagrams equal the textbook's on all simplices") {
@@ -286,6 +297,15 @@ TEST_CASE("in every dimension: points far apart and close, right triangles, two 
 
 template <int D> void check_graph() {
     CAPTURE(D);
+    {  // two points and no triangle
+        const inputs::Points two = inputs::uniform(D, 2);
+        Block block(std::size_t{1} << 12);
+        netmesh::Monitor monitor;
+        netmesh::ListedComplex complex;
+        REQUIRE(netmesh::full_rips_complex<D>(two.data(), 2, 3, block.arena, monitor, &complex) == netmesh::Status::ok);
+        CHECK(complex.dimension == 1);
+        CHECK(complex.count[1] == 1);
+    }
     const inputs::Points points = inputs::uniform(D, 2000);
     const auto graph = [&](std::uint32_t n, std::size_t bytes, netmesh::Monitor monitor, netmesh::RipsGraph* out) {
         Block block(bytes);
