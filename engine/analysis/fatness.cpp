@@ -243,9 +243,10 @@ template <int D> void Fatness<D>::compare(const CellMeasure& m, int which) {
     for (double ratio = 2 * m.farthest / m.nearest; ratio >= 2 && layers < 2048; ratio *= 0.5) ++layers;
     const double share = degree / (power(8 * beta, D) * layers);
     if (share > part.degree_share) part.degree_share = share;
-    if (D > 2 || !m.among[which]) return;
-    const double planar = degree * arcsine(1 / (4 * beta)) / 18.849555921538759;
-    if (planar > part.planar_share) part.planar_share = planar;
+    if constexpr (D == 2) {
+        const double planar = degree * arcsine(1 / (4 * beta)) / 18.849555921538759;
+        if (m.among[which] && planar > part.planar_share) part.planar_share = planar;
+    }
 }
 
 template <int D> void finish(FatPart* part) {

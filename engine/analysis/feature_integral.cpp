@@ -65,7 +65,7 @@ template <int D> double Boxes<D>::feature_size(const double* x) {
     double d2;
     const std::uint32_t hint = first_;
     first_ = tree_.nearest(x, first_, none, &d2);
-    if (second_ == first_) second_ = hint != first_ ? hint : none;
+    if (second_ == first_) second_ = hint;  // the two were different
     second_ = tree_.nearest(x, second_, first_, &d2);
     return square_root(d2);
 }

@@ -261,9 +261,8 @@ netmesh_status netmesh_check(netmesh_context* context, uint32_t what, const netm
     return with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, context->store);
-        CheckResult why = {nullptr, none};
+        CheckResult why = check_combinatorial<D>(store);  // of every kind of check
         Status status = Status::ok;
-        if ((what & NETMESH_CHECK_ALL) != 0) why = check_combinatorial<D>(store);
         if (why.violation == nullptr && (what & (NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY)) != 0)
             why = check_geometric<D>(store);
         if (why.violation == nullptr && (what & NETMESH_CHECK_DELAUNAY) != 0) why = check_delaunay<D>(store);

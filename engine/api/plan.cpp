@@ -19,7 +19,6 @@ constexpr double tight_surroundings[] = {0, 0, 16, 32, 64, 128, 256};
 constexpr double gradient_bytes_per_simplex = 8;
 constexpr double alpha_bytes_per_simplex = 48;
 constexpr double hierarchy_bytes_per_point = 44;
-constexpr double sort_bytes_per_point = 24;
 // Audits: scratch for each vertex and cell, and what is left of the block when lists have taken their share of it.
 constexpr double audit_bytes_per_vertex = 40, audit_bytes_per_cell = 16, audit_bytes_per_point = 24;
 constexpr double audit_balls_per_point[] = {0, 0, 8, 24, 96, 480, 2400};
@@ -56,8 +55,6 @@ double planned_bytes(netmesh_job job, netmesh_method method, std::uint32_t audit
     if (job == NETMESH_JOB_PERSIST || tight) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_SCALES) bytes += points * (sizeof(Vertex<D>) + 32);
-    const double sorting = points * (sizeof(Vertex<D>) + sort_bytes_per_point);
-    if (bytes < sorting) bytes = sorting;
     // Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
     return margin * bytes + sizeof(netmesh_context) + 16384 + 64 * sizeof(Cell<D>) * mesh_cells_per_vertex[D];
 }

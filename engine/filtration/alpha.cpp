@@ -56,7 +56,7 @@ bool settle(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, 
         double v = unmarked(value[K][f]);
         if (!is_marked(value[K][f]) && sphere.radius < v) v = sphere.radius;
         value[K][f] = v;
-        if (K > 1) {
+        if constexpr (K > 1) {
             for (int i = 0; i <= K; ++i) {
                 double& below = value[K - 1][facet[i]];
                 const bool mark = is_marked(below) || (sphere.within >> i & 1u) != 0;

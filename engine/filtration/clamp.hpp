@@ -5,7 +5,7 @@
 
 namespace netmesh {
 
-// The clamp that makes the certificate best, for intervals and own values cut at `cut`. interval(v) is called twice;
+// The clamp that makes the certificate best, for intervals cut at `cut`, as own values are here. interval(v) is called twice;
 // intervals[v], when asked for.
 template <class IntervalOf>
 void clamp_values(std::uint32_t count, double cut, FilterValues values, IntervalOf&& interval, double* value,
@@ -25,7 +25,6 @@ void clamp_values(std::uint32_t count, double cut, FilterValues values, Interval
             const double least = i.hi / best, most = i.lo * best;
             if (t < least) t = least;
             if (t > most) t = most;
-            if (t > cut) t = cut;
         }
         if (i.hi > t && !(i.hi / t * up <= ratio)) ratio = i.hi / t * up;
         if (t > i.lo && !(t / i.lo * up <= ratio)) ratio = t / i.lo * up;

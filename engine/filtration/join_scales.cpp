@@ -9,6 +9,46 @@
 namespace netmesh {
 namespace {
 
+// Appends the bars of a cluster, without the essential one but for the first cluster. They stand somewhere above `low`, where the
+// ones before them end. False: out of memory.
+bool add_pairs(const PairList& list, bool is_first, std::size_t low, Arena& arena, PairList* joined) {
+    std::uint64_t kept = 0;
+    for (std::uint64_t i = 0; i < list.count; ++i)
+        if (is_first || list.pairs[i].death < infinity) list.pairs[kept++] = list.pairs[i];
+    arena.release_low(low);
+    Pair* to = joined->pairs + joined->count;
+    if (joined->count == 0) {
+        to = joined->pairs = arena.take_low<Pair>(static_cast<std::size_t>(kept));  // not above where they are
+        if (to == nullptr) return false;
+    } else if (!arena.extend_low(static_cast<std::size_t>(kept) * sizeof(Pair))) {
+        return false;
+    }
+    __builtin_memmove(to, list.pairs, static_cast<std::size_t>(kept) * sizeof(Pair));
+    joined->count += kept;
+    return true;
+}
+
+// Counts the mesh of a cluster of `points`.
+void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const MeshCertificate& certificate,
+              ScalesResult* result) {
+    result->simplices += simplices;
+    result->vertices += vertices;
+    if (points > result->most_points) result->most_points = points;
+    if (vertices > result->most_vertices) result->most_vertices = vertices;
+    if (!(certificate.ratio <= result->ratio)) result->ratio = certificate.ratio;
+    if (!(certificate.ratio_best <= result->ratio_best)) result->ratio_best = certificate.ratio_best;
+}
+
+// The ratio of the joined diagrams.
+void join_ratios(std::uint32_t clusters, double separation, ScalesResult* result) {
+    result->clusters = clusters;
+    result->separation = separation;
+    if (clusters == 1) return;
+    const double join = separation >= 2 ? separation / (separation - 1) * up : infinity;
+    result->ratio *= join * up;
+    result->ratio_best *= join * up;
+}
+
 template <int D> class ScalesJoin {
 public:
     ScalesJoin(const Store<D>& points, const ScalesRequest& request, Arena& arena, Monitor& monitor,
@@ -21,7 +61,6 @@ public:
 private:
     Status add_cluster();
     Status persist_mesh(const double* x, std::uint32_t n, PairList* list);
-    bool add_pairs(const PairList& list, std::size_t low);
     void copy_points(double* x) const;
 
     const Store<D>& points_;
@@ -49,25 +88,6 @@ template <int D> void ScalesJoin<D>::copy_points(double* x) const {
             x[std::size_t{i} * D + static_cast<std::size_t>(k)] = points_.point(partition_.chosen()[i])[k];
 }
 
-// Appends the bars of a cluster, without the essential one but for the first cluster. They stand somewhere above `low`,
-// where the ones before them end.
-template <int D> bool ScalesJoin<D>::add_pairs(const PairList& list, std::size_t low) {
-    std::uint64_t kept = 0;
-    for (std::uint64_t i = 0; i < list.count; ++i)
-        if (partition_.clusters() == 1 || list.pairs[i].death < infinity) list.pairs[kept++] = list.pairs[i];
-    arena_.release_low(low);
-    Pair* to = result_->pairs.pairs + result_->pairs.count;
-    if (result_->pairs.count == 0) {
-        to = result_->pairs.pairs = arena_.take_low<Pair>(static_cast<std::size_t>(kept));  // not above where they are
-        if (to == nullptr) return false;
-    } else if (!arena_.extend_low(static_cast<std::size_t>(kept) * sizeof(Pair))) {
-        return false;
-    }
-    __builtin_memmove(to, list.pairs, static_cast<std::size_t>(kept) * sizeof(Pair));
-    result_->pairs.count += kept;
-    return true;
-}
-
 template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list) {
     StoreState state = {};
     Store<D> store(arena_, state);
@@ -80,8 +100,9 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
         const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
         const std::uint64_t b = points_.vertex(partition_.chosen()[input.row_b]).origin;
-        result_->row_a = a < b ? a : b;
-        result_->row_b = a < b ? b : a;
+        const bool are_two = input.row_b > input.row_a;
+        result_->row_a = are_two && b < a ? b : a;
+        result_->row_b = !are_two ? 0 : a < b ? b : a;
     }
     if (status != Status::ok) return status;
     double* const value = arena_.take_low<double>(state.vertex_count);
@@ -93,12 +114,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
         status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, arena_,
                                        monitor_, list, &simplices);
     if (status != Status::ok) return status;
-    result_->simplices += simplices;
-    result_->vertices += state.vertex_count;
-    if (n > result_->most_points) result_->most_points = n;
-    if (state.vertex_count > result_->most_vertices) result_->most_vertices = state.vertex_count;
-    if (!(certificate.ratio <= result_->ratio)) result_->ratio = certificate.ratio;
-    if (!(certificate.ratio_best <= result_->ratio_best)) result_->ratio_best = certificate.ratio_best;
+    add_mesh(n, state.vertex_count, simplices, certificate, result_);
     return Status::ok;
 }
 
@@ -112,7 +128,8 @@ template <int D> Status ScalesJoin<D>::add_cluster() {
     const Status status = persist_mesh(x, n, &list);
     arena_.release_high(high);
     if (status != Status::ok) return status;
-    return add_pairs(list, low) ? Status::ok : Status::out_of_memory;
+    return add_pairs(list, partition_.clusters() == 1, low, arena_, &result_->pairs) ? Status::ok
+                                                                                     : Status::out_of_memory;
 }
 
 template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
@@ -121,13 +138,7 @@ template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
     while (status == Status::ok && partition_.next(monitor_, &stopped)) status = add_cluster();
     if (status == Status::ok && stopped) status = Status::cancelled;
     if (status != Status::ok) return status;
-    result_->clusters = partition_.clusters();
-    result_->separation = partition_.separation();
-    if (partition_.clusters() == 1) return Status::ok;
-    const double e = partition_.separation();
-    const double join = e >= 2 ? e / (e - 1) * up : infinity;
-    result_->ratio *= join * up;
-    result_->ratio_best *= join * up;
+    join_ratios(partition_.clusters(), partition_.separation(), result_);
     return Status::ok;
 }
 

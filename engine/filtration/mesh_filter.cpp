@@ -78,7 +78,6 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
             const double least = i.hi / best, most = i.lo * best;
             if (t < least) t = least;
             if (t > most) t = most;
-            if (t > bounds.rho) t = bounds.rho;
         }
         value[v] = t;
         if (i.hi / t * up > ratio && i.hi > t) ratio = i.hi / t * up;

@@ -2,7 +2,11 @@
 // there stays.
 #include <doctest/doctest.h>
 
+#include <cfenv>
 #include <limits>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
 #include "common/session.hpp"
 
@@ -69,6 +73,7 @@ TEST_CASE("blocks and contexts that are none") {
     netmesh_cage cage;
     netmesh_pair pair;
     netmesh_simplex simplex;
+    netmesh_scale_step step;
     netmesh_bar_bounds bounds;
     netmesh_vine_point vine_point;
     std::uint64_t count;
@@ -101,6 +106,7 @@ TEST_CASE("blocks and contexts that are none") {
         CHECK(netmesh_get_cycle(c, 0, &count) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_get_cycle_simplex(c, 0, 0, &simplex) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_get_bar_bounds(c, 0, &bounds) == NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_get_scale_step(c, 0, &step) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_get_vine_point(c, 0, &vine_point) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_get_vine_ratio(c, 1, number) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_get_detail(c).status == NETMESH_OK);
@@ -225,6 +231,127 @@ TEST_CASE("points, jobs and options") {
         CHECK(netmesh_plan_bytes(NETMESH_JOB_PERSIST_TIGHT, &bad, many - 1) == SIZE_MAX);
         CHECK(netmesh_plan_bytes(NETMESH_JOB_DELAUNAY, &o, 1) > 0);
     }
+}
+
+TEST_CASE("what is planned grows with what is asked for") {
+    for (int dim = 2; dim <= 6; ++dim) {
+        CAPTURE(dim);
+        netmesh_options o;
+        netmesh_options_init(&o, static_cast<std::uint32_t>(dim));
+        const auto plan = [&o](netmesh_job job, std::uint64_t points = 1000) {
+            return static_cast<double>(netmesh_plan_bytes(job, &o, points));
+        };
+        CHECK(plan(NETMESH_JOB_DELAUNAY) < plan(NETMESH_JOB_MESH));
+        CHECK(plan(NETMESH_JOB_MESH) < plan(NETMESH_JOB_PERSIST));
+        CHECK(plan(NETMESH_JOB_DELAUNAY) < plan(NETMESH_JOB_PERSIST_ALPHA));
+        CHECK(plan(NETMESH_JOB_PERSIST) < plan(NETMESH_JOB_PERSIST_TIGHT));
+        CHECK(plan(NETMESH_JOB_PERSIST_TIGHT) < plan(NETMESH_JOB_PERSIST_SCALES));
+        // A size smaller than the tight filter's counts, a larger one does not.
+        const double tight = plan(NETMESH_JOB_PERSIST_TIGHT);
+        o.over_refine_eps = 0.5;
+        CHECK(plan(NETMESH_JOB_PERSIST_TIGHT) == tight);
+        o.over_refine_eps = 0.01;
+        CHECK(plan(NETMESH_JOB_PERSIST_TIGHT) > tight);
+        o.over_refine_eps = 0;
+        const double mesh = plan(NETMESH_JOB_MESH);
+        o.method = NETMESH_METHOD_NETMESH;
+        const double caged = plan(NETMESH_JOB_MESH);
+        CHECK(caged > mesh);
+        o.method = NETMESH_METHOD_SVR;
+        o.audit = NETMESH_AUDIT_LOCATION;
+        CHECK(plan(NETMESH_JOB_MESH) > caged);
+        // Coarse meshes: the lists of balls of each point take most. They have a third of what is left.
+        o.tau = 1e6;
+        const double balls[] = {0, 0, 8, 24, 96, 480, 2400};
+        CHECK(plan(NETMESH_JOB_MESH, 100000) > 3 * 16 * balls[dim] * 100000);
+    }
+}
+
+TEST_CASE("jobs that go beyond what they are for") {
+    for (int dim = 2; dim <= 3; ++dim) {
+        CAPTURE(dim);
+        Session s(dim);
+        const inputs::Points points = inputs::uniform(dim, 1);
+        s.options.domain_factor = 5;  // more than the tight filter needs
+        s.options.over_refine_eps = 0.1;
+        REQUIRE(s.mesh(points, NETMESH_JOB_PERSIST_TIGHT) == NETMESH_OK);
+        CHECK(s.report().over_refine_eps == 0.1);
+        s.options.domain_factor = 0;
+        s.options.over_refine_eps = 0.5;
+        REQUIRE(s.mesh(points, NETMESH_JOB_PERSIST_TIGHT) == NETMESH_OK);
+        CHECK(s.report().over_refine_eps < 0.12);
+        s.options.audit = NETMESH_AUDIT_QUALITY;
+        CHECK(netmesh_mesh(s.context, points.data(), 1, NETMESH_JOB_MESH, &s.options) == NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_get_detail(s.context).index_a == 5);
+    }
+    for (int dim = 2; dim <= 6; ++dim) {
+        CAPTURE(dim);
+        Session s(dim);
+        const inputs::Points points = inputs::uniform(dim, 3);
+        REQUIRE(s.mesh(points) == NETMESH_OK);
+        const std::uint64_t print = s.report().fingerprint;
+        s.options.audit = NETMESH_AUDIT_QUALITY;
+        REQUIRE(s.mesh(points) == NETMESH_OK);
+        CHECK(s.report().audit.meshes > 0);
+        CHECK(s.report().aspect_ratio_max <= netmesh_tau(&s.options));
+        s.options.audit = 0;
+        s.options.over_refine_eps = 1e-16;  // below what coordinates resolve
+        CHECK(netmesh_mesh(s.context, points.data(), 3, NETMESH_JOB_MESH, &s.options) == NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_get_detail(s.context).index_a == 6);
+        CHECK(s.report().cells == 0);
+        s.options.over_refine_eps = 0;
+        REQUIRE(s.mesh(points) == NETMESH_OK);
+        CHECK(s.report().fingerprint == print);
+    }
+}
+
+TEST_CASE("another floating-point mode is refused") {
+    netmesh_context* context;
+    alignas(16) static unsigned char block[16384];
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        REQUIRE(std::fesetround(mode) == 0);
+        const netmesh_status status = netmesh_init(block, sizeof block, &context);
+        std::fesetround(FE_TONEAREST);
+        CHECK(status == NETMESH_FLOATING_POINT);
+        CHECK(context == nullptr);
+    }
+#if defined(__SSE2__)
+    const unsigned before = _mm_getcsr();
+    for (const unsigned flush : {0x8000u, 0x40u}) {  // results that are denormal; operands
+        _mm_setcsr(before | flush);
+        const netmesh_status status = netmesh_init(block, sizeof block, &context);
+        _mm_setcsr(before);
+        CHECK(status == NETMESH_FLOATING_POINT);
+    }
+#endif
+    CHECK(netmesh_init(block, sizeof block, &context) == NETMESH_OK);
+}
+
+TEST_CASE("dimensions that there are not") {
+    netmesh_options o;
+    netmesh_options_init(&o, 0);
+    CHECK(o.dim == NETMESH_DIM_MIN);
+    netmesh_options_init(&o, 100);
+    CHECK(o.dim == NETMESH_DIM_MAX);
+}
+
+TEST_CASE("points beyond what lists can number") {
+    // More points than a graph of edges is made for, and more simplices than 62 bits number: both are listed, one by one, until stopped.
+    Session s(2);
+    s.reserve(std::size_t{1} << 24);
+    s.options.poll = [](void*, const netmesh_progress* progress) {
+        return int(progress->stage == NETMESH_STAGE_FILTER);
+    };
+    const auto rips = [&](std::size_t n, std::uint32_t degree) {
+        const inputs::Points points = inputs::uniform(2, n);
+        return netmesh_persist_points(s.context, points.data(), n, NETMESH_FILTER_RIPS, NETMESH_VALUES_CERTIFIED, 1,
+                                      degree, 0, 0, &s.options);
+    };
+    CHECK(rips(65537, 1) == NETMESH_CANCELLED);
+    CHECK(rips(300, 30) == NETMESH_CANCELLED);
+    const inputs::Points few = inputs::uniform(2, 3);
+    CHECK(netmesh_persist_points(s.context, few.data(), 3, NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_VALUES_CERTIFIED,
+                                 31, 0, 0, 0, &s.options) == NETMESH_INVALID_ARGUMENT);
 }
 
 TEST_CASE("steps after a mesh") {

@@ -41,6 +41,14 @@ TEST_CASE("ratios that make no sense") {
     session.options.focus_ratio = 0;
     session.options.focus_to = 0;
     CHECK(netmesh_fit(session.context, points.data(), 20, 1, 0, 0, &session.options) == NETMESH_INVALID_ARGUMENT);
+    session.options.focus_from = 0;
+    session.options.focus_to = 1;
+    CHECK(netmesh_fit(session.context, points.data(), 20, 1, 0, 0, &session.options) == NETMESH_INVALID_ARGUMENT);
+    CHECK(netmesh_get_detail(session.context).index_a == 7);
+    CHECK(mesh(NETMESH_JOB_PERSIST) == NETMESH_INVALID_ARGUMENT);
+    CHECK(netmesh_fit(session.context, points.data(), 20, 1, 0, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
+    CHECK(netmesh_fit(nullptr, points.data(), 20, 1, 0, 0, &session.options) == NETMESH_INVALID_ARGUMENT);
+    session.options.focus_to = 0;
     CHECK(netmesh_tau(&session.options) == 2.5);
     CHECK(netmesh_tau(nullptr) == 0);
 }
@@ -86,4 +94,30 @@ TEST_CASE("more memory never gives a worse ratio, and the block is kept to") {
         REQUIRE(ratios.size() > 5);
         CHECK(ratios.front() > 1.3 * ratios.back());
     }
+}
+
+TEST_CASE("a fit that is stopped on its way leaves no diagram") {
+    struct Polls {
+        long made = 0, stop_at = -1;
+    } polls;
+    const inputs::Points points = inputs::uniform(2, 300);
+    Session session(2);
+    session.reserve(std::size_t{1} << 22);
+    session.options.user = &polls;
+    session.options.poll = [](void* user, const netmesh_progress*) {
+        Polls& p = *static_cast<Polls*>(user);
+        return static_cast<int>(p.made++ == p.stop_at);
+    };
+    REQUIRE(netmesh_fit(session.context, points.data(), 300, 1, 0, 0, &session.options) == NETMESH_OK);
+    const long all = polls.made;
+    const std::uint64_t print = session.report().fingerprint;
+    REQUIRE(all > 2);
+    for (const long stop_at : {0L, all / 2, all - 1}) {
+        polls = {0, stop_at};
+        CHECK(netmesh_fit(session.context, points.data(), 300, 1, 0, 0, &session.options) == NETMESH_CANCELLED);
+        CHECK(session.report().has_diagram == 0);
+    }
+    polls = {};
+    REQUIRE(netmesh_fit(session.context, points.data(), 300, 1, 0, 0, &session.options) == NETMESH_OK);
+    CHECK(session.report().fingerprint == print);
 }

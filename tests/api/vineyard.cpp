@@ -7,9 +7,10 @@
 
 namespace {
 
-void diagrams_equal_fresh_ones(int dim, const inputs::Points& points, std::uint32_t k_last) {
+void diagrams_equal_fresh_ones(int dim, const inputs::Points& points, std::uint32_t k_last,
+                               std::uint32_t top = NETMESH_DIM_MAX) {
     Session session(dim);
-    const std::uint32_t top = static_cast<std::uint32_t>(dim) - 1;
+    top = std::min(top, static_cast<std::uint32_t>(dim) - 1);
     session.reserve(std::size_t{1} << 26);
     for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
@@ -59,6 +60,9 @@ TEST_CASE("each diagram equals a fresh one") {
     diagrams_equal_fresh_ones(2, inputs::uniform(2, 30), 8);
     diagrams_equal_fresh_ones(2, inputs::grid(2, 5), 4);
     diagrams_equal_fresh_ones(3, inputs::uniform(3, 8), 3);
+    diagrams_equal_fresh_ones(4, inputs::uniform(4, 7), 4);
+    diagrams_equal_fresh_ones(5, inputs::uniform(5, 7), 5, 1);
+    diagrams_equal_fresh_ones(6, inputs::uniform(6, 8), 5, 1);
 }
 
 TEST_CASE("what a vineyard refuses") {

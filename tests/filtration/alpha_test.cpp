@@ -317,6 +317,73 @@ TEST_CASE("values are those of the definition") {
     }
 }
 
+TEST_CASE_TEMPLATE("the diagram in low degrees is that part of the whole", T, std::integral_constant<int, 2>,
+                   std::integral_constant<int, 3>, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                   std::integral_constant<int, 6>) {
+    constexpr int D = T::value;
+    Cloud<D> c;
+    Random random{7};
+    for (int i = 0; i < 10 * D; ++i) c.x.push_back(random.unit());
+    triangulate(c);
+    const Diagram whole = diagram(c);
+    for (std::uint32_t p = 0; p < D; ++p) {
+        const Diagram part = diagram(c, p);
+        REQUIRE(part.degree.size() <= p + 1);
+        for (std::size_t k = 0; k < part.degree.size(); ++k) CHECK(part.degree[k] == whole.degree[k]);
+        CHECK((part.simplices < whole.simplices) == (p + 1 < D));
+    }
+    // The number of simplices need not be asked for.
+    Block block(std::size_t{1} << 22);
+    Monitor monitor;
+    PairList list;
+    REQUIRE(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, block.arena, monitor, &list,
+                             nullptr) == Status::ok);
+    std::size_t pairs = 0;
+    for (const auto& degree : whole.degree) pairs += degree.size();
+    CHECK(list.count == pairs);
+}
+
+TEST_CASE_TEMPLATE("values can be stopped at the cells", T, std::integral_constant<int, 2>,
+                   std::integral_constant<int, 3>, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                   std::integral_constant<int, 6>) {
+    constexpr int D = T::value;
+    constexpr std::uint32_t side[] = {0, 0, 170, 19, 6, 3, 2};
+    Cloud<D> c;
+    c.cells = freudenthal<D>(side[D]);
+    c.x = freudenthal_points<D>(side[D]);
+    Block block(std::size_t{1} << 28);
+    // Once the number of simplices is known.
+    Monitor stopping([](void*, const netmesh_progress* progress) { return static_cast<int>(progress->total > 0); },
+                     nullptr);
+    PairList list;
+    CHECK(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, block.arena, stopping, &list,
+                           nullptr) == Status::cancelled);
+    CHECK(block.arena.bytes_used() == 0);
+}
+
+TEST_CASE("values of edges can be stopped, and may be as long as squares overflow") {
+    Cloud<2> c;
+    c.cells = freudenthal<2>(190);
+    c.x = freudenthal_points<2>(190);
+    Block block(std::size_t{1} << 25);
+    int polls = 0;
+    Monitor second(
+        [](void* user, const netmesh_progress* progress) {
+            return static_cast<int>(progress->total > 0 && ++*static_cast<int*>(user) == 2);
+        },
+        &polls);
+    PairList list;
+    CHECK(persist_alpha<2>(c.cells.view(), c.x.data(), 2 * sizeof(double), 2, false, block.arena, second, &list,
+                           nullptr) == Status::cancelled);
+    CHECK(polls == 2);
+    const double huge = 0x1p600;
+    const auto far = cloud<2>({0, 0, 6 * huge, 0, 0, 8 * huge}, {{0, 1, 2}});
+    const Values values = alpha(far);
+    CHECK(values.at({0, 1}) == 3 * huge);
+    CHECK(values.at({0, 2}) == 4 * huge);
+    CHECK(values.at({1, 2}) == 5 * huge);
+}
+
 TEST_CASE("the diagram has no memory of the order of cells, of spare bytes in the records, or of higher degrees") {
     Cloud<3> c;
     Random random{5};

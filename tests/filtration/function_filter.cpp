@@ -127,6 +127,8 @@ TEST_CASE("d_k and the k-distance stay within their certificate") {
     sample_distances<2>(inputs::clusters(2, 40), 2.5, 150);
     sample_distances<3>(inputs::uniform(3, 40), 3, 80);
     sample_distances<4>(inputs::uniform(4, 12), 3.08, 30);
+    sample_distances<5>(inputs::uniform(5, 8), 2.2, 20);
+    sample_distances<6>(inputs::clusters(6, 8), 3, 20);
 }
 
 // Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 - sqrt(2) eps). The domain
@@ -183,6 +185,46 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     REQUIRE(function_filter_values<2>(mesh.store, mesh.domain, {1, 0, 1}, FilterValues::certified, mesh.block.arena,
                                       value.data(), &certificate) == Status::ok);
     CHECK(certificate.ratio == infinity);
+}
+
+TEST_CASE_TEMPLATE("a function on cells that leave the domain, or of which nothing is known", T,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>,
+                   std::integral_constant<int, 5>, std::integral_constant<int, 6>) {
+    constexpr int D = T::value;
+    constexpr std::size_t few[] = {0, 0, 20, 10, 7, 8, 8};
+    const inputs::Points points = D < 6 ? inputs::uniform(D, few[D]) : inputs::clusters(D, few[D]);
+    Mesh<D> mesh(points, D < 5 ? 2.5 : D == 5 ? 2.2 : 3);
+    Domain<D> inner = mesh.domain;
+    inner.radius *= 0.25;
+    const double cut = 1 + 1.5 * inner.radius;
+    const auto f = [&](const double* x) {
+        const double beyond = std::sqrt(inner.distance2(x)) - 0.5 * inner.radius;
+        return 2 * brute(points, D, x, 2, InputDistance::kth) + 1 + 3 * std::max(0.0, beyond);
+    };
+    std::vector<double> value(mesh.state.vertex_count);
+    const auto filter = [&] {
+        for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
+        MeshCertificate certificate;
+        REQUIRE(function_filter_values<D>(mesh.store, inner, {5, 0.5, cut}, FilterValues::certified, mesh.block.arena,
+                                          value.data(), &certificate) == Status::ok);
+        return certificate.ratio;
+    };
+    const double c = filter();
+    CHECK(c < 10);
+    std::uint32_t at_cut = 0;
+    for (const double v : value) at_cut += v == cut;
+    CHECK(at_cut > mesh.state.vertex_count / 4);
+    inputs::Random random(9);
+    for (int s = 0; s < 200; ++s) {
+        double x[D];
+        for (int k = 0; k < D; ++k) x[k] = inner.centre[k] + 2 * inner.radius * (2 * random.uniform() - 1);
+        const double F = std::min(f(x), cut), t = value[mesh.cell_of(x)];
+        CHECK(t <= c * F * (1 + 1e-12));
+        CHECK(F <= c * t * (1 + 1e-12));
+    }
+    // Of a cell that is exempt near by nothing is known but the cut.
+    for (std::uint32_t v = mesh.inputs; v < mesh.state.vertex_count; ++v) mesh.store.vertex(v).marker = Marker::exempt;
+    CHECK(filter() == infinity);
 }
 
 TEST_CASE("too little memory is said") {

@@ -78,6 +78,8 @@ TEST_CASE("the cover and the offsets are interleaved by the certified ratio") {
     sample_inclusions<2>(inputs::clusters(2, 40), 3.08, 20000);
     sample_inclusions<3>(inputs::uniform(3, 40), 3.08, 10000);
     sample_inclusions<4>(inputs::uniform(4, 10), 4, 4000);
+    sample_inclusions<5>(inputs::clusters(5, 8), 3, 1000);
+    sample_inclusions<6>(inputs::clusters(6, 8), 3, 1000);
 }
 
 TEST_CASE("cells that only the last bits of their vertices keep from being flat are certified like others") {

@@ -10,6 +10,7 @@
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 #include "filtration/point_complexes.hpp"
+#include "filtration/rips_graph.hpp"
 #include "homology/oracle.hpp"
 
 using oracle::Simplex;
@@ -189,6 +190,14 @@ template <int D> void check_cech_values(const inputs::Points& points, std::uint3
     CHECK(total == netmesh::skeleton_count(n, dimension));
 }
 
+// Steps along each axis and back: many of the smallest balls have more points on their spheres than they need.
+inputs::Points cross(int dim) {
+    const std::size_t d = static_cast<std::size_t>(dim);
+    inputs::Points p(2 * d * d, 0.0);
+    for (std::size_t k = 0; k < d; ++k) p[2 * k * d + k] = -(p[(2 * k + 1) * d + k] = 1);
+    return p;
+}
+
 }  // namespace
 
 TEST_CASE("Cech values are smallest enclosing balls") {
@@ -200,6 +209,9 @@ TEST_CASE("Cech values are smallest enclosing balls") {
     check_cech_values<4>(inputs::clifford(10), 5);
     check_cech_values<5>(inputs::uniform(5, 9), 6);
     check_cech_values<6>(inputs::uniform(6, 9), 8);
+    check_cech_values<3>(cross(3), 3);
+    check_cech_values<5>(cross(5), 3);
+    check_cech_values<6>(cross(6), 3);
 }
 
 TEST_CASE("Rips and Cech diagrams equal the textbook's on all simplices") {
@@ -247,6 +259,96 @@ TEST_CASE("far and near points") {
     CHECK(far[0].death == huge);
     const Diagram near = persist(2, {0, 0, 4 * tiny, 0, 0, 1}, NETMESH_FILTER_RIPS, 0, 1);
     CHECK(near[0].death == 2 * tiny);
+}
+
+TEST_CASE("in every dimension: points far apart and close, right triangles, two points") {
+    for (int dim = 2; dim <= 6; ++dim) {
+        CAPTURE(dim);
+        const std::size_t d = static_cast<std::size_t>(dim), n = d + 3;
+        const std::uint32_t degree = static_cast<std::uint32_t>(dim) - 1;
+        const inputs::Points points = inputs::uniform(dim, n);
+        const Diagram base = persist(dim, points, NETMESH_FILTER_CECH, 0, degree);
+        for (const double scale : {0x1p600, 0x1p-600}) {
+            inputs::Points scaled = points;
+            for (double& x : scaled) x *= scale;
+            const Diagram other = persist(dim, scaled, NETMESH_FILTER_CECH, 0, degree);
+            REQUIRE(other.size() == base.size());
+            for (std::size_t i = 0; i < base.size(); ++i) {
+                CHECK(other[i].birth / scale == doctest::Approx(base[i].birth));
+                if (base[i].death < infinity) CHECK(other[i].death / scale == doctest::Approx(base[i].death));
+            }
+        }
+        // Legs of 6 and 8: the hypotenuse and the triangle enter together.
+        inputs::Points right(3 * d, 0.0);
+        right[d] = 6;
+        right[2 * d + 1] = 8;
+        const Diagram triangle = persist(dim, right, NETMESH_FILTER_CECH, 0, 1);
+        REQUIRE(triangle.size() == 3);
+        CHECK(triangle[0].death == 3);
+        CHECK(triangle[1].death == 4);
+        CHECK(triangle[2].death == infinity);
+        // Two points have no simplices of the dimension that was asked for.
+        right.resize(2 * d);
+        const Diagram two = persist(dim, right, NETMESH_FILTER_CECH, 0, 4);
+        REQUIRE(two.size() == 2);
+        CHECK(two[0].death == 3);
+    }
+}
+
+template <int D> void check_graph() {
+    CAPTURE(D);
+    {  // two points and no triangle
+        const inputs::Points two = inputs::uniform(D, 2);
+        Block block(std::size_t{1} << 12);
+        netmesh::Monitor monitor;
+        netmesh::ListedComplex complex;
+        REQUIRE(netmesh::full_rips_complex<D>(two.data(), 2, 3, block.arena, monitor, &complex) == netmesh::Status::ok);
+        CHECK(complex.dimension == 1);
+        CHECK(complex.count[1] == 1);
+    }
+    const inputs::Points points = inputs::uniform(D, 2000);
+    const auto graph = [&](std::uint32_t n, std::size_t bytes, netmesh::Monitor monitor, netmesh::RipsGraph* out) {
+        Block block(bytes);
+        const netmesh::Status status = netmesh::rips_graph<D>(points.data(), n, block.arena, monitor, out);
+        for (std::uint32_t e = 0; status == netmesh::Status::ok && e < out->edge_count; ++e) CHECK(out->value[e] > 0);
+        return status;
+    };
+    netmesh::RipsGraph out;
+    REQUIRE(graph(20, std::size_t{1} << 16, {}, &out) == netmesh::Status::ok);
+    CHECK(out.edge_count <= 190);
+    CHECK(out.edge_count > 80);
+    const std::size_t half = std::size_t{out.edge_count} * 8 + 64;  // room for the values alone
+    for (const std::size_t bytes : {std::size_t{16}, half})
+        CHECK(graph(20, bytes, {}, &out) == netmesh::Status::out_of_memory);
+    CHECK(graph(netmesh::RipsGraph::vertices_max + 1, 64, {}, &out) == netmesh::Status::invalid_argument);
+    // Stopped while edges are counted, and while they are written.
+    for (const int turn : {0, 1}) {
+        int left = turn;
+        const netmesh_poll poll = [](void* user, const netmesh_progress*) {
+            return static_cast<int>((*static_cast<int*>(user))-- == 0);
+        };
+        CHECK(graph(2000, std::size_t{1} << 26, {poll, &left}, &out) == netmesh::Status::cancelled);
+    }
+}
+
+TEST_CASE("graphs: what does not fit and what is stopped") {
+    check_graph<2>();
+    check_graph<3>();
+    check_graph<4>();
+    check_graph<5>();
+    check_graph<6>();
+}
+
+TEST_CASE("barycentric complexes of more than there is") {
+    Block block(std::size_t{1} << 16);
+    netmesh::Monitor monitor;
+    netmesh::ListedComplex complex, out;
+    const double three[] = {0, 0, 1, 0, 0, 1};
+    REQUIRE(netmesh::cech_complex<2>(three, 3, 2, block.arena, monitor, &complex) == netmesh::Status::ok);
+    CHECK(netmesh::barycentric_complex(complex, 4, 1, block.arena, monitor, &out) == netmesh::Status::invalid_argument);
+    CHECK(netmesh::barycentric_complex(complex, 3, 1, block.arena, monitor, &out) == netmesh::Status::ok);
+    CHECK(out.count[0] == 1);
+    CHECK(netmesh::barycentric_count(5, 2, 100, 1) == netmesh::barycentric_count(5, 2, 5, 1));
 }
 
 TEST_CASE("barycentric Cech equals the k-nerve on 50 random sets, Rips is within the fourth root of 2") {

@@ -1,4 +1,5 @@
 // Jobs that end in diagrams, or in figures of a mesh.
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -38,6 +39,13 @@ netmesh_status represent(const Job& job, netmesh_context* context, netmesh_optio
     if (status == NETMESH_OK) status = netmesh_represent(context, options);
     return status;
 }
+// With pairs of no length the complex is listed simplex by simplex.
+netmesh_status represent_all(const Job& job, netmesh_context* context, netmesh_options* options) {
+    netmesh_status status = mesh(job, context, options);
+    if (status != NETMESH_OK) return status;
+    status = netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 1, options);
+    return status == NETMESH_OK ? netmesh_represent(context, options) : status;
+}
 netmesh_status represent_alpha(const Job& job, netmesh_context* context, netmesh_options* options) {
     netmesh_status status = netmesh_delaunay(context, points_of(job).data(), job.points, options);
     if (status != NETMESH_OK) return status;
@@ -46,6 +54,18 @@ netmesh_status represent_alpha(const Job& job, netmesh_context* context, netmesh
 }
 netmesh_status bounds(const Job& job, netmesh_context* context, netmesh_options* options) {
     const netmesh_status status = persist<NETMESH_FILTER_KNN>(job, context, options);
+    return status == NETMESH_OK ? netmesh_bound_bars(context, options) : status;
+}
+
+// Three points on a line, two minima of the distance to the second nearest: a bar that only a chain of covers can show.
+netmesh_status chain(const Job& job, netmesh_context* context, netmesh_options* options) {
+    inputs::Points points(3 * static_cast<std::size_t>(job.dim), 0.0);
+    points[static_cast<std::size_t>(job.dim)] = 1;
+    points[2 * static_cast<std::size_t>(job.dim)] = -1.3;
+    options->k = 2;
+    netmesh_status status = netmesh_mesh(context, points.data(), 3, NETMESH_JOB_PERSIST, options);
+    if (status != NETMESH_OK) return status;
+    status = netmesh_persist(context, NETMESH_FILTER_KNN, NETMESH_VALUES_CERTIFIED, 0, 0, options);
     return status == NETMESH_OK ? netmesh_bound_bars(context, options) : status;
 }
 
@@ -70,6 +90,22 @@ netmesh_status irregular(const Job& job, netmesh_context* context, netmesh_optio
     if (status != NETMESH_OK) return status;
     const netmesh_function f = {rough, nullptr, 1e6, 0, 2};
     return netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, 1, options);
+}
+
+// The points above all other vertices: classes of degree D-1.
+double rough_with_peaks(void* job, const double* x) {
+    const Job& of = *static_cast<const Job*>(job);
+    const inputs::Points& points = points_of(of);
+    for (auto p = points.begin(); p != points.end(); p += of.dim)
+        if (std::equal(p, p + of.dim, x)) return 1 + rough(nullptr, x);
+    return rough(nullptr, x);
+}
+netmesh_status irregular_cycles(const Job& job, netmesh_context* context, netmesh_options* options) {
+    netmesh_status status = mesh(job, context, options);
+    if (status != NETMESH_OK) return status;
+    const netmesh_function f = {rough_with_peaks, const_cast<Job*>(&job), 1e6, 0, 2};
+    status = netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, 0, options);
+    return status == NETMESH_OK ? netmesh_represent(context, options) : status;
 }
 
 netmesh_status vineyard(const Job& job, netmesh_context* context, netmesh_options* options) {
@@ -167,7 +203,8 @@ netmesh_status measure(const Job& job, netmesh_context* context, netmesh_options
 void add_diagram_jobs(std::vector<Job>* jobs) {
     constexpr auto knn = persist<NETMESH_FILTER_KNN>, kdistance = persist<NETMESH_FILTER_KDISTANCE>,
                    tight = persist<NETMESH_FILTER_TIGHT>;
-    constexpr auto rips = of_points<NETMESH_FILTER_RIPS, 1>, cech = of_points<NETMESH_FILTER_CECH, 1>,
+    constexpr auto rips = of_points<NETMESH_FILTER_RIPS, 1>, rips_edges = of_points<NETMESH_FILTER_RIPS, 0>,
+                   cech = of_points<NETMESH_FILTER_CECH, 1>,
                    barycentric_cech = of_points<NETMESH_FILTER_BARYCENTRIC_CECH, 0>,
                    barycentric_rips = of_points<NETMESH_FILTER_BARYCENTRIC_RIPS, 0>;
     for (int dim = 2; dim <= 6; ++dim) {
@@ -177,20 +214,25 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back({"kdistance", dim, few, kdistance, large});
         jobs->push_back({"tight", dim, few, tight, large});
         jobs->push_back({"bounds", dim, few, bounds, large, 0, true});
+        jobs->push_back({"bounds-chain", dim, 3, chain, large, 0, true});
         jobs->push_back({"function", dim, few, function, large});
         static const std::size_t some[] = {0, 0, 6, 24, 10, 6, 4};
         jobs->push_back({"irregular", dim, some[dim], irregular, dim > 2, 60});
+        static const std::size_t more[] = {0, 0, 16, 24, 20, 14, 9};
+        jobs->push_back({"rough-cycles", dim, more[dim], irregular_cycles, true, dim == 3 ? 300 : 100, true});
         jobs->push_back({"scales-one", dim, 1, scales, true, 30});
         jobs->push_back({"cycles", dim, few, represent<NETMESH_FILTER_COMPLETE>, large, 100, true});
+        jobs->push_back({"cycles-all", dim, few, represent_all, large, 40, true});
         jobs->push_back({"cycles-alpha", dim,
                          std::size_t(dim == 2   ? 16
                                      : dim == 3 ? 8
                                                 : 7),
                          represent_alpha, large, 0, true});
-        jobs->push_back({"vineyard", dim, few, vineyard, dim > 2, dim > 2 ? 30 : 100});
+        jobs->push_back({"vineyard", dim, few, vineyard, dim > 2, dim > 2 ? 40 : 100});
         jobs->push_back({"analyse", dim, few, analyse, large, 100});
         jobs->push_back({"measure", dim, few, measure, large, 100});
         jobs->push_back({"rips", dim, 9, rips});
+        jobs->push_back({"rips-edges", dim, 9, rips_edges, dim > 3, 40});
         jobs->push_back({"cech", dim, 7, cech});
         jobs->push_back({"bary-cech", dim, 5, barycentric_cech});
         jobs->push_back({"bary-rips", dim, 5, barycentric_rips});

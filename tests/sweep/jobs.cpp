@@ -91,6 +91,11 @@ netmesh_status fine(const Job& job, netmesh_context* context, netmesh_options* o
     return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, options);
 }
 
+// As fine as the block allows: a request refused gives another diagram, and a whole one.
+netmesh_status fit(const Job& job, netmesh_context* context, netmesh_options* options) {
+    return netmesh_fit(context, points_of(job).data(), job.points, NETMESH_DIM_MAX, 0, 1, options);
+}
+
 // Refined by the certificate.
 netmesh_status by_ratio(const Job& job, netmesh_context* context, netmesh_options* options) {
     options->ratio = 3;
@@ -181,6 +186,16 @@ netmesh_status load(const Job& job, netmesh_context* context, netmesh_options* o
     return load_mesh(m, job, context, options);
 }
 
+// Sizes and a ratio that any mesh keeps, asked of one that is loaded.
+netmesh_status check_loaded(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->over_refine_eps = 1e6;
+    netmesh_status status = load(job, context, options);
+    if (status == NETMESH_OK) status = netmesh_check(context, NETMESH_CHECK_QUALITY, options);
+    options->over_refine_eps = 0;
+    options->ratio = 1e6;
+    return status == NETMESH_OK ? netmesh_check(context, NETMESH_CHECK_QUALITY, options) : status;
+}
+
 netmesh_status load_cages(const Job& job, netmesh_context* context, netmesh_options* options) {
     static std::map<int, Loaded> made;
     Loaded& m = made[job.dim];
@@ -211,13 +226,16 @@ const std::vector<Job>& all_jobs() {
             {"mesh", 3, 5, mesh},
             {"mesh", 4, 3, mesh},
             {"audited", 2, 4, audited, false, 40},
+            {"audited", 3, 3, audited, true, 10},
             {"complete", 2, 6, complete},
             {"complete", 3, 4, complete},
             {"complete", 4, 2, complete},
             {"basic", 2, 6, basic},
             {"basic", 3, 4, basic},
             {"basic", 4, 2, basic},
+            {"bounds-basic", 2, 5, basic_bounds, false, 0, true},
             {"bounds-basic", 3, 4, basic_bounds, false, 0, true},
+            {"bounds-basic", 4, 3, basic_bounds, true, 0, true},
             {"check", 2, 6, check, false, 0, true},
             {"check", 3, 4, check, false, 0, true},
             {"check", 4, 2, check, false, 0, true},
@@ -245,12 +263,17 @@ const std::vector<Job>& all_jobs() {
             {"by-ratio", 2, 6, by_ratio},
             {"by-ratio", 3, 4, by_ratio},
             {"by-ratio", 4, 3, by_ratio, true, 100},
+            {"check-loaded", 2, 5, check_loaded},
+            {"check-loaded", 3, 3, check_loaded},
+            {"check-loaded", 4, 2, check_loaded},
+            {"fit", 2, 5, fit, false, 40, true, 64 << 10},
+            {"fit", 3, 3, fit, true, 40, true, 64 << 10},
+            {"fit", 4, 2, fit, true, 40, true, 80 << 10},
             {"focused", 2, 4, focused, false, 100},
             {"focused", 3, 4, focused, true, 100},
             {"focused", 4, 4, focused, true, 25},
             {"sized", 2, 3, sized, false, 100},
             {"sized", 3, 3, sized, true, 25},
-            {"audited", 3, 3, audited, true, 25},
             {"audited", 4, 3, audited, true, 25},
             {"released", 2, 8, released<0>, true, 100},
             {"released", 3, 8, released<0>, true, 50},
@@ -275,6 +298,9 @@ const std::vector<Job>& all_jobs() {
             list.push_back({"focused", dim, 4, focused, true, 10});
             list.push_back({"sized", dim, 2, sized, true, 10});
             list.push_back({"cages", dim, 4, load_cages});
+            list.push_back({"bounds-basic", dim, std::size_t(dim == 5 ? 8 : 2), basic_bounds, true, 40, true});
+            list.push_back({"check-loaded", dim, 2, check_loaded});
+            list.push_back({"fit", dim, 2, fit, true, 20, true, std::size_t{160} << 10});
         }
         add_diagram_jobs(&list);
         return list;

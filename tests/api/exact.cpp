@@ -1,0 +1,90 @@
+// What is certified of the diagrams of few points, in every dimension, against the exact diagram.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "common/session.hpp"
+
+namespace {
+
+// e^distance in log scale.
+double distance(const std::vector<netmesh_pair>& a, const std::vector<netmesh_pair>& b) {
+    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
+    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16 + 16);
+    netmesh_distance d = {};
+    REQUIRE(netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), NETMESH_ALL_DEGREES, NETMESH_SCALE_LOG, scratch,
+                               bytes, nullptr, nullptr, &d) == NETMESH_OK);
+    std::free(scratch);
+    return std::ldexp(d.value, d.exponent);
+}
+
+// Surely real bars belong to different true ones; here to any.
+void check_bounds(Session& s, const std::vector<netmesh_pair>& exact) {
+    REQUIRE(netmesh_bound_bars(s.context, &s.options) == NETMESH_OK);
+    const std::vector<netmesh_pair> pairs = s.pairs();
+    netmesh_bar_bounds b;
+    for (std::uint64_t i = 0; i < pairs.size(); ++i) {
+        REQUIRE(netmesh_get_bar_bounds(s.context, i, &b) == NETMESH_OK);
+        if (b.certain == 0) continue;
+        bool found = false;
+        for (const netmesh_pair& p : exact)
+            found = found || (p.degree == pairs[i].degree && b.birth_low <= p.birth * (1 + 1e-9) &&
+                              p.birth <= b.birth_high * (1 + 1e-9) && b.death_low <= p.death * (1 + 1e-9) &&
+                              p.death <= b.death_high * (1 + 1e-9));
+        CHECK(found);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("diagrams are within their certified ratio of the exact one") {
+    for (int dim = 2; dim <= 6; ++dim) {
+        CAPTURE(dim);
+        const std::size_t few[] = {0, 0, 24, 12, 9, 9, 8};
+        const inputs::Points points = inputs::clusters(dim, few[dim]);
+        Session truth(dim), s(dim);
+        REQUIRE(truth.alpha(points) == NETMESH_OK);
+        const std::vector<netmesh_pair> exact = truth.pairs();
+        if (dim > 4) s.options.tau = 3;
+        s.bounds = true;
+        REQUIRE(s.mesh_and_persist(points) == NETMESH_OK);  // makes room for bounds
+        REQUIRE(s.report().steiner > 0);
+        for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_TIGHT, NETMESH_FILTER_BASIC})
+            for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
+                if (dim == 6 && (filter == NETMESH_FILTER_BASIC || values == NETMESH_VALUES_THESIS)) continue;
+                REQUIRE(netmesh_persist(s.context, filter, values, NETMESH_DIM_MAX, 0, &s.options) == NETMESH_OK);
+                CHECK(std::isfinite(s.report().certified_ratio));
+                if (filter != NETMESH_FILTER_BASIC)
+                    CHECK(distance(s.pairs(), exact) <= s.report().certified_ratio * (1 + 1e-9));
+                if (values == NETMESH_VALUES_CERTIFIED && (dim < 6 || filter == NETMESH_FILTER_COMPLETE))
+                    check_bounds(s, exact);
+            }
+    }
+}
+
+// Sublevel sets of the distance to the second nearest point have minima between neighbours: of three points on a line two, and the one
+// farther apart dies where the middle point has its nearest.
+TEST_CASE("a bar between three points on a line is bounded by covers") {
+    for (int dim = 2; dim <= 6; ++dim) {
+        CAPTURE(dim);
+        const std::size_t d = static_cast<std::size_t>(dim);
+        inputs::Points points(3 * d, 0.0);
+        points[d] = 1;
+        points[2 * d] = -1.3;
+        const double birth = 0.65, death = 1;
+        Session s(dim);
+        s.options.k = 2;
+        if (dim > 4) s.options.tau = 2.2;
+        s.bounds = true;
+        REQUIRE(s.mesh_and_persist(points, NETMESH_FILTER_KNN) == NETMESH_OK);
+        const std::vector<netmesh_pair> exact = {{0, 0.5, HUGE_VAL}, {0, birth, death}};
+        check_bounds(s, exact);
+        const double c = s.report().certified_ratio;
+        for (const netmesh_pair& p : s.pairs()) {
+            if (p.degree == 0 && p.death > c * c * p.birth && std::isfinite(p.death)) {
+                CHECK(p.birth <= c * birth * (1 + 1e-9));
+                CHECK(p.death >= death / c * (1 - 1e-9));
+            }
+        }
+    }
+}
