@@ -10,6 +10,39 @@ template <int D> std::uint32_t position_in(const Cell<D>& cell, std::uint32_t v)
     return position;
 }
 
+template <int D>
+void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside, const double* q, double error_max,
+                 Cell<D>& cell) {
+    if (pencil_sphere<D>(inside, outside, q, error_max, cell)) return;
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
+    solve_sphere<D>(p, error_max, cell);
+}
+
+// Links new cell `made` to its neighbours at the new vertex. `origin`: the old cell and facet (8 * cell + position) that it
+// was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
+template <int D> void link(Cell<D>* cells, std::uint32_t stamp, std::uint32_t made, std::uint32_t origin) {
+    Cell<D>& fresh = cells[made];
+    const Cell<D>* const start = &cells[origin >> 3];
+    const std::uint32_t i = origin & 7u;
+    for (std::uint32_t j = 0; j <= D; ++j) {
+        if (j == i || fresh.neighbour[j] != none) continue;
+        const Cell<D>* current = start;
+        std::uint32_t enter = i, word = current->neighbour[j];
+        const Cell<D>* next = &cells[word >> 3];
+        while (next->mark == stamp) {
+            const std::uint32_t pivot = current->vertex[enter];
+            current = next;
+            enter = word & 7u;
+            word = current->neighbour[position_in<D>(*current, pivot)];
+            next = &cells[word >> 3];
+        }
+        const std::uint32_t other = word >> 3;
+        fresh.neighbour[j] = other << 3 | enter;
+        cells[other].neighbour[enter] = made << 3 | j;
+    }
+}
+
 }  // namespace
 
 template <int D>
@@ -187,14 +220,6 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, 
     return true;
 }
 
-template <int D>
-void Kernel<D>::make_sphere(Cell<D>& cell, const Cell<D>& inside, const Cell<D>& outside, const double* q) {
-    if (pencil_sphere<D>(inside, outside, q, error_max_, cell)) return;
-    const double* p[D + 1];
-    for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
-    solve_sphere<D>(p, error_max_, cell);
-}
-
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
 // keeps the orientation. The word towards the outside is left, in the old cell, pointing at the new cell instead.
 template <int D> void Kernel<D>::fill(const Cavity& cavity, std::uint32_t id) {
@@ -221,42 +246,17 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, std::uint32_t id) {
         if (ghost)
             make_ghost<D>(fresh);
         else
-            make_sphere(fresh, old, beyond, q);
+            make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
         old.neighbour[i] = n << 3 | i;
         beyond.neighbour[word & 7u] = n << 3 | i;
     }
-    for (std::ptrdiff_t k = 0; k < facets; ++k) link(cavity.stamp, end[-k].made, end[-k].facet);
+    for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
     for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
     if (stars_)
         for (std::ptrdiff_t k = 0; k < facets; ++k)
             for (const std::uint32_t v : cells[end[-k].made].vertex)
                 if (v != none) store_.vertex(v).cell = end[-k].made;
     store_.state.last_cell = end[1 - facets].made;
-}
-
-// Links new cell `made` to its neighbours at the new vertex. `origin`: the old cell and facet (8 * cell + position) that it
-// was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
-template <int D> void Kernel<D>::link(std::uint32_t stamp, std::uint32_t made, std::uint32_t origin) {
-    Cell<D>* const cells = &store_.cell(0);
-    Cell<D>& fresh = cells[made];
-    const Cell<D>* const start = &cells[origin >> 3];
-    const std::uint32_t i = origin & 7u;
-    for (std::uint32_t j = 0; j <= D; ++j) {
-        if (j == i || fresh.neighbour[j] != none) continue;
-        const Cell<D>* current = start;
-        std::uint32_t enter = i, word = current->neighbour[j];
-        const Cell<D>* next = &cells[word >> 3];
-        while (next->mark == stamp) {
-            const std::uint32_t pivot = current->vertex[enter];
-            current = next;
-            enter = word & 7u;
-            word = current->neighbour[position_in<D>(*current, pivot)];
-            next = &cells[word >> 3];
-        }
-        const std::uint32_t other = word >> 3;
-        fresh.neighbour[j] = other << 3 | enter;
-        cells[other].neighbour[enter] = made << 3 | j;
-    }
 }
 
 template class Kernel<2>;

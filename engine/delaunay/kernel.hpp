@@ -97,8 +97,6 @@ private:
         store_.arena.refuse(2 * lines * sizeof(Line));
         return false;
     }
-    void make_sphere(Cell<D>& cell, const Cell<D>& inside, const Cell<D>& outside, const double* q);
-    void link(std::uint32_t stamp, std::uint32_t made, std::uint32_t origin);
 
     using Line = std::conditional_t<D == 2, PlanarLine, CavityLine>;
     Line* list_end() const { return reinterpret_cast<Line*>(store_.list_top()) - 1; }

@@ -50,10 +50,18 @@ template <int D> struct Curve {
         return bits < bits_max ? bits : bits_max;
     }
 
-    // Position along the D-dimensional Hilbert curve of the grid point x, each x[i] < 2^bits (J. Skilling, Programming
-    // the Hilbert curve, 2004: undo the rotations bit plane by bit plane, then Gray decode and interleave).
+    // Position along the Hilbert curve of the grid point x, each x[i] < 2^bits.
     static std::uint64_t position(std::uint32_t* x, int bits) {
-        if constexpr (D == 2) return planar_position(x, bits);
+        if constexpr (D == 2)
+            return planar_position(x, bits);
+        else
+            return general_position(x, bits);
+    }
+
+private:
+    // In any dimension (J. Skilling, Programming the Hilbert curve, 2004): undo the rotations bit plane by bit plane, then
+    // Gray decode and interleave.
+    static std::uint64_t general_position(std::uint32_t* x, int bits) {
         for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1) {
             const std::uint32_t p = q - 1;
             for (int i = 0; i < D; ++i) {

@@ -70,7 +70,7 @@ template <int D> [[gnu::noinline]] bool solve_sphere_exactly(const double* const
             if (k < quantum) quantum = k;
             if (e > highest) highest = e;
         }
-    if (highest - quantum > 440 || quantum < -1000 || quantum > 400) return false;
+    if (highest - quantum > 440 || quantum > 400) return false;
     const auto integer = [&](double x) {
         const Decoded d = decode(x);
         if (d.mantissa == 0) return Integer512::zero();

@@ -87,27 +87,15 @@ public:
 
     // Room for that many more cells and vertices together and list_bytes of list? Remembers what was wanted if not.
     bool has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes);
-    // After has_room these cannot fail.
+    // After has_room these cannot fail. A new cell is a new slot, whatever slots are free.
     std::uint32_t new_cell() {
         ++state.cells_created;
-        if (state.free_head == none) {
-            arena.extend_low(sizeof(CellT));
-            return state.cell_slots++;
-        }
-        const std::uint32_t c = state.free_head;
-        state.free_head = cells_[c].neighbour[0];
-        --state.cells_free;
-        return c;
+        arena.extend_low(sizeof(CellT));
+        return state.cell_slots++;
     }
     std::uint32_t new_vertex() {
         arena.extend_high(sizeof(VertexT));
         return state.vertex_count++;
-    }
-    void free_cell(std::uint32_t c) {
-        cells_[c].vertex[0] = freed;
-        cells_[c].neighbour[0] = state.free_head;
-        state.free_head = c;
-        ++state.cells_free;
     }
 
     // A stamp that no cell carries yet, even; stamp + 1 is unused too.
@@ -137,7 +125,7 @@ private:
     VertexT* vertices_end_;
 };
 
-// new_cell and free_cell many times over, with the counts in registers; for a store that has_room.
+// Slots taken, free ones first, and given back, with the counts in registers; for a store that has_room.
 template <int D> class CellSupply {
 public:
     explicit CellSupply(Store<D>& store)

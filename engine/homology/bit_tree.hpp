@@ -46,9 +46,6 @@ public:
     void insert(std::uint32_t i) {
         if (!has(i)) toggle(i);
     }
-    void erase(std::uint32_t i) {
-        if (has(i)) toggle(i);
-    }
 
     // The largest member, `none` when empty.
     std::uint32_t top() const {

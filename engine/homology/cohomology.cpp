@@ -198,7 +198,7 @@ Status Cohomology::run() {
     monitor_.begin(NETMESH_STAGE_REDUCE, total);
     Status status = reserve(top);
     if (status == Status::ok) status = unite_edges();
-    for (std::uint32_t k = 1; k <= max_degree_ && k <= dimension && status == Status::ok; ++k) {
+    for (std::uint32_t k = 1; k <= max_degree_ && status == Status::ok; ++k) {  // max_degree_ <= dimension
         if (k == dimension || of(k + 1).count == 0) {
             status = essential(k);
             break;

@@ -9,7 +9,7 @@
 
 namespace netmesh {
 
-// `where`: the row itself when there is one, the block when there are more.
+// `where`: the row itself when there is one, the block when there are more, none when there is none.
 struct SparseColumn {
     std::uint32_t where, length;
 };
@@ -31,7 +31,7 @@ public:
         return column.length <= 1 ? &column.where : block(column.where);
     }
     bool has(const SparseColumn& column, std::uint32_t row) const {
-        if (column.length <= 1) return column.length == 1 && column.where == row;
+        if (column.length <= 1) return column.where == row;
         const std::uint32_t* const list = block(column.where);
         std::uint32_t first = 0, count = column.length;
         while (count > 1) {
@@ -44,8 +44,10 @@ public:
 
     // column becomes list[0, length), ascending. False: out of memory, and then the column is as before.
     bool assign(SparseColumn& column, const std::uint32_t* list, std::uint32_t length) {
-        SparseColumn fresh = {length == 1 ? list[0] : none, length};
-        if (length > 1) {
+        SparseColumn fresh = {none, length};
+        if (length == 1) {
+            fresh.where = list[0];
+        } else if (length > 1) {
             if (!take(size_class(length), &fresh.where)) return false;
             __builtin_memcpy(block(fresh.where), list, std::size_t{length} * 4);
         }

@@ -143,7 +143,7 @@ Status Filtration::unite_top(std::uint32_t k, bool* done) {
     return Status::ok;
 }
 
-// The largest row of the boundary of simplex j that counts, `none` if there is none.
+// The largest row of the boundary of simplex j that counts.
 std::uint32_t Filtration::pivot_of(std::uint32_t k, std::uint32_t j) const {
     const std::uint32_t* faces = of(k).faces + std::size_t{j} * (k + 1);
     std::uint32_t pivot = none;
@@ -203,7 +203,7 @@ Status Filtration::reduce(std::uint32_t k) {
         if (paired_above_.has(j)) continue;  // clearing: it gives birth
         if (stop(1)) return Status::cancelled;
         std::uint32_t pivot = pivot_of(k, j);
-        if (pivot != none && owner_[pivot] != none) {
+        if (owner_[pivot] != none) {  // there is one: not all three edges of a triangle join components
             add_boundary(k, j);
             do {
                 if (stop(add_column(k, owner_[pivot]))) return Status::cancelled;

@@ -98,14 +98,13 @@ public:
             const Run& r = i < runs_max ? run(c, i) : added;
             if (r.count > 0) runs[count++] = r;
         }
-        bool fits = true;
         while (count > 1 && (count > runs_max || runs[count - 2].count < 2 * runs[count - 1].count)) {
-            fits = fits && merge(runs[count - 2], runs[count - 1], dimension(c), &runs[count - 2]);
+            if (!merge(runs[count - 2], runs[count - 1], dimension(c), &runs[count - 2])) return false;
             --count;
             if (runs[count - 1].count == 0) --count;
         }
         for (std::uint32_t i = 0; i < runs_max; ++i) put_run(c, i, i < count ? runs[i] : no_run);
-        return fits;
+        return true;
     }
     // Column c in one run, its first.
     bool unite_runs(std::uint32_t c) {

@@ -24,12 +24,14 @@ inline std::uint32_t lowest_bit(std::uint64_t x) { return static_cast<std::uint3
 template <int D> class Link {
 public:
     static std::size_t labels_max(const Ball<D>& ball) { return std::size_t{ball.degree_max} + 2 * D + 2; }
+    // What a small link is asked for needs no more than adjacency in these dimensions (surfaces are walked around instead).
+    static constexpr bool tells_all = D == 3 || D == 4;
+
     // vertices: scratch [labels_max]. False when the link has more vertices than a ball's can have.
     bool read(const Ball<D>& ball, std::uint32_t v, std::uint32_t* vertices);
 
     // Whether the link has at most 63 vertices, so that parts() and counts are known.
     bool small() const { return label_count_ <= 64; }
-    std::uint32_t lower_vertices() const { return lower_count_; }
     // The link vertex of lowest (highest) rank if it is lower (upper) than v, otherwise none; may be `outside`.
     std::uint32_t lowest() const { return lowest_; }
     std::uint32_t highest() const { return highest_; }
@@ -53,9 +55,10 @@ private:
     std::uint64_t piece_of(std::uint64_t seed, std::uint64_t within, std::uint64_t* edges) const;
     std::uint32_t count_pieces(std::uint64_t set, std::uint32_t* edges) const;
     std::uint32_t label(const Ball<D>& ball, std::uint32_t u, std::uint32_t r, std::uint32_t* vertices);
-    void add_cell(std::uint64_t mask, const std::uint32_t* slots, int count) {
-        if (D > 4) return;
-        for (int j = 0; j < count; ++j) adjacent_[slots[j] >> 1 & 63] |= mask;
+    void add_cell(std::uint64_t mask, const std::uint32_t* slots) {
+        if constexpr (tells_all) {
+            for (int j = 0; j < D; ++j) adjacent_[slots[j] >> 1 & 63] |= mask;
+        }
     }
 
     std::uint64_t adjacent_[64];  // by label; bit i: the cells of this label have label i too. Label 0 is outside
@@ -107,8 +110,10 @@ template <int D> bool Link<D>::read(const Ball<D>& ball, std::uint32_t v, std::u
         std::uint32_t s[D];
         std::uint32_t k = 0;
         std::uint64_t mask = 0;
-        sound = sound && label_count_ + D <= label_limit;
-        if (!sound) break;
+        if (label_count_ + D > label_limit) {
+            sound = false;
+            break;
+        }
         for (std::uint32_t j = 0; j < D; ++j) {
             const std::uint32_t u = p[j + (j >= i ? 1 : 0)];
             s[j] = ball.slot[u];
@@ -117,7 +122,7 @@ template <int D> bool Link<D>::read(const Ball<D>& ball, std::uint32_t v, std::u
             mask |= std::uint64_t{1} << (s[j] >> 1 & 63);
         }
         ++with_lower_[k];
-        add_cell(mask, s, D);
+        add_cell(mask, s);
         if (!hull) continue;
         for (std::uint32_t j = 0; j < D; ++j) {
             if (p[D + 1 + j + (j >= i ? 1 : 0)] != none) continue;
@@ -125,7 +130,7 @@ template <int D> bool Link<D>::read(const Ball<D>& ball, std::uint32_t v, std::u
             const std::uint32_t kept = s[j];
             s[j] = 0;
             ++with_lower_[k - (kept & 1)];
-            add_cell(cone, s, D);
+            add_cell(cone, s);
             s[j] = kept;
         }
     }
@@ -168,7 +173,7 @@ std::uint32_t Link<D>::next_piece(const Ball<D>& ball, const std::uint32_t* vert
 }
 
 template <int D> void Link<D>::count_simplices(std::uint32_t* counts) const {
-    static_assert(D == 3 || D == 4, "the counts of higher links need more than adjacency");
+    static_assert(tells_all, "the counts of higher links need more than adjacency");
     counts[0] = 1;
     counts[1] = lower_count_;
     counts[2] = lower_edges_;

@@ -31,6 +31,12 @@ public:
 
 private:
     bool reserve();
+    bool reserve_star() {
+        if constexpr (Link<D>::tells_all) {
+            if (!sweeps_ && !any_large_) return true;
+        }
+        return star_.reserve(ball_, star_bound_, arena_);
+    }
     Status look_at_links(JoinList& joins);
     bool finish_small(Link<D>& link, std::uint32_t v, JoinList& joins);
     Status look_at_stars(JoinList& joins);
@@ -45,7 +51,7 @@ private:
     bool sweeps_;
     std::uint32_t *below_ = nullptr, *above_ = nullptr, *labels_ = nullptr;
     std::uint64_t star_bound_ = 1, simplex_count_ = 0;
-    bool all_small_ = true;
+    bool any_large_ = false;
 };
 
 template <int D> bool LowerStars<D>::reserve() {
@@ -70,12 +76,13 @@ template <int D> bool LowerStars<D>::note_star(std::uint32_t v, const std::uint3
         ball_.flags[v] |= Ball<D>::irregular;
         return true;
     }
-    if (!writer_.keeps_zero()) return true;
-    std::uint32_t paired = 1;
-    for (std::uint32_t k = 1; k < D; ++k) {
-        paired = counts[k] - paired;
-        for (std::uint32_t i = 0; i < paired; ++i) {
-            if (!writer_.add(ball_.value[v], ball_.value[v], k)) return false;
+    if constexpr (D > 2) {  // surfaces come here for their cycles alone, which such pairs have none of
+        std::uint32_t paired = 1;
+        for (std::uint32_t k = 1; k < D && writer_.keeps_zero(); ++k) {
+            paired = counts[k] - paired;
+            for (std::uint32_t i = 0; i < paired; ++i) {
+                if (!writer_.add(ball_.value[v], ball_.value[v], k)) return false;
+            }
         }
     }
     return true;
@@ -90,14 +97,11 @@ template <int D> bool LowerStars<D>::finish_small(Link<D>& link, std::uint32_t v
             if (u != link.lowest() && !joins.add(ball_.rank[v], u)) return false;
         }
     }
-    if constexpr (D == 3 || D == 4) {
-        std::uint32_t counts[D + 1];
-        link.count_simplices(counts);
-        bool regular = pieces == 1 && link.upper_pieces() == 1;
-        if (D == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
-        return note_star(v, counts, regular);
-    }
-    return true;
+    std::uint32_t counts[D + 1];
+    link.count_simplices(counts);
+    bool regular = pieces == 1 && link.upper_pieces() == 1;
+    if constexpr (D == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
+    return note_star(v, counts, regular);
 }
 
 template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
@@ -109,11 +113,13 @@ template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
         below_[v] = link.lowest();
         above_[v] = link.highest() == none ? v : link.highest();
         if (link.bound() > star_bound_) star_bound_ = link.bound();
-        if (D == 2 || D > 4 || !link.small()) {
-            ball_.flags[v] |= Ball<D>::large;
-            all_small_ = false;
-        } else if (!finish_small(link, v, joins)) {
-            return Status::out_of_memory;
+        if constexpr (Link<D>::tells_all) {
+            if (!link.small()) {
+                ball_.flags[v] |= Ball<D>::large;
+                any_large_ = true;
+            } else if (!finish_small(link, v, joins)) {
+                return Status::out_of_memory;
+            }
         }
         if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 8)) return Status::cancelled;
     }
@@ -124,7 +130,9 @@ template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
 // Links that the quick look does not settle: their lower stars in full.
 template <int D> Status LowerStars<D>::look_at_stars(JoinList& joins) {
     for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
-        if ((ball_.flags[v] & Ball<D>::large) == 0) continue;
+        if constexpr (Link<D>::tells_all) {
+            if ((ball_.flags[v] & Ball<D>::large) == 0) continue;
+        }
         if (!star_.open(ball_, v)) return Status::internal;
         const std::uint32_t first = below_[v] == none ? 0 : star_.piece(ball_.slot[below_[v]]);
         for (std::uint32_t i = 1; i < star_.count(); ++i) {
@@ -146,7 +154,7 @@ template <int D> Status LowerStars<D>::run(CycleWriter* cycles) {
     JoinList joins(arena_);
     Status status = look_at_links(joins);
     if (status != Status::ok) return status;
-    if ((sweeps_ || !all_small_) && !star_.reserve(ball_, star_bound_, arena_)) return Status::out_of_memory;
+    if (!reserve_star()) return Status::out_of_memory;
     {
         const HighScope scope(arena_);
         JoinList large_joins(arena_);

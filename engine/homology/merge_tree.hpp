@@ -12,7 +12,8 @@
 
 namespace netmesh {
 
-// Pieces of links beyond the first: the vertex with this rank is joined to this link vertex. Grows at the arena's high
+// Pieces of links beyond the first: the vertex with this rank is joined to this link vertex, never `outside`, which is in
+// the first piece of the upper link wherever it is. Grows at the arena's high
 // end, where nothing else may be taken as long as it grows.
 class JoinList {
 public:
@@ -94,7 +95,7 @@ inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, con
         for (int l = 0; l < lists; ++l) {
             for (; next[l] < joins[l]->count() && (*joins[l])[next[l]].rank == r; ++next[l]) {
                 const std::uint32_t u2 = (*joins[l])[next[l]].vertex;
-                if (u2 != vertices.count && rank[u2] < r && !join(v, u2, time)) return false;
+                if (rank[u2] < r && !join(v, u2, time)) return false;
             }
         }
     }
@@ -112,7 +113,7 @@ inline bool join_superlevel(const VertexOrder& vertices, const std::uint32_t* ra
     for (std::uint32_t r = vertices.count; r-- > 0;) {
         for (; next > 0 && joins[next - 1].rank == r; --next) {
             const std::uint32_t u = joins[next - 1].vertex;
-            if (u != vertices.count && rank[u] < r) continue;
+            if (rank[u] < r) continue;
             std::uint32_t a = find_root(above, vertices.order[r]), b = find_root(above, u);
             if (a == b) continue;
             if (a != vertices.count && (b == vertices.count || rank[b] > rank[a])) {

@@ -37,7 +37,7 @@ public:
         const std::size_t at = place_of(key);
         return key_[at] == key ? column_[at] : none;
     }
-    bool has(std::uint64_t key) const { return key_ != nullptr && key_[place_of(key)] == key; }
+    bool has(std::uint64_t key) const { return key_[place_of(key)] == key; }
     // Moves the keys up so that they end at `end`; the columns are gone. Returns where they begin.
     std::size_t keep_keys(Arena& arena, std::size_t end) {
         const std::size_t bytes = sizeof(std::uint64_t) << bits_;

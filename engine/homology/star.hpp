@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "homology/ball.hpp"
+#include "homology/link.hpp"
 
 namespace netmesh {
 
@@ -32,8 +32,7 @@ public:
     bool reserve(const Ball<D>& ball, std::uint64_t simplices_max, Arena& arena);
 
     // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for
-    // the upper ones. False when the cells
-    // are not those of a ball.
+    // the upper ones. The links' vertices must have been counted (Link::read). False when the cells are not those of a ball.
     bool open(const Ball<D>& ball, std::uint32_t v);
     void close(const Ball<D>& ball);
     // The gradient. Returns how many simplices are critical.
@@ -42,7 +41,6 @@ public:
     std::uint32_t capacity() const { return capacity_; }
     std::uint32_t count() const { return count_; }
     std::uint32_t vertex(std::uint32_t label) const { return origin_[label]; }
-    std::uint32_t highest() const { return highest_; }  // an upper vertex or `outside`; none if there is none
     std::uint32_t dimension(std::uint32_t i) const { return form_[i] & 7; }
     std::uint32_t label(std::uint32_t i) const { return form_[i] >> 3; }                         // of its lowest vertex
     std::uint32_t parent(std::uint32_t i) const { return facets_[std::size_t{i} * D]; }          // without it
@@ -66,7 +64,7 @@ public:
 private:
     std::uint32_t label_of(const Ball<D>& ball, std::uint32_t u);
     void clear_table(std::uint32_t cell_count, bool hull);
-    void add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k);
+    bool add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k);
     std::uint32_t add(std::uint32_t dimension, std::uint32_t label, std::uint32_t origin) {
         const std::uint32_t i = count_++;
         form_[i] = label << 3 | dimension;
@@ -84,20 +82,18 @@ private:
 
     std::uint32_t *facets_, *form_, *origin_, *cofaces_, *sum_, *partner_, *position_, *at_, *queue_;
     std::uint32_t *seen_, *table_;
-    std::uint32_t capacity_, count_, seen_count_, seen_capacity_, rank_, highest_;
+    std::uint32_t capacity_, count_, seen_count_, rank_;
     std::uint32_t table_mask_, table_shift_, table_bits_max_;
     std::uint32_t queue_begin_, queue_end_, next_position_;
-    bool overflow_;
 };
 
 template <int D> bool Star<D>::reserve(const Ball<D>& ball, std::uint64_t simplices_max, Arena& arena) {
     if (simplices_max >= 0x10000000u) return false;
     capacity_ = static_cast<std::uint32_t>(simplices_max) + D;
-    seen_capacity_ = ball.degree_max + 2 * D + 2;
     table_bits_max_ = 6;
     while ((std::uint64_t{1} << table_bits_max_) < 2 * simplices_max) ++table_bits_max_;
     facets_ = arena.take_high<std::uint32_t>(std::size_t{capacity_} * D);
-    seen_ = arena.take_high<std::uint32_t>(seen_capacity_);
+    seen_ = arena.take_high<std::uint32_t>(Link<D>::labels_max(ball));
     table_ = arena.take_high<std::uint32_t>(std::size_t{1} << table_bits_max_);
     if (facets_ == nullptr || seen_ == nullptr || table_ == nullptr) return false;
     std::uint32_t** const arrays[] = {&form_, &origin_, &cofaces_, &sum_, &partner_, &position_, &at_, &queue_};
@@ -110,16 +106,8 @@ template <int D> bool Star<D>::reserve(const Ball<D>& ball, std::uint64_t simpli
 
 // First sight of a link vertex.
 template <int D> std::uint32_t Star<D>::label_of(const Ball<D>& ball, std::uint32_t u) {
-    const std::uint32_t ru = ball.rank[u];
-    if (seen_count_ == seen_capacity_) {
-        overflow_ = true;
-        return upper;
-    }
     seen_[seen_count_++] = u;
-    if (ru > rank_) {
-        if (highest_ == none || (highest_ != ball.outside && ru > ball.rank[highest_])) highest_ = u;
-        return ball.slot[u] = upper;
-    }
+    if (ball.rank[u] > rank_) return ball.slot[u] = upper;
     const std::uint32_t i = add(1, count_, u);
     position_[i] = i;
     facets_[std::size_t{i} * D] = 0;
@@ -146,17 +134,14 @@ template <int D> void Star<D>::clear_table(std::uint32_t cell_count, bool hull) 
 template <int D> bool Star<D>::open(const Ball<D>& ball, std::uint32_t v) {
     const bool hull = (ball.flags[v] & Ball<D>::on_hull) != 0;
     rank_ = ball.rank[v];
-    overflow_ = false;
     count_ = seen_count_ = 0;
-    highest_ = hull ? ball.outside : none;
     clear_table(ball.begin[v + 1] - ball.begin[v], hull);
     add(0, 0, ball.incidence[ball.begin[v]]);
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + 16);
         const std::uint32_t* p = ball.complex.vertices(ball.incidence[t] >> 3);
         const std::uint32_t at = ball.incidence[t] & 7;
-        if (count_ + D > capacity_) overflow_ = true;
-        if (overflow_) break;
+        if (count_ + D > capacity_) return false;
         std::uint32_t slots[D];
         for (std::uint32_t j = 0; j < D; ++j) {
             const std::uint32_t u = p[j + (j >= at ? 1 : 0)];
@@ -166,9 +151,9 @@ template <int D> bool Star<D>::open(const Ball<D>& ball, std::uint32_t v) {
         sort_small<D>(slots);
         std::uint32_t k = 0;
         for (std::uint32_t j = 0; j < D; ++j) k += slots[j] != upper ? 1 : 0;
-        if (k > 0) add_faces(ball.incidence[t], slots, k);
+        if (k > 0 && !add_faces(ball.incidence[t], slots, k)) return false;
     }
-    return !overflow_;
+    return true;
 }
 
 template <int D> void Star<D>::close(const Ball<D>& ball) {
@@ -193,7 +178,7 @@ template <int D> std::uint32_t Star<D>::simplex_of(const std::uint32_t* labels, 
     return i;
 }
 
-template <int D> void Star<D>::add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k) {
+template <int D> bool Star<D>::add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k) {
     std::uint32_t ids[1u << D];
     ids[0] = 0;
     for (std::uint32_t j = 0; j < k; ++j) {
@@ -203,10 +188,7 @@ template <int D> void Star<D>::add_faces(std::uint32_t incidence, const std::uin
             const std::uint32_t parent = ids[rest];
             std::uint32_t* place = place_of(parent, labels[j]);
             if (*place == 0) {
-                if (count_ == capacity_ || count_ > table_mask_ - (table_mask_ >> 3)) {
-                    overflow_ = true;
-                    return;
-                }
+                if (count_ == capacity_ || count_ > table_mask_ - (table_mask_ >> 3)) return false;
                 const std::uint32_t i = add(dimension(parent) + 1, labels[j], incidence);
                 *place = i;
                 std::uint32_t* facet = facets_ + std::size_t{i} * D;
@@ -223,6 +205,7 @@ template <int D> void Star<D>::add_faces(std::uint32_t incidence, const std::uin
             ids[rest | bit] = *place;
         }
     }
+    return true;
 }
 
 // Takes i out: its facets lose a coface, and become free if one is left.
@@ -250,7 +233,7 @@ template <int D> std::uint32_t Star<D>::match() {
     while (next_position_ > 0) {
         while (queue_begin_ < queue_end_) {
             const std::uint32_t i = queue_[queue_begin_++];
-            if (partner_[i] != present || cofaces_[i] != 1) continue;
+            if (cofaces_[i] != 1) continue;  // also when it is gone: what goes has no cofaces left
             const std::uint32_t coface = sum_[i];
             partner_[i] = coface;
             partner_[coface] = i;
@@ -258,12 +241,12 @@ template <int D> std::uint32_t Star<D>::match() {
             remove(i);
         }
         if (next_position_ == 0) break;
-        std::uint32_t k = D, i = none;
+        std::uint32_t k = D;  // some are left, so the search ends
         for (;; --k) {
             while (scan[k] < count_ && (dimension(scan[k]) != k || partner_[scan[k]] != present)) ++scan[k];
-            if (scan[k] < count_ || k == 0) break;
+            if (scan[k] < count_) break;
         }
-        i = scan[k];
+        const std::uint32_t i = scan[k];
         partner_[i] = none;
         ++critical;
         remove(i);

@@ -49,8 +49,9 @@ bool Surface::see(Circle* circle, std::uint32_t u, JoinList* joins) const {
 // else *closed says whether the walk came back or ended at the hull. The first walk has no joins. False: out of memory.
 bool Surface::walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const {
     const std::uint32_t first = corner->cell;
-    if (open && (!see(circle, outside(), joins) || !see(circle, complex_.vertices(first)[corner->from], joins))) {
-        return false;
+    if (open) {  // takes no memory: the piece of `outside` gets no join
+        see(circle, outside(), joins);
+        see(circle, complex_.vertices(first)[corner->from], joins);
     }
     for (*closed = false; !*closed;) {
         if (!see(circle, complex_.vertices(corner->cell)[corner->to], joins)) return false;
@@ -71,13 +72,13 @@ bool Surface::look_at(std::uint32_t v, std::uint32_t cell, JoinList& joins) {
     Circle circle = unseen;
     Corner corner = start;
     bool closed;
-    if (!walk(&circle, &corner, false, nullptr, &closed)) return false;
+    walk(&circle, &corner, false, nullptr, &closed);
     const bool open = !closed;
     if (open) {
         start = {corner.cell, corner.to, corner.from};
         corner = start;
         circle = unseen;
-        if (!walk(&circle, &corner, true, nullptr, &closed)) return false;
+        walk(&circle, &corner, true, nullptr, &closed);
     }
     below_[v] = circle.lowest;
     above_[v] = circle.highest == none ? v : circle.highest;

@@ -33,9 +33,8 @@ private:
         std::uint32_t cell;
         int from, to;  // positions of the two link vertices in the cell, in the direction of the walk
     };
-    bool is_after(std::uint32_t u, std::uint32_t w) const {
-        return w != outside() && (u == outside() || rank_[u] > rank_[w]);
-    }
+    // u is not `outside`: that is what a walk that meets it begins with.
+    bool is_after(std::uint32_t u, std::uint32_t w) const { return w != outside() && rank_[u] > rank_[w]; }
     std::uint32_t outside() const { return complex_.vertex_count; }
     bool reserve();
     bool look_at(std::uint32_t v, std::uint32_t cell, JoinList& joins);

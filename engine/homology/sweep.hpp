@@ -15,6 +15,7 @@
 #include "homology/pair_writer.hpp"
 #include "homology/star.hpp"
 #include "homology/star_cycles.hpp"
+#include "homology/union_find.hpp"
 #include "memory/monitor.hpp"
 #include "memory/sort.hpp"
 
@@ -38,13 +39,12 @@ private:
     std::uint32_t side(std::uint32_t cell, std::uint32_t v);
     std::uint32_t cell_of(std::uint32_t facet, std::uint32_t v) const;
     std::uint32_t across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const;
-    std::uint32_t root(std::uint32_t node);
-    std::uint32_t& above(std::uint32_t node) {
-        return node <= ball_.outside ? above_[node] : star_.note(node - ball_.outside - 1);
-    }
-    std::uint64_t age_of(std::uint32_t node, std::uint32_t v) const;
-    bool add_zero_pairs(double value);
+    // Of the oldest of a component: `outside`, or its vertex of the highest rank.
+    std::uint32_t age_of(std::uint32_t root) const { return root == ball_.outside ? none : ball_.rank[root]; }
 
+    bool reserve_columns(Arena& arena);
+    bool add_zero_pairs(double value);
+    Status reduce_columns(std::uint32_t r);
     std::uint32_t sorted(std::uint32_t columns);
     bool start_columns(std::uint32_t k, std::uint32_t v);
     bool gather(std::uint32_t c, std::uint32_t r);
@@ -82,47 +82,67 @@ private:
 
 template <int D> Status Sweep<D>::run(Arena& arena) {
     StarCycles<D> star_cycles(ball_, star_, front_, cycles_, monitor_);
-    if (cycles_ != nullptr) star_cycles_ = &star_cycles;
-    if (cycles_ != nullptr && !star_cycles.reserve(arena)) return Status::out_of_memory;
-    column_words_ = arena.take_high<std::uint64_t>(BitTree::words_needed(star_.capacity()));
-    outer_ = arena.take_high<std::uint32_t>(std::size_t{star_.capacity()} * (D - 1));
-    if (column_words_ == nullptr || outer_ == nullptr || !front_.reserve(ball_.vertex_count, arena))
-        return Status::out_of_memory;
+    if (cycles_ != nullptr) {
+        if (!star_cycles.reserve(arena)) return Status::out_of_memory;
+        star_cycles_ = &star_cycles;
+    }
+    if constexpr (D > 2) {
+        if (!reserve_columns(arena)) return Status::out_of_memory;
+    }
+    if (!front_.reserve(ball_.vertex_count, arena)) return Status::out_of_memory;
     for (std::uint32_t r = 0; r < ball_.vertex_count; ++r) {
         if ((ball_.flags[ball_.order[r]] & Ball<D>::irregular) != 0) front_.waiting().insert(r);
     }
     monitor_.begin(NETMESH_STAGE_REDUCE, ball_.vertex_count);
     for (std::uint32_t r = front_.waiting().top(); r != none; r = front_.waiting().top()) {
-        front_.waiting().erase(r);
+        front_.waiting().toggle(r);
         work_ = 1;
         const Status status = visit(r);
         if (status != Status::ok) return status;
         if (monitor_.advance(ball_.vertex_count - r, work_)) return Status::cancelled;
     }
-    return front_.column_count() == 0 ? Status::ok : Status::internal;
+    if constexpr (D > 2) {
+        if (front_.column_count() != 0) return Status::internal;
+    }
+    return Status::ok;
 }
 
+template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {
+    column_words_ = arena.take_high<std::uint64_t>(BitTree::words_needed(star_.capacity()));
+    outer_ = arena.take_high<std::uint32_t>(std::size_t{star_.capacity()} * (D - 1));
+    return column_words_ != nullptr && outer_ != nullptr;
+}
+
+// A star is visited because it is irregular or because a column waits there. In the plane there are no columns, and it is
+// swept for cycles alone, which pairs of length zero have none of.
 template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     const std::uint32_t v = ball_.order[r];
-    const std::uint32_t arrived = front_.arrive(r);
     irregular_ = (ball_.flags[v] & Ball<D>::irregular) != 0;
-    if (arrived == none && !irregular_) return Status::ok;
     if (!star_.open(ball_, v)) return Status::internal;
     prefetch_star(front_.waiting().top());
     critical_ = star_.match();
     work_ += star_.count() / 2;
-    column_.adopt(column_words_, star_.count());
     for (std::uint32_t i = 0; i < star_.count(); ++i) star_.note(i) = none;
-    bool fits = add_zero_pairs(ball_.value[v]);
-    const Status united = fits && critical_ > 0 ? unite_critical_facets(v) : Status::ok;
-    if (united != Status::ok) return united;
-    std::uint32_t c = sorted(arrived);
+    Status status = critical_ > 0 ? unite_critical_facets(v) : Status::ok;
+    if constexpr (D > 2) {
+        if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
+        if (status == Status::ok) status = reduce_columns(r);
+    }
+    star_.close(ball_);
+    return status;
+}
+
+// From the top dimension down: the columns of the star's own critical simplices, then those that have arrived.
+template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
+    const std::uint32_t v = ball_.order[r];
+    column_.adopt(column_words_, star_.count());
+    std::uint32_t c = sorted(front_.arrive(r));
     for (std::uint32_t k = D - 1; k >= 2; --k) {
-        fits = fits && (critical_ == 0 || start_columns(k, v));
-        while (fits && c != none && front_.dimension(c) == k) {
+        if (critical_ > 0 && !start_columns(k, v)) return Status::out_of_memory;
+        while (c != none && front_.dimension(c) == k) {
             const std::uint32_t following = front_.next(c);
             if (!gather(c, r)) return Status::internal;
-            fits = reduce(c, v);
+            if (!reduce(c, v)) return Status::out_of_memory;
             c = following;
         }
         while (done_columns_ != none) {
@@ -131,8 +151,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
             front_.drop(done);
         }
     }
-    star_.close(ball_);
-    return fits ? Status::ok : Status::out_of_memory;
+    return Status::ok;
 }
 
 // Stars next to each other in rank are far apart in memory: the cells of what is likely the next one come while this
@@ -141,7 +160,7 @@ template <int D> void Sweep<D>::prefetch_star(std::uint32_t r) {
     if (r == none) return;
     const std::uint32_t v = ball_.order[r];
     for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
-    front_.prefetch(r);
+    if constexpr (D > 2) front_.prefetch(r);
 }
 
 // Pairs of the gradient in an irregular star; those of regular ones are counted elsewhere, and so is degree 0.
@@ -175,13 +194,13 @@ template <int D> std::uint32_t Sweep<D>::sorted(std::uint32_t columns) {
 template <int D> std::uint32_t Sweep<D>::merge(std::uint32_t a, std::uint32_t b) {
     std::uint32_t first = none, last = none;
     while (a != none || b != none) {
-        std::uint32_t& from = b == none || (a != none && before(a, b)) ? a : b;
+        const bool from_a = b == none || (a != none && before(a, b));
+        std::uint32_t& from = from_a ? a : b;
         const std::uint32_t c = from;
         from = front_.next(c);
         (last == none ? first : front_.next(last)) = c;
-        last = c;
+        last = c;  // the last of all is the last of its list
     }
-    if (last != none) front_.next(last) = none;
     return first;
 }
 
@@ -201,7 +220,7 @@ template <int D> bool Sweep<D>::gather(std::uint32_t c, std::uint32_t r) {
 // The simplex of these labels in any order, which is lost; none if the star has none such.
 template <int D> std::uint32_t Sweep<D>::simplex_of(std::uint32_t* labels, std::uint32_t n) const {
     insertion_sort(labels, n, [](std::uint32_t a, std::uint32_t b) { return a < b; });
-    if (labels[0] == 0 || labels[n - 1] == Star<D>::upper) return none;
+    if (labels[0] == 0) return none;
     return star_.simplex_of(labels, n);
 }
 
@@ -253,12 +272,17 @@ template <int D> template <std::uint32_t N> bool Sweep<D>::add_outer_facets(std:
 }
 
 template <int D> bool Sweep<D>::flush(std::uint32_t c) {
-    switch (front_.dimension(c)) {
-    case 2: return add_outer_facets<2>(c);
-    case 3: return add_outer_facets<3>(c);
-    case 4: return add_outer_facets<4>(c);
-    default: return add_outer_facets<5>(c);
+    const std::uint32_t n = front_.dimension(c);  // 2..D-1
+    if constexpr (D > 5) {
+        if (n == 5) return add_outer_facets<5>(c);
     }
+    if constexpr (D > 4) {
+        if (n == 4) return add_outer_facets<4>(c);
+    }
+    if constexpr (D > 3) {
+        if (n == 3) return add_outer_facets<3>(c);
+    }
+    return add_outer_facets<2>(c);
 }
 
 // Reduces column_, the part of column c in this star, until it takes a pivot or nothing is left here.
@@ -299,8 +323,8 @@ template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std
     Run positions = no_run;
     for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
         column_.toggle(p);
-        const std::uint32_t row = star_.at(p);
-        if (cycles_ == nullptr && star_.partner(row) != none && !star_.pairs_up(row)) continue;
+        // No row left pairs up: when i became critical the dimension of their partners was gone from the star.
+        if (cycles_ == nullptr && star_.partner(star_.at(p)) != none) continue;
         if (!front_.append(&positions, &p, 1)) return false;
     }
     front_.put_local(c, positions);
@@ -309,7 +333,11 @@ template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std
 
 template <int D> bool Sweep<D>::note_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v) {
     const std::uint32_t r = front_.creator_rank(c);
-    if (r == ball_.rank[v] && !irregular_) return true;  // counted with the regular star
+    // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3, where
+    // every lower link collapses as far as it can. Its pairs are counted already.
+    if constexpr (D == 4) {
+        if (r == ball_.rank[v] && !irregular_) return true;
+    }
     const double birth = ball_.value[v], death = ball_.value[ball_.order[r]];
     std::uint32_t cycle = 0;
     if (cycles_ != nullptr && writer_.keeps(birth, death, degree) && !star_cycles_->write_column(c, v, &cycle))
@@ -317,87 +345,71 @@ template <int D> bool Sweep<D>::note_pair(std::uint32_t c, std::uint32_t degree,
     return writer_.add(birth, death, degree, cycle);
 }
 
-// Components of the superlevel sets. The root of a component is the oldest there: `outside`, else the vertex of the
-// highest rank, else a critical cell of the star at work.
-template <int D> std::uint32_t Sweep<D>::root(std::uint32_t node) {
-    while (above(node) != node) node = above(node) = above(above(node));
-    return node;
-}
-template <int D> std::uint64_t Sweep<D>::age_of(std::uint32_t node, std::uint32_t v) const {
-    if (node > ball_.outside) return std::uint64_t{2} * ball_.rank[v];
-    return node == ball_.outside ? ~std::uint64_t{0} : std::uint64_t{2} * ball_.rank[node] + 1;
-}
-
-// The component on this side of a critical facet, from which the gradient leads to an upper vertex or a critical cell.
+// The component on this side of a critical facet, from which the gradient leads to an upper vertex, outside, or to a
+// critical cell. A cell is critical only when no facet is free: then the lower cells around v are closed, so they are
+// all, there is one, and v stands for its component.
 template <int D> std::uint32_t Sweep<D>::side(std::uint32_t cell, std::uint32_t v) {
     while (cell != none) {
         const std::uint32_t* p = ball_.complex.vertices(cell);
         std::uint32_t labels[D + 1] = {};
         std::uint32_t k = 0;
         for (std::uint32_t j = 0; j <= D; ++j) {
-            if (ball_.rank[p[j]] > ball_.rank[v]) return root(p[j]);
+            if (ball_.rank[p[j]] > ball_.rank[v]) return find_root(above_, p[j]);
             if (p[j] != v) labels[k++] = ball_.slot[p[j]];
         }
-        const std::uint32_t i = simplex_of(labels, D);
-        if (i == none) return none;
-        if (star_.partner(i) == none) return root(star_.note(i));
-        cell = across(cell, star_.partner(i), v);
+        const std::uint32_t facet = star_.partner(simplex_of(labels, D));  // a cell around v, and all lower
+        if (facet == none) return find_root(above_, v);
+        cell = across(cell, facet, v);
     }
     return ball_.outside;
 }
 
 // A cell at `facet` of the star.
 template <int D> std::uint32_t Sweep<D>::cell_of(std::uint32_t facet, std::uint32_t v) const {
-    if (D > 2) return star_.origin(facet) >> 3;
-    for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) {  // edges know their vertex instead
-        const std::uint32_t* const p = ball_.complex.vertices(ball_.incidence[t] >> 3);
-        for (int j = 0; j <= D; ++j) {
-            if (p[j] == star_.vertex(facet)) return ball_.incidence[t] >> 3;
+    std::uint32_t cell = star_.origin(facet) >> 3;
+    if constexpr (D == 2) {  // edges know their vertex instead
+        for (std::uint32_t t = ball_.begin[v + 1]; t-- > ball_.begin[v];) {
+            const std::uint32_t* const p = ball_.complex.vertices(ball_.incidence[t] >> 3);
+            for (int j = 0; j <= D; ++j) {
+                if (p[j] == star_.vertex(facet)) cell = ball_.incidence[t] >> 3;
+            }
         }
     }
-    return none;
+    return cell;
 }
 
 // The cell on the other side of `facet` of the star, `none` outside.
 template <int D> std::uint32_t Sweep<D>::across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const {
     const std::uint32_t* p = ball_.complex.vertices(cell);
+    int opposite = 0;
     for (int j = 0; j <= D; ++j) {
-        if (p[j] == v) continue;
         const std::uint32_t label = ball_.slot[p[j]];
         std::uint32_t i = facet;
         while (i != 0 && star_.label(i) != label) i = star_.parent(i);
-        if (i == 0) return ball_.complex.neighbour(cell, j);
+        if (i == 0 && p[j] != v) opposite = j;
     }
-    return none;
+    return ball_.complex.neighbour(cell, opposite);
 }
 
-// Takes the critical facets of the star from the last to the first: one that joins two components is the pivot of the
+// Components of the superlevel sets. Takes the critical facets of the star from the last to the first: one that joins two components is the pivot of the
 // younger one's creator.
 template <int D> Status Sweep<D>::unite_critical_facets(std::uint32_t v) {
-    bool creator_free =
-        star_.highest() == none;  // no upper vertex: v stands for the component of its first critical cell
     for (std::uint32_t p = star_.count(); p-- > 0;) {
         const std::uint32_t i = star_.at(p);
-        if (star_.partner(i) != none) continue;
-        if (star_.dimension(i) == D) {
-            star_.note(i) = creator_free ? v : ball_.outside + 1 + i;
-            creator_free = false;
-        }
-        if (star_.dimension(i) != D - 1) continue;
+        if (star_.partner(i) != none || star_.dimension(i) != D - 1) continue;
         std::uint32_t cell = cell_of(i, v);
         const std::uint32_t beyond = across(cell, i, v);
         std::uint32_t a = side(beyond, v), b = side(cell, v);
-        if (a == none || b == none || a == b) continue;
-        if (age_of(a, v) < age_of(b, v)) {
+        if (a == b) continue;
+        if (age_of(a) < age_of(b)) {
             const std::uint32_t t = a;
             a = b;
             b = t;
             cell = beyond;
         }
-        above(b) = a;
+        above_[b] = a;
         star_.note(i) = 0;
-        if (b > ball_.outside && !irregular_) continue;  // counted with the regular star
-        const double birth = ball_.value[v], death = ball_.value[b > ball_.outside ? v : b];
+        const double birth = ball_.value[v], death = ball_.value[b];
         std::uint32_t cycle = 0;
         if (cycles_ != nullptr && writer_.keeps(birth, death, D - 1)) {
             const Status status = star_cycles_->write_piece(cell, i, v, &cycle);

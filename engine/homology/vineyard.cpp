@@ -82,7 +82,8 @@ Status Vineyard::reduce(std::uint32_t k, Monitor& monitor) {
                 for (; hole > 0 && faces[hole - 1] > face; --hole) faces[hole] = faces[hole - 1];
                 faces[hole] = face;
             }
-            if (!pool_.assign(d.at[s].r, faces, k + 1) || !pool_.assign(d.at[s].v, &s, 1)) return Status::out_of_memory;
+            if (!pool_.assign(d.at[s].r, faces, k + 1)) return Status::out_of_memory;
+            pool_.assign(d.at[s].v, &s, 1);  // a single row takes no memory
             std::uint32_t pivot = pivot_of(k, d.at[s].r);
             while (pivot != none && of_[k - 1].at[pivot].owner != none) {
                 const std::uint32_t other = of_[k - 1].at[pivot].owner;

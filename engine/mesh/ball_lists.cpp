@@ -100,7 +100,6 @@ template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity
     }
     for (std::uint32_t k = 0; k < cavity.cells; ++k) {
         const std::uint32_t c = kernel.cavity_cell(k);
-        if (store_->is_ghost(c)) continue;
         for (std::uint32_t e = first_of_cell_[c]; e != none;) {
             const std::uint32_t p = entries_[e].input, next = entries_[e].next_of_cell;
             unlink_from_input(e);
@@ -123,7 +122,6 @@ template <int D> bool BallLists<D>::attach(Kernel<D>& kernel, const Cavity& cavi
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
         const std::uint32_t c = kernel.new_cell(k);
         const Cell<D>& cell = store_->cell(c);
-        if (store_->is_ghost(c)) continue;
         for (std::uint32_t p = waiting_; p != none; p = waiting_next_[p])
             if (!consider(kernel, c, p)) return false;
         int i = 0;

@@ -31,7 +31,8 @@ public:
 
     // Around each insertion, of vertex v into this cavity. Between them inputs out of balls that are gone wait; then each is
     // looked at for every new ball, and so is what the ball behind the new one's outer facet holds, as the two old balls
-    // at a facet cover the new one. False when the lists do not suffice; they are of no use then.
+    // at a facet cover the new one. v is inside the hull, so neither the cavity nor what fills it has infinite cells. False
+    // when the lists do not suffice; they are of no use then.
     void detach(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v);
     bool attach(Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v);
 

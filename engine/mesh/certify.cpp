@@ -89,8 +89,7 @@ template <int D> Status Certification<D>::open() {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     domain_.radius = domain_.enclosing_radius;
     cut2_ = domain_.enclosing_radius * domain_.enclosing_radius;
-    const double extent = bound_.extent() > focus_.extent() ? bound_.extent() : focus_.extent();
-    const double factor = 1.05 * square_root(D) * extent;
+    const double factor = 1.05 * square_root(D) * focus_.extent();  // the smaller a ratio, the larger its extent
     const double reach = domain_.radius * (factor > frame_factor[D] ? factor : frame_factor[D]);
     return open_at(reach);
 }

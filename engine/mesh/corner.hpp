@@ -22,13 +22,13 @@ template <int D> struct Corner {
 };
 
 // Offers where edges of v's cell that end in corner c, which is outside the ball, cross its sphere. Crossings that
-// cannot be farther than least2 (squared) are left out.
+// cannot be farther than least2 (squared) are left out. For stores in use: behind each facet of c is a cell, infinite ones too.
 template <int D>
 void offer_crossings(const Store<D>& store, const Domain<D>& ball, std::uint32_t v, std::uint32_t c, double least2,
                      Corner<D>* corner) {
     const Cell<D>& cell = store.cell(c);
     for (int i = 0; i <= D; ++i) {
-        if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
+        if (cell.vertex[i] == v) continue;
         const std::uint32_t n = cell.neighbour[i] >> 3;
         const Cell<D>& other = store.cell(n);
         if (!(other.radius2 < infinity)) continue;

@@ -58,12 +58,6 @@ public:
     // That of an input, inserted or not, as far as it is known.
     std::uint32_t of_input(std::uint32_t input) const { return present(domain_[input]); }
     void set(std::uint32_t input, std::uint32_t d) { domain_[input] = d; }
-    // Vertex in domain d has this nearest input: an input not inserted yet takes the innermost such domain for its own.
-    void hint(std::uint32_t input, std::uint32_t d) {
-        if (store_->vertex(input).cell != none) return;
-        const std::uint32_t e = domain_[input] = present(domain_[input]);
-        if (e == none || (d != none && cages_[d].radius < cages_[e].radius)) domain_[input] = d;
-    }
 
 private:
     const Store<D>* store_;

@@ -76,7 +76,7 @@ private:
     Status insert_with_path(std::uint32_t p, Path* path);
     Status audit(std::uint32_t v, bool cleaning);
     Status approach(std::uint32_t p, const Cavity& cavity, Path* path);
-    Status insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t near, std::uint32_t cell);
+    Status insert_steiner(const double* x, double empty2, std::uint32_t near, std::uint32_t cell);
     Status new_cage(std::uint32_t p, double reach);
     Status release_encroached();
     Status release_cage(std::uint32_t d);
@@ -188,13 +188,14 @@ template <int D> void NetMesh<D>::update_star(const Cavity& cavity, std::uint32_
     }
 }
 
-// Finds the domain of p and its nearest neighbour in it from the nearest vertex, which is one of the cells in conflict.
+// Finds the domain of p and its nearest neighbour in it from the nearest vertex, which is one of the cells in conflict. Those
+// are finite, as the frame's hull contains the domain.
 template <int D> void NetMesh<D>::settle(std::uint32_t p, const Cavity& cavity) {
     const double* const x = store_.point(p);
     double best2 = infinity;
     for (std::uint32_t k = 0; k < cavity.cells; ++k)
         for (const std::uint32_t w : store_.cell(kernel_.cavity_cell(k)).vertex) {
-            const double d2 = w == none ? infinity : distance2<D>(x, store_.point(w));
+            const double d2 = distance2<D>(x, store_.point(w));
             if (!(d2 < best2)) continue;
             best2 = d2;
             near_ = w;
@@ -261,7 +262,7 @@ template <int D> void NetMesh<D>::queue_bad_crossings(const Domain<D>& ball, std
     const Cell<D>& cell = store_.cell(c);
     for (int i = 0; i <= D; ++i) {
         const unsigned others = positions & ~(1u << i);
-        if (others == 0 || cell.neighbour[i] == none) continue;
+        if (others == 0) continue;
         const std::uint32_t n = cell.neighbour[i] >> 3;
         if (!(store_.cell(n).radius2 < infinity)) continue;
         double z[2][D];
@@ -408,22 +409,22 @@ template <int D> Status NetMesh<D>::release_cage(std::uint32_t d) {
         store_.vertex(v).marker = Marker::steiner;
         queue_.push(v);
     }
-    // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are pushed.
+    // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are pushed. None
+    // is infinity, as the frame is around them.
     for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
         const bool fits = kernel_.visit_star(v, [&](std::uint32_t c) {
             for (const std::uint32_t w : store_.cell(c).vertex)
-                if (w != none && store_.vertex(w).marker != Marker::exempt) queue_.push(w);
+                if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
         });
         if (!fits) return Status::out_of_memory;
     }
     return Status::ok;
 }
 
-// Inserts a Steiner point at x in a domain, where a ball of this squared radius about x is empty, or yields to an input. `near`: an
-// input in the domain or in one inside it.
+// Inserts a Steiner point at x, where a ball of this squared radius is empty, or yields to an input. `near`: an input, inserted,
+// in the domain of x or in one inside it.
 template <int D>
-Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t domain, std::uint32_t near,
-                                  std::uint32_t cell) {
+Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t near, std::uint32_t cell) {
     double input2;
     const bool may_yield = inserted_ < inputs_;
     const std::uint32_t input =
@@ -431,7 +432,6 @@ Status NetMesh<D>::insert_steiner(const double* x, double empty2, std::uint32_t 
     if (input != none && store_.vertex(input).cell == none) return insert_input(input, cell, nullptr);
     if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
     const std::uint32_t s = make_vertex<D>(store_, x, near, Marker::steiner);
-    hierarchy_.hint(near, domain);
     Status status = insert(s, cell);
     if (status == Status::out_of_memory) store_.truncate_vertices(s);
     if (status == Status::ok) status = release_encroached();
@@ -460,7 +460,7 @@ template <int D> Status NetMesh<D>::clean_vertex(std::uint32_t v) {
     double x[D];
     for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
     const std::uint32_t near = store_.vertex(v).marker == Marker::input ? v : store_.vertex(v).origin;
-    const Status status = insert_steiner(x, distance2<D>(x, p), d, near, corner.cell);
+    const Status status = insert_steiner(x, distance2<D>(x, p), near, corner.cell);
     if (status == Status::ok) queue_.push(v);
     return status;
 }
@@ -520,7 +520,7 @@ template <int D> Status NetMesh<D>::clean_cage(std::uint32_t d) {
     const double* const c = store_.point(cage.centre);
     double x[D];
     for (int k = 0; k < D; ++k) x[k] = c[k] + distance / whole * (corner.x[k] - c[k]);
-    const Status status = insert_steiner(x, empty * empty, hierarchy_.parent(d), cage.centre, corner.cell);
+    const Status status = insert_steiner(x, empty * empty, cage.centre, corner.cell);
     if (status == Status::ok && hierarchy_.is_live(d)) push_cage(d);
     return status;
 }

@@ -88,10 +88,9 @@ void raise_features(const Store<D>& store, const Members<D>& members, std::uint3
 }  // namespace
 
 template <int D> double cage_insertion_bound() {
+    // No shell vertex is nearer to another than to the inputs: corners are sqrt(2) apart.
     const double off = shell_jitter * square_root(D), inner = shell_factor * (1 - shell_jitter);
-    const double apart = shell_factor * (square_root(2) - 2 * off);
-    const double nearest = inner - cage_epsilon < apart ? inner - cage_epsilon : apart;
-    return (shell_factor * (1 + off) + cage_epsilon) / nearest;
+    return (shell_factor * (1 + off) + cage_epsilon) / (inner - cage_epsilon);
 }
 
 template <int D>

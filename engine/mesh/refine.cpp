@@ -134,7 +134,7 @@ template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
             }
     for (int i = 0; i <= D; ++i) {
         const unsigned others = far & ~(1u << i);
-        if (others == 0 || cell.neighbour[i] == none) continue;
+        if (others == 0) continue;
         const std::uint32_t n = cell.neighbour[i] >> 3;
         if (!(store_.cell(n).radius2 < infinity)) continue;
         double z[2][D];

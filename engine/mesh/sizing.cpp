@@ -87,7 +87,7 @@ bool is_in_cell(const Store<D>& store, std::uint32_t v, const double* x, const s
     for (int k = 0; k < D; ++k) own2 += x[k] * x[k];
     for (std::uint32_t s = 0; s < count; ++s)
         for (const std::uint32_t w : store.cell(star[-1 - static_cast<std::ptrdiff_t>(s)]).vertex) {
-            if (w == v || w == none) continue;
+            if (w == v) continue;
             double d2 = 0;
             for (int k = 0; k < D; ++k) {
                 const double d = p[k] + x[k] - store.point(w)[k];
@@ -113,7 +113,7 @@ double farthest_pole(const Store<D>& store, const Domain<D>& domain, std::uint32
             for (int i = 0; i <= D && proper; ++i) {
                 const std::uint32_t w = store.cell(c).vertex[i];
                 if (set >> i & 1u)
-                    proper = w != v && w != none && flat.codimension < D - 1 && flat.cut(p, store.point(w));
+                    proper = w != v && flat.codimension < D - 1 && flat.cut(p, store.point(w));
             }
             double at[D], d2 = 0;
             if (!proper || !pole<D>(domain, p, flat, at)) continue;

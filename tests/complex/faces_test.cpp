@@ -131,6 +131,58 @@ Cells<2> fan(std::uint32_t petals, std::uint32_t hub) {
     return cells;
 }
 
+// Any amount of memory gives the faces or says that it is too little, and leaves the arena as it was.
+template <int D> void enumerate_in_any_arena(const Cells<D>& cells, std::size_t step) {
+    CAPTURE(D);
+    Block whole(std::size_t{1} << 22);
+    Monitor monitor;
+    Faces<D> faces;
+    REQUIRE(enumerate_faces<D>(cells.view(), D, whole.arena, monitor, &faces) == Status::ok);
+    const std::vector<std::uint32_t> expected = contents(faces);
+    bool succeeded = false;
+    for (std::size_t bytes = 0; bytes <= whole.arena.bytes_peak() + 64 + step; bytes += step) {
+        Block block(bytes);
+        const Status status = enumerate_faces<D>(cells.view(), D, block.arena, monitor, &faces);
+        if (status == Status::ok) {
+            succeeded = true;
+            CHECK(contents(faces) == expected);
+        } else {
+            CHECK(status == Status::out_of_memory);
+            CHECK(!succeeded);
+            CHECK(block.arena.bytes_used() == 0);
+            CHECK(block.arena.bytes_wanted() > bytes - bytes % 16);
+        }
+    }
+    CHECK(succeeded);
+}
+
+// Each cell has the vertices i .. i + D; two more vertices are in none.
+template <int D> Cells<D> strip(std::uint32_t length) {
+    Cells<D> cells;
+    cells.vertex_count = length + D + 2;
+    for (std::uint32_t i = 0; i < length; ++i) {
+        std::array<std::uint32_t, D + 1> cell;
+        std::iota(cell.begin(), cell.end(), i);
+        cells.list.push_back(cell);
+    }
+    return cells;
+}
+
+template <int D> void strips() {
+    compare_with_sets(strip<D>(20), D);
+    for (std::uint32_t length : {1u, 2u, 7u}) enumerate_in_any_arena(strip<D>(length), 16);
+    enumerate_in_any_arena(strip<D>(10000 >> D), 8192);  // more records than one block of the stream
+}
+
+template <int D> void refuse_dimensions() {
+    const Cells<D> cells = strip<D>(3);
+    Block block(1 << 16);
+    Monitor monitor;
+    Faces<D> faces;
+    CHECK(enumerate_faces<D>(cells.view(), -1, block.arena, monitor, &faces) == Status::invalid_argument);
+    CHECK(enumerate_faces<D>(cells.view(), D + 1, block.arena, monitor, &faces) == Status::invalid_argument);
+}
+
 }  // namespace
 
 TEST_CASE("grids have the face counts of the formula, Euler characteristic 1, boundaries without boundary") {
@@ -191,36 +243,23 @@ TEST_CASE("the order in which cells and their vertices are stored does not matte
 }
 
 TEST_CASE("any amount of memory gives the faces or says that it is too little, and leaves the arena as it was") {
-    const Cells<3> cells = freudenthal<3>(2);
-    Block whole(1 << 20);
-    Monitor monitor;
-    Faces<3> faces;
-    REQUIRE(enumerate_faces<3>(cells.view(), 3, whole.arena, monitor, &faces) == Status::ok);
-    const std::vector<std::uint32_t> expected = contents(faces);
-    bool succeeded = false;
-    for (std::size_t bytes = 0; bytes <= whole.arena.bytes_peak() + 64; bytes += 48) {
-        Block block(bytes);
-        const Status status = enumerate_faces<3>(cells.view(), 3, block.arena, monitor, &faces);
-        if (status == Status::ok) {
-            succeeded = true;
-            CHECK(contents(faces) == expected);
-        } else {
-            CHECK(status == Status::out_of_memory);
-            CHECK(!succeeded);
-            CHECK(block.arena.bytes_used() == 0);
-            CHECK(block.arena.bytes_wanted() > bytes - bytes % 16);
-        }
-    }
-    CHECK(succeeded);
+    enumerate_in_any_arena(freudenthal<3>(2), 48);
+}
+
+TEST_CASE("strips of cells, with vertices that are in none, in any amount of memory") {
+    strips<2>();
+    strips<3>();
+    strips<4>();
+    strips<5>();
+    strips<6>();
 }
 
 TEST_CASE("dimensions that do not exist are refused") {
-    const Cells<2> cells = freudenthal<2>(1);
-    Block block(1 << 16);
-    Monitor monitor;
-    Faces<2> faces;
-    CHECK(enumerate_faces<2>(cells.view(), -1, block.arena, monitor, &faces) == Status::invalid_argument);
-    CHECK(enumerate_faces<2>(cells.view(), 3, block.arena, monitor, &faces) == Status::invalid_argument);
+    refuse_dimensions<2>();
+    refuse_dimensions<3>();
+    refuse_dimensions<4>();
+    refuse_dimensions<5>();
+    refuse_dimensions<6>();
 }
 
 TEST_CASE("the caller can stop the enumeration") {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "common/block.hpp"
@@ -181,3 +182,183 @@ TEST_CASE("spatial order is a permutation with equal points together, for any sp
     for (std::uint32_t k = 0; k < n; ++k) position[order[k]] = k;
     for (std::uint32_t i = 0; i < 250; ++i) CHECK(position[1000 + i] == position[i] + 1);
 }
+
+TEST_CASE_TEMPLATE_DEFINE("points that only their last bits tell apart are not taken for duplicates", T, subnormal) {
+    constexpr int D = T::value;
+    // Below the smallest normal number halves round, and the curve cannot tell these apart.
+    const double least = std::numeric_limits<double>::denorm_min();
+    inputs::Points points;
+    for (int i = 0; i < 2 * D + 2; ++i)
+        for (int k = 0; k < D; ++k) points.push_back(i == 2 * k ? 3 * least : i == 2 * k + 1 ? -least : k == 0 ? i * least : 0);
+    Triangulated<D> t(points, std::size_t{1} << 20);
+    REQUIRE(t.status == Status::ok);
+    CHECK(violation<D>(t.store) == nullptr);
+    std::size_t different = 0;
+    for (int i = 0; i < 2 * D + 2; ++i) {
+        bool before = false;
+        for (int j = 0; j < i; ++j) before |= std::equal(&points[D * i], &points[D * i] + D, &points[D * j]);
+        different += !before;
+    }
+    CHECK(t.state.vertex_count == different);
+    CHECK(t.input.duplicates == 2 * D + 2 - different);
+}
+TEST_CASE_TEMPLATE_INVOKE(subnormal, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                          std::integral_constant<int, 6>);
+
+TEST_CASE_TEMPLATE_DEFINE("a star that the gap is too small for is refused, and walked whole when it fits", T, stars) {
+    constexpr int D = T::value;
+    const inputs::Points points = inputs::uniform(D, 4 * D);
+    Block block(std::size_t{1} << 20);
+    StoreState state = {};
+    Store<D> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    std::uint32_t* order;
+    REQUIRE(take_input<D>(store, points.data(), 4 * D, 1, monitor, &input, &order) == Status::ok);
+    REQUIRE(store.open_cells() == Status::ok);
+    Kernel<D> kernel(store, corner_error_max, true);
+    std::uint32_t ids[D + 1];
+    REQUIRE(independent_points<D>(store, order, 4 * D, ids));
+    REQUIRE(kernel.start(ids) == Status::ok);
+    for (std::uint32_t k = 0; k < 4 * D; ++k) {
+        const std::uint32_t v = order[k];
+        if (store.vertex(v).cell != none) continue;
+        Cavity cavity;
+        REQUIRE(kernel.find_cavity(store.point(v), v, kernel.locate(store.point(v), v, state.last_cell), &cavity));
+        kernel.fill(cavity, v);
+    }
+    std::uint32_t expected = 0;
+    for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+        if (store.is_live(c)) expected += std::count(store.cell(c).vertex, store.cell(c).vertex + D + 1, 0u) == 1;
+    REQUIRE(expected > D);
+    const std::size_t low = block.arena.low_mark();
+    const auto visited = [&](std::size_t words, std::uint32_t* count) {
+        block.arena.release_low(block.arena.high_mark() - 4 * words);
+        *count = 0;
+        const bool fits = kernel.visit_star(0, [&](std::uint32_t) { ++*count; });
+        block.arena.release_low(low);
+        return fits;
+    };
+    std::uint32_t count;
+    for (std::uint32_t words = 0; words < expected; ++words) {
+        CHECK_FALSE(visited(words, &count));
+        CHECK(count <= words);
+    }
+    CHECK(visited(expected, &count));
+    CHECK(count == expected);
+}
+TEST_CASE_TEMPLATE_INVOKE(stars, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                          std::integral_constant<int, 6>);
+
+TEST_CASE_TEMPLATE_DEFINE("stamps that run out begin anew, and the triangulation is the same", T, stamps) {
+    constexpr int D = T::value;
+    const inputs::Points points = inputs::uniform(D, 6 * D);
+    const auto run = [&](std::uint32_t first_stamp, std::vector<std::uint32_t>* cells) {
+        Block block(std::size_t{1} << 20);
+        StoreState state = {};
+        Store<D> store(block.arena, state);
+        Monitor monitor;
+        InputReport input;
+        std::uint32_t* order;
+        REQUIRE(take_input<D>(store, points.data(), 6 * D, 1, monitor, &input, &order) == Status::ok);
+        REQUIRE(store.open_cells() == Status::ok);
+        Kernel<D> kernel(store, corner_error_max, false);
+        std::uint32_t ids[D + 1];
+        REQUIRE(independent_points<D>(store, order, 6 * D, ids));
+        REQUIRE(kernel.start(ids) == Status::ok);
+        state.stamp = first_stamp;
+        for (std::uint32_t k = 0; k < 6 * D; ++k) {
+            const std::uint32_t v = order[k];
+            if (std::count(ids, ids + D + 1, v) == 1) continue;
+            Cavity cavity;
+            CHECK(store.new_stamp() % 2 == 0);
+            REQUIRE(kernel.find_cavity(store.point(v), v, kernel.locate(store.point(v), v, state.last_cell), &cavity));
+            kernel.fill(cavity, v);
+        }
+        const std::uint32_t last_stamp = state.stamp;
+        store.compact(block.arena.low_mark() - std::size_t{state.cell_slots} * sizeof(Cell<D>));  // where they are
+        for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+            cells->insert(cells->end(), store.cell(c).vertex, store.cell(c).vertex + D + 1);
+        CHECK(violation<D>(store) == nullptr);
+        return last_stamp;
+    };
+    std::vector<std::uint32_t> plain, wrapped;
+    CHECK(run(2, &plain) < 1000);
+    CHECK(run(0xFFFFFFF0u, &wrapped) < 1000);
+    CHECK(plain == wrapped);
+}
+TEST_CASE_TEMPLATE_INVOKE(stamps, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                          std::integral_constant<int, 6>);
+
+TEST_CASE_TEMPLATE_DEFINE("inputs that are none are refused before anything is taken", T, no_inputs) {
+    constexpr int D = T::value;
+    Block block(std::size_t{1} << 12);
+    StoreState state = {};
+    Store<D> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    std::uint32_t* order;
+    inputs::Points points = inputs::uniform(D, 5);
+    CHECK(take_input<D>(store, points.data(), 0, 1, monitor, &input, &order) == Status::invalid_argument);
+    CHECK(take_input<D>(store, points.data(), std::size_t{1} << 31, 1, monitor, &input, &order) ==
+          Status::invalid_argument);
+    points[3 * D + D - 1] = std::numeric_limits<double>::infinity();
+    CHECK(take_input<D>(store, points.data(), 5, 1, monitor, &input, &order) == Status::not_finite);
+    CHECK(input.row_a == 3);
+    CHECK(block.arena.bytes_used() == 0);
+    CHECK_FALSE(store.has_room(none, 0, 0));  // more slots than a neighbour word can name
+    CHECK(block.arena.bytes_wanted() > SIZE_MAX / 8);
+    CHECK(check_geometric<D>(store).violation == nullptr);  // nothing is no cell in disorder
+    bool repeats = true;
+    CHECK(spatial_order<D>(nullptr, 0, 0, 1, block.arena, nullptr, &repeats) == Status::ok);
+    CHECK_FALSE(repeats);
+}
+TEST_CASE_TEMPLATE_INVOKE(no_inputs, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                          std::integral_constant<int, 6>);
+
+// A simplex whose corner at p[0] is the origin of a cube, flattened to `height` along the last axis.
+template <int D> struct FlatSimplex {
+    double x[D + 1][D];
+    const double* p[D + 1];
+    FlatSimplex(double size, double height) {
+        for (int i = 0; i <= D; ++i) {
+            for (int k = 0; k < D; ++k) x[i][k] = i == k + 1 ? size : 0;
+            p[i] = x[i];
+        }
+        for (int k = 0; k < D; ++k) x[D][k] = k < D - 1 ? size * (k + 3) / 4 : height;
+    }
+};
+
+TEST_CASE_TEMPLATE_DEFINE("balls of flat cells at any scale pass through their vertices, or are said to be unknown", T,
+                          flat_balls) {
+    constexpr int D = T::value;
+    int known = 0, unknown = 0;
+    for (int exponent = -1020; exponent <= 1020; exponent += 10)
+        for (const int flatness : {0, 20, 45, 52, 100}) {
+            if (exponent - flatness < -1060) continue;
+            const FlatSimplex<D> s(std::ldexp(1.0, exponent), std::ldexp(1.0, exponent - flatness));
+            Cell<D> cell;
+            solve_sphere<D>(s.p, corner_error_max, cell);
+            if (!(cell.radius2 < std::numeric_limits<double>::infinity())) {
+                CHECK(cell.error == std::numeric_limits<float>::infinity());
+                CHECK((flatness > 20 || exponent < -400 || exponent > 400));
+                ++unknown;
+                continue;
+            }
+            ++known;
+            for (int i = 0; i <= D; ++i) {
+                double d2 = 0;
+                for (int k = 0; k < D; ++k) d2 += (cell.centre[k] - s.x[i][k]) * (cell.centre[k] - s.x[i][k]);
+                CHECK(std::fabs(std::sqrt(d2 / cell.radius2) - 1) <= 2 * cell.error + 1e-12);
+            }
+        }
+    CHECK(known > 100);
+    CHECK(unknown > 10);
+}
+TEST_CASE_TEMPLATE_INVOKE(flat_balls, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                          std::integral_constant<int, 6>);

@@ -141,4 +141,25 @@ template <int D> Ball<D> irregular(std::uint32_t steps, std::mt19937& random) {
     return link<D>(cells, next);
 }
 
+// Cells around one vertex whose link is large: a cone over the boundary of a long stack of cells.
+template <int D> Ball<D> cone_over_stack(std::uint32_t length) {
+    std::vector<std::array<std::uint32_t, D + 1>> stack;
+    for (std::uint32_t c = 0; c < length; ++c) {
+        std::array<std::uint32_t, D + 1> cell;
+        for (std::uint32_t i = 0; i <= D; ++i) cell[i] = c + i;
+        stack.push_back(cell);
+    }
+    const std::uint32_t apex = length + D;
+    const auto inner = link<D>(stack, apex);
+    std::vector<std::array<std::uint32_t, D + 1>> cells;
+    for (std::uint32_t c = 0; c < length; ++c) {
+        for (int i = 0; i <= D; ++i) {
+            if (inner.view().neighbour(c, i) != netmesh::none) continue;
+            cells.push_back(stack[c]);
+            cells.back()[std::size_t(i)] = apex;
+        }
+    }
+    return link<D>(cells, apex + 1);
+}
+
 }  // namespace grid

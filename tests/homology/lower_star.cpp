@@ -66,27 +66,6 @@ template <int D> std::array<std::uint32_t, D> cubes(std::uint32_t a, std::uint32
     return n;
 }
 
-// Cells around one vertex whose link is large: a cone over the boundary of a long stack of cells.
-template <int D> grid::Ball<D> cone_over_stack(std::uint32_t length) {
-    std::vector<std::array<std::uint32_t, D + 1>> stack;
-    for (std::uint32_t c = 0; c < length; ++c) {
-        std::array<std::uint32_t, D + 1> cell;
-        for (std::uint32_t i = 0; i <= D; ++i) cell[i] = c + i;
-        stack.push_back(cell);
-    }
-    const std::uint32_t apex = length + D;
-    const auto inner = grid::link<D>(stack, apex);
-    std::vector<std::array<std::uint32_t, D + 1>> cells;
-    for (std::uint32_t c = 0; c < length; ++c) {
-        for (int i = 0; i <= D; ++i) {
-            if (inner.view().neighbour(c, i) != none) continue;
-            cells.push_back(stack[c]);
-            cells.back()[std::size_t(i)] = apex;
-        }
-    }
-    return grid::link<D>(cells, apex + 1);
-}
-
 }  // namespace
 
 TEST_CASE("a single cell") {
@@ -129,8 +108,8 @@ TEST_CASE("balls with vertices of very different degrees") {
 }
 TEST_CASE("links of more than 63 vertices") {
     std::mt19937 random(6);
-    check_values<3>(cone_over_stack<3>(90), random);
-    check_values<4>(cone_over_stack<4>(80), random);
+    check_values<3>(grid::cone_over_stack<3>(90), random);
+    check_values<4>(grid::cone_over_stack<4>(80), random);
 }
 
 TEST_CASE("every arena size gives the diagram or out_of_memory") {

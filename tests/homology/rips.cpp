@@ -2,9 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
-#include "block.hpp"
+#include "disturbed.hpp"
 #include "homology/rips.hpp"
 #include "oracle.hpp"
 
@@ -59,11 +60,11 @@ oracle::Filtered flag_complex(const Graph& g, std::uint32_t most) {
     });
 }
 
-Status run(Graph g, std::uint32_t degree, bool keep, Block& block, PairList* out, std::uint64_t* simplices) {
-    Monitor monitor;
+Status run(Graph g, std::uint32_t degree, bool keep, Arena& arena, Monitor& monitor, PairList* out,
+           std::uint64_t* simplices) {
     RipsGraph graph = {g.vertices, static_cast<std::uint32_t>(g.value.size()), g.value.data(), g.ends.data()};
     REQUIRE(rips_has_numbers(graph, degree));
-    return persist_rips(graph, degree, keep, block.arena, monitor, out, simplices);
+    return persist_rips(graph, degree, keep, arena, monitor, out, simplices);
 }
 
 void check(const Graph& g, std::uint32_t degree_most) {
@@ -73,14 +74,17 @@ void check(const Graph& g, std::uint32_t degree_most) {
         const auto counted = std::count_if(f.simplices.begin(), f.simplices.end(), [&](const oracle::Simplex& s) {
             return s.size() <= std::max<std::uint32_t>(degree, 1) + 1;
         });
-        for (const bool keep : {false, true}) {
+        auto expected = oracle::diagram(f, degree, true);
+        for (const bool keep : {true, false}) {
             CAPTURE(degree);
             CAPTURE(keep);
-            const auto expected = oracle::diagram(f, degree, keep);
+            const auto zero = [keep](const Pair& p) { return !keep && p.birth == p.death; };
+            expected.erase(std::remove_if(expected.begin(), expected.end(), zero), expected.end());
             const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
+            Monitor monitor;
             PairList out;
             std::uint64_t simplices = 0;
-            REQUIRE(run(g, degree, keep, block, &out, &simplices) == Status::ok);
+            REQUIRE(run(g, degree, keep, block.arena, monitor, &out, &simplices) == Status::ok);
             REQUIRE(oracle::same(expected, out));
             CHECK(simplices == static_cast<std::uint64_t>(counted));
             CHECK(block.arena.high_mark() == high);
@@ -123,9 +127,10 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
     std::size_t bytes = 0;
     for (; !enough; bytes += 256) {
         Block block(bytes);
+        Monitor monitor;
         PairList out;
         std::uint64_t simplices;
-        const Status status = run(g, 2, false, block, &out, &simplices);
+        const Status status = run(g, 2, false, block.arena, monitor, &out, &simplices);
         enough = status == Status::ok;
         if (enough) {
             CHECK(oracle::same(expected, out));
@@ -143,9 +148,70 @@ TEST_CASE("simplices that have no numbers are refused") {
     RipsGraph graph = {64, 2016, nullptr, nullptr};
     CHECK(rips_has_numbers(graph, 10));
     CHECK(!rips_has_numbers(graph, 30));
+    CHECK(!rips_has_numbers(graph, 31));
     PairList out;
     std::uint64_t simplices;
     CHECK(persist_rips(graph, 30, false, block.arena, monitor, &out, &simplices) == Status::invalid_argument);
     graph.vertices = RipsGraph::vertices_max + 1;
     CHECK(!rips_has_numbers(graph, 1));
+}
+
+TEST_CASE("graphs of several kinds in blocks of all sizes") {
+    std::mt19937 random(44);
+    const Graph inputs[] = {{30, {}, {}},
+                            random_graph(random, 16, 100, 6),
+                            random_graph(random, 26, 40, 1000),
+                            random_graph(random, 22, 90, 1u << 30)};
+    for (const Graph& g : inputs) {
+        for (const std::uint32_t degree : {0u, 1u, 2u, 3u}) {
+            const auto f = flag_complex(g, degree + 2);
+            for (const bool keep : {false, true}) {
+                const auto expected = oracle::diagram(f, degree, keep);
+                disturbed::by_size(std::size_t{4} << 20, 1000, [&](Arena& arena, Monitor& monitor) {
+                    PairList out;
+                    std::uint64_t simplices;
+                    const Status status = run(g, degree, keep, arena, monitor, &out, &simplices);
+                    if (status == Status::ok) REQUIRE(oracle::same(expected, out));
+                    return status;
+                });
+            }
+        }
+    }
+}
+
+// Polls are 100,000 steps apart: in a large graph the first ones come while edges are met, in a small one of high degree
+// while cliques are walked or columns added.
+TEST_CASE("stopped at any poll, then the diagram of an undisturbed run") {
+    std::mt19937 random(45);
+    const auto check = [](const Graph& g, std::uint32_t degree) {
+        std::vector<Pair> expected;
+        const auto once = [&](Arena& arena, Monitor& monitor) {
+            PairList out;
+            std::uint64_t simplices;
+            const Status status = run(g, degree, false, arena, monitor, &out, &simplices);
+            if (status != Status::ok) return status;
+            if (expected.empty()) expected.assign(out.pairs, out.pairs + out.count);
+            REQUIRE(oracle::same(expected, out));
+            return status;
+        };
+        const std::size_t enough = std::size_t{64} << 20;
+        Block block(enough);
+        Monitor monitor;
+        REQUIRE(once(block.arena, monitor) == Status::ok);
+        CHECK(expected.size() > degree);
+        CHECK(disturbed::at_polls(enough, once) > 0);
+    };
+    const auto plane = [&random](std::uint32_t n) {
+        Graph g = random_graph(random, n, 100, 1);
+        std::vector<double> x(2 * n);
+        for (double& t : x) t = double(random() % 100000);
+        for (std::size_t e = 0; e < g.ends.size(); ++e) {
+            const std::uint32_t i = g.ends[e] >> 16, j = g.ends[e] & 0xFFFF;
+            g.value[e] = std::hypot(x[2 * i] - x[2 * j], x[2 * i + 1] - x[2 * j + 1]);
+        }
+        return g;
+    };
+    check(plane(460), 1);
+    check(plane(110), 3);
+    check(random_graph(random, 60, 75, 1u << 30), 3);
 }

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "common/block.hpp"
+#include "complexes.hpp"
+#include "disturbed.hpp"
 #include "oracle.hpp"
 
 using namespace netmesh;
@@ -222,4 +223,74 @@ TEST_CASE("every size of memory: a status, or the whole vineyard") {
         if (!enough) CHECK(status == Status::out_of_memory);
         if (enough) CHECK(same(vines_of(vineyard, to), complex.fresh(to, 2)));
     }
+}
+
+namespace {
+
+// A vineyard through several filtrations, checked at each.
+struct Way {
+    const Complex& complex;
+    std::uint32_t max_degree;
+    std::vector<Values> through;
+    std::vector<std::vector<Pair>> expected;
+
+    Way(const Complex& c, std::uint32_t degree, const std::vector<Values>& values)
+        : complex(c), max_degree(degree), through(values) {
+        for (const Values& v : values) expected.push_back(c.fresh(v, degree));
+    }
+    // Leaves the arena as it was, which is for its owner to do.
+    Status go(netmesh::Arena& arena, Monitor& monitor) const {
+        const std::size_t low = arena.low_mark(), high = arena.high_mark();
+        Vineyard vineyard;
+        Status status = vineyard.open(complex.view, max_degree, through[0].pointers().data(), arena, monitor);
+        for (std::size_t i = 0; status == Status::ok; ++i) {
+            REQUIRE(same(vines_of(vineyard, through[i]), expected[i]));
+            if (i + 1 == through.size()) break;
+            status = vineyard.advance(through[i].pointers().data(), through[i + 1].pointers().data(), monitor);
+        }
+        arena.release_low(low);
+        arena.release_high(high);
+        return status;
+    }
+};
+
+}  // namespace
+
+// Random values need long columns: the pool grows beyond what is needed in passing to order the simplices.
+TEST_CASE("columns of a vineyard in blocks of all sizes") {
+    std::mt19937 random(8);
+    for (int round = 0; round < 16; ++round) {
+        const Complex complex(round % 2 == 0 ? glued_square(4 + std::uint32_t(round) % 3 / 2, round % 4 == 0)
+                                             : random_complex(random, 8 + random() % 8, 30 + int(random() % 40)));
+        std::vector<Values> through;
+        for (int i = 0; i < 10; ++i) through.push_back(complex.values([&] { return double(random() % 1000); }));
+        const Way way(complex, 1 + round % 3, through);
+        disturbed::by_size(std::size_t{1} << 20, 1600,
+                           [&](Arena& arena, Monitor& monitor) { return way.go(arena, monitor); });
+    }
+}
+
+TEST_CASE("a vineyard stopped at any poll") {
+    std::mt19937 random(9);
+    const Complex complex(random_complex(random, 18, 900));
+    const Values from = complex.values([&] { return double(random()); });
+    const Values to = complex.values([&] { return double(random()); });
+    const Way way(complex, 2, {from, to});
+    CHECK(disturbed::at_polls(std::size_t{8} << 20, [&](Arena& arena, Monitor& m) { return way.go(arena, m); }) > 0);
+}
+
+TEST_CASE("complexes without transpositions, and zeros of both signs") {
+    const Complex point(std::vector<Simplex>{Simplex{0}});
+    Block block(1 << 16);
+    Monitor monitor;
+    REQUIRE(Way(point, 0, {{{{1}}}, {{{2}}}}).go(block.arena, monitor) == Status::ok);
+    Complex points({{0}, {1}, {2}});
+    points.view.dimension = 1;  // without edges
+    REQUIRE(Way(points, 1, {{{{1, 2, 3}}}, {{{2, 1, 0}}}}).go(block.arena, monitor) == Status::ok);
+    std::mt19937 random(10);
+    const Complex complex(random_complex(random, 8, 20));
+    std::vector<Values> through;
+    const double levels[] = {0.0, -0.0, 1, 0.0};
+    for (int i = 0; i < 20; ++i) through.push_back(complex.values([&] { return levels[random() % 4]; }));
+    REQUIRE(Way(complex, 2, through).go(block.arena, monitor) == Status::ok);
 }

@@ -5,6 +5,7 @@
 
 #include "common/block.hpp"
 #include "common/inputs.hpp"
+#include "delaunay/check.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/netmesh.hpp"
@@ -37,6 +38,53 @@ template <int D> struct Audited {
     Cage* cages;
     HierarchyReport report;
     Status status;
+};
+
+// Inputs stored in the balls of the frame's cells, before the first insertion.
+template <int D> struct Stored {
+    Stored(const inputs::Points& points, std::size_t bytes)
+        : count(static_cast<std::uint32_t>(points.size() / D)), block(bytes), store(block.arena, state),
+          kernel(store, corner_error_max, true) {
+        Monitor monitor;
+        InputReport input;
+        std::uint32_t* order;
+        REQUIRE(take_input<D>(store, points.data(), count, 1, monitor, &input, &order) == Status::ok);
+        REQUIRE(tree.build(store, block.arena, count) == Status::ok);
+        CHECK_FALSE(lists.is_open());
+        REQUIRE(lists.open(store, block.arena, count) == Status::ok);
+        REQUIRE(store.open_cells() == Status::ok);
+        smallest_enclosing_ball<D>(store, count, domain);
+        REQUIRE(open_frame<D>(store, kernel, tree, domain, 8 * domain.enclosing_radius) == Status::ok);
+        REQUIRE(lists.start(kernel));
+        CHECK(lists.load() == count);
+    }
+    Cavity find(std::uint32_t v) {
+        Cavity cavity;
+        REQUIRE(kernel.find_cavity(store.point(v), v, kernel.locate(store.point(v), v, state.last_cell), &cavity));
+        return cavity;
+    }
+    void insert(std::uint32_t v) {
+        const Cavity cavity = find(v);
+        REQUIRE(lists.agrees(kernel, cavity, v));
+        lists.detach(kernel, cavity, v);
+        kernel.fill(cavity, v);
+        REQUIRE(lists.attach(kernel, cavity, v));
+    }
+    // Inputs from `first` on that a cell's ball contains.
+    std::vector<std::uint32_t> in_ball(std::uint32_t c, std::uint32_t first) {
+        std::vector<std::uint32_t> inside;
+        for (std::uint32_t v = first; v < count; ++v)
+            if (kernel.in_conflict(c, store.point(v), v)) inside.push_back(v);
+        return inside;
+    }
+    std::uint32_t count;
+    Block block;
+    StoreState state = {};
+    Store<D> store;
+    InputTree<D> tree;
+    BallLists<D> lists;
+    Kernel<D> kernel;
+    Domain<D> domain;
 };
 
 template <int D> using Dimensions = std::integral_constant<int, D>;
@@ -85,74 +133,83 @@ TEST_CASE("with cages neither rounds nor touches depend on the spread, without t
     CHECK(plain.report.location.touches_mean > 1.5 * most);
 }
 
-TEST_CASE("lists that miss an insertion disagree with the balls") {
-    constexpr int D = 2;
-    const inputs::Points points = inputs::uniform(D, 200);
-    Block block(std::size_t{1} << 20);
-    StoreState state = {};
-    Store<D> store(block.arena, state);
-    Monitor monitor;
-    InputReport input;
-    std::uint32_t* order;
-    REQUIRE(take_input<D>(store, points.data(), 200, 1, monitor, &input, &order) == Status::ok);
-    InputTree<D> tree;
-    REQUIRE(tree.build(store, block.arena, 200) == Status::ok);
-    BallLists<D> lists;
-    CHECK_FALSE(lists.is_open());
-    REQUIRE(lists.open(store, block.arena, 200) == Status::ok);
-    REQUIRE(store.open_cells() == Status::ok);
-    Kernel<D> kernel(store, corner_error_max, true);
-    Domain<D> domain;
-    smallest_enclosing_ball<D>(store, 200, domain);
-    REQUIRE(open_frame<D>(store, kernel, tree, domain, 4 * domain.enclosing_radius) == Status::ok);
-    REQUIRE(lists.start(kernel));
-    CHECK(lists.load() == 200);
-    const auto find = [&](std::uint32_t v) {
-        Cavity cavity;
-        REQUIRE(kernel.find_cavity(store.point(v), v, kernel.locate(store.point(v), v, state.last_cell), &cavity));
-        return cavity;
-    };
-    std::uint32_t missed = 0;
-    for (std::uint32_t v = 0; v < 100; ++v) {
-        const Cavity cavity = find(v);
-        REQUIRE(lists.agrees(kernel, cavity, v));
-        lists.detach(kernel, cavity, v);
-        kernel.fill(cavity, v);
-        REQUIRE(lists.attach(kernel, cavity, v));
-    }
-    for (std::uint32_t v = 100; v < 110; ++v) kernel.fill(find(v), v);
-    for (std::uint32_t v = 110; v < 200; ++v) missed += !lists.agrees(kernel, find(v), v);
-    CHECK(missed > 5);
-    CHECK(missed < 90);
+TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls", T, missed) {
+    constexpr int D = T::value;
+    constexpr std::uint32_t n = D < 4 ? 200 : D < 6 ? 60 : 80, half = n / 2;
+    Stored<D> s(inputs::uniform(D, n), std::size_t{1} << 24);
+    for (std::uint32_t v = 0; v < half; ++v) s.insert(v);
+    // One input's lists are not another's, though as many.
+    std::uint32_t as_many = 0;
+    for (std::uint32_t v = half; v < n; ++v)
+        for (std::uint32_t w = half; w < n; ++w) {
+            const std::uint32_t own = s.find(v).cells;
+            const Cavity other = s.find(w);
+            if (v == w) CHECK(s.lists.agrees(s.kernel, other, v));
+            if (own != other.cells) CHECK_FALSE(s.lists.agrees(s.kernel, other, v));
+            as_many += own == other.cells && !s.lists.agrees(s.kernel, other, v);
+        }
+    CHECK(as_many > 2);
+    for (std::uint32_t v = half; v < half + 10; ++v) s.kernel.fill(s.find(v), v);
+    std::uint32_t disagree = 0;
+    for (std::uint32_t v = half + 10; v < n; ++v) disagree += !s.lists.agrees(s.kernel, s.find(v), v);
+    CHECK(disagree > 5);
+    CHECK(disagree < (D < 4 ? half - 10 : half));
 }
+TEST_CASE_TEMPLATE_INVOKE(missed, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
-TEST_CASE("nets reach every ball that is too full, and no ball is drawn from twice for the same inputs") {
-    constexpr int D = 3;
-    const inputs::Points points = inputs::uniform(D, 500);
-    Block block(std::size_t{1} << 22);
+TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball is drawn from twice for the same inputs", T,
+                          nets) {
+    constexpr int D = T::value;
+    constexpr std::uint32_t n = D < 5 ? 500 : 150, first = 20;
+    Stored<D> s(inputs::uniform(D, n), std::size_t{1} << 24);
+    std::vector<std::uint32_t> chosen(n);
+    // All of the frame's balls hold all inputs.
+    CHECK(s.lists.draw_nets(n / 2, 1, chosen.data()) == 4 * D);
+    std::sort(chosen.begin(), chosen.begin() + 4 * D);
+    CHECK(std::adjacent_find(chosen.begin(), chosen.begin() + 4 * D) == chosen.begin() + 4 * D);
+    CHECK(s.lists.draw_nets(n, 1, chosen.data()) == 0);
+    // After some insertions each ball has as many in the net as are asked for, or all it holds.
+    for (std::uint32_t v = 0; v < first; ++v) s.insert(v);
+    for (const std::uint32_t most : {s.lists.load() / 2, std::uint32_t{4}, std::uint32_t{0}}) {
+        const std::uint32_t drawn = s.lists.draw_nets(most, 7, chosen.data());
+        std::sort(chosen.begin(), chosen.begin() + drawn);
+        CHECK(std::adjacent_find(chosen.begin(), chosen.begin() + drawn) == chosen.begin() + drawn);
+        std::size_t lacking = 0, load = 0;
+        for (std::uint32_t c = 0; c < s.state.cell_slots; ++c) {
+            if (!s.store.is_live(c) || s.store.is_ghost(c)) continue;
+            const std::vector<std::uint32_t> inside = s.in_ball(c, first);
+            load = std::max(load, inside.size());
+            if (inside.size() <= most) continue;
+            std::size_t in_net = 0;
+            for (const std::uint32_t v : inside) in_net += std::binary_search(chosen.begin(), chosen.begin() + drawn, v);
+            lacking += in_net < std::min<std::size_t>(4 * D, inside.size());
+        }
+        CHECK(lacking == 0);
+        CHECK(load == s.lists.load());
+    }
+}
+TEST_CASE_TEMPLATE_INVOKE(nets, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+
+TEST_CASE_TEMPLATE_DEFINE("lists are refused where they do not fit", T, refused_lists) {
+    constexpr int D = T::value;
+    Block block(std::size_t{1} << 16);
     StoreState state = {};
     Store<D> store(block.arena, state);
-    Monitor monitor;
-    InputReport input;
-    std::uint32_t* order;
-    REQUIRE(take_input<D>(store, points.data(), 500, 1, monitor, &input, &order) == Status::ok);
-    InputTree<D> tree;
-    REQUIRE(tree.build(store, block.arena, 500) == Status::ok);
-    BallLists<D> lists;
-    REQUIRE(lists.open(store, block.arena, 500) == Status::ok);
-    REQUIRE(store.open_cells() == Status::ok);
-    Kernel<D> kernel(store, corner_error_max, true);
-    Domain<D> domain;
-    smallest_enclosing_ball<D>(store, 500, domain);
-    REQUIRE(open_frame<D>(store, kernel, tree, domain, 4 * domain.enclosing_radius) == Status::ok);
-    REQUIRE(lists.start(kernel));
-    std::vector<std::uint32_t> chosen(500);
-    // All of the frame's balls hold all inputs.
-    CHECK(lists.draw_nets(250, 1, chosen.data()) == 12);
-    std::sort(chosen.begin(), chosen.begin() + 12);
-    CHECK(std::adjacent_find(chosen.begin(), chosen.begin() + 12) == chosen.begin() + 12);
-    CHECK(lists.draw_nets(500, 1, chosen.data()) == 0);
+    REQUIRE(store.open_vertices(20) == Status::ok);
+    const std::size_t low = block.arena.low_mark(), top = block.arena.high_mark();
+    bool fits = false;
+    for (std::size_t bytes = 0; bytes < 4000; bytes += 16) {
+        block.arena.release_low(top - bytes);
+        BallLists<D> lists;
+        const Status status = lists.open(store, block.arena, 20);
+        REQUIRE((status == Status::ok || (status == Status::out_of_memory && !fits)));
+        CHECK(lists.is_open() == (status == Status::ok));
+        fits = status == Status::ok;
+        block.arena.release_low(low);
+    }
+    CHECK(fits);
 }
+TEST_CASE_TEMPLATE_INVOKE(refused_lists, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
 TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounded after every insertion", T, quality) {
     constexpr int D = T::value;
@@ -178,29 +235,42 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
 }
 TEST_CASE_TEMPLATE_INVOKE(quality, Dimensions<2>, Dimensions<3>, Dimensions<4>);
 
-TEST_CASE("planted violations of the invariants are found") {
-    Audited<3> m(inputs::nested(3, 3, 12, 1e3), 3, true, false, true);
+TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, planted) {
+    constexpr int D = T::value;
+    constexpr double tau = D < 5 ? 3 : 8;
+    Audited<D> m(D < 5 ? inputs::nested(D, 3, D < 4 ? 12 : 4, 1e3) : inputs::close_pairs(D, 3, 0.03, 1), tau, true, false,
+                 D < 5);
     REQUIRE(m.status == Status::ok);
     REQUIRE(m.report.cages > 0);
     QualityAudit audit = {};
     const Newcomers none_new = {m.state.vertex_count, none, false};
     const auto measure = [&](const Newcomers& fresh) {
-        REQUIRE(audit_quality<3>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, fresh, &audit) ==
+        REQUIRE(audit_quality<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, fresh, &audit) ==
                 Status::ok);
     };
     measure(none_new);
     REQUIRE(audit.encroached == 0);
-    REQUIRE(audit.worst <= 3);
-    REQUIRE(audit.feature <= m.report.quality.feature);
-    std::uint32_t steiner = 0;
-    while (m.store.vertex(steiner).marker != Marker::steiner) ++steiner;
+    REQUIRE(audit.worst <= tau);
+    if (D < 5) REQUIRE(audit.feature <= m.report.quality.feature);
+    // An input and a Steiner point of the outermost domain.
+    const auto first_outside = [&](Marker marker) {
+        std::uint32_t v = 0;
+        for (;; ++v) {
+            REQUIRE(v < m.state.vertex_count);
+            bool good = m.store.vertex(v).marker == marker;
+            for (std::uint32_t d = 0; d < m.report.cages; ++d)
+                good &= !is_inside<D>(m.store, m.cages[d], m.store.point(v));
+            if (good) return v;
+        }
+    };
     const std::uint32_t shell = m.cages[0].shell;
     REQUIRE(m.store.vertex(shell).marker == Marker::exempt);
     const auto move_to = [&](std::uint32_t v, const double* x, double offset) {
-        for (int k = 0; k < 3; ++k) m.store.vertex(v).x[k] = x[k] + offset;
+        for (int k = 0; k < D; ++k) m.store.vertex(v).x[k] = x[k] + offset;
     };
     SUBCASE("a Steiner point too close to an input") {
-        move_to(steiner, m.store.point(0), 1e-3);
+        const std::uint32_t steiner = first_outside(Marker::steiner);
+        move_to(steiner, m.store.point(first_outside(Marker::input)), 1e-4);
         measure({m.state.vertex_count, steiner, true});
         CHECK(audit.feature > 20);
         CHECK(audit.steiner > 20);
@@ -208,7 +278,7 @@ TEST_CASE("planted violations of the invariants are found") {
     SUBCASE("a shell that is not where it belongs") {
         move_to(shell, m.store.point(m.cages[0].centre), 1e-3 * m.cages[0].radius);
         measure({shell, none, false});
-        CHECK(audit.cage > cage_insertion_bound<3>());
+        CHECK(audit.cage > cage_insertion_bound<D>());
         CHECK(audit.encroached == 1);
     }
     SUBCASE("a cage without its clearance") {
@@ -216,7 +286,40 @@ TEST_CASE("planted violations of the invariants are found") {
         measure(none_new);
         CHECK(audit.encroached == 1);
     }
+    SUBCASE("a cage that is no ball") {
+        m.cages[0].radius = 0;
+        const double worst = audit.worst;
+        measure(none_new);
+        CHECK(audit.encroached == 1);
+        CHECK(audit.worst == worst);  // nothing is measured in domains that are none
+    }
+    SUBCASE("a cage that was released counts no more") {
+        m.cages[0].shell = none;
+        const std::uint32_t meshes = audit.meshes;
+        measure(none_new);
+        CHECK(audit.meshes == meshes + 1);
+        CHECK(audit.worst > tau);  // its shell is not where the domain around wants vertices
+    }
+    SUBCASE("any gap: the same figures, or none") {
+        const QualityAudit expected = audit;
+        const std::size_t low = m.block.arena.low_mark(), top = m.block.arena.high_mark();
+        bool fits = false;
+        for (double bytes = 64; bytes < static_cast<double>(top - low); bytes *= D < 5 ? 1.02 : D == 5 ? 1.1 : 1.4) {
+            m.block.arena.release_low(top - static_cast<std::size_t>(bytes) / 16 * 16);
+            audit = {};
+            const Status status = audit_quality<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, none_new, &audit);
+            m.block.arena.release_low(low);
+            REQUIRE((status == Status::ok || (status == Status::out_of_memory && !fits)));
+            if (status != Status::ok) continue;
+            fits = true;
+            CHECK(audit.worst == expected.worst);
+            CHECK(audit.feature == expected.feature);
+            if (bytes > 4e5) break;  // enough
+        }
+        CHECK(fits);
+    }
 }
+TEST_CASE_TEMPLATE_INVOKE(planted, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
 TEST_CASE("any arena size leaves a whole mesh of what was inserted, with lists and without") {
     const inputs::Points points = inputs::nested(2, 3, 8, 1e3);
@@ -230,3 +333,21 @@ TEST_CASE("any arena size leaves a whole mesh of what was inserted, with lists a
     CHECK(partial > 20);
     CHECK(whole > 20);
 }
+
+TEST_CASE_TEMPLATE_DEFINE("lists that run out end the job with a whole mesh of what was inserted", T, full_lists) {
+    constexpr int D = T::value;
+    const inputs::Points points = inputs::uniform(D, 150);
+    std::uint32_t partial = 0;
+    for (double bytes = 30000; bytes < (D < 5 ? 400000 : 2000000); bytes *= 1.1) {
+        Audited<D> m(points, 3, true, true, false, static_cast<std::size_t>(bytes));
+        REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
+        if (m.status == Status::ok) break;
+        if (m.state.cell_slots == 0) continue;
+        CHECK(check_combinatorial<D>(m.store).violation == nullptr);
+        CHECK(check_delaunay<D>(m.store).violation == nullptr);
+        CHECK(m.block.arena.bytes_wanted() > 0);
+        ++partial;
+    }
+    CHECK(partial > 3);
+}
+TEST_CASE_TEMPLATE_INVOKE(full_lists, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);

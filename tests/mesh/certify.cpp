@@ -4,7 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "common/block.hpp"
 #include "common/session.hpp"
+#include "mesh/certify.hpp"
 
 namespace {
 
@@ -131,6 +133,74 @@ TEST_CASE("scales of interest") {
     session.options.ratio = 1.9;
     CHECK(session.check() == NETMESH_CHECK_FAILED);
 }
+
+TEST_CASE("scales of interest in every dimension: early, late, all and none") {
+    struct Window {
+        double focus, from, to;
+    };
+    for (int dim = 2; dim <= 6; ++dim) {
+        const double ratio = 4, focus = dim < 4 ? 1.6 : 2.1;
+        const inputs::Points points = inputs::close_pairs(dim, 2, 0.02, 2);
+        Session session(dim);
+        session.options.ratio = ratio;
+        check_ratio(session, points);
+        const std::uint64_t without = session.report().vertices;
+        for (const Window& w : {Window{focus, 0.02, 0.05}, Window{focus, 0.1, 0.2}, Window{focus, 0.05, 4},
+                                Window{focus, 3, 5}}) {
+            if (dim == 6 && w.to != 4) continue;
+            CAPTURE(dim);
+            CAPTURE(w.focus);
+            CAPTURE(w.from);
+            session.options.focus_ratio = w.focus;
+            session.options.focus_from = w.from;
+            session.options.focus_to = w.to;
+            check_ratio(session, points);
+            if (w.to == 4) CHECK(session.report().vertices > without);
+        }
+        session.options.focus_ratio = 0;
+    }
+}
+
+template <int D> struct Certified {
+    Certified(const inputs::Points& points, const netmesh::RatioGoal& goal)
+        : block(std::size_t{1} << 23), store(block.arena, state) {
+        status = netmesh::certify<D>(store, points.data(), points.size() / D, {goal, 1}, monitor, &input, &domain);
+    }
+    Block block;
+    netmesh::StoreState state = {};
+    netmesh::Store<D> store;
+    netmesh::Monitor monitor;
+    netmesh::InputReport input;
+    netmesh::Domain<D> domain;
+    netmesh::Status status;
+};
+
+TEST_CASE_TEMPLATE_DEFINE("goals that change nothing, that are beyond what coordinates resolve, and below the root of 2", T,
+                          goals) {
+    constexpr int D = T::value;
+    const inputs::Points points = inputs::close_pairs(D, 2, 0.02, 2);
+    const Certified<D> plain(points, {4, 0, 0, 0});
+    REQUIRE(plain.status == netmesh::Status::ok);
+    for (const double focus : {4.0, 8.0}) {  // no better than everywhere
+        const Certified<D> same(points, {4, focus, 0.2, 4});
+        CHECK(same.status == netmesh::Status::ok);
+        CHECK(same.state.vertex_count == plain.state.vertex_count);
+    }
+    CHECK(Certified<D>(points, {4, 2, 1e-15, 4}).status == netmesh::Status::invalid_argument);
+    CHECK(Certified<D>(points, {4, 1.3, 1e-15, 4}).status == netmesh::Status::invalid_argument);
+    CHECK(Certified<D>(points, {4, 2, 1e4, 2e4}).status == netmesh::Status::ok);  // beyond all cells
+    inputs::Points two(2 * D, 1.0);
+    two[2 * D - 1] += 64 * 0x1p-52 * 7;
+    CHECK(Certified<D>(two, {1.5, 0, 0, 0}).status == netmesh::Status::too_close);
+    CHECK(Certified<D>(two, {4, 0, 0, 0}).status == netmesh::Status::ok);
+    // Large scales alone are refined, and those about the inputs left as they are.
+    const Certified<D> late(points, {4, D < 5 ? 1.35 : 1.7, 0.9 * plain.domain.radius, plain.domain.radius});
+    REQUIRE((late.status == netmesh::Status::ok || (D > 3 && late.status == netmesh::Status::out_of_memory)));
+    CHECK(late.state.vertex_count >= plain.state.vertex_count);
+}
+TEST_CASE_TEMPLATE_INVOKE(goals, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                          std::integral_constant<int, 6>);
 
 TEST_CASE("a mesh that promises less fails the check") {
     Session session(2);

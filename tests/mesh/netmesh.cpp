@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "common/block.hpp"
 #include "common/inputs.hpp"
@@ -176,32 +177,135 @@ TEST_CASE("a Steiner point of the cage beside it does not encroach on a cage") {
     CHECK(near);
 }
 
-TEST_CASE("planted violations of hierarchical quality are found") {
-    Hierarchical<3> m(inputs::geometric(3, 1e3, 12), 3);
-    REQUIRE(m.report.cages == 11);
+TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found", T, planted) {
+    constexpr int D = T::value;
+    constexpr std::size_t rings = D < 5 ? 12 : D == 5 ? 4 : 3;
+    constexpr std::uint32_t at = D < 5 ? 4 : 1;
+    constexpr double tau = D < 5 ? 3 : 8;
+    Hierarchical<D> m(inputs::geometric(D, 1e3, rings), tau, false, std::size_t{1} << 23);
+    REQUIRE(m.report.cages == rings - 1);
     REQUIRE(m.quality().encroached.violation == nullptr);
+    Cage& cage = m.cages[at];
+    const auto said = [&] {
+        const CheckResult r = m.quality().encroached;
+        return std::string(r.violation == nullptr ? "nothing" : r.violation);
+    };
+    const std::string no_ball = "a cage's centre is not an input, or its radius not positive";
     SUBCASE("a cage that is too small for its inputs") {
-        m.cages[4].radius *= 0.9;
+        cage.radius *= 0.9;
         CHECK(m.quality().encroached.violation != nullptr);
-        CHECK(m.quality().encroached.cell == m.cages[4].centre);
+        CHECK(m.quality().encroached.cell == cage.centre);
     }
     SUBCASE("a cage without its clearance") {
-        m.cages[4].radius *= 1e3;
+        cage.radius *= 1e3;
         CHECK(m.quality().encroached.violation != nullptr);
     }
     SUBCASE("a missing cage") {
-        m.cages[4] = m.cages[--m.report.cages];
-        CHECK((m.quality().worst > 3 || m.quality().encroached.violation != nullptr));
+        cage = m.cages[--m.report.cages];
+        CHECK((m.quality().worst > tau || m.quality().encroached.violation != nullptr));
     }
-    SUBCASE("a centre that is no input") {
-        m.cages[4].centre = m.state.vertex_count - 1;
-        CHECK(m.quality().encroached.violation != nullptr);
+    SUBCASE("a centre that is no input, or that is none at all, or not in the mesh") {
+        const std::uint32_t centre = cage.centre;
+        cage.centre = m.state.vertex_count - 1;
+        CHECK(said() == no_ball);
+        cage.centre = m.state.vertex_count;
+        CHECK(said() == no_ball);
+        cage.centre = centre;
+        m.store.vertex(centre).cell = none;
+        CHECK(said() == no_ball);
+    }
+    SUBCASE("a radius that is none") {
+        for (const double radius : {0.0, -1.0, infinity, std::nan("")}) {
+            cage.radius = radius;
+            CHECK(said() == no_ball);
+            CHECK_FALSE(m.quality().is_hierarchy);
+        }
+    }
+    SUBCASE("cages of the same radius, in both orders") {
+        std::uint32_t larger = 0;
+        for (std::uint32_t d = 0; d < m.report.cages; ++d)
+            if (m.cages[d].radius > m.cages[larger].radius) larger = d;
+        for (std::uint32_t d = 0; d < m.report.cages; ++d) m.cages[d].radius = m.cages[larger].radius;
+        CHECK(said() != "nothing");
+        std::swap(m.cages[0], m.cages[m.report.cages - 1]);
+        CHECK(said() != "nothing");
+    }
+    SUBCASE("a cage that sticks out of the one around it") {
+        std::uint32_t inner = 0;
+        while (m.cages[inner].parent == none) ++inner;
+        const Cage& around = m.cages[m.cages[inner].parent];
+        // About another input of the domain around.
+        for (std::uint32_t v = 0; v < rings + 1; ++v)
+            if (v != around.centre && is_inside<D>(m.store, around, m.store.point(v)) &&
+                distance2<D>(m.store.point(v), m.store.point(around.centre)) > 0.01 * around.radius * around.radius)
+                m.cages[inner].centre = v;
+        m.cages[inner].radius = 0.99 * around.radius;
+        CHECK(said() == "a cage sticks out of the one around it");
     }
     SUBCASE("a shell vertex that is said to be an ordinary one") {
-        m.store.vertex(m.cages[4].shell).marker = Marker::steiner;
-        CHECK(m.quality().encroached.violation != nullptr);
+        m.store.vertex(cage.shell).marker = Marker::steiner;
+        CHECK(said() == "a cage lacks its shell");
+    }
+    SUBCASE("a shell vertex among the inputs") {
+        Vertex<D>& v = m.store.vertex(cage.shell);
+        for (int k = 0; k < D; ++k) v.x[k] = 0.5 * (v.x[k] + m.store.point(cage.centre)[k]);
+        CHECK(said() == "a cage lacks its shell");
+    }
+    // Neighbours of the shell from outside, and inputs, put where they must not be.
+    const auto put = [&](std::uint32_t v, const Cage& c, double radii) {
+        for (int k = 0; k < D; ++k) m.store.vertex(v).x[k] = m.store.point(c.centre)[k] + (k == 1 ? radii * c.radius : 0);
+    };
+    const auto is_centre = [&](std::uint32_t v) {
+        return std::any_of(m.cages, m.cages + m.report.cages, [v](const Cage& c) { return c.centre == v; });
+    };
+    const auto next_to_shell = [&](const Cage& c) {
+        for (std::uint32_t k = 0; k < m.state.cell_slots; ++k) {
+            const Cell<D>& cell = m.store.cell(k);
+            if (std::count(cell.vertex, cell.vertex + D + 1, c.shell) == 0) continue;
+            for (const std::uint32_t v : cell.vertex)
+                if (!is_inside<D>(m.store, c, m.store.point(v)) && !is_centre(v)) return v;
+        }
+        return none;
+    };
+    SUBCASE("an input that encroaches from inside") {
+        // No cage's centre, in the innermost cage that it is in.
+        std::uint32_t v = 0, d = none;
+        for (; d == none; ++v) {
+            REQUIRE(v <= rings);
+            if (is_centre(v)) continue;
+            for (std::uint32_t e = 0; e < m.report.cages; ++e)
+                if (is_inside<D>(m.store, m.cages[e], m.store.point(v)) &&
+                    (d == none || m.cages[e].radius < m.cages[d].radius))
+                    d = e;
+        }
+        --v;
+        put(v, m.cages[d], 0.7);
+        CHECK(said() == "an input encroaches on a cage from inside");
+        CHECK(is_centre(m.quality().encroached.cell));
+    }
+    SUBCASE("any vertex of the domain around that encroaches from outside") {
+        std::uint32_t outermost = 0, deeper = 0;
+        while (m.cages[outermost].parent != none) ++outermost;
+        while (m.cages[deeper].parent == none) ++deeper;
+        for (const std::uint32_t d : {outermost, deeper})
+            for (const Marker marker : {Marker::input, Marker::steiner}) {
+                const std::uint32_t v = next_to_shell(m.cages[d]);
+                REQUIRE(v != none);
+                const Vertex<D> kept = m.store.vertex(v);
+                m.store.vertex(v).marker = marker;
+                put(v, m.cages[d], 2);
+                const std::uint32_t around = m.cages[d].parent;
+                if (kept.marker == Marker::exempt && around != none && is_inside<D>(m.store, m.cages[around], kept.x))
+                    CHECK(said() == "a cage lacks its shell");
+                else  // an input may also be too far from the centre around
+                    CHECK((said() == "a vertex encroaches on a cage from outside" ||
+                           (marker == Marker::input && said() == "an input encroaches on a cage from inside")));
+                m.store.vertex(v) = kept;
+            }
+        CHECK(said() == "nothing");
     }
 }
+TEST_CASE_TEMPLATE_INVOKE(planted, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
 TEST_CASE("parents and nearest distances of cages are those that the mesh implies") {
     Hierarchical<2> m(inputs::nested(2, 6, 8, 1e3), 3);

@@ -132,6 +132,31 @@ TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 
 }
 TEST_CASE_TEMPLATE_INVOKE(reference, std::integral_constant<int, 2>, std::integral_constant<int, 3>);
 
+TEST_CASE("the reference in 4D, in arenas that it fits and in others") {
+    const inputs::Points points = inputs::uniform(4, 3);
+    std::uint32_t partial = 0, whole = 0;
+    for (double bytes = 1000; whole == 0; bytes *= 1.2) {
+        Block block(static_cast<std::size_t>(bytes));
+        StoreState state = {};
+        Store<4> store(block.arena, state);
+        Monitor monitor;
+        InputReport input;
+        Domain<4> domain;
+        // A tau that asks for nothing but the net.
+        const Status status = refine<4>(store, points.data(), 3, {1e6, 1, false, 1, {}, true}, monitor, &input, &domain);
+        REQUIRE((status == Status::ok || status == Status::out_of_memory));
+        if (state.cell_slots == 0) continue;
+        if (bytes < 1e5 || status == Status::ok) CHECK(violation<4>(store) == nullptr);
+        ++(status == Status::ok ? whole : partial);
+        if (status != Status::ok) continue;
+        int outside = 0;
+        for (std::uint32_t c = 0; c < state.cell_slots; ++c) outside += !domain.contains(store.cell(c).centre);
+        CHECK(outside == 0);
+        for (std::uint32_t v = 0; v < 3; ++v) CHECK(store.vertex(v).cell != none);
+    }
+    CHECK(partial > 5);
+}
+
 TEST_CASE("clipped cells sampled at random keep the bound") {
     const inputs::Points points = inputs::uniform(2, 100, 9);
     Meshed<2> m(points, 2.2);

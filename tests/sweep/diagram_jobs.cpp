@@ -1,4 +1,5 @@
 // Jobs that end in diagrams, or in figures of a mesh.
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -89,6 +90,22 @@ netmesh_status irregular(const Job& job, netmesh_context* context, netmesh_optio
     if (status != NETMESH_OK) return status;
     const netmesh_function f = {rough, nullptr, 1e6, 0, 2};
     return netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, 1, options);
+}
+
+// The points above all other vertices: classes of degree D-1.
+double rough_with_peaks(void* job, const double* x) {
+    const Job& of = *static_cast<const Job*>(job);
+    const inputs::Points& points = points_of(of);
+    for (auto p = points.begin(); p != points.end(); p += of.dim)
+        if (std::equal(p, p + of.dim, x)) return 1 + rough(nullptr, x);
+    return rough(nullptr, x);
+}
+netmesh_status irregular_cycles(const Job& job, netmesh_context* context, netmesh_options* options) {
+    netmesh_status status = mesh(job, context, options);
+    if (status != NETMESH_OK) return status;
+    const netmesh_function f = {rough_with_peaks, const_cast<Job*>(&job), 1e6, 0, 2};
+    status = netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, 0, options);
+    return status == NETMESH_OK ? netmesh_represent(context, options) : status;
 }
 
 netmesh_status vineyard(const Job& job, netmesh_context* context, netmesh_options* options) {
@@ -201,6 +218,8 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back({"function", dim, few, function, large});
         static const std::size_t some[] = {0, 0, 6, 24, 10, 6, 4};
         jobs->push_back({"irregular", dim, some[dim], irregular, dim > 2, 60});
+        static const std::size_t more[] = {0, 0, 16, 24, 20, 14, 9};
+        jobs->push_back({"rough-cycles", dim, more[dim], irregular_cycles, true, dim == 3 ? 300 : 100, true});
         jobs->push_back({"scales-one", dim, 1, scales, true, 30});
         jobs->push_back({"cycles", dim, few, represent<NETMESH_FILTER_COMPLETE>, large, 100, true});
         jobs->push_back({"cycles-all", dim, few, represent_all, large, 40, true});

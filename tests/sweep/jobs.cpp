@@ -102,6 +102,44 @@ netmesh_status by_ratio(const Job& job, netmesh_context* context, netmesh_option
     return persist<NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED>(job, context, options);
 }
 
+// As hierarchy, with gaps that are just too narrow: Steiner points release a cage.
+const inputs::Points& pairs_of(const Job& job) {
+    static std::map<std::pair<int, std::size_t>, inputs::Points> made;
+    inputs::Points& points = made[{job.dim, job.points}];
+    const double gap[] = {0, 0, 0.07, 0x1.bda73b8bfa5b9p-4, 0.0625, 0x1.c1a8aed55a266p-4, 0x1.2bc89d5a28729p-4};
+    const std::uint64_t seed[] = {0, 0, 1, 572, 641, 185, 795};
+    if (points.empty()) points = inputs::close_pairs(job.dim, job.points / 2, gap[job.dim], seed[job.dim]);
+    return points;
+}
+
+template <std::uint32_t audit>
+netmesh_status released(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->method = NETMESH_METHOD_NETMESH;
+    options->tau = job.dim < 4 ? 2.2 : job.dim < 6 ? 6 : 8;
+    options->audit = audit;
+    return netmesh_mesh(context, pairs_of(job).data(), job.points, NETMESH_JOB_MESH, options);
+}
+
+// Refined by the certificate, more at some scales.
+netmesh_status focused(const Job& job, netmesh_context* context, netmesh_options* options) {
+    static std::map<int, inputs::Points> made;
+    inputs::Points& points = made[job.dim];
+    if (points.empty()) points = inputs::close_pairs(job.dim, job.points / 2, 0.02, 2);
+    options->ratio = 4;
+    options->focus_ratio = job.dim < 5 ? 2.6 : 3.5;
+    options->focus_from = 0.05;
+    options->focus_to = 4;
+    return netmesh_mesh(context, points.data(), job.points, NETMESH_JOB_PERSIST, options);
+}
+
+double small_nearby(void*, const double* x) { return 0.3 + 0.5 * (x[0] < 0 ? -x[0] : x[0]); }
+
+netmesh_status sized(const Job& job, netmesh_context* context, netmesh_options* options) {
+    options->size = small_nearby;
+    options->over_refine_eps = 0.8;
+    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, options);
+}
+
 // A mesh as a file would bring it.
 struct Loaded {
     std::vector<double> vertices, domain;
@@ -231,6 +269,17 @@ const std::vector<Job>& all_jobs() {
             {"fit", 2, 5, fit, false, 40, true, 64 << 10},
             {"fit", 3, 3, fit, true, 40, true, 64 << 10},
             {"fit", 4, 2, fit, true, 40, true, 80 << 10},
+            {"focused", 2, 4, focused, false, 100},
+            {"focused", 3, 4, focused, true, 100},
+            {"focused", 4, 4, focused, true, 25},
+            {"sized", 2, 3, sized, false, 100},
+            {"sized", 3, 3, sized, true, 25},
+            {"audited", 4, 3, audited, true, 25},
+            {"released", 2, 8, released<0>, true, 100},
+            {"released", 3, 8, released<0>, true, 50},
+            {"released", 4, 8, released<0>, true, 50},
+            {"released-audited", 3, 8, released<NETMESH_AUDIT_LOCATION>, true, 25},
+            {"released-audited", 4, 8, released<NETMESH_AUDIT_LOCATION>, true, 25},
         };
         for (int dim = 5; dim <= 6; ++dim) {
             list.push_back({"delaunay", dim, 9, delaunay});
@@ -243,11 +292,15 @@ const std::vector<Job>& all_jobs() {
             list.push_back({"by-ratio", dim, 2, by_ratio});
             list.push_back({"load", dim, 2, load});
             list.push_back({"hierarchy", dim, 4, hierarchy});
+            list.push_back({"released", dim, 4, released<0>, true, 50});
+            list.push_back({"released-audited", dim, 4, released<NETMESH_AUDIT_LOCATION>, true, 25});
+            list.push_back({"audited", dim, 3, audited, true, 25});
+            list.push_back({"focused", dim, 4, focused, true, 10});
+            list.push_back({"sized", dim, 2, sized, true, 10});
             list.push_back({"cages", dim, 4, load_cages});
             list.push_back({"bounds-basic", dim, std::size_t(dim == 5 ? 8 : 2), basic_bounds, true, 40, true});
             list.push_back({"check-loaded", dim, 2, check_loaded});
             list.push_back({"fit", dim, 2, fit, true, 20, true, std::size_t{160} << 10});
-            list.push_back({"audited", dim, 2, audited, true, 10});
         }
         add_diagram_jobs(&list);
         return list;

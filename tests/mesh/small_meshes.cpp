@@ -1,0 +1,127 @@
+// Many small hierarchical meshes with gaps about as wide as a cage needs, where cages are made, kept and released, in every
+// dimension and with every option.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+#include "delaunay/check.hpp"
+#include "mesh/hierarchy_quality.hpp"
+#include "mesh/netmesh.hpp"
+#include "mesh/quality.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+template <int D> struct Small {
+    Small(const inputs::Points& points, const HierarchyOptions& options, std::size_t bytes = std::size_t{1} << (D < 5 ? 22 : D == 5 ? 24 : 25))
+        : block(bytes), store(block.arena, state) {
+        status = netmesh::netmesh<D>(store, points.data(), points.size() / D, options, monitor, &input, &domain, &cages,
+                                     &report);
+    }
+    const char* violation() const {
+        CheckResult r = check_combinatorial<D>(store);
+        if (r.violation == nullptr) r = check_geometric<D>(store);
+        if (r.violation == nullptr) r = check_delaunay<D>(store);
+        return r.violation;
+    }
+    Block block;
+    StoreState state = {};
+    Store<D> store;
+    Monitor monitor;
+    InputReport input;
+    Domain<D> domain = {};
+    Cage* cages;
+    HierarchyReport report;
+    Status status;
+};
+
+template <int D> inputs::Points small_set(std::uint64_t seed) {
+    const std::size_t pairs = 2 + seed / 4 % 3;
+    switch (seed % 4) {
+    case 0: return inputs::close_pairs(D, pairs, std::ldexp(1.0 + 0.2 * static_cast<double>(seed % 5), -4), seed);
+    case 1: return inputs::close_pairs(D, pairs, std::ldexp(1.0 + 0.2 * static_cast<double>(seed % 5), -5), seed);
+    case 2: return inputs::geometric(D, static_cast<double>(6 + seed % 20), 3, seed);
+    default: return inputs::nested(D, 2, pairs, static_cast<double>(8 + seed % 24), seed);
+    }
+}
+
+template <int D> void check_mesh(Small<D>& m, const HierarchyOptions& options) {
+    CHECK(m.violation() == nullptr);
+    CHECK(m.report.cages == m.report.cages_made - m.report.cages_released);
+    HierarchyQuality q;
+    REQUIRE(measure_hierarchy<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, &q) == Status::ok);
+    CHECK(q.encroached.violation == nullptr);
+    CHECK(q.worst <= options.tau);
+    if (options.finish) {
+        CHECK(m.report.cages == 0);
+        double worst;
+        std::uint32_t v;
+        REQUIRE(recomputed_aspect_ratio<D>(m.store, m.domain, m.block.arena, &worst, &v) == Status::ok);
+        CHECK(worst <= options.tau);
+    }
+    if (options.audit_location) {
+        REQUIRE(m.report.location.rounds > 0);
+        for (std::uint32_t k = 0; k + 1 < m.report.location.rounds; ++k)
+            CHECK(m.report.location.load[k + 1] <= m.report.location.load[k] / 2);
+    }
+    if (options.audit_quality) {
+        CHECK(m.report.quality.meshes >= m.input.rows - m.input.duplicates);
+        CHECK(m.report.quality.encroached == 0);
+        CHECK(m.report.quality.cage <= cage_insertion_bound<D>());
+    }
+}
+
+template <int D> using Dimensions = std::integral_constant<int, D>;
+
+}  // namespace
+
+TEST_CASE_TEMPLATE_DEFINE("small meshes with gaps keep what they promise, cages kept or released", T, small) {
+    constexpr int D = T::value;
+    constexpr double taus[3] = {D < 4 ? 2.3 : D < 5 ? 4 : D < 6 ? 6 : 8, D < 4 ? 3 : D < 5 ? 5 : D < 6 ? 8 : 10,
+                                D < 5 ? 6 : 12};
+    std::uint32_t made = 0, released = 0, kept = 0;
+    for (std::uint64_t seed = 0; seed < (D < 5 ? 160 : D == 5 ? 90 : 30); ++seed) {
+        CAPTURE(seed);
+        HierarchyOptions options = {taus[seed % 3], seed % 4 < 2 ? 1 : 1.25, seed % (D < 6 ? 5 : 20) == 0, seed};
+        options.audit_location = seed % 3 == 1;
+        options.audit_quality = D < 6 ? seed % 7 == 2 : seed == 22;
+        options.cages = seed % 11 != 7;
+        Small<D> m(small_set<D>(seed), options);
+        REQUIRE(m.status == Status::ok);
+        check_mesh<D>(m, options);
+        made += m.report.cages_made;
+        kept += m.report.cages;
+        if (!options.finish) released += m.report.cages_released;
+    }
+    MESSAGE(D, ": ", made, " made, ", kept, " kept, ", released, " released");
+    CHECK(made > 20);
+    CHECK(kept > 10);
+    CHECK(released >= 2);
+}
+TEST_CASE_TEMPLATE_INVOKE(small, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+
+TEST_CASE_TEMPLATE_DEFINE("any arena size leaves a Delaunay mesh of what was inserted, lists and audits or none", T,
+                          arenas) {
+    constexpr int D = T::value;
+    const inputs::Points points = small_set<D>(D < 5 ? 4 : 0);
+    std::uint32_t partial = 0, whole = 0;
+    for (double bytes = 256; bytes < (D < 5 ? 2e6 : 6e6); bytes *= D < 5 ? 1.07 : D == 5 ? 1.2 : 1.3)
+        for (const int kind : {0, 1, 2}) {
+            HierarchyOptions options = {D < 5 ? 5.0 : 12.0, 1, kind == 2, 1};
+            options.audit_location = kind == 1;
+            options.audit_quality = kind == 1 && D < 6;
+            Small<D> m(points, options, static_cast<std::size_t>(bytes));
+            REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
+            if (m.state.cell_slots == 0) continue;
+            CHECK(m.violation() == nullptr);
+            if (m.status == Status::ok && bytes > 1e5) check_mesh<D>(m, options);
+            ++(m.status == Status::ok ? whole : partial);
+        }
+    CHECK(partial > 10);
+    CHECK(whole > 10);
+}
+TEST_CASE_TEMPLATE_INVOKE(arenas, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
