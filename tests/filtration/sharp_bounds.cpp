@@ -149,11 +149,13 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
         for (const std::uint32_t v : store.cell(c).vertex)
             if (v == vague) store.cell(c).radius2 = infinity;
     }
-    sharp = known;
+    std::vector<Interval> before = known;
+    before[open] = {rho / 8, rho};
+    sharp = before;
     CHECK(sharpen_intervals<D>(store, inputs, rho, block.arena, monitor, sharp.data()) == Status::ok);
     for (const std::uint32_t v : {open, vague}) {
-        CHECK(sharp[v].lo == known[v].lo);
-        CHECK(sharp[v].hi == known[v].hi);
+        CHECK(sharp[v].lo == before[v].lo);
+        CHECK(sharp[v].hi == before[v].hi);
     }
     store.vertex(open).marker = marker;
     for (std::uint32_t c = 0; c < state.cell_slots; ++c) store.cell(c).radius2 = kept[c];

@@ -139,7 +139,9 @@ TEST_CASE("sure bars stand for different true ones") {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         sure += sure_bars<4>(30, 20, 1.6, seed);
         sure += sure_bars<5>(20, 20, 1.6, seed);
+        sure += sure_bars<5>(24, 1e4, 3, seed);
         sure += sure_bars<6>(14, 20, 1.6, seed);
+        sure += sure_bars<6>(18, 1e4, 3, seed);
     }
     CHECK(sure > 300);
     no_bars<2>();
