@@ -259,7 +259,7 @@ struct Way {
 // Random values need long columns: the pool grows beyond what is needed in passing to order the simplices.
 TEST_CASE("columns of a vineyard in blocks of all sizes") {
     std::mt19937 random(8);
-    for (int round = 0; round < 16; ++round) {
+    for (int round = 0; round < 24; ++round) {
         const Complex complex(round % 2 == 0 ? glued_square(4 + std::uint32_t(round) % 3 / 2, round % 4 == 0)
                                              : random_complex(random, 8 + random() % 8, 30 + int(random() % 40)));
         std::vector<Values> through;
