@@ -44,7 +44,8 @@ struct MeshCertificate {
     double from;        // scale from which the ratio holds: 0 (complete), the largest out-radius of an input (basic)
 };
 
-// value[v] for every vertex: t(v), cut at rho; the basic filter gives inputs 0. intervals[v], when asked for: lo_v and hi_v. Needs a compact, complete mesh.
+// value[v] for every vertex: t(v), cut at rho; the basic filter gives inputs 0. intervals[v], when asked for: lo_v and hi_v. Needs a
+// compact, complete mesh.
 // O(cells). Scratch: 16 bytes a vertex. out_of_memory.
 template <int D>
 Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFilter filter, FilterValues values,

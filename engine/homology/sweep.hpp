@@ -391,8 +391,8 @@ template <int D> std::uint32_t Sweep<D>::across(std::uint32_t cell, std::uint32_
     return ball_.complex.neighbour(cell, opposite);
 }
 
-// Components of the superlevel sets. Takes the critical facets of the star from the last to the first: one that joins two components is the pivot of the
-// younger one's creator.
+// Components of the superlevel sets. Takes the critical facets of the star from the last to the first: one that joins two components is
+// the pivot of the younger one's creator.
 template <int D> Status Sweep<D>::unite_critical_facets(std::uint32_t v) {
     for (std::uint32_t p = star_.count(); p-- > 0;) {
         const std::uint32_t i = star_.at(p);

@@ -198,8 +198,9 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const double* points, 
 /* Quality mesh of points[n][D] by options->method: a Delaunay triangulation of the points and of
  * Steiner points in which each vertex that is not exempt has a Voronoi cell that, clipped to the domain ball, has
  * aspect ratio at most tau. With NETMESH_METHOD_NETMESH, unless finished, there are cages as well (see netmesh_cage), each
- * vertex's cell is clipped to the ball of its own domain, and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and, after merging duplicates, distances of
- * at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
+ * vertex's cell is clipped to the ball of its own domain, and a cage's cell has aspect ratio at most tau too. Admits coordinates of
+ * magnitude at most 2^500 and, after merging duplicates, distances of at least 2^-500 and 64 units in the last place. Works on flat input
+ * and on a single point.
  * `for_job`: NETMESH_JOB_MESH; NETMESH_JOB_PERSIST to refine (SVR alone) a shell around the domain as well, as far as a
  * certified ratio of sqrt(2 + tau) needs it; NETMESH_JOB_PERSIST_TIGHT to over-refine to eps/(3 (1 + eps)) f_P (7.5) in a domain of
  * at least 3.1 + 4 eps/(3 (1 + eps)) enclosing radii. The latter has hundreds (D = 2) to tens of thousands (D = 3) of vertices a
@@ -222,9 +223,9 @@ netmesh_status netmesh_load(netmesh_context* context, const double* vertices, co
                             const netmesh_options* options);
 
 /* A cage (4.5, epsilon = 1/2): its centre, an input; inputs within half of its radius; between there and the radius its shell,
- * 2 D exempt vertices; nothing between one and four radii but shells and Steiner points of other cages beside it. Its domain is its ball without the balls
- * of the cages directly inside it; cells of a domain's vertices are clipped to the ball of half of the radius. The cell of
- * the cage is the union of its vertices' cells, its in-radius as in 4.6. */
+ * 2 D exempt vertices; nothing between one and four radii but shells and Steiner points of other cages beside it. Its domain is its ball
+ * without the balls of the cages directly inside it; cells of a domain's vertices are clipped to the ball of half of the radius. The cell
+ * of the cage is the union of its vertices' cells, its in-radius as in 4.6. */
 typedef struct netmesh_cage {
     uint32_t centre; /* vertex */
     uint32_t parent; /* index of the cage around it, NETMESH_NONE for none */

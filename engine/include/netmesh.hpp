@@ -69,8 +69,7 @@ public:
     netmesh_status load(const double* vertices, const std::uint8_t* markers, std::size_t vertex_count,
                         const std::uint32_t* cells, std::size_t cell_count, const double* domain,
                         const netmesh_options& options) {
-        return status_ =
-                   netmesh_load(context_, vertices, markers, vertex_count, cells, cell_count, domain, &options);
+        return status_ = netmesh_load(context_, vertices, markers, vertex_count, cells, cell_count, domain, &options);
     }
     netmesh_status load_cages(const netmesh_cage* cages, std::size_t count, const netmesh_options& options) {
         return status_ = netmesh_load_cages(context_, cages, count, &options);

@@ -5,7 +5,8 @@
 //   distance from the centre   0 ......... e r ............ r ................... 2 r / e .....
 //                              | the inputs | no input, shell | no vertex, no input | outside |
 //
-// (Other cages may reach in with their shells and Steiner points, not with their centres, and the shell of a cage that has been released stays where it is.)
+// (Other cages may reach in with their shells and Steiner points, not with their centres, and the shell of a cage that has been released
+// stays where it is.)
 //
 // The shell is a net on the sphere of radius shell_factor * r: the 2 D corners of a cross-polytope, whose covering radius
 // sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. A smaller e

@@ -21,7 +21,8 @@ struct HierarchyQuality {
 // describes, corners solved for anew, nearest distances recomputed.
 // Where ratios is not null: ratios[v] := that of v's clipped cell, 0 for exempt vertices; domains[v] := its innermost cage or
 // none (both arrays or neither).
-// The store may be in use: ghosts and free slots are passed over. O(depth of the hierarchy * cells); scratch: 20 bytes a vertex, 8 a cell, 16 a cage. out_of_memory.
+// The store may be in use: ghosts and free slots are passed over. O(depth of the hierarchy * cells); scratch: 20 bytes a vertex, 8 a
+// cell, 16 a cage. out_of_memory.
 template <int D>
 Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena,
                          HierarchyQuality* quality, double* ratios = nullptr, std::uint32_t* domains = nullptr);

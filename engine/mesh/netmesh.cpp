@@ -27,8 +27,8 @@ namespace {
 // a quarter, and do not count as encroaching. Whoever lost a clipping sphere by a release is found by a look at all cells after the last
 // insertion; those next to the shell at once.
 //
-// YieldingInsert of a shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the way to the centre. An input that
-// a Steiner point yields to is inserted without going back to others: it is medial as it stands.
+// YieldingInsert of a shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the way to the
+// centre. An input that a Steiner point yields to is inserted without going back to others: it is medial as it stands.
 //
 // FinishMesh releases all cages and cleans. Steiner points are pulled back towards their vertices, so the layers that grow
 // out of a shell are those that growing the cage step by step would give.

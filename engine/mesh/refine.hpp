@@ -48,8 +48,8 @@ struct RefineOptions {
 // the distance from v to its nearest neighbour, which is all that the size and termination proof of 3.3 asks for
 // (every vertex stays in the domain, so 3.6's packing argument applies with Omega the domain). Inputs that are not inserted
 // yet count as inserted first in that proof, so they must not be nearer to x than l either, or still no nearer than f_P(x) / (K - 1),
-// K = 2 tau / (tau - 2): x yields to an input for which neither holds, and f_P <= K f_M on all vertices for every tau > 2. The frame of 2 D exempt
-// vertices at four or more times the domain's radius is farther from every input than any other input, as 3.3.2 requires.
+// K = 2 tau / (tau - 2): x yields to an input for which neither holds, and f_P <= K f_M on all vertices for every tau > 2. The frame of 2
+// D exempt vertices at four or more times the domain's radius is farther from every input than any other input, as 3.3.2 requires.
 //
 // With `certify` a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners outside the
 // domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an input, else d_P(v). Either
