@@ -10,9 +10,10 @@ template <int D> std::uint32_t position_in(const Cell<D>& cell, std::uint32_t v)
     return position;
 }
 
+// This and link() are most of what filling costs; inlined they would spill its registers.
 template <int D>
-void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside, const double* q,
-                 double error_max, Cell<D>& cell) {
+[[gnu::noinline]] void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside,
+                                   const double* q, double error_max, Cell<D>& cell) {
     if (pencil_sphere<D>(inside, outside, q, error_max, cell)) return;
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
@@ -21,7 +22,8 @@ void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& ou
 
 // Links new cell `made` to its neighbours at the new vertex. `origin`: the old cell and facet (8 * cell + position) that it
 // was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
-template <int D> void link(Cell<D>* cells, std::uint32_t stamp, std::uint32_t made, std::uint32_t origin) {
+template <int D>
+[[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp, std::uint32_t made, std::uint32_t origin) {
     Cell<D>& fresh = cells[made];
     const Cell<D>* const start = &cells[origin >> 3];
     const std::uint32_t i = origin & 7u;
