@@ -3,42 +3,19 @@
 
 #include <algorithm>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "delaunay/check.hpp"
-#include "mesh/hierarchy_quality.hpp"
+#include "hierarchical.hpp"
 #include "mesh/input_tree.hpp"
-#include "mesh/netmesh.hpp"
 #include "mesh/opening.hpp"
 
 using namespace netmesh;
 
 namespace {
 
-template <int D> struct Audited {
-    Audited(const inputs::Points& points, double tau, bool cages, bool location, bool quality,
-            std::size_t bytes = std::size_t{1} << 24)
-        : block(bytes), store(block.arena, state) {
-        status =
-            netmesh::netmesh<D>(store, points.data(), points.size() / D, {tau, 1, false, 1, cages, location, quality},
-                                monitor, &input, &domain, &this->cages, &report);
-    }
-    double worst() {
-        HierarchyQuality q;
-        REQUIRE(measure_hierarchy<D>(store, cages, report.cages, domain, block.arena, &q) == Status::ok);
-        CHECK(q.encroached.violation == nullptr);
-        return q.worst;
-    }
-    Block block;
-    StoreState state = {};
-    Store<D> store;
-    Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    Cage* cages;
-    HierarchyReport report;
-    Status status;
-};
+template <int D> double sound_worst(Hierarchical<D>& m) {
+    const HierarchyQuality q = m.quality();
+    CHECK(q.encroached.violation == nullptr);
+    return q.worst;
+}
 
 // Inputs stored in the balls of the frame's cells, before the first insertion.
 template <int D> struct Stored {
@@ -102,9 +79,9 @@ TEST_CASE_TEMPLATE_DEFINE("inputs stored in all D-balls: loads halve in every ro
     for (const bool cages : {true, false})
         for (const inputs::Points& points : sets) {
             if (!cages && &points >= sets + 2) break;  // gaps make plain refinement large
-            Audited<D> m(points, taus[D], cages, true, false);
+            Hierarchical<D> m(points, {taus[D], 1, false, 1, cages, true, false});
             REQUIRE(m.status == Status::ok);  // each input was in exactly the balls that it was stored in
-            CHECK(m.worst() <= taus[D]);
+            CHECK(sound_worst(m) <= taus[D]);
             const LocationAudit& audit = m.report.location;
             REQUIRE(audit.rounds > 0);
             CHECK(audit.load[0] == m.input.rows - m.input.duplicates);
@@ -122,13 +99,13 @@ TEST_CASE_TEMPLATE_INVOKE(location, Dimensions<2>, Dimensions<3>, Dimensions<4>,
 TEST_CASE("with cages neither rounds nor touches depend on the spread, without them touches do") {
     double least = infinity, most = 0;
     for (const double ratio : {1e2, 1e6}) {
-        Audited<2> m(inputs::nested(2, 5, 20, ratio), 3, true, true, false);
+        Hierarchical<2> m(inputs::nested(2, 5, 20, ratio), {3, 1, false, 1, true, true, false});
         REQUIRE(m.status == Status::ok);
         least = std::min(least, m.report.location.touches_mean);
         most = std::max(most, m.report.location.touches_mean);
     }
     CHECK(most < 1.2 * least);
-    Audited<2> plain(inputs::nested(2, 5, 20, 1e6), 3, false, true, false);
+    Hierarchical<2> plain(inputs::nested(2, 5, 20, 1e6), {3, 1, false, 1, false, true, false});
     REQUIRE(plain.status == Status::ok);
     CHECK(plain.report.location.touches_mean > 1.5 * most);
 }
@@ -219,13 +196,13 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
          {inputs::uniform(D, sizes[D]), inputs::nested(D, 4, sizes[D] / 4, 1e3), inputs::geometric(D, 1e3, 10),
           inputs::geometric(D, 5, D == 2 ? 10 : 2), inputs::close_pairs(D, sizes[D] / 4, 1e-12), inputs::grid(D, 2)})
         for (const bool location : {false, true}) {
-            Audited<D> m(points, 3, true, location, true);
+            Hierarchical<D> m(points, {3, 1, false, 1, true, location, true});
             REQUIRE(m.status == Status::ok);
             const QualityAudit& audit = m.report.quality;
             CHECK(audit.meshes >= points.size() / D);
             CHECK(audit.meshes <= m.state.vertex_count - 2 * D);
             CHECK(audit.encroached == 0);
-            CHECK(audit.worst >= m.worst());
+            CHECK(audit.worst >= sound_worst(m));
             CHECK(audit.worst < 400);
             CHECK(audit.feature < 6);
             CHECK(audit.feature >= std::max({audit.cage, audit.steiner, audit.input}));
@@ -239,8 +216,8 @@ TEST_CASE_TEMPLATE_INVOKE(quality, Dimensions<2>, Dimensions<3>, Dimensions<4>);
 TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, planted) {
     constexpr int D = T::value;
     constexpr double tau = D < 5 ? 3 : 8;
-    Audited<D> m(D < 5 ? inputs::nested(D, 3, D < 4 ? 12 : 4, 1e3) : inputs::close_pairs(D, 3, 0.03, 1), tau, true,
-                 false, D < 5);
+    Hierarchical<D> m(D < 5 ? inputs::nested(D, 3, D < 4 ? 12 : 4, 1e3) : inputs::close_pairs(D, 3, 0.03, 1),
+                      {tau, 1, false, 1, true, false, D < 5});
     REQUIRE(m.status == Status::ok);
     REQUIRE(m.report.cages > 0);
     QualityAudit audit = {};
@@ -327,9 +304,9 @@ TEST_CASE("any arena size leaves a whole mesh of what was inserted, with lists a
     const inputs::Points points = inputs::nested(2, 3, 8, 1e3);
     std::uint32_t partial = 0, whole = 0;
     for (std::size_t bytes = 0; bytes < 120000; bytes += 464) {
-        Audited<2> m(points, 2.5, true, true, bytes % 928 == 0, bytes);
+        Hierarchical<2> m(points, {2.5, 1, false, 1, true, true, bytes % 928 == 0}, bytes);
         REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
-        if (m.status == Status::ok) CHECK(m.worst() <= 2.5);
+        if (m.status == Status::ok) CHECK(sound_worst(m) <= 2.5);
         if (m.state.cell_slots > 0) ++(m.status == Status::ok ? whole : partial);
     }
     CHECK(partial > 20);
@@ -341,12 +318,11 @@ TEST_CASE_TEMPLATE_DEFINE("lists that run out end the job with a whole mesh of w
     const inputs::Points points = inputs::uniform(D, 150);
     std::uint32_t partial = 0;
     for (double bytes = 30000; bytes < (D < 5 ? 400000 : 2000000); bytes *= 1.1) {
-        Audited<D> m(points, 3, true, true, false, static_cast<std::size_t>(bytes));
+        Hierarchical<D> m(points, {3, 1, false, 1, true, true, false}, static_cast<std::size_t>(bytes));
         REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
         if (m.status == Status::ok) break;
         if (m.state.cell_slots == 0) continue;
-        CHECK(check_combinatorial<D>(m.store).violation == nullptr);
-        CHECK(check_delaunay<D>(m.store).violation == nullptr);
+        CHECK(delaunay_violation<D>(m.store) == nullptr);
         CHECK(m.block.arena.bytes_wanted() > 0);
         ++partial;
     }

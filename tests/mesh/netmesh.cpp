@@ -6,46 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "delaunay/check.hpp"
-#include "mesh/hierarchy_quality.hpp"
+#include "hierarchical.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality.hpp"
 
 using namespace netmesh;
 
 namespace {
-
-template <int D> struct Hierarchical {
-    Hierarchical(const inputs::Points& points, double tau, bool finish = false,
-                 std::size_t bytes = std::size_t{1} << 25, std::uint64_t seed = 1)
-        : block(bytes), store(block.arena, state) {
-        status = netmesh::netmesh<D>(store, points.data(), points.size() / D, {tau, 1, finish, seed}, monitor, &input,
-                                     &domain, &cages, &report);
-    }
-    HierarchyQuality quality() {
-        HierarchyQuality q;
-        REQUIRE(measure_hierarchy<D>(store, cages, report.cages, domain, block.arena, &q) == Status::ok);
-        return q;
-    }
-    const char* violation() const {
-        CheckResult r = check_combinatorial<D>(store);
-        if (r.violation == nullptr) r = check_geometric<D>(store);
-        if (r.violation == nullptr) r = check_delaunay<D>(store);
-        return r.violation;
-    }
-    double vertices_per_input() const { return double(state.vertex_count) / double(input.rows); }
-    Block block;
-    StoreState state = {};
-    Store<D> store;
-    Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    Cage* cages;
-    HierarchyReport report;
-    Status status;
-};
 
 template <int D> std::uint32_t plain_size(const inputs::Points& points, double tau) {
     Block block(std::size_t{1} << 25);
@@ -71,9 +38,9 @@ TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are Delaunay and of quality tau b
          {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D] / 2), inputs::nested(D, 5, sizes[D] / 5, 1e3),
           inputs::geometric(D, 1e3, D < 5 ? 100 : 8), inputs::close_pairs(D, sizes[D] / 4, 1e-12),
           inputs::grid(D, D < 4 ? 4 : 2)}) {
-        Hierarchical<D> m(points, taus[D]);
+        Hierarchical<D> m(points, {taus[D], 1, false, 1});
         REQUIRE(m.status == Status::ok);
-        CHECK(m.violation() == nullptr);
+        CHECK(delaunay_violation<D>(m.store) == nullptr);
         const HierarchyQuality q = m.quality();
         INFO(doctest::String(q.encroached.violation ? q.encroached.violation : ""), " ", q.encroached.cell, " n ",
              points.size());
@@ -91,7 +58,7 @@ TEST_CASE_TEMPLATE_DEFINE("the size per input does not depend on gaps", T, gaps)
     constexpr int D = T::value;
     double low = infinity, high = 0;
     for (const double ratio : {1e2, 1e3, 1e4, 1e6, 1e9}) {
-        Hierarchical<D> m(inputs::geometric(D, ratio, 60), 3);
+        Hierarchical<D> m(inputs::geometric(D, ratio, 60), {3, 1, false, 1});
         REQUIRE(m.status == Status::ok);
         low = std::min(low, m.vertices_per_input());
         high = std::max(high, m.vertices_per_input());
@@ -99,7 +66,7 @@ TEST_CASE_TEMPLATE_DEFINE("the size per input does not depend on gaps", T, gaps)
     constexpr double most[] = {0, 0, 5, 7, 9};
     CHECK(high <= most[D]);
     CHECK(high < 1.2 * low);
-    CHECK(Hierarchical<D>(inputs::close_pairs(D, 50, 1e-12), 3).vertices_per_input() <= most[D]);
+    CHECK(Hierarchical<D>(inputs::close_pairs(D, 50, 1e-12), {3, 1, false, 1}).vertices_per_input() <= most[D]);
 }
 TEST_CASE_TEMPLATE_INVOKE(gaps, Dimensions<2>, Dimensions<3>, Dimensions<4>);
 
@@ -108,14 +75,14 @@ TEST_CASE("without gaps a hierarchical mesh is no larger than a plain one") {
     for (const double ratio : {2.0, 4.0, 6.5})
         for (const std::uint64_t seed : {1, 2, 3}) {
             const inputs::Points points = inputs::geometric(2, ratio, 50, seed);
-            Hierarchical<2> m(points, 3);
+            Hierarchical<2> m(points, {3, 1, false, 1});
             CHECK(m.report.cages_made == 0);
             hierarchical += m.state.vertex_count;
             plain += plain_size<2>(points, 3);
         }
     CHECK(hierarchical <= 1.05 * plain);
     const inputs::Points points = inputs::uniform(3, 300);
-    CHECK(Hierarchical<3>(points, 3).state.vertex_count == plain_size<3>(points, 3));
+    CHECK(Hierarchical<3>(points, {3, 1, false, 1}).state.vertex_count == plain_size<3>(points, 3));
 }
 
 TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than by direct refinement", T, finished) {
@@ -123,11 +90,11 @@ TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than
     std::uint32_t hierarchical = 0, plain = 0;
     for (const inputs::Points& points :
          {inputs::clusters(D, D == 2 ? 400 : 40), inputs::geometric(D, 1e3, 3), inputs::nested(D, 4, 5, 1e2)}) {
-        Hierarchical<D> m(points, 3, true);
+        Hierarchical<D> m(points, {3, 1, true, 1});
         REQUIRE(m.status == Status::ok);
         CHECK(m.report.cages == 0);
         CHECK(m.report.cages_made > 0);
-        CHECK(m.violation() == nullptr);
+        CHECK(delaunay_violation<D>(m.store) == nullptr);
         double worst;
         std::uint32_t v;
         REQUIRE(recomputed_aspect_ratio<D>(m.store, m.domain, m.block.arena, &worst, &v) == Status::ok);
@@ -140,7 +107,7 @@ TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than
 TEST_CASE_TEMPLATE_INVOKE(finished, Dimensions<2>, Dimensions<3>);
 
 TEST_CASE("Steiner points release cages that have too little room, and the mesh is good without them") {
-    Hierarchical<2> m(inputs::uniform(2, 20000, 3), 2.3);
+    Hierarchical<2> m(inputs::uniform(2, 20000, 3), {2.3, 1, false, 1}, std::size_t{1} << 25);
     REQUIRE(m.status == Status::ok);
     CHECK(m.report.cages_released > 0);
     CHECK(m.report.cages > 0);
@@ -161,7 +128,7 @@ TEST_CASE("a Steiner point of the cage beside it does not encroach on a cage") {
         -0x1.bf80e067922f8p-13, -0x1.d47b0127bffa2p-5,  0x1.3a7c11079e193p-8,   0x1.608f613be518fp-8,
         -0x1.885888dcbedc9p-1,  0x1.4443549e1c63p-16,   -0x1.d57d95db25c17p-12, -0x1.34eed7bcc36d9p-1,
         0x1.019b2513a5b9ap-5,   -0x1.3ee6e46497b79p-3,  -0x1.cf836010891d1p-5,  0x1.3907f88d08835p-8};
-    Hierarchical<3> m(points, 2.2, false, std::size_t{1} << 22, 3480);
+    Hierarchical<3> m(points, {2.2, 1, false, 3480}, std::size_t{1} << 22);
     REQUIRE(m.status == Status::ok);
     REQUIRE(m.report.cages >= 2);
     const HierarchyQuality q = m.quality();
@@ -182,7 +149,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
     constexpr std::size_t rings = D < 5 ? 12 : D == 5 ? 4 : 3;
     constexpr std::uint32_t at = D < 5 ? 4 : 1;
     constexpr double tau = D < 5 ? 3 : 8;
-    Hierarchical<D> m(inputs::geometric(D, 1e3, rings), tau, false, std::size_t{1} << 23);
+    Hierarchical<D> m(inputs::geometric(D, 1e3, rings), {tau, 1, false, 1}, std::size_t{1} << 23);
     REQUIRE(m.report.cages == rings - 1);
     REQUIRE(m.quality().encroached.violation == nullptr);
     Cage& cage = m.cages[at];
@@ -309,7 +276,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
 TEST_CASE_TEMPLATE_INVOKE(planted, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
 TEST_CASE("parents and nearest distances of cages are those that the mesh implies") {
-    Hierarchical<2> m(inputs::nested(2, 6, 8, 1e3), 3);
+    Hierarchical<2> m(inputs::nested(2, 6, 8, 1e3), {3, 1, false, 1});
     REQUIRE(m.report.cages >= 5);
     std::vector<Cage> made(m.cages, m.cages + m.report.cages);
     m.quality();
@@ -323,10 +290,10 @@ TEST_CASE("any arena size leaves a Delaunay mesh of what was inserted") {
     const inputs::Points points = inputs::nested(2, 4, 8, 1e3);
     std::uint32_t partial = 0, whole = 0;
     for (std::size_t bytes = 0; bytes < 60000; bytes += 208) {
-        Hierarchical<2> m(points, 2.5, bytes % 416 == 0, bytes);
+        Hierarchical<2> m(points, {2.5, 1, bytes % 416 == 0, 1}, bytes);
         REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
         if (m.state.cell_slots == 0) continue;
-        CHECK(m.violation() == nullptr);
+        CHECK(delaunay_violation<2>(m.store) == nullptr);
         ++(m.status == Status::ok ? whole : partial);
     }
     CHECK(partial > 20);

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "delaunay/check.hpp"
+#include "hierarchical.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality.hpp"
@@ -36,13 +34,6 @@ template <int D> struct Meshed {
     Status status;
 };
 
-template <int D> const char* violation(const Store<D>& store) {
-    CheckResult r = check_combinatorial<D>(store);
-    if (r.violation == nullptr) r = check_geometric<D>(store);
-    if (r.violation == nullptr) r = check_delaunay<D>(store);
-    return r.violation;
-}
-
 inputs::Points grid(int dim, int side) {
     inputs::Points points;
     int n = 1;
@@ -62,7 +53,7 @@ TEST_CASE_TEMPLATE_DEFINE("meshes are Delaunay, of quality tau, and hold their i
          {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D] / 2), grid(D, D < 4 ? 5 : 2)}) {
         Meshed<D> m(points, taus[D]);
         REQUIRE(m.status == Status::ok);
-        CHECK(violation<D>(m.store) == nullptr);
+        CHECK(delaunay_violation<D>(m.store) == nullptr);
         const double worst = m.worst();
         if (points.size() > 6 * D) CHECK(worst > 1);  // two points have no Voronoi edge that meets the domain
         CHECK(worst <= taus[D]);
@@ -102,7 +93,7 @@ TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 
     Domain<D> domain;
     REQUIRE(refine<D>(store, points.data(), points.size() / D, {3, 1, false, 1, {}, true}, monitor, &input, &domain) ==
             Status::ok);
-    CHECK(violation<D>(store) == nullptr);
+    CHECK(delaunay_violation<D>(store) == nullptr);
     const double delta = 2 * domain.enclosing_radius;
     CHECK(domain.radius >= (6 * std::sqrt(2) + 2) * delta * (1 - 1e-9));
     int outside = 0;
@@ -148,7 +139,7 @@ TEST_CASE_TEMPLATE_DEFINE("the reference in arenas of any size, in 4D up to one 
             refine<D>(store, points.data(), 3, {1e6, 1, false, 1, {}, true}, monitor, &input, &domain);
         REQUIRE((status == Status::ok || status == Status::out_of_memory));
         if (state.cell_slots == 0) continue;
-        if (bytes < 1e5 || status == Status::ok) CHECK(violation<D>(store) == nullptr);
+        if (bytes < 1e5 || status == Status::ok) CHECK(delaunay_violation<D>(store) == nullptr);
         ++(status == Status::ok ? whole : partial);
         if (status != Status::ok) continue;
         int outside = 0;
@@ -193,7 +184,7 @@ TEST_CASE("flat inputs, a pair and a single point are meshed") {
                                          inputs::Points{0, 0, 0, 1, 0, 0, 5, 0, 0, 5.5, 0, 0}}) {
         Meshed<3> m(points, 3);
         REQUIRE(m.status == Status::ok);
-        CHECK(violation<3>(m.store) == nullptr);
+        CHECK(delaunay_violation<3>(m.store) == nullptr);
         CHECK(m.worst() <= 3);
     }
 }
@@ -228,7 +219,7 @@ TEST_CASE("any arena size leaves a Delaunay mesh of what was inserted") {
         Meshed<2> m(points, 2.5, true, bytes);
         REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
         if (m.state.cell_slots == 0) continue;
-        CHECK(violation<2>(m.store) == nullptr);
+        CHECK(delaunay_violation<2>(m.store) == nullptr);
         ++(m.status == Status::ok ? whole : partial);
     }
     CHECK(partial > 20);

@@ -5,42 +5,12 @@
 #include <cmath>
 #include <vector>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "delaunay/check.hpp"
-#include "mesh/hierarchy_quality.hpp"
-#include "mesh/netmesh.hpp"
+#include "hierarchical.hpp"
 #include "mesh/quality.hpp"
 
 using namespace netmesh;
 
 namespace {
-
-template <int D> struct Small {
-    Small(const inputs::Points& points, const HierarchyOptions& options,
-          std::size_t bytes = std::size_t{1} << (D < 5    ? 22
-                                                 : D == 5 ? 24
-                                                          : 25))
-        : block(bytes), store(block.arena, state) {
-        status = netmesh::netmesh<D>(store, points.data(), points.size() / D, options, monitor, &input, &domain, &cages,
-                                     &report);
-    }
-    const char* violation() const {
-        CheckResult r = check_combinatorial<D>(store);
-        if (r.violation == nullptr) r = check_geometric<D>(store);
-        if (r.violation == nullptr) r = check_delaunay<D>(store);
-        return r.violation;
-    }
-    Block block;
-    StoreState state = {};
-    Store<D> store;
-    Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    Cage* cages;
-    HierarchyReport report;
-    Status status;
-};
 
 template <int D> inputs::Points small_set(std::uint64_t seed) {
     const std::size_t pairs = 2 + seed / 4 % 3;
@@ -52,8 +22,8 @@ template <int D> inputs::Points small_set(std::uint64_t seed) {
     }
 }
 
-template <int D> void check_mesh(Small<D>& m, const HierarchyOptions& options) {
-    CHECK(m.violation() == nullptr);
+template <int D> void check_mesh(Hierarchical<D>& m, const HierarchyOptions& options) {
+    CHECK(delaunay_violation<D>(m.store) == nullptr);
     CHECK(m.report.cages == m.report.cages_made - m.report.cages_released);
     HierarchyQuality q;
     REQUIRE(measure_hierarchy<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, &q) == Status::ok);
@@ -100,7 +70,7 @@ TEST_CASE_TEMPLATE_DEFINE("small meshes with gaps keep what they promise, cages 
         options.audit_location = seed % 3 == 1;
         options.audit_quality = D < 6 ? seed % 7 == 2 : seed == 22;
         options.cages = seed % 11 != 7;
-        Small<D> m(small_set<D>(seed), options);
+        Hierarchical<D> m(small_set<D>(seed), options, std::size_t{1} << (D < 5 ? 22 : 25));
         REQUIRE(m.status == Status::ok);
         check_mesh<D>(m, options);
         made += m.report.cages_made;
@@ -124,10 +94,10 @@ TEST_CASE_TEMPLATE_DEFINE("any arena size leaves a Delaunay mesh of what was ins
             HierarchyOptions options = {D < 5 ? 5.0 : 12.0, 1, kind == 2, 1};
             options.audit_location = kind == 1;
             options.audit_quality = kind == 1 && D < 6;
-            Small<D> m(points, options, static_cast<std::size_t>(bytes));
+            Hierarchical<D> m(points, options, static_cast<std::size_t>(bytes));
             REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
             if (m.state.cell_slots == 0) continue;
-            CHECK(m.violation() == nullptr);
+            CHECK(delaunay_violation<D>(m.store) == nullptr);
             if (m.status == Status::ok && bytes > 1e5) check_mesh<D>(m, options);
             ++(m.status == Status::ok ? whole : partial);
         }
