@@ -4,39 +4,18 @@
 #include <cmath>
 #include <cstring>
 
-#include "common/session.hpp"
+#include "common/arrays.hpp"
 
 namespace {
 
-struct Copied {
-    explicit Copied(const Session& session) {
-        const netmesh_report report = session.report();
-        const std::uint32_t dim = report.dim;
-        domain.assign(report.domain, report.domain + dim + 1);
-        netmesh_vertex vertex;
-        for (std::uint64_t v = 0; netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK; ++v) {
-            coordinates.insert(coordinates.end(), vertex.coordinates, vertex.coordinates + dim);
-            markers.push_back(static_cast<std::uint8_t>(vertex.marker));
-        }
-        netmesh_cell cell;
-        for (std::uint64_t c = 0; netmesh_get_cell(session.context, c, &cell) == NETMESH_OK; ++c)
-            cells.insert(cells.end(), cell.vertices, cell.vertices + dim + 1);
-        netmesh_cage cage;
-        for (std::uint64_t d = 0; netmesh_get_cage(session.context, d, &cage) == NETMESH_OK; ++d) cages.push_back(cage);
-    }
+// A mesh's arrays, its cages too.
+struct Copied : Arrays {
+    explicit Copied(const Session& session) : Arrays(session) {}
     netmesh_status load(Session& session) const {
-        const std::uint32_t dim = session.options.dim;
-        const netmesh_status status =
-            netmesh_load(session.context, coordinates.data(), markers.data(), markers.size(), cells.data(),
-                         cells.size() / (dim + 1), domain.data(), &session.options);
+        const netmesh_status status = Arrays::load(session);
         return status != NETMESH_OK ? status
                                     : netmesh_load_cages(session.context, cages.data(), cages.size(), &session.options);
     }
-    inputs::Points coordinates;
-    std::vector<double> domain;
-    std::vector<std::uint8_t> markers;
-    std::vector<std::uint32_t> cells;
-    std::vector<netmesh_cage> cages;
 };
 
 }  // namespace

@@ -15,8 +15,8 @@ struct Job {
     bool large = false;          // left out of the quick slice
     long tries_max = 0;          // of requests, polls and block sizes, evenly spread; 0: all
     bool keeps_diagram = false;  // the last step, when it fails, leaves the diagram of an earlier one
-    std::size_t block =
-        0;  // the job takes all of a block: of this many bytes, and its result goes by them; 0: it does not
+    // When above 0 the job uses a block up, and its result goes by the size: a block of this many bytes.
+    std::size_t block = 0;
 };
 
 // What the last run of a job got by other ways than the context: a hash, 0 when there is nothing.
