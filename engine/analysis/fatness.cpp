@@ -4,6 +4,8 @@
 #include "analysis/in_ball.hpp"
 #include "delaunay/kernel.hpp"
 #include "numerics/elementary.hpp"
+#include "vocabulary/dimension.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 namespace {
@@ -11,15 +13,6 @@ namespace {
 constexpr double up = 1 + 0x1p-40;
 constexpr double least_square = 0x1p-960;  // shorter edges have squares that doubles do not hold
 constexpr int clipping_rounds = 12;        // cutting planes for an in-ball at the sphere
-
-template <int D> double distance2(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return d2;
-}
 
 enum Part : std::uint8_t { part_inside = 0, part_bounded = 1, part_none = 2 };
 
@@ -287,13 +280,13 @@ template <int D> Status Fatness<D>::run(Monitor& monitor) {
 }  // namespace
 
 template <int D>
-Status analyse_fatness(Store<D>& store, const Domain<D>& domain, Arena& arena, Monitor& monitor,
+Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work,
                        FatnessAnalysis* analysis) {
-    ArenaScope scope(arena);
+    ArenaScope scope(work.arena);
     recompute_balls<D>(store);
-    Fatness<D> fatness(store, domain, arena, analysis);
+    Fatness<D> fatness(store, domain, work.arena, analysis);
     const Status status = fatness.open();
-    return status == Status::ok ? fatness.run(monitor) : status;
+    return status == Status::ok ? fatness.run(work.monitor) : status;
 }
 
 const char* violated_fatness_bound(const FatPart& a) {
@@ -306,12 +299,8 @@ const char* violated_fatness_bound(const FatPart& a) {
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status analyse_fatness<D>(Store<D>&, const Domain<D>&, Arena&, Monitor&, FatnessAnalysis*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+    template Status analyse_fatness<D>(Store<D>&, const Domain<D>&, const Work&, FatnessAnalysis*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

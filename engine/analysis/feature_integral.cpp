@@ -1,13 +1,14 @@
 #include "analysis/feature_integral.hpp"
 
 #include "numerics/elementary.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 // eta: h / f_P(centre) of a box that is never split. What is lost in bounds is won in boxes, 2^D for each factor of
 // two.
-constexpr double coarsest[] = {0, 0, 0.5, 0.5, 0.5, 0.6, 0.7};
+template <int D> constexpr double coarsest = figures<D>.coarsest_box;
 constexpr double rounding = 0x1p-26;  // more than that of sums of 2^24 terms
 constexpr double mean_over_max =
     0.57736;  // mean distance from the centre of a box over half its diagonal, at most 1/sqrt(3)
@@ -103,7 +104,7 @@ bool Boxes<D>::settle(const double* x, double half, double eta, bool finest, Fea
     const double side = power(2 * half / f, D), ratio = h / f;
     const double floor = f - h > feature_least_ ? f - h : feature_least_;
     const double greatest = power(f / floor, D), least = 1 / power(1 + ratio, D);
-    const double mean_upper = ratio <= coarsest[D] ? mean_at_most<D>(ratio) : greatest;
+    const double mean_upper = ratio <= coarsest<D> ? mean_at_most<D>(ratio) : greatest;
     for (int j = 0; j < balls_; ++j) {
         integral->lower[j] += side * inside[j].least * (inside[j].least == 1 ? mean_at_least<D>(ratio) : least);
         integral->upper[j] +=
@@ -164,33 +165,28 @@ template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureInteg
 
 template <int D>
 Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs, const double* centre,
-                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, Arena& arena,
-                        Monitor& monitor, FeatureIntegral* integral) {
-    ArenaScope scope(arena);
+                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, const Work& work, FeatureIntegral* integral) {
+    ArenaScope scope(work.arena);
     Boxes<D> boxes(store, tree, centre, radius, balls);
-    Status status = boxes.open(arena, inputs);
-    if (status == Status::ok) status = boxes.run(coarsest[D], monitor, integral);
+    Status status = boxes.open(work.arena, inputs);
+    if (status == Status::ok) status = boxes.run(coarsest<D>, work.monitor, integral);
     if (status != Status::ok) return status;
     // The number of boxes grows by 2^(D/2) a step.
-    double eta = coarsest[D], boxes_next = static_cast<double>(integral->boxes);
+    double eta = coarsest<D>, boxes_next = static_cast<double>(integral->boxes);
     const double step = 0.70710678118654752, growth = square_root(static_cast<double>(1u << D));
     while (mean_at_most<D>(eta) / mean_at_least<D>(eta) > 1 + tolerance &&
            boxes_next * growth <= static_cast<double>(boxes_max)) {
         eta *= step;
         boxes_next *= growth;
     }
-    return eta < coarsest[D] ? boxes.run(eta, monitor, integral) : Status::ok;
+    return eta < coarsest<D> ? boxes.run(eta, work.monitor, integral) : Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const double*,            \
-                                        const double*, int, double, std::uint64_t, Arena&, Monitor&,                   \
+                                        const double*, int, double, std::uint64_t, const Work&,                   \
                                         FeatureIntegral*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "numerics/real.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -131,10 +132,8 @@ template <int D> double largest_inscribed_ball(const double* w, std::uint32_t co
     return radius;
 }
 
-template double largest_inscribed_ball<2>(const double*, std::uint32_t, double, double*);
-template double largest_inscribed_ball<3>(const double*, std::uint32_t, double, double*);
-template double largest_inscribed_ball<4>(const double*, std::uint32_t, double, double*);
-template double largest_inscribed_ball<5>(const double*, std::uint32_t, double, double*);
-template double largest_inscribed_ball<6>(const double*, std::uint32_t, double, double*);
+#define NETMESH_INSTANTIATE(D) template double largest_inscribed_ball<D>(const double*, std::uint32_t, double, double*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -1,16 +1,9 @@
 #include "analysis/pacing.hpp"
+#include "vocabulary/dimension.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 namespace {
-
-template <int D> double distance2(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return d2;
-}
 
 // A range of the tree to be looked at, all of whose points are at least sqrt(plane2) away.
 struct Part {
@@ -74,15 +67,15 @@ template <int D> std::uint32_t list_ranges(const InputTree<D>& tree, TreeRange* 
 
 template <int D>
 Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t* order, std::uint32_t count,
-            Arena& arena, Monitor& monitor, double* theta) {
-    ArenaScope scope(arena);
-    std::uint32_t* const rank = arena.take_high<std::uint32_t>(count);
-    std::uint32_t* const least = arena.take_high<std::uint32_t>(count);
+            const Work& work, double* theta) {
+    ArenaScope scope(work.arena);
+    std::uint32_t* const rank = work.arena.take_high<std::uint32_t>(count);
+    std::uint32_t* const least = work.arena.take_high<std::uint32_t>(count);
     if (rank == nullptr || least == nullptr) return Status::out_of_memory;
     for (std::uint32_t i = 0; i < count; ++i) rank[order[i]] = i;
     {
-        ArenaScope inner(arena);
-        TreeRange* const ranges = arena.take_high<TreeRange>(count);
+        ArenaScope inner(work.arena);
+        TreeRange* const ranges = work.arena.take_high<TreeRange>(count);
         if (ranges == nullptr) return Status::out_of_memory;
         for (std::uint32_t k = list_ranges<D>(tree, ranges); k-- > 0;)
             least[ranges[k].middle()] = summary<D>(
@@ -108,19 +101,18 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
                 }
             });
         theta[i] = square_root(first2) / square_root(second2);
-        if (monitor.advance(i, 8)) return Status::cancelled;
+        if (work.monitor.advance(i, 8)) return Status::cancelled;
     }
     return Status::ok;
 }
 
 template <int D>
-Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, Arena& arena,
-                            Monitor& monitor, std::uint32_t* order) {
-    ArenaScope scope(arena);
+Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work, std::uint32_t* order) {
+    ArenaScope scope(work.arena);
     // Squared distance to the points ordered so far, -1 for those themselves; its maximum over each range.
-    double* const near2 = arena.take_high<double>(count);
-    double* const far2 = arena.take_high<double>(count);
-    TreeRange* const visited = arena.take_high<TreeRange>(count);
+    double* const near2 = work.arena.take_high<double>(count);
+    double* const far2 = work.arena.take_high<double>(count);
+    TreeRange* const visited = work.arena.take_high<TreeRange>(count);
     if (near2 == nullptr || far2 == nullptr || visited == nullptr) return Status::out_of_memory;
     std::uint32_t next = 0;
     double reach2 = -1;
@@ -168,21 +160,16 @@ Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std
             else
                 break;
         }
-        if (monitor.advance(i, 1 + visits)) return Status::cancelled;
+        if (work.monitor.advance(i, 1 + visits)) return Status::cancelled;
     }
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status pace<D>(const Store<D>&, const InputTree<D>&, const std::uint32_t*, std::uint32_t, Arena&,         \
-                            Monitor&, double*);                                                                        \
-    template Status farthest_first_order<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, Arena&, Monitor&,     \
+    template Status pace<D>(const Store<D>&, const InputTree<D>&, const std::uint32_t*, std::uint32_t, const Work&, double*);                                                                        \
+    template Status farthest_first_order<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const Work&,     \
                                             std::uint32_t*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -2,8 +2,9 @@
 #pragma once
 #include <cstdint>
 
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
 #include "mesh/input_tree.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -12,7 +13,7 @@ namespace netmesh {
 // least theta_i. Expected O(n log n). Scratch: 8 bytes a point. out_of_memory, cancelled.
 template <int D>
 Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t* order, std::uint32_t count,
-            Arena& arena, Monitor& monitor, double* theta);
+            const Work& work, double* theta);
 
 // The farthest-first ordering: an input far from input 0, then always one of those farthest from all before.
 //
@@ -26,7 +27,6 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
 // Cost O(n log n) for each factor of two in the spread at most, O(n log n) on inputs of moderate spread. Scratch: 20
 // bytes a point. out_of_memory, cancelled.
 template <int D>
-Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, Arena& arena,
-                            Monitor& monitor, std::uint32_t* order);
+Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work, std::uint32_t* order);
 
 }  // namespace netmesh

@@ -3,6 +3,7 @@
 #include "analysis/pacing.hpp"
 #include "mesh/refine.hpp"
 #include "numerics/elementary.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -46,13 +47,13 @@ Status measure_vertices(const Store<D>& store, const Domain<D>& domain, const In
 // The theta_i of the farthest-first ordering and what they say about the wide integral.
 template <int D>
 Status measure_pace(const Store<D>& store, const Domain<D>& domain, const InputTree<D>& tree, std::uint32_t inputs,
-                    Arena& arena, Monitor& monitor, SizeAnalysis* analysis) {
-    ArenaScope scope(arena);
-    std::uint32_t* const order = arena.take_high<std::uint32_t>(inputs);
-    double* const theta = arena.take_high<double>(inputs);
+                    const Work& work, SizeAnalysis* analysis) {
+    ArenaScope scope(work.arena);
+    std::uint32_t* const order = work.arena.take_high<std::uint32_t>(inputs);
+    double* const theta = work.arena.take_high<double>(inputs);
     if (order == nullptr || theta == nullptr) return Status::out_of_memory;
-    Status status = farthest_first_order<D>(store, tree, inputs, arena, monitor, order);
-    if (status == Status::ok) status = pace<D>(store, tree, order, inputs, arena, monitor, theta);
+    Status status = farthest_first_order<D>(store, tree, inputs, work, order);
+    if (status == Status::ok) status = pace<D>(store, tree, order, inputs, work, theta);
     if (status != Status::ok) return status;
     const double first = distance<D>(store.point(order[0]), store.point(order[1]));
     const double c = (distance<D>(store.point(order[0]), domain.centre) + analysis->radius[ball_wide]) / first;
@@ -85,20 +86,20 @@ double feature_ratio_bound(double tau, const SizeRule& rule) {
 
 template <int D>
 Status analyse_size(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const SizeOptions& options,
-                    Arena& arena, Monitor& monitor, SizeAnalysis* analysis) {
+                    const Work& work, SizeAnalysis* analysis) {
     *analysis = {};
     analysis->theta = analysis->theta_limit = 1;
     analysis->feature_ratio_bound = feature_ratio_bound(options.tau, options.rule);
     analysis->size_upper = infinity;
-    ArenaScope scope(arena);
+    ArenaScope scope(work.arena);
     InputTree<D> tree;
-    if (tree.build(store, arena, inputs) != Status::ok) return Status::out_of_memory;
-    Status status = measure_vertices<D>(store, domain, tree, arena, analysis);
+    if (tree.build(store, work.arena, inputs) != Status::ok) return Status::out_of_memory;
+    Status status = measure_vertices<D>(store, domain, tree, work.arena, analysis);
     if (status != Status::ok || inputs < 2) return status;
-    status = measure_pace<D>(store, domain, tree, inputs, arena, monitor, analysis);
+    status = measure_pace<D>(store, domain, tree, inputs, work, analysis);
     if (status == Status::ok)
         status = feature_integral<D>(store, tree, inputs, domain.centre, analysis->radius, FeatureIntegral::balls_max,
-                                     options.tolerance, options.boxes_max, arena, monitor, &analysis->integral);
+                                     options.tolerance, options.boxes_max, work, &analysis->integral);
     if (status != Status::ok) return status;
     const double volume = unit_ball_volume(D);
     analysis->size_lower = analysis->integral.lower[ball_domain] / (volume * power(options.tau, D)) * (1 - tolerance);
@@ -120,13 +121,8 @@ const char* violated_size_bound(const SizeAnalysis& a) {
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status analyse_size<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const SizeOptions&, Arena&,      \
-                                    Monitor&, SizeAnalysis*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+    template Status analyse_size<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const SizeOptions&, const Work&, SizeAnalysis*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

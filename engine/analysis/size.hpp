@@ -4,6 +4,7 @@
 
 #include "analysis/feature_integral.hpp"
 #include "mesh/sizing.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -43,7 +44,7 @@ double feature_ratio_bound(double tau, const SizeRule& rule);
 // cancelled.
 template <int D>
 Status analyse_size(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const SizeOptions& options,
-                    Arena& arena, Monitor& monitor, SizeAnalysis* analysis);
+                    const Work& work, SizeAnalysis* analysis);
 
 // The bound that does not hold, null when all do. Room for the rounding of the analysis itself.
 const char* violated_size_bound(const SizeAnalysis& analysis);

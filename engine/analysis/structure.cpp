@@ -2,23 +2,16 @@
 
 #include "analysis/corners.hpp"
 #include "delaunay/kernel.hpp"
+#include "vocabulary/dimension.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 namespace {
 
 // Looks at a cell that a point's or a ball's flood takes, as measured on quality meshes in D = 2..6.
-constexpr std::uint32_t ply_expected[] = {0, 0, 4, 20, 120, 700, 4000};
-constexpr std::uint32_t intersections_expected[] = {0, 0, 24, 240, 3000, 40000, 400000};
+template <int D> constexpr std::uint32_t ply_expected = figures<D>.ply_expected;
+template <int D> constexpr std::uint32_t intersections_expected = figures<D>.intersections_expected;
 constexpr std::uint32_t looks_max = 1u << 24;
-
-template <int D> double distance2(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return d2;
-}
 
 // The number of cells connected with `from` through cells that `take`. `none` when the gap has no room for their list.
 template <int D, class Take> std::uint32_t flood(Store<D>& store, std::uint32_t from, Take&& take) {
@@ -120,13 +113,13 @@ template <int D> bool is_ordinary(const Store<D>& store, std::uint32_t c) {
 }  // namespace
 
 template <int D>
-Status analyse_structure(Store<D>& store, const double* centre, double reach, Arena& arena, Monitor& monitor,
+Status analyse_structure(Store<D>& store, const double* centre, double reach, const Work& work,
                          StructureAnalysis* analysis) {
     *analysis = {};
     recompute_balls<D>(store);
-    Status status = measure_stars<D>(store, arena, analysis);
+    Status status = measure_stars<D>(store, work.arena, analysis);
     const std::uint32_t cells = store.state.cell_slots;
-    for (std::uint32_t c = 0, stride = stride_of<D>(store, ply_expected[D]); c < cells && status == Status::ok;
+    for (std::uint32_t c = 0, stride = stride_of<D>(store, ply_expected<D>); c < cells && status == Status::ok;
          c += stride) {
         double x[D] = {};
         for (const std::uint32_t v : store.cell(c).vertex)
@@ -135,12 +128,12 @@ Status analyse_structure(Store<D>& store, const double* centre, double reach, Ar
         const Cell<D>& cell = store.cell(c);
         if (status == Status::ok && cell.radius2 < infinity && distance2<D>(cell.centre, centre) < reach * reach)
             status = measure_ply<D>(store, c, cell.centre, analysis);
-        if (status == Status::ok && monitor.advance(c, ply_expected[D])) status = Status::cancelled;
+        if (status == Status::ok && work.monitor.advance(c, ply_expected<D>)) status = Status::cancelled;
     }
-    for (std::uint32_t c = 0, stride = stride_of<D>(store, intersections_expected[D]);
+    for (std::uint32_t c = 0, stride = stride_of<D>(store, intersections_expected<D>);
          c < cells && status == Status::ok; c += stride) {
         if (is_ordinary<D>(store, c)) status = measure_intersections<D>(store, c, analysis);
-        if (status == Status::ok && monitor.advance(c, intersections_expected[D])) status = Status::cancelled;
+        if (status == Status::ok && work.monitor.advance(c, intersections_expected<D>)) status = Status::cancelled;
     }
     const auto mean = [](double* sum, std::uint64_t count) {
         *sum = count > 0 ? *sum / static_cast<double>(count) : 0;
@@ -153,12 +146,8 @@ Status analyse_structure(Store<D>& store, const double* centre, double reach, Ar
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status analyse_structure<D>(Store<D>&, const double*, double, Arena&, Monitor&, StructureAnalysis*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+    template Status analyse_structure<D>(Store<D>&, const double*, double, const Work&, StructureAnalysis*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -3,7 +3,8 @@
 #include <cstdint>
 
 #include "delaunay/store.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -24,7 +25,7 @@ struct StructureAnalysis {
 // point of the hull, or meet a ball, hang together through facets, so a flood from one of them finds them all. Uses
 // vertex.next and cell.mark. Scratch: 1 byte a vertex, 4 bytes a cell of the largest flood. out_of_memory, cancelled.
 template <int D>
-Status analyse_structure(Store<D>& store, const double* centre, double reach, Arena& arena, Monitor& monitor,
+Status analyse_structure(Store<D>& store, const double* centre, double reach, const Work& work,
                          StructureAnalysis* analysis);
 
 }  // namespace netmesh

@@ -1,3 +1,4 @@
+#include "vocabulary/dimension.hpp"
 #include "analysis/fatness.hpp"
 #include "analysis/pacing.hpp"
 #include "analysis/size.hpp"
@@ -8,7 +9,6 @@
 namespace netmesh {
 namespace {
 
-constexpr double tolerance_default[] = {0, 0, 0.1, 0.25, 1, 4, 16};
 constexpr std::uint64_t boxes_max = std::uint64_t{1} << 22;
 
 void keep_size(const SizeAnalysis& from, netmesh_analysis* to) {
@@ -108,10 +108,10 @@ Status analyse(netmesh_context* context, std::uint32_t what, double tolerance, c
     Status status = Status::ok;
     if ((what & NETMESH_ANALYSE_SIZE) != 0) {
         SizeAnalysis size;
-        const double wanted = tolerance > 0 ? tolerance : tolerance_default[D];
+        const double wanted = tolerance > 0 ? tolerance : figures<D>.integral_tolerance;
         status =
             analyse_size<D>(store, domain, context->inputs, {tau_of(options), size_rule_of(options), wanted, boxes_max},
-                            context->arena, monitor, &size);
+                            {context->arena, monitor}, &size);
         if (context->hierarchy.cages > 0 || context->goal.ratio > 0) {
             // Cells are of quality in their own domains alone, or none is promised, which is what lets a mesh be smaller.
             size.size_lower = 0;
@@ -121,12 +121,12 @@ Status analyse(netmesh_context* context, std::uint32_t what, double tolerance, c
     }
     if (status == Status::ok && (what & NETMESH_ANALYSE_STRUCTURE) != 0) {
         StructureAnalysis structure;
-        status = analyse_structure<D>(store, domain.centre, domain.radius, context->arena, monitor, &structure);
+        status = analyse_structure<D>(store, domain.centre, domain.radius, {context->arena, monitor}, &structure);
         if (status == Status::ok) keep_structure(structure, analysis);
     }
     if (status == Status::ok && (what & NETMESH_ANALYSE_FATNESS) != 0) {
         FatnessAnalysis fatness;
-        status = analyse_fatness<D>(store, domain, context->arena, monitor, &fatness);
+        status = analyse_fatness<D>(store, domain, {context->arena, monitor}, &fatness);
         if (status == Status::ok) keep_fatness(fatness, analysis);
     }
     return status;
@@ -176,9 +176,9 @@ netmesh_status netmesh_well_paced_order(netmesh_context* context, uint32_t* orde
         InputTree<D> tree;
         Monitor monitor;
         if (tree.build(store, context->arena, context->inputs) != Status::ok) return Status::out_of_memory;
-        const Status ordered = farthest_first_order<D>(store, tree, context->inputs, context->arena, monitor, order);
+        const Status ordered = farthest_first_order<D>(store, tree, context->inputs, {context->arena, monitor}, order);
         if (ordered != Status::ok || theta == nullptr) return ordered;
-        return pace<D>(store, tree, order, context->inputs, context->arena, monitor, theta);
+        return pace<D>(store, tree, order, context->inputs, {context->arena, monitor}, theta);
     });
     return finish(context, status, text_of(status));
 }
@@ -204,7 +204,7 @@ netmesh_status netmesh_pace(netmesh_context* context, const uint32_t* order, dou
             seen[order[i]] = 1;
         }
         if (tree.build(store, context->arena, inputs) != Status::ok) return Status::out_of_memory;
-        return pace<D>(store, tree, order, inputs, context->arena, monitor, theta);
+        return pace<D>(store, tree, order, inputs, {context->arena, monitor}, theta);
     });
     if (status == Status::invalid_argument)
         return finish(context, status, "order is not a permutation of the inputs", 2);

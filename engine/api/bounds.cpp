@@ -15,7 +15,7 @@ const Pair* pairs_of(const netmesh_context* context) {
 
 // The filter's values and intervals anew; *zero_born: the inputs of covers that begin with balls.
 template <int D>
-Status measure(const netmesh_context* context, Store<D>& store, Arena& arena, Monitor& monitor, double* value,
+Status measure(const netmesh_context* context, Store<D>& store, const Work& work, double* value,
                Interval* interval, std::uint32_t* zero_born) {
     const Domain<D> domain = domain_of<D>(*context);
     const FilterValues kind = context->values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified;
@@ -24,17 +24,17 @@ Status measure(const netmesh_context* context, Store<D>& store, Arena& arena, Mo
     if (context->k > 1) {
         const InputDistance distance =
             context->filter == NETMESH_FILTER_KNN ? InputDistance::kth : InputDistance::root_mean_square;
-        return distance_filter_values<D>(store, domain, context->inputs, distance, context->k, kind, arena, monitor,
+        return distance_filter_values<D>(store, domain, context->inputs, distance, context->k, kind, work,
                                          value, &certificate, interval);
     }
     *zero_born = context->inputs;
-    monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
+    work.monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
     if (context->filter == NETMESH_FILTER_TIGHT)
-        return tight_filter_values<D>(store, domain, context->inputs, kind, arena, value, &certificate, interval);
+        return tight_filter_values<D>(store, domain, context->inputs, kind, work.arena, value, &certificate, interval);
     const MeshFilter filter = context->filter == NETMESH_FILTER_BASIC ? MeshFilter::basic : MeshFilter::complete;
-    const Status status = mesh_filter_values<D>(store, domain, filter, kind, arena, value, &certificate, interval);
+    const Status status = mesh_filter_values<D>(store, domain, filter, kind, work.arena, value, &certificate, interval);
     if (status != Status::ok) return status;
-    return sharpen_intervals<D>(store, context->inputs, domain.enclosing_radius * up, arena, monitor, interval);
+    return sharpen_intervals<D>(store, context->inputs, domain.enclosing_radius * up, work, interval);
 }
 
 template <int D>
@@ -47,12 +47,12 @@ Status bound_by_scale(netmesh_context* context, Monitor& monitor, BarBounds* bou
     Interval* const interval = arena.take_high<Interval>(count);
     std::uint32_t zero_born = 0;
     Status status = value == nullptr || interval == nullptr ? Status::out_of_memory : Status::ok;
-    if (status == Status::ok) status = measure<D>(context, store, arena, monitor, value, interval, &zero_born);
+    if (status == Status::ok) status = measure<D>(context, store, {arena, monitor}, value, interval, &zero_born);
     if (status == Status::ok)
         status = bound_bars(value, interval, count, pairs_of(context), context->pair_count, arena, bounds, curve);
     if (status == Status::ok)
         status = find_sure_bars<D>(store.view(), value, interval, zero_born, pairs_of(context), context->pair_count,
-                                   arena, monitor, bounds);
+                                   {arena, monitor}, bounds);
     arena.release_high(high);
     return status;
 }

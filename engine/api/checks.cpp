@@ -81,12 +81,12 @@ Status check_bounds(Store<D>& store, const Context& context, const netmesh_optio
     if (context.is_mesh && context.hierarchy.cages == 0 && context.tau > 0) {
         SizeAnalysis size;
         status = analyse_size<D>(store, domain_of<D>(context), context.inputs,
-                                 {tau_of(options), size_rule_of(options), infinity, 0}, arena, monitor, &size);
+                                 {tau_of(options), size_rule_of(options), infinity, 0}, {arena, monitor}, &size);
         if (status == Status::ok) why->violation = violated_size_bound(size);
     }
     if (status != Status::ok || why->violation != nullptr) return status;
     FatnessAnalysis fatness;
-    status = analyse_fatness<D>(store, domain_of<D>(context), arena, monitor, &fatness);
+    status = analyse_fatness<D>(store, domain_of<D>(context), {arena, monitor}, &fatness);
     if (status != Status::ok) return status;
     why->violation = violated_fatness_bound(fatness.bounded);
     if (why->violation == nullptr) why->violation = violated_fatness_bound(fatness.inside);

@@ -72,12 +72,12 @@ Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const C
     PairList pairs = {};
     if (request.representatives) {
         if (!keep_complex(context, complex)) return Status::out_of_memory;
-        status = persist_with_cycles(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs,
+        status = persist_with_cycles(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs,
                                      &context->cycles);
     } else {
         status = is_skeleton(filtered, request.max_degree)
-                     ? persist_skeleton(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs)
-                     : persist_filtration(filtered, request.max_degree, request.keep_zero, arena, monitor, &pairs);
+                     ? persist_skeleton(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs)
+                     : persist_filtration(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs);
     }
     return status == Status::ok ? keep_pairs(context, pairs, request) : status;
 }

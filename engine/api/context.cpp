@@ -1,3 +1,4 @@
+#include "vocabulary/dimension.hpp"
 #include "api/context.hpp"
 
 #include "api/dispatch.hpp"
@@ -29,13 +30,12 @@ bool usable(netmesh_context* context) {
 }
 
 bool usable(const netmesh_options* options) {
-    return options != nullptr && options->struct_bytes == sizeof(netmesh_options) && options->dim >= NETMESH_DIM_MIN &&
-           options->dim <= NETMESH_DIM_MAX;
+    return options != nullptr && options->struct_bytes == sizeof(netmesh_options) && serves_dimension(options->dim);
 }
 
 double tau_of(const netmesh_options& options) {
-    constexpr double defaults[NETMESH_DIM_MAX + 1] = {0, 0, 2.5, 2.5, 3.08, 4, 4};
-    return options.tau != 0 ? options.tau : defaults[options.dim];
+    if (options.tau != 0) return options.tau;
+    return with_dimension(options.dim, [](auto d) { return figures<decltype(d)::value>.tau_default; });
 }
 
 double theta_of(const netmesh_options& options) { return options.theta != 0 ? options.theta : 1.0 / 9; }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "vocabulary/dimension.hpp"
 #include "api/context.hpp"
 #include "mesh/certify.hpp"
 #include "mesh/hierarchy_quality.hpp"
@@ -10,19 +11,6 @@
 #include "mesh/sizing.hpp"
 
 namespace netmesh {
-
-template <int D> struct Dimension { static constexpr int value = D; };
-
-// Calls f(Dimension<D>{}) for dim in 2..6; dim must be checked before.
-template <class F> auto with_dimension(std::uint32_t dim, F&& f) {
-    switch (dim) {
-    case 2: return f(Dimension<2>{});
-    case 3: return f(Dimension<3>{});
-    case 4: return f(Dimension<4>{});
-    case 5: return f(Dimension<5>{});
-    default: return f(Dimension<6>{});
-    }
-}
 
 inline Monitor monitor_of(const netmesh_options& options) { return Monitor(options.poll, options.user); }
 

@@ -1,6 +1,6 @@
 // Homology of complexes given by their simplices, and the cycles of any explicit complex.
 #include "api/complex_job.hpp"
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {
@@ -164,7 +164,7 @@ netmesh_status netmesh_homology(netmesh_context* context, const uint32_t* vertic
     if (!copy_simplices(list, context->arena, complex, &context->input_fingerprint, &twice)) {
         status = Status::out_of_memory;
     } else {
-        status = link_faces(complex, true, context->arena, monitor, &fault);
+        status = link_faces(complex, true, {context->arena, monitor}, &fault);
     }
     if (status == Status::ok) {
         context->point_dim = 0;

@@ -2,7 +2,7 @@
 #include "filtration/alpha.hpp"
 #include "filtration/function_filter.hpp"
 #include "filtration/tight_filter.hpp"
-#include "memory/callback.hpp"
+#include "vocabulary/callback.hpp"
 
 namespace netmesh {
 namespace {
@@ -81,8 +81,7 @@ template <int D>
 Status persist_values(netmesh_context* context, const Store<D>& store, const double* value, std::uint32_t zero_born,
                       const Request& request, Monitor& monitor, Outcome* outcome) {
     outcome->value = value;
-    return persist_lower_star<D>(store.view(), value, zero_born, request.max_degree, request.keep_zero, context->arena,
-                                 monitor, &outcome->pairs, &outcome->simplices);
+    return persist_lower_star<D>(store.view(), value, zero_born, request.max_degree, request.keep_zero, {context->arena, monitor}, &outcome->pairs, &outcome->simplices);
 }
 
 template <int D>
@@ -97,7 +96,7 @@ Status persist_mesh(netmesh_context* context, const Store<D>& store, const Reque
     if (k > 1) {
         const InputDistance distance =
             request.filter == NETMESH_FILTER_KNN ? InputDistance::kth : InputDistance::root_mean_square;
-        status = distance_filter_values<D>(store, domain, context->inputs, distance, k, kind, context->arena, monitor,
+        status = distance_filter_values<D>(store, domain, context->inputs, distance, k, kind, {context->arena, monitor},
                                            value, &outcome->certificate);
     } else if (request.filter == NETMESH_FILTER_TIGHT) {
         zero_born = context->inputs;
@@ -158,7 +157,7 @@ netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, 
         const Status status =
             filter == NETMESH_FILTER_ALPHA
                 ? persist_alpha<D>(store.view(), store.point(0), Store<D>::vertex_stride, request.max_degree,
-                                   request.keep_zero, context->arena, monitor, &outcome.pairs, &outcome.simplices)
+                                   request.keep_zero, {context->arena, monitor}, &outcome.pairs, &outcome.simplices)
                 : persist_mesh<D>(context, store, request, k, monitor, &outcome);
         return keep_diagram(context, request, k, status, outcome);
     });

@@ -1,3 +1,4 @@
+#include "vocabulary/dimension.hpp"
 #include "api/dispatch.hpp"
 #include "filtration/tight_filter.hpp"
 
@@ -6,22 +7,11 @@ namespace {
 
 // Measured on uniform points; the margin covers other seeds and small sets.
 constexpr double margin = 1.3;
-constexpr double delaunay_cells_per_point[] = {0, 0, 2.0, 6.8, 31, 160, 760};
-constexpr double mesh_cells_per_vertex[] = {0, 0, 2.05, 6.5, 28, 140, 600};
-constexpr double simplices_per_cell[] = {0, 0, 3.0, 4.35, 6.3, 9.1, 13.3};
-// Vertices a point: 1 + growth / (tau - 2)^(exponent / 8).
-constexpr double growth[] = {0, 0, 2.1, 4.1, 8.5, 12, 15};
-constexpr int exponent[] = {0, 0, 7, 10, 12, 13, 14};
-// Vertices a point of an over-refined mesh, times eps^D.
-constexpr double over_refined[] = {0, 0, 6, 15, 21, 26, 36};
-// The larger domain of the tight filter counts as that many points more.
-constexpr double tight_surroundings[] = {0, 0, 16, 32, 64, 128, 256};
 constexpr double gradient_bytes_per_simplex = 8;
 constexpr double alpha_bytes_per_simplex = 48;
 constexpr double hierarchy_bytes_per_point = 44;
 // Audits: scratch for each vertex and cell, and what is left of the block when lists have taken their share of it.
 constexpr double audit_bytes_per_vertex = 40, audit_bytes_per_cell = 16, audit_bytes_per_point = 24;
-constexpr double audit_balls_per_point[] = {0, 0, 8, 24, 96, 480, 2400};
 
 double power_in_eighths(double x, int k) {
     const double root = square_root(square_root(square_root(x)));
@@ -35,28 +25,28 @@ double planned_bytes(netmesh_job job, netmesh_method method, std::uint32_t audit
                      double points) {
     const bool tight = job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES;
     const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST || tight;
-    double vertices = points, cells = points * delaunay_cells_per_point[D];
+    double vertices = points, cells = points * figures<D>.delaunay_cells_per_point;
     if (meshes) {
-        vertices = points * (1 + growth[D] / power_in_eighths(tau - 2, exponent[D])) + 100;
-        double fine = eps > 0 ? (points + (tight ? tight_surroundings[D] : 0)) * over_refined[D] : 0;
+        vertices = points * (1 + figures<D>.growth / power_in_eighths(tau - 2, figures<D>.growth_eighths)) + 100;
+        double fine = eps > 0 ? (points + (tight ? figures<D>.tight_surroundings : 0)) * figures<D>.over_refined : 0;
         for (int k = 0; k < D && eps > 0; ++k) fine /= eps;
         if (fine > vertices) vertices = fine;
-        cells = vertices * mesh_cells_per_vertex[D];
+        cells = vertices * figures<D>.mesh_cells_per_vertex;
     }
     double bytes = vertices * sizeof(Vertex<D>) + cells * sizeof(Cell<D>) + 9 * points;
     if (meshes && (method == NETMESH_METHOD_NETMESH || audit != 0)) bytes += hierarchy_bytes_per_point * points;
     if (meshes && audit != 0) {
         bytes += audit_bytes_per_vertex * vertices + audit_bytes_per_cell * cells + audit_bytes_per_point * points;
-        const double lists = 16 * audit_balls_per_point[D] * points;
+        const double lists = 16 * figures<D>.audit_balls_per_point * points;
         if (bytes < 3 * lists) bytes = 3 * lists;
         bytes += bytes / 3;
     }
-    const double simplices = cells * simplices_per_cell[D];
+    const double simplices = cells * figures<D>.simplices_per_cell;
     if (job == NETMESH_JOB_PERSIST || tight) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
     if (job == NETMESH_JOB_PERSIST_SCALES) bytes += points * (sizeof(Vertex<D>) + 32);
     // Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
-    return margin * bytes + sizeof(netmesh_context) + 16384 + 64 * sizeof(Cell<D>) * mesh_cells_per_vertex[D];
+    return margin * bytes + sizeof(netmesh_context) + 16384 + 64 * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
 }
 
 }  // namespace

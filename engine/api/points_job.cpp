@@ -2,7 +2,7 @@
 #include "api/complex_job.hpp"
 #include "filtration/point_complexes.hpp"
 #include "filtration/rips_graph.hpp"
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {
@@ -87,21 +87,21 @@ struct Filter {
 };
 
 template <int D>
-Status make_complex(const PointSet& points, const Filter& filter, Arena& arena, Monitor& monitor, ListedComplex* out) {
+Status make_complex(const PointSet& points, const Filter& filter, const Work& work, ListedComplex* out) {
     const std::uint32_t dimension = filter.skeleton(points.count);
     const double* const x = points.coordinates;
     ListedComplex sets;
     ListedComplex* const made = filter.barycentric() ? &sets : out;
     Status status;
     switch (filter.filter) {
-    case NETMESH_FILTER_RIPS: status = rips_complex<D>(x, points.count, dimension, arena, monitor, made); break;
+    case NETMESH_FILTER_RIPS: status = rips_complex<D>(x, points.count, dimension, work, made); break;
     case NETMESH_FILTER_BARYCENTRIC_RIPS:
-        status = full_rips_complex<D>(x, points.count, dimension, arena, monitor, made);
+        status = full_rips_complex<D>(x, points.count, dimension, work, made);
         break;
-    default: status = cech_complex<D>(x, points.count, dimension, arena, monitor, made); break;
+    default: status = cech_complex<D>(x, points.count, dimension, work, made); break;
     }
     if (status != Status::ok || !filter.barycentric()) return status;
-    status = barycentric_complex(sets, filter.k, filter.max_degree + 1, arena, monitor, out);
+    status = barycentric_complex(sets, filter.k, filter.max_degree + 1, work, out);
     for (std::uint32_t m = 0; status == Status::ok && m <= out->dimension; ++m) {
         for (std::uint32_t i = 0; i < out->count[m]; ++i) out->value[m][i] *= filter.factor();
     }
@@ -112,7 +112,7 @@ Status persist_listed(netmesh_context* context, const PointSet& points, const Fi
                       const ComplexRequest& request, Monitor& monitor) {
     ListedComplex complex;
     const Status status = with_dimension(context->point_dim, [&](auto dimension) {
-        return make_complex<decltype(dimension)::value>(points, filter, context->arena, monitor, &complex);
+        return make_complex<decltype(dimension)::value>(points, filter, {context->arena, monitor}, &complex);
     });
     return status == Status::ok ? keep_diagram_of(context, complex, request, monitor) : status;
 }
@@ -126,7 +126,7 @@ Status persist_edges(netmesh_context* context, const PointSet& points, const Com
     PairList pairs = {};
     const std::size_t low = arena.low_mark();
     Status status = with_dimension(context->point_dim, [&](auto dimension) {
-        return rips_graph<decltype(dimension)::value>(points.coordinates, points.count, arena, monitor, &graph);
+        return rips_graph<decltype(dimension)::value>(points.coordinates, points.count, {arena, monitor}, &graph);
     });
     if (status == Status::invalid_argument || (status == Status::ok && !rips_has_numbers(graph, request.max_degree))) {
         arena.release_low(low);
@@ -135,7 +135,7 @@ Status persist_edges(netmesh_context* context, const PointSet& points, const Com
     *done = true;
     if (status == Status::ok)
         status =
-            persist_rips(graph, request.max_degree, request.keep_zero, arena, monitor, &pairs, &context->simplices);
+            persist_rips(graph, request.max_degree, request.keep_zero, {arena, monitor}, &pairs, &context->simplices);
     if (status == Status::ok) status = keep_pairs(context, pairs, request);
     return status;
 }

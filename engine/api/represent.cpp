@@ -16,14 +16,14 @@ Status represent_listed(netmesh_context* context, Monitor& monitor, PairList* pa
         constexpr int D = decltype(d)::value;
         Store<D> store(arena, context->store);
         if (alpha)
-            return alpha_complex<D>(store.view(), store.point(0), Store<D>::vertex_stride, dimension, arena, monitor,
+            return alpha_complex<D>(store.view(), store.point(0), Store<D>::vertex_stride, dimension, {arena, monitor},
                                     &complex);
         const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-        return lower_star_complex<D>(store.view(), value, born_at_zero(context), dimension, arena, monitor, &complex);
+        return lower_star_complex<D>(store.view(), value, born_at_zero(context), dimension, {arena, monitor}, &complex);
     });
     if (status == Status::ok && !keep_complex(context, complex)) status = Status::out_of_memory;
     if (status != Status::ok) return status;
-    status = persist_with_cycles(complex.filtered(), context->max_degree, context->keeps_zero, arena, monitor, pairs,
+    status = persist_with_cycles(complex.filtered(), context->max_degree, context->keeps_zero, {arena, monitor}, pairs,
                                  &context->cycles);
     if (status == Status::ok && alpha && !context->keeps_zero) drop_rounding(pairs);
     return status;
@@ -39,7 +39,7 @@ Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
         const Store<D> store(arena, context->store);
         const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
         return lower_star_cycles<D>(store.view(), value, born_at_zero(context), context->max_degree,
-                                    context->pair_count, arena, monitor, pairs, &context->cycles);
+                                    context->pair_count, {arena, monitor}, pairs, &context->cycles);
     });
 }
 

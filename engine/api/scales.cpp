@@ -76,7 +76,7 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
         Status status = take_input<D>(store, points, n, options->seed, monitor, &input, &order);
         context->arena.release_low(context->start);  // the order
         const std::uint32_t inputs = state.vertex_count;
-        if (status == Status::ok) status = persist_scales<D>(store, inputs, request, context->arena, monitor, &result);
+        if (status == Status::ok) status = persist_scales<D>(store, inputs, request, {context->arena, monitor}, &result);
         const std::size_t low = context->arena.low_mark();
         const std::uint64_t wanted = context->arena.bytes_wanted();
         if (status != Status::ok) {

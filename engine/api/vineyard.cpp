@@ -29,7 +29,7 @@ extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_fil
             max_degree < D ? max_degree : static_cast<std::uint32_t>(D - 1)};
         VineList vines = {};
         const Status status =
-            k_vineyard<D>(store, domain_of<D>(*context), context->inputs, request, context->arena, monitor, &vines);
+            k_vineyard<D>(store, domain_of<D>(*context), context->inputs, request, {context->arena, monitor}, &vines);
         if (status != Status::ok) {
             clear_diagram(context);
             return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));

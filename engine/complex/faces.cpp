@@ -7,6 +7,7 @@
 // one table a dimension, in which the children of a node lie together, ascending: a trie. Facet i of the face (p, x), p
 // its first k vertices, is the child x of facet i of p, so boundaries come from boundaries one dimension below.
 #include "complex/faces.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -240,12 +241,12 @@ __attribute__((always_inline)) inline void fetch_star(const TriangulationView<D>
 
 // Writes, for each used vertex, the vertex and the records of its star; then `none`.
 template <int D>
-Status walk_stars(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
+Status walk_stars(const TriangulationView<D>& complex, int dimension_max, const Work& work,
                   WordStream& stream) {
     Incidence<D> incidence;
     StarWalk<D> star;
-    if (!build_incidence(complex, arena, &incidence)) return Status::out_of_memory;
-    if (!star.reserve(complex, incidence.degree_max, dimension_max, arena)) return Status::out_of_memory;
+    if (!build_incidence(complex, work.arena, &incidence)) return Status::out_of_memory;
+    if (!star.reserve(complex, incidence.degree_max, dimension_max, work.arena)) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < complex.vertex_count; ++v) {
         const std::uint32_t first = incidence.first[v], degree = incidence.first[v + 1] - first;
         fetch_star(complex, incidence, v + 1);
@@ -254,7 +255,7 @@ Status walk_stars(const TriangulationView<D>& complex, int dimension_max, Arena&
         stream.push(v);
         if (dimension_max > 0 && !star.walk(complex, v, incidence.cell + first, degree, stream))
             return Status::out_of_memory;
-        if (monitor.advance(v, 1 + degree)) return Status::cancelled;
+        if (work.monitor.advance(v, 1 + degree)) return Status::cancelled;
     }
     if (!stream.reserve(1)) return Status::out_of_memory;
     stream.push(none);
@@ -365,40 +366,40 @@ template <int D> void link_facets(const Faces<D>& faces, const Trie<D>& trie, in
 }
 
 template <int D>
-Status enumerate(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
+Status enumerate(const TriangulationView<D>& complex, int dimension_max, const Work& work,
                  Faces<D>* out) {
-    const std::size_t low = arena.low_mark(), high = arena.high_mark();
-    WordStream stream(arena);
-    const Status status = walk_stars(complex, dimension_max, arena, monitor, stream);
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    WordStream stream(work.arena);
+    const Status status = walk_stars(complex, dimension_max, work, stream);
     if (status != Status::ok) return status;
-    arena.release_high(high);
+    work.arena.release_high(high);
 
     Faces<D> faces = {};
     Trie<D> trie = {};
     faces.dimension_max = dimension_max;
     if (!unfold<D>(stream.words(), dimension_max, faces.count, nullptr, nullptr)) return Status::out_of_memory;
     for (int k = 0; k <= dimension_max; ++k) {
-        faces.last_vertex[k] = arena.take_high<std::uint32_t>(faces.count[k]);
+        faces.last_vertex[k] = work.arena.take_high<std::uint32_t>(faces.count[k]);
         if (faces.last_vertex[k] == nullptr) return Status::out_of_memory;
     }
-    const std::size_t high_kept = arena.high_mark();
+    const std::size_t high_kept = work.arena.high_mark();
     for (int k = 0; k < dimension_max; ++k) {
-        trie.first_child[k] = arena.take_high<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) + 1);
+        trie.first_child[k] = work.arena.take_high<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) + 1);
         if (trie.first_child[k] == nullptr) return Status::out_of_memory;
     }
     std::uint32_t count[D + 1];
     unfold<D>(stream.words(), dimension_max, count, &faces, &trie);
-    arena.release_low(low);
+    work.arena.release_low(low);
     for (int k = 1; k <= dimension_max; ++k) {
         faces.facets[k] =
-            arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) * static_cast<std::size_t>(k + 1));
+            work.arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) * static_cast<std::size_t>(k + 1));
         if (faces.facets[k] == nullptr) return Status::out_of_memory;
     }
     for (int k = 1; k <= dimension_max; ++k) {
         link_facets(faces, trie, k, complex.vertex_count);
-        if (monitor.advance(complex.vertex_count, 1 + faces.count[k] / 8)) return Status::cancelled;
+        if (work.monitor.advance(complex.vertex_count, 1 + faces.count[k] / 8)) return Status::cancelled;
     }
-    arena.release_high(high_kept);
+    work.arena.release_high(high_kept);
     *out = faces;
     return Status::ok;
 }
@@ -406,22 +407,20 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, Arena& 
 }  // namespace
 
 template <int D>
-Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work,
                        Faces<D>* out) {
     if (dimension_max < 0 || dimension_max > D) return Status::invalid_argument;
-    const std::size_t low = arena.low_mark(), high = arena.high_mark();
-    const Status status = enumerate(complex, dimension_max, arena, monitor, out);
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    const Status status = enumerate(complex, dimension_max, work, out);
     if (status != Status::ok) {
-        arena.release_low(low);
-        arena.release_high(high);
+        work.arena.release_low(low);
+        work.arena.release_high(high);
     }
     return status;
 }
 
-template Status enumerate_faces<2>(const TriangulationView<2>&, int, Arena&, Monitor&, Faces<2>*);
-template Status enumerate_faces<3>(const TriangulationView<3>&, int, Arena&, Monitor&, Faces<3>*);
-template Status enumerate_faces<4>(const TriangulationView<4>&, int, Arena&, Monitor&, Faces<4>*);
-template Status enumerate_faces<5>(const TriangulationView<5>&, int, Arena&, Monitor&, Faces<5>*);
-template Status enumerate_faces<6>(const TriangulationView<6>&, int, Arena&, Monitor&, Faces<6>*);
+#define NETMESH_INSTANTIATE(D) template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -5,7 +5,8 @@
 
 #include "complex/triangulation.hpp"
 #include "memory/arena.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -38,7 +39,7 @@ template <int D> struct Faces {
 // out_of_memory, cancelled: the arena is as before and *out is not written. A dimension with 2^32 - 1 faces or more
 // counts as out_of_memory.
 template <int D>
-Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, Arena& arena, Monitor& monitor,
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work,
                        Faces<D>* out);
 
 }  // namespace netmesh

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "memory/status.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

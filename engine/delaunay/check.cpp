@@ -1,4 +1,5 @@
 #include "delaunay/check.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -136,11 +137,7 @@ template <int D> CheckResult check_delaunay(const Store<D>& store) {
     template CheckResult check_combinatorial<D>(const Store<D>&);                                                      \
     template CheckResult check_geometric<D>(const Store<D>&);                                                          \
     template CheckResult check_delaunay<D>(const Store<D>&);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -1,4 +1,5 @@
 #include "delaunay/kernel.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -261,10 +262,8 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, std::uint32_t id) {
     store_.state.last_cell = end[1 - facets].made;
 }
 
-template class Kernel<2>;
-template class Kernel<3>;
-template class Kernel<4>;
-template class Kernel<5>;
-template class Kernel<6>;
+#define NETMESH_INSTANTIATE(D) template class Kernel<D>;
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

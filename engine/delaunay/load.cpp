@@ -3,6 +3,7 @@
 #include "delaunay/sphere.hpp"
 #include "numerics/radix_sort.hpp"
 #include "numerics/random.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -131,11 +132,7 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     template void measure_edges<D>(Store<D>&);                                                                         \
     template Status load_cells<D>(Store<D>&, const double*, std::uint32_t, const std::uint32_t*, std::uint32_t,        \
                                   CheckResult*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -3,6 +3,7 @@
 #include "numerics/radix_sort.hpp"
 #include "numerics/random.hpp"
 #include "numerics/real.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -226,11 +227,7 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status spatial_order<D>(const unsigned char*, std::ptrdiff_t, std::uint32_t, std::uint64_t, Arena&,       \
                                      std::uint32_t*, bool*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -3,6 +3,7 @@
 #include "numerics/double_double.hpp"
 #include "numerics/integer512.hpp"
 #include "predicates/float_stage.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -165,11 +166,7 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
 }
 
 #define NETMESH_INSTANTIATE(D) template void solve_sphere<D>(const double* const*, double, Cell<D>&);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

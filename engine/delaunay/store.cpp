@@ -1,4 +1,5 @@
 #include "delaunay/store.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
@@ -90,10 +91,8 @@ template <int D> std::uint32_t Store<D>::new_stamp() {
     return state.stamp += 2;
 }
 
-template class Store<2>;
-template class Store<3>;
-template class Store<4>;
-template class Store<5>;
-template class Store<6>;
+#define NETMESH_INSTANTIATE(D) template class Store<D>;
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -10,7 +10,7 @@
 
 #include "complex/triangulation.hpp"
 #include "memory/arena.hpp"
-#include "memory/status.hpp"
+#include "vocabulary/status.hpp"
 #include "numerics/real.hpp"
 #include "predicates/predicates.hpp"
 

@@ -2,6 +2,7 @@
 
 #include "delaunay/spatial_order.hpp"
 #include "numerics/fingerprint.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -182,11 +183,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
                                   std::uint32_t**);                                                                    \
     template Status triangulate<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*);      \
     template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, std::uint32_t*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

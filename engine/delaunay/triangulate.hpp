@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "delaunay/kernel.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "include/netmesh.h"
-#include "memory/monitor.hpp"
-#include "memory/status.hpp"
+#include "vocabulary/monitor.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "diagram/point_tree.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 

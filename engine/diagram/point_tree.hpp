@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "diagram/cost.hpp"
-#include "memory/sort.hpp"
-#include "memory/status.hpp"
+#include "numerics/sort.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

@@ -1,6 +1,6 @@
 #include "diagram/sort.hpp"
 
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 

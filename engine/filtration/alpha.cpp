@@ -4,6 +4,7 @@
 
 #include "filtration/circumsphere.hpp"
 #include "numerics/value_order.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -143,28 +144,28 @@ template <int D> bool keep_dimensions(Faces<D>& faces, int dimension, double** v
 // Everything but giving back what was taken.
 template <int D>
 Status diagram_of(const TriangulationView<D>& complex, const Points<D>& points, std::uint32_t max_degree,
-                  bool keep_zero, Arena& arena, Monitor& monitor, PairList* out, std::uint64_t* simplex_count) {
-    const std::size_t high = arena.high_mark();
+                  bool keep_zero, const Work& work, PairList* out, std::uint64_t* simplex_count) {
+    const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
-    monitor.begin(NETMESH_STAGE_FILTER, 0);
-    Status status = enumerate_faces(complex, D, arena, monitor, &faces);
+    work.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    Status status = enumerate_faces(complex, D, work, &faces);
     if (status != Status::ok) return status;
 
     double* value[D + 1];
     std::uint64_t total = 0;
     for (int k = 0; k <= D; ++k) {
-        value[k] = arena.take_low<double>(faces.count[k]);
+        value[k] = work.arena.take_low<double>(faces.count[k]);
         if (value[k] == nullptr || faces.count[k] > 0x7FFFFFFFu) return Status::out_of_memory;
         total += faces.count[k];
     }
-    monitor.begin(NETMESH_STAGE_FILTER, total);
-    status = alpha_values(faces, points.coordinates, points.stride_bytes, monitor, value);
+    work.monitor.begin(NETMESH_STAGE_FILTER, total);
+    status = alpha_values(faces, points.coordinates, points.stride_bytes, work.monitor, value);
     if (status != Status::ok) return status;
-    arena.release_high(high);
+    work.arena.release_high(high);
 
     const int dimension = static_cast<int>(max_degree) + 1;
-    if (dimension < D && !keep_dimensions(faces, dimension, value, arena)) return Status::out_of_memory;
-    status = order_from<1, D>(faces, dimension, value, arena);
+    if (dimension < D && !keep_dimensions(faces, dimension, value, work.arena)) return Status::out_of_memory;
+    status = order_from<1, D>(faces, dimension, value, work.arena);
     if (status != Status::ok) return status;
     FilteredComplex filtered = {};
     filtered.dimension = static_cast<std::uint32_t>(dimension);
@@ -173,7 +174,7 @@ Status diagram_of(const TriangulationView<D>& complex, const Points<D>& points, 
         filtered.of[k] = {faces.count[k], faces.facets[k], value[k]};
         total += faces.count[k];
     }
-    status = persist_filtration(filtered, max_degree, keep_zero, arena, monitor, out);
+    status = persist_filtration(filtered, max_degree, keep_zero, work, out);
     if (status == Status::ok && simplex_count != nullptr) *simplex_count = total;
     return status;
 }
@@ -201,18 +202,18 @@ Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdi
 
 template <int D>
 Status persist_alpha(const TriangulationView<D>& complex, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor, PairList* out,
+                     std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out,
                      std::uint64_t* simplex_count) {
-    const std::size_t low = arena.low_mark(), high = arena.high_mark();
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     const Points<D> points = {coordinates, stride_bytes};
     const std::uint32_t degree = max_degree < D ? max_degree : static_cast<std::uint32_t>(D - 1);
     PairList found = {};
-    const Status status = diagram_of(complex, points, degree, keep_zero, arena, monitor, &found, simplex_count);
+    const Status status = diagram_of(complex, points, degree, keep_zero, work, &found, simplex_count);
     if (status == Status::ok && !keep_zero) drop_rounding(&found);
-    arena.release_low(low);
-    arena.release_high(high);
+    work.arena.release_low(low);
+    work.arena.release_high(high);
     if (status != Status::ok) return status;
-    Pair* const pairs = arena.take_low<Pair>(static_cast<std::size_t>(found.count));  // at or below found.pairs
+    Pair* const pairs = work.arena.take_low<Pair>(static_cast<std::size_t>(found.count));  // at or below found.pairs
     if (pairs == nullptr) return Status::out_of_memory;
     __builtin_memmove(pairs, found.pairs, sizeof(Pair) * static_cast<std::size_t>(found.count));
     *out = {pairs, found.count};
@@ -222,12 +223,8 @@ Status persist_alpha(const TriangulationView<D>& complex, const double* coordina
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, Monitor&, double* const*);         \
     template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t, bool,  \
-                                     Arena&, Monitor&, PairList*, std::uint64_t*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+                                     const Work&, PairList*, std::uint64_t*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

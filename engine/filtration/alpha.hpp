@@ -5,6 +5,7 @@
 
 #include "complex/faces.hpp"
 #include "homology/persistence.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -34,7 +35,7 @@ Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdi
 // out_of_memory, cancelled.
 template <int D>
 Status persist_alpha(const TriangulationView<D>& complex, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor, PairList* out,
+                     std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out,
                      std::uint64_t* simplex_count);
 
 // Leaves out the pairs of such a diagram that are shorter than rounding errors, which persist_alpha does by itself.

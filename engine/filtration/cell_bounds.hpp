@@ -3,19 +3,11 @@
 #include <cstdint>
 
 #include "delaunay/store.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 
 constexpr double up = 1 + 0x1p-40, down = 1 - 0x1p-40;  // more than the roundings of a few operations
-
-template <int D> double distance(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return square_root(d2);
-}
 
 template <int D> std::uint32_t nearest_input(const Store<D>& store, std::uint32_t v) {
     return store.vertex(v).marker == Marker::input ? v : store.vertex(v).origin;

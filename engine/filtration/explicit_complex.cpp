@@ -3,24 +3,25 @@
 #include "complex/faces.hpp"
 #include "filtration/alpha.hpp"
 #include "homology/rank.hpp"
-#include "memory/high_scope.hpp"
+#include "memory/arena.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 // Faces as they are listed, with room for their values.
 template <int D>
-Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimension, Arena& arena, Monitor& monitor,
+Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimension, const Work& work,
                   Faces<D>* faces, ListedComplex* out) {
     *out = {};
     out->dimension = dimension;
-    monitor.begin(NETMESH_STAGE_FILTER, 0);
-    const Status status = enumerate_faces(triangulation, static_cast<int>(dimension), arena, monitor, faces);
+    work.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    const Status status = enumerate_faces(triangulation, static_cast<int>(dimension), work, faces);
     if (status != Status::ok) return status;
     for (std::uint32_t k = 0; k <= dimension; ++k) {
         out->count[k] = faces->count[k];
-        out->rows[k] = k > 0 ? faces->facets[k] : arena.take_low<std::uint32_t>(faces->count[0]);
-        out->value[k] = arena.take_low<double>(faces->count[k]);
+        out->rows[k] = k > 0 ? faces->facets[k] : work.arena.take_low<std::uint32_t>(faces->count[0]);
+        out->value[k] = work.arena.take_low<double>(faces->count[k]);
         if (out->rows[k] == nullptr || out->value[k] == nullptr || out->count[k] > 0x7FFFFFFFu)
             return Status::out_of_memory;
     }
@@ -82,15 +83,15 @@ void turn_round(ListedComplex& complex, std::uint32_t k) {
 
 template <int D>
 Status lower_star_complex(const TriangulationView<D>& triangulation, const double* value, std::uint32_t zero_born_count,
-                          std::uint32_t dimension, Arena& arena, Monitor& monitor, ListedComplex* out) {
-    const std::size_t high = arena.high_mark();
+                          std::uint32_t dimension, const Work& work, ListedComplex* out) {
+    const std::size_t high = work.arena.high_mark();
     const std::uint32_t n = triangulation.vertex_count;
     Faces<D> faces;
     TriangulationView<D> ranked;
-    std::uint32_t* const order = arena.take_high<std::uint32_t>(n);
-    Status status = order != nullptr && rank_cells(triangulation, value, arena, order, &ranked) ? Status::ok
+    std::uint32_t* const order = work.arena.take_high<std::uint32_t>(n);
+    Status status = order != nullptr && rank_cells(triangulation, value, work.arena, order, &ranked) ? Status::ok
                                                                                                 : Status::out_of_memory;
-    if (status == Status::ok) status = take_faces<D>(ranked, dimension, arena, monitor, &faces, out);
+    if (status == Status::ok) status = take_faces<D>(ranked, dimension, work, &faces, out);
     if (status == Status::ok) {
         for (std::uint32_t k = 0; k <= dimension; ++k) turn_round(*out, k);
         for (std::uint32_t v = 0; v < out->count[0]; ++v) {
@@ -107,32 +108,28 @@ Status lower_star_complex(const TriangulationView<D>& triangulation, const doubl
             if (out->rows[0][v] < zero_born_count) out->value[0][v] = 0;
         }
     }
-    arena.release_high(high);
-    return status == Status::ok ? order_dimension(*out, 0, arena) : status;
+    work.arena.release_high(high);
+    return status == Status::ok ? order_dimension(*out, 0, work.arena) : status;
 }
 
 template <int D>
 Status alpha_complex(const TriangulationView<D>& triangulation, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t dimension, Arena& arena, Monitor& monitor, ListedComplex* out) {
-    const std::size_t high = arena.high_mark();
+                     std::uint32_t dimension, const Work& work, ListedComplex* out) {
+    const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
-    Status status = take_faces<D>(triangulation, D, arena, monitor, &faces, out);
-    if (status == Status::ok) status = alpha_values<D>(faces, coordinates, stride_bytes, monitor, out->value);
-    arena.release_high(high);
+    Status status = take_faces<D>(triangulation, D, work, &faces, out);
+    if (status == Status::ok) status = alpha_values<D>(faces, coordinates, stride_bytes, work.monitor, out->value);
+    work.arena.release_high(high);
     out->dimension = dimension;
-    return status == Status::ok ? order_by_value(*out, arena) : status;
+    return status == Status::ok ? order_by_value(*out, work.arena) : status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status lower_star_complex<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,    \
-                                          Arena&, Monitor&, ListedComplex*);                                           \
+                                          const Work&, ListedComplex*);                                           \
     template Status alpha_complex<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t,        \
-                                     Arena&, Monitor&, ListedComplex*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+                                     const Work&, ListedComplex*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

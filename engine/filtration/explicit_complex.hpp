@@ -5,6 +5,7 @@
 
 #include "complex/triangulation.hpp"
 #include "homology/listed_complex.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -15,11 +16,11 @@ namespace netmesh {
 // A simplex of more than one vertex enters at the largest of its vertices' values, a vertex v < zero_born_count at 0.
 template <int D>
 Status lower_star_complex(const TriangulationView<D>& triangulation, const double* value, std::uint32_t zero_born_count,
-                          std::uint32_t dimension, Arena& arena, Monitor& monitor, ListedComplex* out);
+                          std::uint32_t dimension, const Work& work, ListedComplex* out);
 
 // The alpha filtration (alpha.hpp), for which all dimensions are listed for a while.
 template <int D>
 Status alpha_complex(const TriangulationView<D>& triangulation, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t dimension, Arena& arena, Monitor& monitor, ListedComplex* out);
+                     std::uint32_t dimension, const Work& work, ListedComplex* out);
 
 }  // namespace netmesh

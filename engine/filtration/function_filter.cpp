@@ -1,6 +1,7 @@
 #include "filtration/function_filter.hpp"
 
 #include "filtration/clamp.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 template <int D>
@@ -15,19 +16,19 @@ double input_distance(const InputTree<D>& tree, InputDistance kind, const double
 
 template <int D>
 Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, InputDistance kind,
-                              std::uint32_t k, FilterValues values, Arena& arena, Monitor& monitor, double* value,
+                              std::uint32_t k, FilterValues values, const Work& work, double* value,
                               MeshCertificate* certificate, Interval* intervals) {
-    ArenaScope scope(arena);
+    ArenaScope scope(work.arena);
     const std::uint32_t count = store.state.vertex_count;
-    double* const out_radius = arena.take_high<double>(count);
-    Neighbour* const neighbours = arena.take_high<Neighbour>(k);
+    double* const out_radius = work.arena.take_high<double>(count);
+    Neighbour* const neighbours = work.arena.take_high<Neighbour>(k);
     InputTree<D> tree;
-    if (out_radius == nullptr || neighbours == nullptr || tree.build(store, arena, inputs) != Status::ok)
+    if (out_radius == nullptr || neighbours == nullptr || tree.build(store, work.arena, inputs) != Status::ok)
         return Status::out_of_memory;
-    monitor.begin(NETMESH_STAGE_CERTIFY, count);
+    work.monitor.begin(NETMESH_STAGE_CERTIFY, count);
     for (std::uint32_t v = 0; v < count; ++v) {
         value[v] = input_distance<D>(tree, kind, store.point(v), k, neighbours);
-        if (monitor.advance(v, 10 + k)) return Status::cancelled;
+        if (work.monitor.advance(v, 10 + k)) return Status::cancelled;
     }
     measure_cells<D>(store, out_radius, nullptr);
     const double rho = domain.enclosing_radius * up;
@@ -83,15 +84,11 @@ Status function_filter_values(const Store<D>& store, const Domain<D>& domain, co
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template double input_distance<D>(const InputTree<D>&, InputDistance, const double*, std::uint32_t, Neighbour*);   \
     template Status distance_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, InputDistance,         \
-                                              std::uint32_t, FilterValues, Arena&, Monitor&, double*,                  \
+                                              std::uint32_t, FilterValues, const Work&, double*,                  \
                                               MeshCertificate*, Interval*);                                            \
     template Status function_filter_values<D>(const Store<D>&, const Domain<D>&, const LipschitzBounds&, FilterValues, \
                                               Arena&, double*, MeshCertificate*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

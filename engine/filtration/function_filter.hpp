@@ -27,8 +27,9 @@
 #include <cstdint>
 
 #include "filtration/mesh_filter.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
 #include "mesh/input_tree.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -50,7 +51,7 @@ double input_distance(const InputTree<D>& tree, InputDistance kind, const double
 // out_of_memory, cancelled.
 template <int D>
 Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, InputDistance kind,
-                              std::uint32_t k, FilterValues values, Arena& arena, Monitor& monitor, double* value,
+                              std::uint32_t k, FilterValues values, const Work& work, double* value,
                               MeshCertificate* certificate, Interval* intervals = nullptr);
 
 // The same for any function with such bounds. value[v]: f(v) >= 0 at first, the filter's value then.

@@ -5,6 +5,7 @@
 #include "filtration/tight_filter.hpp"
 #include "mesh/refine.hpp"
 #include "numerics/double_double.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -51,9 +52,9 @@ void join_ratios(std::uint32_t clusters, double separation, ScalesResult* result
 
 template <int D> class ScalesJoin {
 public:
-    ScalesJoin(const Store<D>& points, const ScalesRequest& request, Arena& arena, Monitor& monitor,
+    ScalesJoin(const Store<D>& points, const ScalesRequest& request, const Work& work,
                ScalesResult* result)
-        : points_(points), request_(request), arena_(arena), monitor_(monitor), result_(result) {}
+        : points_(points), request_(request), arena_(work.arena), monitor_(work.monitor), result_(result) {}
 
     // Everything but moving the pairs to where they stay.
     Status run(std::uint32_t count);
@@ -111,8 +112,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     status = tight_filter_values<D>(store, domain, n, request_.values, arena_, value, &certificate);
     std::uint64_t simplices = 0;
     if (status == Status::ok)
-        status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, arena_,
-                                       monitor_, list, &simplices);
+        status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, {arena_, monitor_}, list, &simplices);
     if (status != Status::ok) return status;
     add_mesh(n, state.vertex_count, simplices, certificate, result_);
     return Status::ok;
@@ -145,18 +145,17 @@ template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
 }  // namespace
 
 template <int D>
-Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, Arena& arena,
-                      Monitor& monitor, ScalesResult* result) {
-    const std::size_t low = arena.low_mark(), high = arena.high_mark();
+Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work, ScalesResult* result) {
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *result = ScalesResult{};
     result->ratio = result->ratio_best = 1;
-    monitor.begin(NETMESH_STAGE_SORT, count);
-    ScalesJoin<D> join(points, request, arena, monitor, result);
+    work.monitor.begin(NETMESH_STAGE_SORT, count);
+    ScalesJoin<D> join(points, request, work, result);
     const Status status = join.run(count);
-    arena.release_low(low);
-    arena.release_high(high);
+    work.arena.release_low(low);
+    work.arena.release_high(high);
     if (status != Status::ok) return status;
-    Pair* const pairs = arena.take_low<Pair>(static_cast<std::size_t>(result->pairs.count));  // not above the old ones
+    Pair* const pairs = work.arena.take_low<Pair>(static_cast<std::size_t>(result->pairs.count));  // not above the old ones
     if (pairs == nullptr) return Status::out_of_memory;
     __builtin_memmove(pairs, result->pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(result->pairs.count));
     result->pairs.pairs = pairs;
@@ -165,13 +164,9 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_scales<D>(const Store<D>&, std::uint32_t, const ScalesRequest&, Arena&, Monitor&,          \
+    template Status persist_scales<D>(const Store<D>&, std::uint32_t, const ScalesRequest&, const Work&,          \
                                       ScalesResult*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -1,6 +1,7 @@
 #include "filtration/mesh_filter.hpp"
 
 #include "filtration/cell_bounds.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -90,11 +91,7 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status mesh_filter_values<D>(const Store<D>&, const Domain<D>&, MeshFilter, FilterValues, Arena&,         \
                                           double*, MeshCertificate*, Interval*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

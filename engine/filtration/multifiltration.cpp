@@ -2,8 +2,9 @@
 
 #include "complex/faces.hpp"
 #include "homology/vineyard.hpp"
-#include "memory/high_scope.hpp"
-#include "memory/sort.hpp"
+#include "memory/arena.hpp"
+#include "numerics/sort.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -31,9 +32,9 @@ private:
 template <int D> class KVineyard {
 public:
     KVineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const VineRequest& request,
-              Arena& arena, Monitor& monitor)
-        : store_(store), domain_(domain), inputs_(inputs), request_(request), arena_(arena), monitor_(monitor),
-          writer_(arena) {}
+              const Work& work)
+        : store_(store), domain_(domain), inputs_(inputs), request_(request), arena_(work.arena), monitor_(work.monitor),
+          writer_(work.arena) {}
 
     // Everything but giving back what was taken; ratio[] is there.
     Status run(double* ratio, VineList* out);
@@ -61,7 +62,7 @@ private:
 template <int D> Status KVineyard<D>::open() {
     const int top = static_cast<int>(request_.max_degree) + 1;
     monitor_.begin(NETMESH_STAGE_FILTER, 0);
-    const Status status = enumerate_faces<D>(store_.view(), top, arena_, monitor_, &faces_);
+    const Status status = enumerate_faces<D>(store_.view(), top, {arena_, monitor_}, &faces_);
     if (status != Status::ok) return status;
     complex_.dimension = static_cast<std::uint32_t>(top);
     for (int k = 0; k <= top; ++k) {
@@ -83,8 +84,7 @@ template <int D> Status KVineyard<D>::filter(std::uint32_t k, double** value, do
         status = mesh_filter_values<D>(store_, domain_, MeshFilter::complete, request_.values, arena_, vertex_value_,
                                        &certificate);
     } else {
-        status = distance_filter_values<D>(store_, domain_, inputs_, request_.kind, k, request_.values, arena_,
-                                           monitor_, vertex_value_, &certificate);
+        status = distance_filter_values<D>(store_, domain_, inputs_, request_.kind, k, request_.values, {arena_, monitor_}, vertex_value_, &certificate);
     }
     if (status != Status::ok) return status;
     *ratio = certificate.ratio;
@@ -149,7 +149,7 @@ template <int D> Status KVineyard<D>::number_vines(VineList* out) {
 template <int D> Status KVineyard<D>::run(double* ratio, VineList* out) {
     Status status = open();
     if (status == Status::ok) status = filter(request_.k_first, value_[0], ratio);
-    if (status == Status::ok) status = vineyard_.open(complex_, request_.max_degree, value_[0], arena_, monitor_);
+    if (status == Status::ok) status = vineyard_.open(complex_, request_.max_degree, value_[0], {arena_, monitor_});
     int now = 0;
     if (status == Status::ok && !note(request_.k_first, value_[now])) status = Status::out_of_memory;
     for (std::uint32_t k = request_.k_first + 1; k <= request_.k_last && status == Status::ok; ++k, now = 1 - now) {
@@ -169,18 +169,18 @@ template <int D> Status KVineyard<D>::run(double* ratio, VineList* out) {
 
 template <int D>
 Status k_vineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const VineRequest& request,
-                  Arena& arena, Monitor& monitor, VineList* out) {
-    ArenaScope scope(arena);
+                  const Work& work, VineList* out) {
+    ArenaScope scope(work.arena);
     const std::uint32_t steps = request.k_last - request.k_first + 1;
-    double* const ratio = arena.take_low<double>(steps);
-    const std::size_t low = arena.low_mark();
+    double* const ratio = work.arena.take_low<double>(steps);
+    const std::size_t low = work.arena.low_mark();
     if (ratio == nullptr) return Status::out_of_memory;
-    KVineyard<D> vineyard(store, domain, inputs, request, arena, monitor);
+    KVineyard<D> vineyard(store, domain, inputs, request, work);
     const Status status = vineyard.run(ratio, out);
     if (status != Status::ok) return status;
-    arena.release_low(low);
+    work.arena.release_low(low);
     // Where the old ones are or below.
-    VinePoint* const points = arena.take_low<VinePoint>(static_cast<std::size_t>(out->count));
+    VinePoint* const points = work.arena.take_low<VinePoint>(static_cast<std::size_t>(out->count));
     if (points == nullptr) return Status::out_of_memory;
     __builtin_memmove(points, out->points, sizeof(VinePoint) * static_cast<std::size_t>(out->count));
     out->ratio = ratio;
@@ -190,13 +190,8 @@ Status k_vineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t 
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status k_vineyard<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const VineRequest&, Arena&,        \
-                                  Monitor&, VineList*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+    template Status k_vineyard<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const VineRequest&, const Work&, VineList*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "filtration/function_filter.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -34,6 +35,6 @@ struct VineRequest {
 // and the columns. out_of_memory, cancelled.
 template <int D>
 Status k_vineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const VineRequest& request,
-                  Arena& arena, Monitor& monitor, VineList* out);
+                  const Work& work, VineList* out);
 
 }  // namespace netmesh

@@ -2,15 +2,9 @@
 #pragma once
 #include <cstdint>
 
-#include "numerics/real.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
-
-template <int D> double dot(const double* a, const double* b) {
-    double sum = 0;
-    for (int k = 0; k < D; ++k) sum += a[k] * b[k];
-    return sum;
-}
 
 // All of conv Y lies on w.y <= height, |w| = 1 but for rounding: a point q is at least w.q - height away from it.
 template <int D> struct HalfSpace {

@@ -4,6 +4,7 @@
 #include "filtration/circumsphere_fast.hpp"
 #include "filtration/half_distance.hpp"
 #include "numerics/real.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -14,9 +15,9 @@ constexpr std::uint32_t count_max = 0x7FFFFFFFu;
 // edge.
 template <int D> class Cliques {
 public:
-    Cliques(const double* coordinates, std::uint32_t n, double limit, Arena& arena, Monitor& monitor,
+    Cliques(const double* coordinates, std::uint32_t n, double limit, const Work& work,
             ListedComplex* out)
-        : coordinates_(coordinates), n_(n), limit_(limit), arena_(arena), monitor_(monitor), out_(*out) {}
+        : coordinates_(coordinates), n_(n), limit_(limit), arena_(work.arena), monitor_(work.monitor), out_(*out) {}
 
     Status list(std::uint32_t dimension) {
         out_ = {};
@@ -89,12 +90,11 @@ private:
 };
 
 template <int D>
-Status list_cliques(const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit, Arena& arena,
-                    Monitor& monitor, ListedComplex* out) {
-    Cliques<D> cliques(coordinates, n, limit, arena, monitor, out);
+Status list_cliques(const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit, const Work& work, ListedComplex* out) {
+    Cliques<D> cliques(coordinates, n, limit, work, out);
     const Status status = cliques.list(dimension);
     ComplexFault fault;
-    return status != Status::ok ? status : link_faces(*out, false, arena, monitor, &fault);
+    return status != Status::ok ? status : link_faces(*out, false, work, &fault);
 }
 
 template <int K, int D> Circumsphere circumsphere(const double* const* point) {
@@ -188,34 +188,32 @@ double binomial(double n, std::uint32_t k) {
 }  // namespace
 
 template <int D>
-Status rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena, Monitor& monitor,
+Status rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out) {
-    return list_cliques<D>(coordinates, n, dimension, cone_radius<D>(coordinates, n), arena, monitor, out);
+    return list_cliques<D>(coordinates, n, dimension, cone_radius<D>(coordinates, n), work, out);
 }
 
 template <int D>
-Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena,
-                         Monitor& monitor, ListedComplex* out) {
-    return list_cliques<D>(coordinates, n, dimension, infinity, arena, monitor, out);
+Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work, ListedComplex* out) {
+    return list_cliques<D>(coordinates, n, dimension, infinity, work, out);
 }
 
 template <int D>
-Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, Arena& arena, Monitor& monitor,
+Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out) {
-    const Status status = full_rips_complex<D>(coordinates, n, dimension, arena, monitor, out);
+    const Status status = full_rips_complex<D>(coordinates, n, dimension, work, out);
     if (status != Status::ok) return status;
     const FilteredComplex complex = out->filtered();
     for (std::uint32_t k = 2; k <= out->dimension; ++k) {
         for (std::uint32_t i = 0; i < out->count[k]; ++i) {
-            if (monitor.advance(i, k)) return Status::cancelled;
+            if (work.monitor.advance(i, k)) return Status::cancelled;
             out->value[k][i] = enclosing_radius<D>(coordinates, complex, out->rows[0], k, i);
         }
     }
     return Status::ok;
 }
 
-Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, Arena& arena,
-                           Monitor& monitor, ListedComplex* out) {
+Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, const Work& work, ListedComplex* out) {
     *out = {};
     if (k > complex.dimension + 1) return Status::invalid_argument;
     const Chains chains(complex, k);
@@ -226,17 +224,17 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
         if (m > 0) {
             count = 0;
             for (std::uint32_t i = 0; i < out->count[m - 1]; ++i) {
-                if (monitor.advance(i, 4)) return Status::cancelled;
+                if (work.monitor.advance(i, 4)) return Status::cancelled;
                 chains.subsets(out->rows[m - 1][std::size_t{i} * m], [&count](std::uint32_t) { ++count; });
             }
         }
         if (count > count_max) {
-            arena.refuse(count > SIZE_MAX / 64 ? SIZE_MAX / 2 : static_cast<std::size_t>(count * (4 * (m + 1) + 8)));
+            work.arena.refuse(count > SIZE_MAX / 64 ? SIZE_MAX / 2 : static_cast<std::size_t>(count * (4 * (m + 1) + 8)));
             return Status::out_of_memory;
         }
         out->count[m] = static_cast<std::uint32_t>(count);
-        out->rows[m] = arena.take_low<std::uint32_t>(static_cast<std::size_t>(count) * (m + 1));
-        out->value[m] = arena.take_low<double>(static_cast<std::size_t>(count));
+        out->rows[m] = work.arena.take_low<std::uint32_t>(static_cast<std::size_t>(count) * (m + 1));
+        out->value[m] = work.arena.take_low<double>(static_cast<std::size_t>(count));
         if (out->rows[m] == nullptr || out->value[m] == nullptr) return Status::out_of_memory;
         std::uint32_t* row = out->rows[m];
         double* value = out->value[m];
@@ -245,7 +243,7 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
             *value++ = chains.value(i);
         }
         for (std::uint32_t i = 0; m > 0 && i < out->count[m - 1]; ++i) {
-            if (monitor.advance(i, 4)) return Status::cancelled;
+            if (work.monitor.advance(i, 4)) return Status::cancelled;
             const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
             const double enters = out->value[m - 1][i];
             chains.subsets(chain[0], [&](std::uint32_t subset) {
@@ -256,7 +254,7 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
         }
     }
     ComplexFault fault;
-    return link_faces(*out, false, arena, monitor, &fault);
+    return link_faces(*out, false, work, &fault);
 }
 
 double skeleton_count(std::uint64_t n, std::uint32_t dimension) {
@@ -282,15 +280,11 @@ double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, s
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status rips_complex<D>(const double*, std::uint32_t, std::uint32_t, Arena&, Monitor&, ListedComplex*);    \
-    template Status full_rips_complex<D>(const double*, std::uint32_t, std::uint32_t, Arena&, Monitor&,                \
+    template Status rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);    \
+    template Status full_rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&,                \
                                          ListedComplex*);                                                              \
-    template Status cech_complex<D>(const double*, std::uint32_t, std::uint32_t, Arena&, Monitor&, ListedComplex*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+    template Status cech_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

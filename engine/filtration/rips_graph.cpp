@@ -1,6 +1,7 @@
 #include "filtration/rips_graph.hpp"
 
 #include "filtration/half_distance.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -21,19 +22,19 @@ bool each_edge(const double* coordinates, std::uint32_t n, double limit, Monitor
 }  // namespace
 
 template <int D>
-Status rips_graph(const double* coordinates, std::uint32_t n, Arena& arena, Monitor& monitor, RipsGraph* out) {
+Status rips_graph(const double* coordinates, std::uint32_t n, const Work& work, RipsGraph* out) {
     *out = {};
     if (n > RipsGraph::vertices_max) return Status::invalid_argument;
-    monitor.begin(NETMESH_STAGE_FILTER, 0);
+    work.monitor.begin(NETMESH_STAGE_FILTER, 0);
     const double limit = cone_radius<D>(coordinates, n);
     std::uint32_t count = 0;  // below 2^31, as n is
-    if (!each_edge<D>(coordinates, n, limit, monitor, [&](std::uint32_t, std::uint32_t, double) { ++count; }))
+    if (!each_edge<D>(coordinates, n, limit, work.monitor, [&](std::uint32_t, std::uint32_t, double) { ++count; }))
         return Status::cancelled;
-    double* const value = arena.take_low<double>(count);
-    std::uint32_t* const ends = arena.take_low<std::uint32_t>(count);
+    double* const value = work.arena.take_low<double>(count);
+    std::uint32_t* const ends = work.arena.take_low<std::uint32_t>(count);
     if (value == nullptr || ends == nullptr) return Status::out_of_memory;
     std::uint32_t at = 0;
-    const bool going = each_edge<D>(coordinates, n, limit, monitor, [&](std::uint32_t i, std::uint32_t j, double half) {
+    const bool going = each_edge<D>(coordinates, n, limit, work.monitor, [&](std::uint32_t i, std::uint32_t j, double half) {
         value[at] = half;
         ends[at++] = RipsGraph::edge(i, j);
     });
@@ -42,12 +43,8 @@ Status rips_graph(const double* coordinates, std::uint32_t n, Arena& arena, Moni
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status rips_graph<D>(const double*, std::uint32_t, Arena&, Monitor&, RipsGraph*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+    template Status rips_graph<D>(const double*, std::uint32_t, const Work&, RipsGraph*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

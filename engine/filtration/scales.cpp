@@ -1,7 +1,8 @@
 #include "filtration/scales.hpp"
 
 #include "filtration/cell_bounds.hpp"
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
@@ -97,10 +98,8 @@ template <int D> bool ScalePartition<D>::next(Monitor& monitor, bool* stopped) {
     return true;
 }
 
-template class ScalePartition<2>;
-template class ScalePartition<3>;
-template class ScalePartition<4>;
-template class ScalePartition<5>;
-template class ScalePartition<6>;
+#define NETMESH_INSTANTIATE(D) template class ScalePartition<D>;
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -29,6 +29,7 @@
 
 #include "filtration/mesh_filter.hpp"
 #include "homology/persistence.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -91,7 +92,6 @@ struct ScalesResult {
 // but the pairs is given back. out_of_memory, cancelled, out_of_range, too_close, invalid_argument (coordinates do not
 // resolve the size asked for).
 template <int D>
-Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, Arena& arena,
-                      Monitor& monitor, ScalesResult* result);
+Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work, ScalesResult* result);
 
 }  // namespace netmesh

@@ -4,6 +4,7 @@
 #include "filtration/cell_bounds.hpp"
 #include "filtration/nearest_in_hull.hpp"
 #include "mesh/input_tree.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -233,27 +234,23 @@ template <int D> Status Sharpener<D>::narrow(std::uint32_t v, Interval* interval
 }  // namespace
 
 template <int D>
-Status sharpen_intervals(Store<D>& store, std::uint32_t inputs, double cut, Arena& arena, Monitor& monitor,
+Status sharpen_intervals(Store<D>& store, std::uint32_t inputs, double cut, const Work& work,
                          Interval* interval) {
-    const ArenaScope scope(arena);
-    Sharpener<D> sharpener(store, inputs, cut, arena);
+    const ArenaScope scope(work.arena);
+    Sharpener<D> sharpener(store, inputs, cut, work.arena);
     Status status = sharpener.open();
-    monitor.begin(NETMESH_STAGE_CERTIFY, store.state.vertex_count);
+    work.monitor.begin(NETMESH_STAGE_CERTIFY, store.state.vertex_count);
     for (std::uint32_t v = inputs; v < store.state.vertex_count && status == Status::ok; ++v) {
         if (store.vertex(v).marker != Marker::steiner || !(interval[v].lo < cut)) continue;
         status = sharpener.narrow(v, &interval[v]);
-        if (status == Status::ok && monitor.advance(v, 200)) status = Status::cancelled;
+        if (status == Status::ok && work.monitor.advance(v, 200)) status = Status::cancelled;
     }
     return status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status sharpen_intervals<D>(Store<D>&, std::uint32_t, double, Arena&, Monitor&, Interval*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+    template Status sharpen_intervals<D>(Store<D>&, std::uint32_t, double, const Work&, Interval*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -16,7 +16,8 @@
 #include <cstdint>
 
 #include "filtration/mesh_filter.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -25,7 +26,7 @@ namespace netmesh {
 // About 10-20 us a vertex in D = 4. Scratch: 4 bytes a vertex, 5 an input, 8 D a corner of the largest cell. out_of_memory,
 // cancelled.
 template <int D>
-Status sharpen_intervals(Store<D>& store, std::uint32_t inputs, double cut, Arena& arena, Monitor& monitor,
+Status sharpen_intervals(Store<D>& store, std::uint32_t inputs, double cut, const Work& work,
                          Interval* interval);
 
 }  // namespace netmesh

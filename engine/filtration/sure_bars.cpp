@@ -3,6 +3,7 @@
 #include "filtration/cell_bounds.hpp"
 #include "filtration/value_table.hpp"
 #include "homology/persistence.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -218,16 +219,15 @@ double next_scale(const Ledger& ledger, const Pair* pairs, std::uint64_t count, 
 
 template <int D>
 Status find_sure_bars(const TriangulationView<D>& complex, const double* value, const Interval* interval,
-                      std::uint32_t zero_born, const Pair* pairs, std::uint64_t pair_count, Arena& arena,
-                      Monitor& monitor, BarBounds* bounds) {
+                      std::uint32_t zero_born, const Pair* pairs, std::uint64_t pair_count, const Work& work, BarBounds* bounds) {
     if (pair_count == 0) return Status::ok;
-    const ArenaScope scope(arena);
+    const ArenaScope scope(work.arena);
     const std::uint32_t count = complex.vertex_count;
     Chain chain;
     Ledger ledger;
-    Status status = chain.open(interval, count, arena);
-    if (status == Status::ok) status = ledger.open(pairs, pair_count, bounds, arena);
-    double* const level = arena.take_low<double>(count);
+    Status status = chain.open(interval, count, work.arena);
+    if (status == Status::ok) status = ledger.open(pairs, pair_count, bounds, work.arena);
+    double* const level = work.arena.take_low<double>(count);
     if (status == Status::ok && level == nullptr) status = Status::out_of_memory;
     if (status != Status::ok) return status;
     double largest = 0;
@@ -243,10 +243,10 @@ Status find_sure_bars(const TriangulationView<D>& complex, const double* value, 
         // The filter's values order the simplices of a level, which keeps the reduction short.
         for (std::uint32_t v = 0; v < count; ++v)
             level[v] = chain.level(interval[v]) + (largest > 0 ? 0.5 * (value[v] / largest) : 0);
-        const ArenaScope run(arena);
+        const ArenaScope run(work.arena);
         PairList list = {};
         std::uint64_t simplices;
-        status = persist_lower_star<D>(complex, level, zero_born, top_degree, false, arena, monitor, &list, &simplices);
+        status = persist_lower_star<D>(complex, level, zero_born, top_degree, false, work, &list, &simplices);
         if (status != Status::ok) return status;
         for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)
             ledger.consider(chain, list, degree, number + 2);
@@ -257,12 +257,8 @@ Status find_sure_bars(const TriangulationView<D>& complex, const double* value, 
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status find_sure_bars<D>(const TriangulationView<D>&, const double*, const Interval*, std::uint32_t,      \
-                                      const Pair*, std::uint64_t, Arena&, Monitor&, BarBounds*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+                                      const Pair*, std::uint64_t, const Work&, BarBounds*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -21,7 +21,8 @@
 
 #include "complex/triangulation.hpp"
 #include "filtration/bar_bounds.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -31,7 +32,6 @@ namespace netmesh {
 // Scratch: 36 bytes a vertex, 144 a bar, and what persist_lower_star needs. out_of_memory, cancelled.
 template <int D>
 Status find_sure_bars(const TriangulationView<D>& complex, const double* value, const Interval* interval,
-                      std::uint32_t zero_born, const Pair* pairs, std::uint64_t pair_count, Arena& arena,
-                      Monitor& monitor, BarBounds* bounds);
+                      std::uint32_t zero_born, const Pair* pairs, std::uint64_t pair_count, const Work& work, BarBounds* bounds);
 
 }  // namespace netmesh

@@ -2,6 +2,7 @@
 
 #include "filtration/clamp.hpp"
 #include "mesh/input_tree.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -128,11 +129,7 @@ Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status tight_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, FilterValues, Arena&,     \
                                            double*, MeshCertificate*, Interval*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "memory/status.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

@@ -6,7 +6,7 @@
 #include "homology/pair_writer.hpp"
 #include "homology/persist_by.hpp"
 #include "homology/union_find.hpp"
-#include "memory/high_scope.hpp"
+#include "memory/arena.hpp"
 
 namespace netmesh {
 namespace {
@@ -15,9 +15,9 @@ using Simplices = FilteredComplex::Simplices;
 
 class Cohomology {
 public:
-    Cohomology(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor)
-        : complex_(complex), max_degree_(max_degree), arena_(arena), monitor_(monitor),
-          writer_(arena, max_degree, keep_zero) {}
+    Cohomology(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, const Work& work)
+        : complex_(complex), max_degree_(max_degree), arena_(work.arena), monitor_(work.monitor),
+          writer_(work.arena, max_degree, keep_zero) {}
 
     Status run();
     PairList finish() { return writer_.finish(); }
@@ -212,9 +212,8 @@ Status Cohomology::run() {
 
 }  // namespace
 
-Status persist_skeleton(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena,
-                        Monitor& monitor, PairList* out) {
-    return persist_by<Cohomology>(complex, max_degree, keep_zero, arena, monitor, out);
+Status persist_skeleton(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out) {
+    return persist_by<Cohomology>(complex, max_degree, keep_zero, work, out);
 }
 
 }  // namespace netmesh

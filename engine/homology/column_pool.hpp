@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "memory/arena.hpp"
-#include "memory/status.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

@@ -44,9 +44,9 @@ private:
 
 class Tracer {
 public:
-    Tracer(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor)
-        : complex_(complex), max_degree_(max_degree), arena_(arena), monitor_(monitor),
-          writer_(arena, max_degree, keep_zero) {}
+    Tracer(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, const Work& work)
+        : complex_(complex), max_degree_(max_degree), arena_(work.arena), monitor_(work.monitor),
+          writer_(work.arena, max_degree, keep_zero) {}
 
     Status run(PairList* out, CycleStore* kept);
 
@@ -281,17 +281,16 @@ Status Tracer::run(PairList* out, CycleStore* kept) {
 
 }  // namespace
 
-Status persist_with_cycles(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena,
-                           Monitor& monitor, PairList* out, CycleStore* store) {
+Status persist_with_cycles(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out, CycleStore* store) {
     if (complex.dimension > FilteredComplex::dimension_max) return Status::invalid_argument;
     if (max_degree > complex.dimension) max_degree = complex.dimension;
-    const std::size_t low = arena.low_mark(), high = arena.high_mark();
-    arena.release_high(high & ~(Arena::alignment - 1));
-    Tracer tracer(complex, max_degree, keep_zero, arena, monitor);
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    work.arena.release_high(high & ~(Arena::alignment - 1));
+    Tracer tracer(complex, max_degree, keep_zero, work);
     const Status status = tracer.run(out, store);
     if (status == Status::ok) return status;
-    arena.release_low(low);
-    arena.release_high(high);
+    work.arena.release_low(low);
+    work.arena.release_high(high);
     return status;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "homology/persistence.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -25,8 +26,7 @@ struct Cycle {
 // As persist_filtration, each pair with a cycle. Besides the diagram at the low end, the store at the high end stays.
 // Memory: about 9 bytes for each simplex of the most frequent dimension, 28 for each vertex, and the reduced columns.
 // invalid_argument (dimension), out_of_memory, cancelled, internal.
-Status persist_with_cycles(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena,
-                           Monitor& monitor, PairList* out, CycleStore* store);
+Status persist_with_cycles(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out, CycleStore* store);
 // The cycle of a pair that persist_with_cycles made, the complex being where it was. O(1).
 Cycle cycle_of(const FilteredComplex& complex, const CycleStore& store, const Arena& arena, const Pair& pair);
 
@@ -35,7 +35,7 @@ Cycle cycle_of(const FilteredComplex& complex, const CycleStore& store, const Ar
 // that it encloses. What stays at the low end is the diagram, then the cycles. out_of_memory, cancelled, internal.
 template <int D>
 Status lower_star_cycles(const TriangulationView<D>& complex, const double* value, std::uint32_t zero_born_count,
-                         std::uint32_t max_degree, std::uint64_t pair_count, Arena& arena, Monitor& monitor,
+                         std::uint32_t max_degree, std::uint64_t pair_count, const Work& work,
                          PairList* out, CycleStore* store);
 // The cycle of a pair that lower_star_cycles made. O(1).
 Cycle lower_star_cycle(const CycleStore& store, const Arena& arena, const Pair& pair);

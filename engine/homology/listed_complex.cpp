@@ -1,6 +1,6 @@
 #include "homology/listed_complex.hpp"
 
-#include "memory/high_scope.hpp"
+#include "memory/arena.hpp"
 #include "numerics/random.hpp"
 #include "numerics/value_order.hpp"
 
@@ -115,24 +115,24 @@ FilteredComplex ListedComplex::filtered() const {
     return f;
 }
 
-Status link_faces(ListedComplex& complex, bool check, Arena& arena, Monitor& monitor, ComplexFault* fault) {
+Status link_faces(ListedComplex& complex, bool check, const Work& work, ComplexFault* fault) {
     *fault = {};
     std::uint64_t total = 0, done = 0;
     for (std::uint32_t k = 0; k <= complex.dimension; ++k) total += complex.count[k];
-    monitor.begin(NETMESH_STAGE_FILTER, total);
+    work.monitor.begin(NETMESH_STAGE_FILTER, total);
     if (check) {
-        const HighScope scope(arena);
+        const HighScope scope(work.arena);
         SimplexTable table;
-        const Status status = fill_table(complex, complex.dimension, true, arena, &table, fault);
+        const Status status = fill_table(complex, complex.dimension, true, work.arena, &table, fault);
         if (status != Status::ok) return status;
     }
     for (std::uint32_t k = complex.dimension; k > 0; --k) {
-        const HighScope scope(arena);
+        const HighScope scope(work.arena);
         SimplexTable table;
-        const Status status = fill_table(complex, k - 1, check, arena, &table, fault);
+        const Status status = fill_table(complex, k - 1, check, work.arena, &table, fault);
         if (status != Status::ok) return status;
         for (std::uint32_t i = 0; i < complex.count[k]; ++i, ++done) {
-            if (monitor.advance(done, k + 1)) return Status::cancelled;
+            if (work.monitor.advance(done, k + 1)) return Status::cancelled;
             link_simplex(complex, k, i, table, check, fault);
         }
     }

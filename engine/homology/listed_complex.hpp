@@ -4,8 +4,9 @@
 
 #include "homology/persistence.hpp"
 #include "memory/arena.hpp"
-#include "memory/monitor.hpp"
-#include "memory/status.hpp"
+#include "vocabulary/monitor.hpp"
+#include "vocabulary/status.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -33,7 +34,7 @@ struct ComplexFault {
 // Turns rows into facets, from the top down. With `check` the first fault in the order of dimension and index is told;
 // without it the caller vouches for the rows, and values are not read. Scratch: 8 to 16 bytes for each simplex of one
 // dimension. Expected O(k^2) for each k-simplex. out_of_memory, cancelled, check_failed (a fault).
-Status link_faces(ListedComplex& complex, bool check, Arena& arena, Monitor& monitor, ComplexFault* fault);
+Status link_faces(ListedComplex& complex, bool check, const Work& work, ComplexFault* fault);
 
 // Puts every dimension of a linked complex in order of value, ties as they are. Scratch: 8 bytes a simplex of two
 // dimensions. out_of_memory.

@@ -9,7 +9,8 @@
 #include "homology/rank.hpp"
 #include "homology/surface.hpp"
 #include "homology/sweep.hpp"
-#include "memory/high_scope.hpp"
+#include "memory/arena.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -17,8 +18,8 @@ namespace {
 template <int D> class LowerStars {
 public:
     LowerStars(const TriangulationView<D>& complex, const double* value, std::uint32_t zero_born_count,
-               std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor)
-        : arena_(arena), monitor_(monitor), writer_(arena, max_degree, keep_zero), zero_born_count_(zero_born_count),
+               std::uint32_t max_degree, bool keep_zero, const Work& work)
+        : arena_(work.arena), monitor_(work.monitor), writer_(work.arena, max_degree, keep_zero), zero_born_count_(zero_born_count),
           sweeps_(max_degree > 0) {
         ball_.complex = complex;
         ball_.value = value;
@@ -182,13 +183,13 @@ template <int D> Status LowerStars<D>::run_with_cycles(std::uint64_t pair_count,
 
 template <int D>
 Status persist_lower_star(const TriangulationView<D>& complex, const double* value, std::uint32_t zero_born_count,
-                          std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor, PairList* out,
+                          std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out,
                           std::uint64_t* simplex_count) {
     if (complex.vertex_count == 0 || complex.cell_count == 0) return Status::invalid_argument;
     if (max_degree > D - 1) max_degree = D - 1;
-    ArenaScope scope(arena);
+    ArenaScope scope(work.arena);
     using Stars = std::conditional_t<D == 2, Surface, LowerStars<D == 2 ? 3 : D>>;
-    Stars stars(complex, value, zero_born_count, max_degree, keep_zero, arena, monitor);
+    Stars stars(complex, value, zero_born_count, max_degree, keep_zero, work);
     const Status status = stars.run();
     if (status != Status::ok) return status;
     *out = stars.finish();
@@ -199,12 +200,12 @@ Status persist_lower_star(const TriangulationView<D>& complex, const double* val
 
 template <int D>
 Status lower_star_cycles(const TriangulationView<D>& complex, const double* value, std::uint32_t zero_born_count,
-                         std::uint32_t max_degree, std::uint64_t pair_count, Arena& arena, Monitor& monitor,
+                         std::uint32_t max_degree, std::uint64_t pair_count, const Work& work,
                          PairList* out, CycleStore* store) {
     if (complex.vertex_count == 0 || complex.cell_count == 0) return Status::invalid_argument;
     if (max_degree > D - 1) max_degree = D - 1;
-    ArenaScope scope(arena);
-    LowerStars<D> stars(complex, value, zero_born_count, max_degree, false, arena, monitor);
+    ArenaScope scope(work.arena);
+    LowerStars<D> stars(complex, value, zero_born_count, max_degree, false, work);
     const Status status = stars.run_with_cycles(pair_count, store);
     if (status != Status::ok) return status;
     *out = stars.finish();
@@ -214,14 +215,10 @@ Status lower_star_cycles(const TriangulationView<D>& complex, const double* valu
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status persist_lower_star<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,    \
-                                          bool, Arena&, Monitor&, PairList*, std::uint64_t*);                          \
+                                          bool, const Work&, PairList*, std::uint64_t*);                          \
     template Status lower_star_cycles<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,     \
-                                         std::uint64_t, Arena&, Monitor&, PairList*, CycleStore*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+                                         std::uint64_t, const Work&, PairList*, CycleStore*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -8,7 +8,7 @@
 #include "homology/pair_writer.hpp"
 #include "homology/union_find.hpp"
 #include "memory/arena.hpp"
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 

@@ -10,8 +10,9 @@
 #include "complex/triangulation.hpp"
 #include "diagram/pair.hpp"
 #include "memory/arena.hpp"
-#include "memory/monitor.hpp"
-#include "memory/status.hpp"
+#include "vocabulary/monitor.hpp"
+#include "vocabulary/status.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -34,7 +35,7 @@ struct PairList {
 // O(simplices) plus the reduction of the critical simplices. out_of_memory, cancelled, internal (not a ball).
 template <int D>
 Status persist_lower_star(const TriangulationView<D>& complex, const double* value, std::uint32_t zero_born_count,
-                          std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor, PairList* out,
+                          std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out,
                           std::uint64_t* simplex_count);
 
 // Any filtered simplicial complex, listed dimension by dimension. of[k] are the k-simplices in an order of
@@ -56,13 +57,11 @@ struct FilteredComplex {
 // cofaces. Takes about 5 bytes for each simplex of the most frequent dimension, 4 for each of the top two, plus fill.
 // max_degree may equal the dimension: cycles of the top dimension are then listed as essential classes.
 // invalid_argument (dimension), out_of_memory, cancelled.
-Status persist_filtration(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena,
-                          Monitor& monitor, PairList* out);
+Status persist_filtration(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out);
 
 // The same by columns of cofaces, which only simplices of dimension max_degree and less have: faster by orders of magnitude
 // where the highest dimension has the most simplices, as in skeletons of simplices (Rips, Cech). Takes about 5 bytes for
 // each simplex of the most frequent dimension, and 4 (k + 2) for each (k+1)-simplex, one k at a time, plus fill.
-Status persist_skeleton(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, Arena& arena,
-                        Monitor& monitor, PairList* out);
+Status persist_skeleton(const FilteredComplex& complex, std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out);
 
 }  // namespace netmesh

@@ -1,6 +1,6 @@
 #include "homology/rank.hpp"
 
-#include "memory/high_scope.hpp"
+#include "memory/arena.hpp"
 #include "numerics/radix_sort.hpp"
 
 namespace netmesh {

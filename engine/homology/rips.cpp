@@ -9,7 +9,7 @@
 #include "homology/pair_writer.hpp"
 #include "homology/rips_simplices.hpp"
 #include "homology/union_find.hpp"
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 namespace {
@@ -62,9 +62,9 @@ private:
 
 class Rips {
 public:
-    Rips(RipsGraph& graph, std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor)
-        : graph_(graph), max_degree_(max_degree), arena_(arena), monitor_(monitor),
-          writer_(arena, max_degree, keep_zero), heap_(arena) {}
+    Rips(RipsGraph& graph, std::uint32_t max_degree, bool keep_zero, const Work& work)
+        : graph_(graph), max_degree_(max_degree), arena_(work.arena), monitor_(work.monitor),
+          writer_(work.arena, max_degree, keep_zero), heap_(work.arena) {}
 
     Status run();
     PairList finish() { return writer_.finish(); }
@@ -338,11 +338,11 @@ Status Rips::run() {
 
 }  // namespace
 
-Status persist_rips(RipsGraph& graph, std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor,
+Status persist_rips(RipsGraph& graph, std::uint32_t max_degree, bool keep_zero, const Work& work,
                     PairList* out, std::uint64_t* simplices) {
     if (!rips_has_numbers(graph, max_degree)) return Status::invalid_argument;
-    ArenaScope scope(arena);
-    Rips rips(graph, max_degree, keep_zero, arena, monitor);
+    ArenaScope scope(work.arena);
+    Rips rips(graph, max_degree, keep_zero, work);
     const Status status = rips.run();
     if (status != Status::ok) return status;
     *out = rips.finish();

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "homology/persistence.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -25,7 +26,7 @@ bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree);
 // cofaces from the lowest degree up, neither they nor the complex being stored: a pair of a simplex with its first
 // coface is found from the edges alone. Takes 4 bytes for each two vertices, 12 for each edge in passing, and about 40
 // for each simplex that needs a column, plus fill. out_of_memory, cancelled.
-Status persist_rips(RipsGraph& graph, std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor,
+Status persist_rips(RipsGraph& graph, std::uint32_t max_degree, bool keep_zero, const Work& work,
                     PairList* out, std::uint64_t* simplices);
 
 }  // namespace netmesh

@@ -1,6 +1,6 @@
 #include "homology/rips_simplices.hpp"
 
-#include "memory/high_scope.hpp"
+#include "memory/arena.hpp"
 #include "numerics/radix_sort.hpp"
 
 namespace netmesh {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "memory/arena.hpp"
-#include "memory/status.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

@@ -5,8 +5,8 @@
 #include "homology/cycle_writer.hpp"
 #include "homology/front.hpp"
 #include "homology/star.hpp"
-#include "memory/monitor.hpp"
-#include "memory/sort.hpp"
+#include "vocabulary/monitor.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 

@@ -4,15 +4,16 @@
 #include "homology/ball.hpp"
 #include "homology/merge_tree.hpp"
 #include "homology/pair_writer.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
 class Surface {
 public:
     Surface(const TriangulationView<2>& complex, const double* value, std::uint32_t zero_born_count,
-            std::uint32_t max_degree, bool keep_zero, Arena& arena, Monitor& monitor)
-        : complex_(complex), value_(value), arena_(arena), monitor_(monitor), writer_(arena, max_degree, keep_zero),
+            std::uint32_t max_degree, bool keep_zero, const Work& work)
+        : complex_(complex), value_(value), arena_(work.arena), monitor_(work.monitor), writer_(work.arena, max_degree, keep_zero),
           zero_born_count_(zero_born_count), with_loops_(max_degree > 0) {}
 
     Status run();

@@ -16,8 +16,8 @@
 #include "homology/star.hpp"
 #include "homology/star_cycles.hpp"
 #include "homology/union_find.hpp"
-#include "memory/monitor.hpp"
-#include "memory/sort.hpp"
+#include "vocabulary/monitor.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 

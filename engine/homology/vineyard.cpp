@@ -1,15 +1,14 @@
 #include "homology/vineyard.hpp"
 
 #include "homology/rank.hpp"
-#include "memory/high_scope.hpp"
+#include "memory/arena.hpp"
 #include "numerics/real.hpp"
 
 namespace netmesh {
 
-Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, Arena& arena,
-                      Monitor& monitor) {
+Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, const Work& work) {
     complex_ = complex;
-    arena_ = &arena;
+    arena_ = &work.arena;
     max_degree_ = max_degree < complex.dimension ? max_degree : complex.dimension;
     top_ = max_degree_ + 1 < complex.dimension ? max_degree_ + 1 : complex.dimension;
     std::uint32_t longest = 1;
@@ -18,32 +17,32 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
         const std::uint32_t n = complex.count[k];
         if (n > longest) longest = n;
         Dimension& d = of_[k];
-        d.order = arena.take_high<std::uint32_t>(n);
-        d.vine = arena.take_high<std::uint32_t>(n);
-        d.at = arena.take_high<Record>(n);
+        d.order = work.arena.take_high<std::uint32_t>(n);
+        d.vine = work.arena.take_high<std::uint32_t>(n);
+        d.at = work.arena.take_high<Record>(n);
         if (d.order == nullptr || d.vine == nullptr || d.at == nullptr) return Status::out_of_memory;
         d.slot = slots_;
         slots_ += n > 0 ? n - 1 : 0;
     }
-    time_ = arena.take_high<double>(std::size_t{slots_} + 1);
-    winner_ = arena.take_high<std::uint32_t>(std::size_t{slots_} + 1);
+    time_ = work.arena.take_high<double>(std::size_t{slots_} + 1);
+    winner_ = work.arena.take_high<std::uint32_t>(std::size_t{slots_} + 1);
     if (time_ == nullptr || winner_ == nullptr) return Status::out_of_memory;
     for (std::uint32_t k = 0; k <= top_; ++k) {
-        const HighScope scope(arena);
-        std::uint32_t* const position = arena.take_high<std::uint32_t>(complex.count[k]);
-        if (position == nullptr || !rank_vertices(value[k], complex.count[k], arena, of_[k].order, position))
+        const HighScope scope(work.arena);
+        std::uint32_t* const position = work.arena.take_high<std::uint32_t>(complex.count[k]);
+        if (position == nullptr || !rank_vertices(value[k], complex.count[k], work.arena, of_[k].order, position))
             return Status::out_of_memory;
         for (std::uint32_t s = 0; s < complex.count[k]; ++s) {
             of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, 0, 0};
             of_[k].vine[s] = none;
         }
     }
-    Status status = pool_.open(arena, longest);
+    Status status = pool_.open(work.arena, longest);
     std::uint64_t total = 0;
     for (std::uint32_t k = 1; k <= top_; ++k) total += complex.count[k];
-    monitor.begin(NETMESH_STAGE_REDUCE, total);
+    work.monitor.begin(NETMESH_STAGE_REDUCE, total);
     work_ = 0;
-    for (std::uint32_t k = top_; k >= 1 && status == Status::ok; --k) status = reduce(k, monitor);
+    for (std::uint32_t k = top_; k >= 1 && status == Status::ok; --k) status = reduce(k, work.monitor);
     vine_count_ = 0;
     for (std::uint32_t k = 0; k <= max_degree_; ++k)
         for (std::uint32_t s = 0; s < complex.count[k]; ++s)

@@ -8,7 +8,8 @@
 #include <cstdint>
 
 #include "homology/column_pool.hpp"
-#include "memory/monitor.hpp"
+#include "vocabulary/monitor.hpp"
+#include "memory/work.hpp"
 
 namespace netmesh {
 
@@ -32,8 +33,7 @@ public:
     // Reduces the filtration value[k][count[k]] (no NaN, faces no later than cofaces, magnitudes up to 2^1000), ties by
     // number. Degrees 0..max_degree. Takes 68 bytes a simplex and the columns at the arena's high end, where nothing
     // else may be taken until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
-    Status open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, Arena& arena,
-                Monitor& monitor);
+    Status open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, const Work& work);
     // From the filtration `from` (the present one) to the next. O(log n) a transposition at most, and what the columns
     // take; simplices that share their values share the logarithm.
     // Without ok the vineyard is no longer of use. out_of_memory, cancelled.

@@ -1,6 +1,7 @@
 #include "mesh/ball_lists.hpp"
 
 #include "numerics/random.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
@@ -192,10 +193,8 @@ template <int D> void BallLists<D>::report(LocationAudit* audit) const {
     audit->tests_mean = static_cast<double>(tests_) / inputs_;
 }
 
-template class BallLists<2>;
-template class BallLists<3>;
-template class BallLists<4>;
-template class BallLists<5>;
-template class BallLists<6>;
+#define NETMESH_INSTANTIATE(D) template class BallLists<D>;
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

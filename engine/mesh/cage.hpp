@@ -18,7 +18,7 @@
 #include <cstdint>
 
 #include "delaunay/store.hpp"
-#include "mesh/distance.hpp"
+#include "numerics/vector.hpp"
 #include "mesh/domain.hpp"
 
 namespace netmesh {

@@ -3,6 +3,7 @@
 #include "delaunay/load.hpp"
 #include "mesh/corner.hpp"
 #include "mesh/insertion.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -90,7 +91,7 @@ template <int D> Status Certification<D>::open() {
     domain_.radius = domain_.enclosing_radius;
     cut2_ = domain_.enclosing_radius * domain_.enclosing_radius;
     const double factor = 1.05 * square_root(D) * focus_.extent();  // the smaller a ratio, the larger its extent
-    const double reach = domain_.radius * (factor > frame_factor[D] ? factor : frame_factor[D]);
+    const double reach = domain_.radius * (factor > frame_factor<D> ? factor : frame_factor<D>);
     return open_at(reach);
 }
 
@@ -225,11 +226,7 @@ Status certify(Store<D>& store, const double* points, std::size_t n, const Certi
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status certify<D>(Store<D>&, const double*, std::size_t, const CertifyOptions&, Monitor&, InputReport*,   \
                                Domain<D>*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "mesh/distance.hpp"
+#include "numerics/vector.hpp"
 #include "mesh/domain.hpp"
 
 namespace netmesh {

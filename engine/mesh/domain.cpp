@@ -1,16 +1,9 @@
 #include "mesh/domain.hpp"
+#include "vocabulary/dimension.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 namespace {
-
-template <int D> double distance2(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return d2;
-}
 
 // Centre of the smallest ball with these m points on its boundary, in their affine hull; false when they are dependent
 // or the centre is outside their convex hull (then a smaller set carries the ball).
@@ -132,11 +125,7 @@ void smallest_enclosing_ball(const double* points, std::uint32_t count, double* 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template void smallest_enclosing_ball<D>(const Store<D>&, std::uint32_t, Domain<D>&);                              \
     template void smallest_enclosing_ball<D>(const double*, std::uint32_t, double*, double*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -1,7 +1,8 @@
 #include "mesh/hierarchy_quality.hpp"
 
 #include "delaunay/sphere.hpp"
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -292,11 +293,7 @@ Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, cons
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status measure_hierarchy<D>(Store<D>&, Cage*, std::uint32_t, const Domain<D>&, Arena&, HierarchyQuality*, \
                                          double*, std::uint32_t*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

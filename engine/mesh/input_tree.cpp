@@ -1,6 +1,7 @@
 #include "mesh/input_tree.hpp"
 
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -231,10 +232,8 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
     return best;
 }
 
-template class InputTree<2>;
-template class InputTree<3>;
-template class InputTree<4>;
-template class InputTree<5>;
-template class InputTree<6>;
+#define NETMESH_INSTANTIATE(D) template class InputTree<D>;
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

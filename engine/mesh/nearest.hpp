@@ -4,7 +4,7 @@
 
 #include "delaunay/kernel.hpp"
 #include "mesh/bucket_queue.hpp"
-#include "mesh/distance.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 

@@ -6,6 +6,7 @@
 #include "mesh/nearest.hpp"
 #include "mesh/opening.hpp"
 #include "numerics/random.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -135,7 +136,7 @@ template <int D> Status NetMesh<D>::open(InputReport* input) {
     if (status != Status::ok) return status;
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     domain_.radius = domain_.enclosing_radius * options_.domain_factor * (1 + tau_margin);
-    const double reach = frame_factor[D] * domain_.radius;
+    const double reach = frame_factor<D> * domain_.radius;
     if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
     if (options_.audit_location && lists_.open(store_, store_.arena, inputs_) != Status::ok)
         return Status::out_of_memory;
@@ -455,7 +456,7 @@ template <int D> Status NetMesh<D>::clean_vertex(std::uint32_t v) {
     });
     if (!fits) return Status::out_of_memory;
     if (!is_bad(corner.distance2, nearest2)) return Status::ok;
-    const double wanted = pull_back[D] * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
+    const double wanted = pull_back<D> * 0.5 * tau_ * square_root(nearest2), whole = square_root(corner.distance2);
     const double fraction = wanted < whole ? wanted / whole : 1;
     double x[D];
     for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
@@ -515,7 +516,7 @@ template <int D> Status NetMesh<D>::clean_cage(std::uint32_t d) {
     const Cage& cage = hierarchy_.cage(d);
     const double inner = in_radius<D>(cage), whole = square_root(corner.distance2 > 0 ? corner.distance2 : 0);
     if (!(whole > tau_ * inner)) return Status::ok;
-    const double wanted = pull_back[D] * tau_ * inner;
+    const double wanted = pull_back<D> * tau_ * inner;
     const double distance = wanted < whole ? wanted : whole, empty = distance - cage.radius;
     const double* const c = store_.point(cage.centre);
     double x[D];
@@ -655,11 +656,7 @@ Status netmesh(Store<D>& store, const double* points, std::size_t n, const Hiera
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status netmesh<D>(Store<D>&, const double*, std::size_t, const HierarchyOptions&, Monitor&, InputReport*, \
                                Domain<D>*, Cage**, HierarchyReport*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

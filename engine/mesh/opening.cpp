@@ -1,6 +1,7 @@
 #include "mesh/opening.hpp"
 
-#include "mesh/distance.hpp"
+#include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 template <int D>
@@ -73,11 +74,7 @@ template <int D> void settle_spheres(Store<D>& store) {
     template Status check_separation<D>(const Store<D>&, const InputTree<D>&, double, InputReport*);                   \
     template Status open_frame<D>(Store<D>&, Kernel<D>&, const InputTree<D>&, const Domain<D>&, double);               \
     template void settle_spheres<D>(Store<D>&);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "vocabulary/dimension.hpp"
 #include "delaunay/triangulate.hpp"
 #include "mesh/domain.hpp"
 #include "mesh/input_tree.hpp"
@@ -35,7 +36,7 @@ inline std::uint32_t make_vertex(Store<D>& store, const double* x, std::uint32_t
 
 // Frame distance over the radius of the domain: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in
 // which everything stays (refine.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and frame.
-constexpr double frame_factor[] = {0, 0, 4, 4, 4.6, 5.2, 5.7};
+template <int D> constexpr double frame_factor = figures<D>.frame_factor;
 
 // Starts the triangulation with 2 D exempt vertices at `reach` from the domain's centre along each axis; their nearest2 and
 // origin are final as long as no vertex comes nearer. out_of_memory.

@@ -1,6 +1,7 @@
 #include "mesh/quality.hpp"
 
 #include "delaunay/sphere.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -125,11 +126,7 @@ Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, A
     template Status recomputed_aspect_ratio<D>(const Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);    \
     template void clipped_out_radii<D>(const Store<D>&, const Domain<D>&, Corners, double*);                           \
     template void recomputed_nearest2<D>(const Store<D>&, double*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

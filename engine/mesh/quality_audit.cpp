@@ -1,6 +1,7 @@
 #include "mesh/quality_audit.hpp"
 
 #include "mesh/hierarchy_quality.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -123,11 +124,7 @@ Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, con
     template double cage_insertion_bound<D>();                                                                         \
     template Status audit_quality<D>(Store<D>&, const Cage*, std::uint32_t, const Domain<D>&, Arena&,                  \
                                      const Newcomers&, QualityAudit*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

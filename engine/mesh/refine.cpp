@@ -3,6 +3,7 @@
 #include "mesh/corner.hpp"
 #include "mesh/insertion.hpp"
 #include "mesh/nearest.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -66,7 +67,7 @@ template <int D> Status Refinement<D>::open(const RefineOptions& options) {
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     // A hair larger than what is promised, so that no corner on the sphere itself depends on roundings.
     domain_.radius = domain_.enclosing_radius * options.domain_factor * (1 + tau_margin);
-    double reach = frame_factor[D] * domain_.radius;
+    double reach = frame_factor<D> * domain_.radius;
     if (reference_) {
         const double k = 2 * options.tau / (options.tau - 2);
         reach = domain_.radius = (k * square_root(2) + 2) * 2 * domain_.enclosing_radius;
@@ -207,7 +208,7 @@ bool Refinement<D>::must_yield(const double* x, double empty2, std::uint32_t nea
 // Inserts a Steiner point between v and a bad corner of its cell, or yields to an input near that place.
 template <int D> Status Refinement<D>::split(std::uint32_t v, const Corner<D>& corner) {
     const double nearest2 = store_.vertex(v).nearest2;
-    const double wanted = reference_ ? infinity : pull_back[D] * 0.5 * tau_ * square_root(nearest2);
+    const double wanted = reference_ ? infinity : pull_back<D> * 0.5 * tau_ * square_root(nearest2);
     const double whole = square_root(corner.distance2);
     const double fraction = wanted < whole ? wanted / whole : 1;
     const double* const p = store_.point(v);
@@ -322,11 +323,7 @@ Status refine(Store<D>& store, const double* points, std::size_t n, const Refine
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status refine<D>(Store<D>&, const double*, std::size_t, const RefineOptions&, Monitor&, InputReport*,     \
                               Domain<D>*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "vocabulary/dimension.hpp"
 #include "delaunay/triangulate.hpp"
 #include "mesh/domain.hpp"
 #include "mesh/sizing.hpp"
@@ -21,7 +22,7 @@ constexpr double yield_radius = 0.9;
 // contains all bad corners and is farthest from v, up to 12% more; half-spaces that contain as many as possible, 1 to 15% more;
 // whole corners up to 1.5 or 2 times as far, 3 and 13% more; a queue four times as fine, or the same vertex again until
 // its cell is good, as many within 1%; a coarser queue or last in, first out, 1 to 16% more; all inputs first, 2% fewer.
-constexpr double pull_back[] = {0, 0, 1.25, 1.1, 1.05, 1, 1};
+template <int D> constexpr double pull_back = figures<D>.pull_back;
 // Refinement stops a hair before tau: more than the error of the corners that it sees, so the true ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;
 

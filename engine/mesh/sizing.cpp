@@ -1,4 +1,5 @@
 #include "mesh/sizing.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -153,11 +154,7 @@ Status worst_size_ratio(const Store<D>& store, const Domain<D>& domain, std::uin
                                         Arena&, double*, std::uint32_t*);                                              \
     template double farthest_pole<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const std::uint32_t*,           \
                                      std::uint32_t, double*, std::uint32_t*);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -57,10 +57,13 @@ std::uint64_t residue_determinant(const std::uint64_t (&entry)[N][2][N], const s
 }
 
 template <int D, bool lifted> struct ExactBounds {
-    // Upper bounds of log2 of D^(D/2) and of (D+1) D^(1+D/2).
+    // The least b for which 2^b is at least D^(D/2), or (D+1) D^(1+D/2) for lifted points: compared by squares.
     static constexpr int hadamard_bits() {
-        constexpr int orient_bits[7] = {0, 0, 1, 3, 4, 6, 8}, in_ball_bits[7] = {0, 0, 4, 6, 9, 11, 14};
-        return lifted ? in_ball_bits[D] : orient_bits[D];
+        std::uint64_t square = lifted ? std::uint64_t{D + 1} * (D + 1) * D * D : 1;
+        for (int k = 0; k < D; ++k) square *= D;
+        int bits = 0;
+        while ((std::uint64_t{1} << 2 * bits) < square) ++bits;
+        return bits;
     }
     // A difference of finite doubles is below 2^1025 and a multiple of 2^-1074.
     static constexpr int bits_max = (lifted ? D + 2 : D) * (1025 + 1074) + hadamard_bits();

@@ -1,6 +1,7 @@
 #include "predicates/predicates.hpp"
 
 #include "predicates/cascade.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
@@ -92,10 +93,6 @@ Sign in_ball_perturbed(const double* const* cell, const std::uint32_t* ids, cons
                                        PredicateCounts&);
 
 template Sign orient<1>(const double* const*, PredicateCounts&);
-NETMESH_INSTANTIATE(2)
-NETMESH_INSTANTIATE(3)
-NETMESH_INSTANTIATE(4)
-NETMESH_INSTANTIATE(5)
-NETMESH_INSTANTIATE(6)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 
 }  // namespace netmesh

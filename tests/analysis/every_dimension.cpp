@@ -29,7 +29,7 @@ template <int D> struct Cloud {
     }
     FeatureIntegral integral(const double* centre, const double* radius, double tolerance, std::uint64_t boxes) {
         FeatureIntegral i;
-        REQUIRE(feature_integral<D>(store, tree, count, centre, radius, 3, tolerance, boxes, block.arena, monitor,
+        REQUIRE(feature_integral<D>(store, tree, count, centre, radius, 3, tolerance, boxes, {block.arena, monitor},
                                     &i) == Status::ok);
         return i;
     }
@@ -117,8 +117,7 @@ TEST_CASE_TEMPLATE("a close pair shows in paces, a wide domain in the ball of ve
     held.domain.radius = 10;  // more than seven enclosing radii
     held.domain.enclosing_radius = 1;
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0}, held.block.arena,
-                            held.monitor, &a) == Status::ok);
+    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0}, {held.block.arena, held.monitor}, &a) == Status::ok);
     CHECK(a.radius[ball_wide] == a.radius[ball_vertices]);
     CHECK(a.theta == doctest::Approx(gaps[D]).epsilon(0.01));
     CHECK(a.theta_limit == doctest::Approx(2 * a.theta / (1 - 3 * a.theta)));
@@ -151,7 +150,7 @@ TEST_CASE_TEMPLATE("balls whose squares no double holds", T, EVERY_DIMENSION) {
         Held<D> held(std::size_t{1} << 23);
         REQUIRE(held.triangulate(points) == Status::ok);
         const double centre[D] = {};
-        REQUIRE(analyse_structure<D>(held.store, centre, 1, held.block.arena, held.monitor, &a[huge]) == Status::ok);
+        REQUIRE(analyse_structure<D>(held.store, centre, 1, {held.block.arena, held.monitor}, &a[huge]) == Status::ok);
     }
     CHECK(a[1].degree_max == a[0].degree_max);
     CHECK(a[1].star_max == a[0].star_max);
@@ -169,12 +168,12 @@ TEST_CASE_TEMPLATE("structure in little memory, and stopped", T, EVERY_DIMENSION
     StructureAnalysis whole, part;
     Polls polls;
     Monitor counting = polls.monitor();
-    REQUIRE(analyse_structure<D>(held.store, centre, 1, held.block.arena, counting, &whole) == Status::ok);
+    REQUIRE(analyse_structure<D>(held.store, centre, 1, {held.block.arena, counting}, &whole) == Status::ok);
     REQUIRE(polls.made > 0);
     for (int stop = 0; stop < polls.made; stop += 1 + polls.made / 8) {
         Polls stopped = {0, stop};
         Monitor monitor = stopped.monitor();
-        CHECK(analyse_structure<D>(held.store, centre, 1, held.block.arena, monitor, &part) == Status::cancelled);
+        CHECK(analyse_structure<D>(held.store, centre, 1, {held.block.arena, monitor}, &part) == Status::cancelled);
         CHECK(stopped.made == stop + 1);
     }
     const std::size_t free_bytes = held.block.arena.bytes_free(), high = held.block.arena.high_mark();
@@ -182,7 +181,7 @@ TEST_CASE_TEMPLATE("structure in little memory, and stopped", T, EVERY_DIMENSION
     for (std::size_t left = 32; left < free_bytes; left += 16 + left / 16) {
         // In the gap, where cells are listed.
         REQUIRE(held.block.arena.template take_high<unsigned char>(free_bytes - left) != nullptr);
-        const Status status = analyse_structure<D>(held.store, centre, 1, held.block.arena, held.monitor, &part);
+        const Status status = analyse_structure<D>(held.store, centre, 1, {held.block.arena, held.monitor}, &part);
         held.block.arena.release_high(high);
         CHECK(held.block.arena.bytes_free() == free_bytes);
         if (status == Status::ok) {
@@ -202,9 +201,9 @@ TEST_CASE_TEMPLATE("fatness of cells in a wide domain", T, EVERY_DIMENSION) {
     Held<D> held(std::size_t{1} << 23);
     REQUIRE(held.mesh(inputs::uniform(D, few[D]), D < 6 ? 2.2 : 3) == Status::ok);
     FatnessAnalysis narrow, wide;
-    REQUIRE(analyse_fatness<D>(held.store, held.domain, held.block.arena, held.monitor, &narrow) == Status::ok);
+    REQUIRE(analyse_fatness<D>(held.store, held.domain, {held.block.arena, held.monitor}, &narrow) == Status::ok);
     held.domain.radius *= 8;
-    REQUIRE(analyse_fatness<D>(held.store, held.domain, held.block.arena, held.monitor, &wide) == Status::ok);
+    REQUIRE(analyse_fatness<D>(held.store, held.domain, {held.block.arena, held.monitor}, &wide) == Status::ok);
     CHECK(wide.inside.cells > narrow.inside.cells);
     CHECK(wide.bounded.cells == narrow.bounded.cells);
     CHECK(wide.bounded.beta_max == narrow.bounded.beta_max);
@@ -212,7 +211,7 @@ TEST_CASE_TEMPLATE("fatness of cells in a wide domain", T, EVERY_DIMENSION) {
     CHECK(wide.clipped >= wide.inside.cells);
     CHECK(wide.clipped_max >= wide.inside.beta_max * (1 - 1e-9));
     held.domain.radius *= 1e3;
-    REQUIRE(analyse_fatness<D>(held.store, held.domain, held.block.arena, held.monitor, &wide) == Status::ok);
+    REQUIRE(analyse_fatness<D>(held.store, held.domain, {held.block.arena, held.monitor}, &wide) == Status::ok);
     CHECK(wide.inside.cells == wide.bounded.cells);
 }
 
@@ -248,13 +247,13 @@ TEST_CASE_TEMPLATE("paces of a line's points one after the other", T, EVERY_DIME
     std::vector<std::uint32_t> order(n);
     for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
     std::vector<double> theta(n, 0.0);
-    REQUIRE(pace<D>(cloud.store, cloud.tree, order.data(), n, cloud.block.arena, cloud.monitor, theta.data()) ==
+    REQUIRE(pace<D>(cloud.store, cloud.tree, order.data(), n, {cloud.block.arena, cloud.monitor}, theta.data()) ==
             Status::ok);
     CHECK(theta[1] == 1);
     for (std::uint32_t i = 2; i < n; ++i) REQUIRE(theta[i] == 0.5);
     Polls polls = {0, 0};
     Monitor stopping = polls.monitor();
-    CHECK(pace<D>(cloud.store, cloud.tree, order.data(), n, cloud.block.arena, stopping, theta.data()) ==
+    CHECK(pace<D>(cloud.store, cloud.tree, order.data(), n, {cloud.block.arena, stopping}, theta.data()) ==
           Status::cancelled);
 }
 

@@ -41,7 +41,7 @@ template <int D> double in_radius_by_exhaustion(const std::vector<double>& w) {
 
 template <int D> FatnessAnalysis analyse(Held<D>& held) {
     FatnessAnalysis a;
-    REQUIRE(analyse_fatness<D>(held.store, held.domain, held.block.arena, held.monitor, &a) == Status::ok);
+    REQUIRE(analyse_fatness<D>(held.store, held.domain, {held.block.arena, held.monitor}, &a) == Status::ok);
     return a;
 }
 

@@ -43,8 +43,7 @@ template <int D> struct Ordered {
 template <int D>
 SizeAnalysis analyse(Held<D>& held, double tau, const SizeRule& rule = {}, double tolerance = infinity) {
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {tau, rule, tolerance, 1u << 20}, held.block.arena,
-                            held.monitor, &a) == Status::ok);
+    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {tau, rule, tolerance, 1u << 20}, {held.block.arena, held.monitor}, &a) == Status::ok);
     return a;
 }
 
@@ -70,12 +69,12 @@ TEST_CASE_TEMPLATE_DEFINE("paces of an ordering and the farthest-first ordering 
         const std::uint32_t n = o.held.inputs();
         for (std::uint32_t i = 0; i < n; ++i) o.order[i] = (i * 7 + 3) % n;
         if (n % 7 != 0) {
-            REQUIRE(pace<D>(o.held.store, o.tree, o.order.data(), n, o.held.block.arena, o.held.monitor,
+            REQUIRE(pace<D>(o.held.store, o.tree, o.order.data(), n, {o.held.block.arena, o.held.monitor},
                             o.theta.data()) == Status::ok);
             const std::vector<double> expected = thetas_by_scan(points, D, o.order);
             for (std::uint32_t i = 0; i < n; ++i) CHECK(o.theta[i] == doctest::Approx(expected[i]).epsilon(1e-14));
         }
-        REQUIRE(farthest_first_order<D>(o.held.store, o.tree, n, o.held.block.arena, o.held.monitor, o.order.data()) ==
+        REQUIRE(farthest_first_order<D>(o.held.store, o.tree, n, {o.held.block.arena, o.held.monitor}, o.order.data()) ==
                 Status::ok);
         // Each point is one of those farthest from all before it.
         std::vector<double> near(n, HUGE_VAL);
@@ -125,9 +124,9 @@ TEST_CASE("the feature size integral against a fine grid, and its bounds against
     const double radius[] = {o.held.domain.radius, 1.3 * o.held.domain.radius, 4 * o.held.domain.radius};
     FeatureIntegral coarse, fine;
     REQUIRE(feature_integral<2>(o.held.store, o.tree, 12, o.held.domain.centre, radius, 3, infinity, 0,
-                                o.held.block.arena, o.held.monitor, &coarse) == Status::ok);
+                                {o.held.block.arena, o.held.monitor}, &coarse) == Status::ok);
     REQUIRE(feature_integral<2>(o.held.store, o.tree, 12, o.held.domain.centre, radius, 3, 0.05, 1u << 22,
-                                o.held.block.arena, o.held.monitor, &fine) == Status::ok);
+                                {o.held.block.arena, o.held.monitor}, &fine) == Status::ok);
     CHECK(fine.boxes > coarse.boxes);
     double sum[3] = {};
     const int side = 1200;
@@ -155,8 +154,7 @@ TEST_CASE("two points: the integral of 3.8.3") {
     Ordered<3> o({0, 0, 0, 1, 0, 0});
     const double centre[3] = {0, 0, 0}, radius[] = {1, 4, 16};
     FeatureIntegral integral;
-    REQUIRE(feature_integral<3>(o.held.store, o.tree, 2, centre, radius, 3, 0.3, 1u << 20, o.held.block.arena,
-                                o.held.monitor, &integral) == Status::ok);
+    REQUIRE(feature_integral<3>(o.held.store, o.tree, 2, centre, radius, 3, 0.3, 1u << 20, {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
     for (int k = 0; k < 3; ++k) {
         CHECK(integral.lower[k] < unit_ball_volume(3) * (1 + 3 * std::log(2 * radius[k])));
         // Far away f_P is about the distance: a factor of four in the radius adds 3 V ln 4.

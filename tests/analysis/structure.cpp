@@ -10,7 +10,7 @@ namespace {
 
 template <int D> StructureAnalysis analyse(Held<D>& held) {
     StructureAnalysis a;
-    REQUIRE(analyse_structure<D>(held.store, held.domain.centre, held.domain.radius, held.block.arena, held.monitor,
+    REQUIRE(analyse_structure<D>(held.store, held.domain.centre, held.domain.radius, {held.block.arena, held.monitor},
                                  &a) == Status::ok);
     return a;
 }

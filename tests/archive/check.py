@@ -130,18 +130,19 @@ SYSTEM_PUBLIC = {"stddef.h", "stdint.h"}
 # A room sees its own files, the files of these rooms and single files named here.
 SEES = {
     "include": set(),
-    "memory": {"include"},
-    "numerics": {"memory"},
-    "predicates": {"numerics", "memory"},
-    "delaunay": {"predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
-    "mesh": {"delaunay", "predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
-    "complex": {"memory", "numerics"},
-    "homology": {"complex", "memory", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
-    "diagram": {"homology", "complex", "memory", "numerics", "include"},
-    "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "include"},
-    "analysis": {"mesh", "delaunay", "predicates", "numerics", "memory", "include", "complex/triangulation.hpp"},
+    "vocabulary": {"include"},
+    "memory": {"vocabulary"},
+    "numerics": {"vocabulary", "memory"},
+    "predicates": {"numerics", "memory", "vocabulary"},
+    "delaunay": {"predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
+    "mesh": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
+    "complex": {"memory", "vocabulary", "numerics"},
+    "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
+    "diagram": {"homology", "complex", "memory", "vocabulary", "numerics", "include"},
+    "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "vocabulary", "include"},
+    "analysis": {"mesh", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "api": {"analysis", "filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
-            "memory", "include"},
+            "memory", "vocabulary", "include"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
 
@@ -202,7 +203,7 @@ OUTSIDE_BYTES = 128   # what memcpy and its like may take, with their return add
 RED_ZONE_BYTES = 128  # used below the frame by functions that call nothing; the compiler's figure leaves it out
 INDIRECT = "__indirect_call"
 # The poll and the caller's functions: their stack is the caller's affair.
-INDIRECT_ALLOWED = ("memory/monitor.hpp", "memory/callback.hpp", "mesh/sizing.hpp")
+INDIRECT_ALLOWED = ("vocabulary/monitor.hpp", "vocabulary/callback.hpp", "mesh/sizing.hpp")
 
 
 class Graph:

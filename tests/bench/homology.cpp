@@ -161,7 +161,7 @@ template <int D> int measure(std::uint32_t cubes, std::uint32_t sample, double j
         netmesh::Monitor monitor;
         const std::clock_t begin = std::clock();
         const auto status = netmesh::persist_lower_star<D>(view, g.value.data(), 0, round % 2 == 0 ? D - 1 : 0, false,
-                                                           arena, monitor, &out, &simplices);
+                                                           {arena, monitor}, &out, &simplices);
         const double took = double(std::clock() - begin) / CLOCKS_PER_SEC;
         if (status != netmesh::Status::ok) {
             std::printf("status %d\n", int(status));

@@ -36,7 +36,7 @@ template <int D> void compare_with_sets(const Cells<D>& cells, int dimension_max
     Block block(std::size_t{1} << 26);
     Monitor monitor;
     Faces<D> faces;
-    REQUIRE(enumerate_faces<D>(cells.view(), dimension_max, block.arena, monitor, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<D>(cells.view(), dimension_max, {block.arena, monitor}, &faces) == Status::ok);
     CHECK(faces.dimension_max == dimension_max);
     for (int k = 0; k <= D; ++k) {
         if (k > dimension_max) {
@@ -91,7 +91,7 @@ template <int D> void check_grid(std::uint32_t side) {
     Monitor monitor;
     Faces<D> faces;
     const Cells<D> cells = freudenthal<D>(side);
-    REQUIRE(enumerate_faces<D>(cells.view(), D, block.arena, monitor, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<D>(cells.view(), D, {block.arena, monitor}, &faces) == Status::ok);
     std::int64_t euler = 0;
     for (int k = 0; k <= D; ++k) {
         CHECK(faces.count[k] == freudenthal_faces(D, side, k));
@@ -137,12 +137,12 @@ template <int D> void enumerate_in_any_arena(const Cells<D>& cells, std::size_t 
     Block whole(std::size_t{1} << 22);
     Monitor monitor;
     Faces<D> faces;
-    REQUIRE(enumerate_faces<D>(cells.view(), D, whole.arena, monitor, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<D>(cells.view(), D, {whole.arena, monitor}, &faces) == Status::ok);
     const std::vector<std::uint32_t> expected = contents(faces);
     bool succeeded = false;
     for (std::size_t bytes = 0; bytes <= whole.arena.bytes_peak() + 64 + step; bytes += step) {
         Block block(bytes);
-        const Status status = enumerate_faces<D>(cells.view(), D, block.arena, monitor, &faces);
+        const Status status = enumerate_faces<D>(cells.view(), D, {block.arena, monitor}, &faces);
         if (status == Status::ok) {
             succeeded = true;
             CHECK(contents(faces) == expected);
@@ -179,8 +179,8 @@ template <int D> void refuse_dimensions() {
     Block block(1 << 16);
     Monitor monitor;
     Faces<D> faces;
-    CHECK(enumerate_faces<D>(cells.view(), -1, block.arena, monitor, &faces) == Status::invalid_argument);
-    CHECK(enumerate_faces<D>(cells.view(), D + 1, block.arena, monitor, &faces) == Status::invalid_argument);
+    CHECK(enumerate_faces<D>(cells.view(), -1, {block.arena, monitor}, &faces) == Status::invalid_argument);
+    CHECK(enumerate_faces<D>(cells.view(), D + 1, {block.arena, monitor}, &faces) == Status::invalid_argument);
 }
 
 }  // namespace
@@ -222,7 +222,7 @@ TEST_CASE("a vertex in no cell is no face") {
     Block block(1 << 20);
     Monitor monitor;
     Faces<2> faces;
-    REQUIRE(enumerate_faces<2>(cells.view(), 2, block.arena, monitor, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<2>(cells.view(), 2, {block.arena, monitor}, &faces) == Status::ok);
     CHECK(faces.count[0] == 4);
 }
 
@@ -231,14 +231,14 @@ TEST_CASE("the order in which cells and their vertices are stored does not matte
     Block block(std::size_t{1} << 24);
     Monitor monitor;
     Faces<4> faces;
-    REQUIRE(enumerate_faces<4>(cells.view(), 4, block.arena, monitor, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<4>(cells.view(), 4, {block.arena, monitor}, &faces) == Status::ok);
     const std::vector<std::uint32_t> expected = contents(faces);
     Random random;
     for (std::size_t i = cells.list.size(); i > 1; --i)
         std::swap(cells.list[i - 1], cells.list[random.below(static_cast<std::uint32_t>(i))]);
     for (auto& cell : cells.list) std::reverse(cell.begin(), cell.end());
     Block other(std::size_t{1} << 23);
-    REQUIRE(enumerate_faces<4>(cells.view(), 4, other.arena, monitor, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<4>(cells.view(), 4, {other.arena, monitor}, &faces) == Status::ok);
     CHECK(contents(faces) == expected);
 }
 
@@ -270,7 +270,7 @@ TEST_CASE("the caller can stop the enumeration") {
     Monitor monitor(stop, &polls);
     Faces<3> faces;
     monitor.begin(NETMESH_STAGE_FILTER, 0);
-    CHECK(enumerate_faces<3>(cells.view(), 3, block.arena, monitor, &faces) == Status::cancelled);
+    CHECK(enumerate_faces<3>(cells.view(), 3, {block.arena, monitor}, &faces) == Status::cancelled);
     CHECK(polls == 2);
     CHECK(block.arena.bytes_used() == 0);
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagram/sort.hpp"
-#include "memory/sort.hpp"
+#include "numerics/sort.hpp"
 
 using netmesh::Pair;
 

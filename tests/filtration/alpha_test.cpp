@@ -33,7 +33,7 @@ template <int D> Values alpha(const Cloud<D>& c) {
     Block block(std::size_t{1} << 22);
     Monitor monitor;
     Faces<D> faces;
-    REQUIRE(enumerate_faces<D>(c.cells.view(), D, block.arena, monitor, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<D>(c.cells.view(), D, {block.arena, monitor}, &faces) == Status::ok);
     double* value[D + 1];
     for (int k = 0; k <= D; ++k) value[k] = block.arena.template take_low<double>(faces.count[k]);
     REQUIRE(alpha_values<D>(faces, c.x.data(), D * sizeof(double), monitor, value) == Status::ok);
@@ -59,7 +59,7 @@ Diagram diagram(const Cloud<D>& c, std::uint32_t max_degree = D, bool keep_zero 
     PairList list;
     Diagram out;
     const Status status = persist_alpha<D>(c.cells.view(), c.x.data(), stride == 0 ? D * sizeof(double) : stride,
-                                           max_degree, keep_zero, block.arena, monitor, &list, &out.simplices);
+                                           max_degree, keep_zero, {block.arena, monitor}, &list, &out.simplices);
     REQUIRE(status == Status::ok);
     CHECK(block.arena.offset_of(list.pairs) == 0);
     CHECK(block.arena.bytes_used() == list.count * sizeof(Pair));
@@ -336,7 +336,7 @@ TEST_CASE_TEMPLATE("the diagram in low degrees is that part of the whole", T, st
     Block block(std::size_t{1} << 22);
     Monitor monitor;
     PairList list;
-    REQUIRE(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, block.arena, monitor, &list,
+    REQUIRE(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, {block.arena, monitor}, &list,
                              nullptr) == Status::ok);
     std::size_t pairs = 0;
     for (const auto& degree : whole.degree) pairs += degree.size();
@@ -356,7 +356,7 @@ TEST_CASE_TEMPLATE("values can be stopped at the cells", T, std::integral_consta
     Monitor stopping([](void*, const netmesh_progress* progress) { return static_cast<int>(progress->total > 0); },
                      nullptr);
     PairList list;
-    CHECK(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, block.arena, stopping, &list,
+    CHECK(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, {block.arena, stopping}, &list,
                            nullptr) == Status::cancelled);
     CHECK(block.arena.bytes_used() == 0);
 }
@@ -373,7 +373,7 @@ TEST_CASE("values of edges can be stopped, and may be as long as squares overflo
         },
         &polls);
     PairList list;
-    CHECK(persist_alpha<2>(c.cells.view(), c.x.data(), 2 * sizeof(double), 2, false, block.arena, second, &list,
+    CHECK(persist_alpha<2>(c.cells.view(), c.x.data(), 2 * sizeof(double), 2, false, {block.arena, second}, &list,
                            nullptr) == Status::cancelled);
     CHECK(polls == 2);
     const double huge = 0x1p600;
@@ -426,7 +426,7 @@ TEST_CASE("any amount of memory gives the diagram or says that it is too little;
     const auto run = [&](Block& block, Monitor monitor, std::vector<double>& deaths) {
         PairList list;
         const Status status =
-            persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, block.arena, monitor, &list, nullptr);
+            persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, monitor}, &list, nullptr);
         deaths.clear();
         for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) deaths.push_back(list.pairs[i].death);
         if (status != Status::ok) CHECK(block.arena.bytes_used() == 0);
@@ -465,14 +465,14 @@ TEST_CASE("a caller that wants to stop stops it at each of its polls") {
     Countdown none_stopped{-1, 0};
     PairList list;
     Monitor monitor(poll, &none_stopped);
-    REQUIRE(persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, block.arena, monitor, &list, nullptr) ==
+    REQUIRE(persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, monitor}, &list, nullptr) ==
             Status::ok);
     REQUIRE(none_stopped.polls > 3);
     for (int stop = 0; stop < none_stopped.polls; ++stop) {
         Countdown countdown{stop, 0};
         Monitor stopping(poll, &countdown);
         block.arena.release_low(0);
-        CHECK(persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, block.arena, stopping, &list, nullptr) ==
+        CHECK(persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, stopping}, &list, nullptr) ==
               Status::cancelled);
         CHECK(block.arena.bytes_used() == 0);
     }

@@ -68,7 +68,7 @@ template <int D> void sample_distances(const inputs::Points& points, double tau,
                 Monitor monitor;
                 const std::size_t used = mesh.block.arena.bytes_used();
                 REQUIRE(distance_filter_values<D>(mesh.store, mesh.domain, mesh.inputs, kind, k, values,
-                                                  mesh.block.arena, monitor, value.data(), &certificate) == Status::ok);
+                                                  {mesh.block.arena, monitor}, value.data(), &certificate) == Status::ok);
                 CHECK(mesh.block.arena.bytes_used() == used);
                 const double c = certificate.ratio;
                 CAPTURE(k);
@@ -141,11 +141,11 @@ TEST_CASE("eps-refined meshes keep the bound of 8.6.4") {
             MeshCertificate certificate;
             Monitor monitor;
             REQUIRE(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::kth, k,
-                                              FilterValues::thesis, mesh.block.arena, monitor, value.data(),
+                                              FilterValues::thesis, {mesh.block.arena, monitor}, value.data(),
                                               &certificate) == Status::ok);
             CHECK(certificate.ratio <= 1 / (1 - eps) * (1 + 1e-9));
             REQUIRE(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::root_mean_square, k,
-                                              FilterValues::thesis, mesh.block.arena, monitor, value.data(),
+                                              FilterValues::thesis, {mesh.block.arena, monitor}, value.data(),
                                               &certificate) == Status::ok);
             CHECK(certificate.ratio <= 1 / (1 - std::sqrt(2.0) * eps) * (1 + 1e-9));
         }
@@ -236,6 +236,6 @@ TEST_CASE("too little memory is said") {
     const std::size_t high = mesh.block.arena.high_mark();
     REQUIRE(mesh.block.arena.take_low<unsigned char>(mesh.block.arena.bytes_free() - 512) != nullptr);
     CHECK(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::kth, 3, FilterValues::thesis,
-                                    mesh.block.arena, monitor, value.data(), &certificate) == Status::out_of_memory);
+                                    {mesh.block.arena, monitor}, value.data(), &certificate) == Status::out_of_memory);
     CHECK(mesh.block.arena.high_mark() == high);
 }

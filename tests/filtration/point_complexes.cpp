@@ -171,7 +171,7 @@ template <int D> void check_cech_values(const inputs::Points& points, std::uint3
     netmesh::Monitor monitor;
     netmesh::ListedComplex c;
     const std::uint32_t n = static_cast<std::uint32_t>(points.size() / D);
-    REQUIRE(netmesh::cech_complex<D>(points.data(), n, dimension, block.arena, monitor, &c) == netmesh::Status::ok);
+    REQUIRE(netmesh::cech_complex<D>(points.data(), n, dimension, {block.arena, monitor}, &c) == netmesh::Status::ok);
     const netmesh::FilteredComplex f = c.filtered();
     double total = 0;
     for (std::uint32_t k = 0; k <= dimension; ++k) {
@@ -302,14 +302,14 @@ template <int D> void check_graph() {
         Block block(std::size_t{1} << 12);
         netmesh::Monitor monitor;
         netmesh::ListedComplex complex;
-        REQUIRE(netmesh::full_rips_complex<D>(two.data(), 2, 3, block.arena, monitor, &complex) == netmesh::Status::ok);
+        REQUIRE(netmesh::full_rips_complex<D>(two.data(), 2, 3, {block.arena, monitor}, &complex) == netmesh::Status::ok);
         CHECK(complex.dimension == 1);
         CHECK(complex.count[1] == 1);
     }
     const inputs::Points points = inputs::uniform(D, 2000);
     const auto graph = [&](std::uint32_t n, std::size_t bytes, netmesh::Monitor monitor, netmesh::RipsGraph* out) {
         Block block(bytes);
-        const netmesh::Status status = netmesh::rips_graph<D>(points.data(), n, block.arena, monitor, out);
+        const netmesh::Status status = netmesh::rips_graph<D>(points.data(), n, {block.arena, monitor}, out);
         for (std::uint32_t e = 0; status == netmesh::Status::ok && e < out->edge_count; ++e) CHECK(out->value[e] > 0);
         return status;
     };
@@ -344,9 +344,9 @@ TEST_CASE("barycentric complexes of more than there is") {
     netmesh::Monitor monitor;
     netmesh::ListedComplex complex, out;
     const double three[] = {0, 0, 1, 0, 0, 1};
-    REQUIRE(netmesh::cech_complex<2>(three, 3, 2, block.arena, monitor, &complex) == netmesh::Status::ok);
-    CHECK(netmesh::barycentric_complex(complex, 4, 1, block.arena, monitor, &out) == netmesh::Status::invalid_argument);
-    CHECK(netmesh::barycentric_complex(complex, 3, 1, block.arena, monitor, &out) == netmesh::Status::ok);
+    REQUIRE(netmesh::cech_complex<2>(three, 3, 2, {block.arena, monitor}, &complex) == netmesh::Status::ok);
+    CHECK(netmesh::barycentric_complex(complex, 4, 1, {block.arena, monitor}, &out) == netmesh::Status::invalid_argument);
+    CHECK(netmesh::barycentric_complex(complex, 3, 1, {block.arena, monitor}, &out) == netmesh::Status::ok);
     CHECK(out.count[0] == 1);
     CHECK(netmesh::barycentric_count(5, 2, 100, 1) == netmesh::barycentric_count(5, 2, 5, 1));
 }

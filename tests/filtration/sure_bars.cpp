@@ -37,7 +37,7 @@ template <int D> Pairs diagram(const Cells<D>& cells, const std::vector<double>&
     Monitor monitor;
     PairList list;
     std::uint64_t simplices;
-    REQUIRE(persist_lower_star<D>(cells.view(), value.data(), 0, D - 1, false, block.arena, monitor, &list,
+    REQUIRE(persist_lower_star<D>(cells.view(), value.data(), 0, D - 1, false, {block.arena, monitor}, &list,
                                   &simplices) == Status::ok);
     return Pairs(list.pairs, list.pairs + list.count);
 }
@@ -52,8 +52,7 @@ std::vector<BarBounds> bounded(const Cells<D>& cells, const std::vector<double>&
     REQUIRE(bound_bars(value.data(), interval.data(), cells.vertex_count, pairs.data(), pairs.size(), block.arena,
                        bounds.data(), &curve) == Status::ok);
     const std::size_t used = block.arena.bytes_used();
-    REQUIRE(find_sure_bars<D>(cells.view(), value.data(), interval.data(), 0, pairs.data(), pairs.size(), block.arena,
-                              monitor, bounds.data()) == Status::ok);
+    REQUIRE(find_sure_bars<D>(cells.view(), value.data(), interval.data(), 0, pairs.data(), pairs.size(), {block.arena, monitor}, bounds.data()) == Status::ok);
     CHECK(block.arena.bytes_used() == used);
     return bounds;
 }
@@ -121,7 +120,7 @@ template <int D> void no_bars() {
     Block block(64);
     Monitor monitor;
     const Cells<D> cells(D + 1);
-    CHECK(find_sure_bars<D>(cells.view(), nullptr, nullptr, 0, nullptr, 0, block.arena, monitor, nullptr) ==
+    CHECK(find_sure_bars<D>(cells.view(), nullptr, nullptr, 0, nullptr, 0, {block.arena, monitor}, nullptr) ==
           Status::ok);
     CHECK(block.arena.bytes_used() == 0);
 }

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "block.hpp"
-#include "memory/monitor.hpp"
-#include "memory/status.hpp"
+#include "vocabulary/monitor.hpp"
+#include "vocabulary/status.hpp"
 
 namespace disturbed {
 
@@ -13,14 +13,14 @@ struct Outcome {
     int refused, whole;
 };
 
-// run(arena, monitor) looks at its result when it returns ok. Sizes from somewhat more than it needs down to nothing: in
+// run({arena, monitor}) looks at its result when it returns ok. Sizes from somewhat more than it needs down to nothing: in
 // steps of 16 bytes until `dense` bytes are missing, then of a twentieth of what is.
 template <class Run> Outcome by_size(std::size_t enough, std::size_t dense, Run run) {
     std::size_t peak = 0;
     {
         Block block(enough);
         netmesh::Monitor monitor;
-        REQUIRE(run(block.arena, monitor) == netmesh::Status::ok);
+        REQUIRE(run({block.arena, monitor}) == netmesh::Status::ok);
         peak = block.arena.bytes_peak();
     }
     Outcome outcome = {0, 0};
@@ -28,7 +28,7 @@ template <class Run> Outcome by_size(std::size_t enough, std::size_t dense, Run 
     for (std::size_t less = 0; less <= most; less += less < dense ? 16 : less / 20 / 16 * 16 + 16) {
         Block block(most - less);
         netmesh::Monitor monitor;
-        const netmesh::Status status = run(block.arena, monitor);
+        const netmesh::Status status = run({block.arena, monitor});
         if (status == netmesh::Status::ok) {
             REQUIRE(outcome.refused == 0);
             ++outcome.whole;
@@ -50,7 +50,7 @@ template <class Run> int at_polls(std::size_t enough, Run run) {
     for (int polls = 0;; ++polls) {
         int left = polls;
         netmesh::Monitor monitor(poll, &left);
-        const netmesh::Status status = run(block.arena, monitor);
+        const netmesh::Status status = run({block.arena, monitor});
         if (status == netmesh::Status::ok) return polls;
         REQUIRE(status == netmesh::Status::cancelled);
         REQUIRE(block.arena.bytes_used() == 0);

@@ -26,8 +26,7 @@ void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
             Monitor monitor;
             PairList out;
             std::uint64_t count = 0;
-            REQUIRE(persist_lower_star<D>(ball.view(), value.data(), zero_born_count, degree, keep, block.arena,
-                                          monitor, &out, &count) == Status::ok);
+            REQUIRE(persist_lower_star<D>(ball.view(), value.data(), zero_born_count, degree, keep, {block.arena, monitor}, &out, &count) == Status::ok);
             CHECK(count == simplices.size());
             REQUIRE(oracle::same(expected, out));
             CHECK(block.arena.high_mark() == high);
@@ -125,7 +124,7 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
         Monitor monitor;
         PairList out;
         const Status status =
-            persist_lower_star<4>(ball.view(), value.data(), 20, 3, false, block.arena, monitor, &out, nullptr);
+            persist_lower_star<4>(ball.view(), value.data(), 20, 3, false, {block.arena, monitor}, &out, nullptr);
         if (status == Status::ok) {
             fitted = true;
             REQUIRE(oracle::same(expected, out));
@@ -160,7 +159,7 @@ TEST_CASE("stopping at any poll leaves the arena as it was") {
         Monitor monitor(poll, &countdown);
         PairList out;
         const Status status =
-            persist_lower_star<4>(ball.view(), value.data(), 0, 3, false, block.arena, monitor, &out, nullptr);
+            persist_lower_star<4>(ball.view(), value.data(), 0, 3, false, {block.arena, monitor}, &out, nullptr);
         finished = status == Status::ok;
         if (finished) break;
         REQUIRE(status == Status::cancelled);

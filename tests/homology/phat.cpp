@@ -67,13 +67,13 @@ template <int D> void check(const std::array<std::uint32_t, D>& cubes, std::uint
         Monitor monitor;
         PairList out;
         const std::size_t low = block.arena.low_mark();
-        REQUIRE(persist_lower_star<D>(ball.view(), value.data(), zero_born_count, D - 1, false, block.arena, monitor,
+        REQUIRE(persist_lower_star<D>(ball.view(), value.data(), zero_born_count, D - 1, false, {block.arena, monitor},
                                       &out, nullptr) == Status::ok);
         CHECK(out.count > 10);
         CHECK(oracle::same(expected, out));
         block.arena.release_low(low);
         const oracle::Explicit e(f);
-        REQUIRE(persist_filtration(e.complex, D - 1, false, block.arena, monitor, &out) == Status::ok);
+        REQUIRE(persist_filtration(e.complex, D - 1, false, {block.arena, monitor}, &out) == Status::ok);
         CHECK(oracle::same(expected, out));
         block.arena.release_low(low);
     }

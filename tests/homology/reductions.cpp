@@ -22,27 +22,27 @@ struct Reductions {
     Reductions(const FilteredComplex& listed, std::uint32_t most, bool keep, const std::vector<Pair>& pairs)
         : complex(listed), degree(most), keep_zero(keep), expected(pairs) {}
 
-    Status filtration(Arena& arena, Monitor& monitor) const {
+    Status filtration(const Work& work) const {
         PairList out;
-        const Status status = persist_filtration(complex, degree, keep_zero, arena, monitor, &out);
+        const Status status = persist_filtration(complex, degree, keep_zero, work, &out);
         if (status == Status::ok) REQUIRE(oracle::same(expected, out));
         return status;
     }
-    Status skeleton(Arena& arena, Monitor& monitor) const {
+    Status skeleton(const Work& work) const {
         PairList out;
-        const Status status = persist_skeleton(complex, degree, keep_zero, arena, monitor, &out);
+        const Status status = persist_skeleton(complex, degree, keep_zero, work, &out);
         if (status == Status::ok) REQUIRE(oracle::same(expected, out));
         return status;
     }
-    Status with_cycles(Arena& arena, Monitor& monitor) {
+    Status with_cycles(const Work& work) {
         PairList out;
         CycleStore store;
-        const Status status = persist_with_cycles(complex, degree, keep_zero, arena, monitor, &out, &store);
+        const Status status = persist_with_cycles(complex, degree, keep_zero, work, &out, &store);
         if (status != Status::ok) return status;
         REQUIRE(oracle::same(expected, out));
         Cycles cycles;
         for (std::uint64_t i = 0; i < out.count; ++i) {
-            const Cycle cycle = cycle_of(complex, store, arena, out.pairs[i]);
+            const Cycle cycle = cycle_of(complex, store, work.arena, out.pairs[i]);
             cycles.emplace_back(cycle.simplices, cycle.simplices + cycle.count);
         }
         if (seen.empty()) seen = cycles;
@@ -55,9 +55,9 @@ void check_sizes(const oracle::Filtered& f, std::uint32_t degree, bool keep_zero
     const oracle::Explicit listed(f);
     Reductions r(listed.complex, degree, keep_zero, oracle::diagram(f, degree, keep_zero));
     const std::size_t enough = std::size_t{1} << 20, dense = 1500;
-    disturbed::by_size(enough, dense, [&](Arena& arena, Monitor& monitor) { return r.filtration(arena, monitor); });
-    disturbed::by_size(enough, dense, [&](Arena& arena, Monitor& monitor) { return r.skeleton(arena, monitor); });
-    disturbed::by_size(enough, dense, [&](Arena& arena, Monitor& monitor) { return r.with_cycles(arena, monitor); });
+    disturbed::by_size(enough, dense, [&](const Work& work) { return r.filtration(work); });
+    disturbed::by_size(enough, dense, [&](const Work& work) { return r.skeleton(work); });
+    disturbed::by_size(enough, dense, [&](const Work& work) { return r.with_cycles(work); });
 }
 
 std::vector<Simplex> copies(const std::vector<Simplex>& maximal, std::uint32_t count, std::uint32_t vertices) {
@@ -126,9 +126,9 @@ TEST_CASE("reductions stopped at any poll") {
     for (const std::size_t triangles : {std::size_t{300}, std::size_t{30000}}) {
         const Dense dense(triangles == 300 ? 480 : 120, triangles, random);
         std::vector<Pair> expected;
-        const auto first = [&](Arena& arena, Monitor& monitor) {
+        const auto first = [&](const Work& work) {
             PairList out;
-            const Status status = persist_filtration(dense.complex, 2, false, arena, monitor, &out);
+            const Status status = persist_filtration(dense.complex, 2, false, work, &out);
             if (status == Status::ok) expected.assign(out.pairs, out.pairs + out.count);
             return status;
         };
@@ -152,12 +152,12 @@ TEST_CASE("dimensions without simplices, and more degrees than there are") {
             for (const std::uint32_t degree : {0u, 1u, 2u, 3u, 4u, 9u}) {
                 Reductions r(e.complex, degree, true, oracle::diagram(f, degree, true));
                 Monitor monitor;
-                CHECK(r.filtration(block.arena, monitor) == Status::ok);
+                CHECK(r.filtration({block.arena, monitor}) == Status::ok);
                 block.arena.release_low(0);
-                CHECK(r.skeleton(block.arena, monitor) == Status::ok);
+                CHECK(r.skeleton({block.arena, monitor}) == Status::ok);
                 block.arena.release_low(0);
                 const std::size_t high = block.arena.high_mark();
-                CHECK(r.with_cycles(block.arena, monitor) == Status::ok);
+                CHECK(r.with_cycles({block.arena, monitor}) == Status::ok);
                 block.arena.release_low(0);
                 block.arena.release_high(high);
             }
@@ -167,7 +167,7 @@ TEST_CASE("dimensions without simplices, and more degrees than there are") {
     none_such.dimension = FilteredComplex::dimension_max + 1;
     Reductions r(none_such, 1, true, {});
     Monitor monitor;
-    CHECK(r.filtration(block.arena, monitor) == Status::invalid_argument);
-    CHECK(r.skeleton(block.arena, monitor) == Status::invalid_argument);
-    CHECK(r.with_cycles(block.arena, monitor) == Status::invalid_argument);
+    CHECK(r.filtration({block.arena, monitor}) == Status::invalid_argument);
+    CHECK(r.skeleton({block.arena, monitor}) == Status::invalid_argument);
+    CHECK(r.with_cycles({block.arena, monitor}) == Status::invalid_argument);
 }

@@ -60,11 +60,11 @@ oracle::Filtered flag_complex(const Graph& g, std::uint32_t most) {
     });
 }
 
-Status run(Graph g, std::uint32_t degree, bool keep, Arena& arena, Monitor& monitor, PairList* out,
+Status run(Graph g, std::uint32_t degree, bool keep, const Work& work, PairList* out,
            std::uint64_t* simplices) {
     RipsGraph graph = {g.vertices, static_cast<std::uint32_t>(g.value.size()), g.value.data(), g.ends.data()};
     REQUIRE(rips_has_numbers(graph, degree));
-    return persist_rips(graph, degree, keep, arena, monitor, out, simplices);
+    return persist_rips(graph, degree, keep, work, out, simplices);
 }
 
 void check(const Graph& g, std::uint32_t degree_most) {
@@ -84,7 +84,7 @@ void check(const Graph& g, std::uint32_t degree_most) {
             Monitor monitor;
             PairList out;
             std::uint64_t simplices = 0;
-            REQUIRE(run(g, degree, keep, block.arena, monitor, &out, &simplices) == Status::ok);
+            REQUIRE(run(g, degree, keep, {block.arena, monitor}, &out, &simplices) == Status::ok);
             REQUIRE(oracle::same(expected, out));
             CHECK(simplices == static_cast<std::uint64_t>(counted));
             CHECK(block.arena.high_mark() == high);
@@ -130,7 +130,7 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
         Monitor monitor;
         PairList out;
         std::uint64_t simplices;
-        const Status status = run(g, 2, false, block.arena, monitor, &out, &simplices);
+        const Status status = run(g, 2, false, {block.arena, monitor}, &out, &simplices);
         enough = status == Status::ok;
         if (enough) {
             CHECK(oracle::same(expected, out));
@@ -151,7 +151,7 @@ TEST_CASE("simplices that have no numbers are refused") {
     CHECK(!rips_has_numbers(graph, 31));
     PairList out;
     std::uint64_t simplices;
-    CHECK(persist_rips(graph, 30, false, block.arena, monitor, &out, &simplices) == Status::invalid_argument);
+    CHECK(persist_rips(graph, 30, false, {block.arena, monitor}, &out, &simplices) == Status::invalid_argument);
     graph.vertices = RipsGraph::vertices_max + 1;
     CHECK(!rips_has_numbers(graph, 1));
 }
@@ -167,10 +167,10 @@ TEST_CASE("graphs of several kinds in blocks of all sizes") {
             const auto f = flag_complex(g, degree + 2);
             for (const bool keep : {false, true}) {
                 const auto expected = oracle::diagram(f, degree, keep);
-                disturbed::by_size(std::size_t{4} << 20, 1000, [&](Arena& arena, Monitor& monitor) {
+                disturbed::by_size(std::size_t{4} << 20, 1000, [&](const Work& work) {
                     PairList out;
                     std::uint64_t simplices;
-                    const Status status = run(g, degree, keep, arena, monitor, &out, &simplices);
+                    const Status status = run(g, degree, keep, work, &out, &simplices);
                     if (status == Status::ok) REQUIRE(oracle::same(expected, out));
                     return status;
                 });
@@ -185,10 +185,10 @@ TEST_CASE("stopped at any poll, then the diagram of an undisturbed run") {
     std::mt19937 random(45);
     const auto check = [](const Graph& g, std::uint32_t degree) {
         std::vector<Pair> expected;
-        const auto once = [&](Arena& arena, Monitor& monitor) {
+        const auto once = [&](const Work& work) {
             PairList out;
             std::uint64_t simplices;
-            const Status status = run(g, degree, false, arena, monitor, &out, &simplices);
+            const Status status = run(g, degree, false, work, &out, &simplices);
             if (status != Status::ok) return status;
             if (expected.empty()) expected.assign(out.pairs, out.pairs + out.count);
             REQUIRE(oracle::same(expected, out));
@@ -197,7 +197,7 @@ TEST_CASE("stopped at any poll, then the diagram of an undisturbed run") {
         const std::size_t enough = std::size_t{64} << 20;
         Block block(enough);
         Monitor monitor;
-        REQUIRE(once(block.arena, monitor) == Status::ok);
+        REQUIRE(once({block.arena, monitor}) == Status::ok);
         CHECK(expected.size() > degree);
         CHECK(disturbed::at_polls(enough, once) > 0);
     };

@@ -17,7 +17,7 @@ template <int D>
 Status run(const grid::Ball<D>& ball, const std::vector<double>& value, std::uint32_t zero_born, std::uint32_t degree,
            std::uint64_t pairs, Block& block, PairList* out, CycleStore* store) {
     Monitor monitor;
-    return lower_star_cycles<D>(ball.view(), value.data(), zero_born, degree, pairs, block.arena, monitor, out, store);
+    return lower_star_cycles<D>(ball.view(), value.data(), zero_born, degree, pairs, {block.arena, monitor}, out, store);
 }
 
 // The simplices of a cycle as positions in the filtration, ascending.

@@ -28,19 +28,19 @@ std::vector<Pair> general(const oracle::Explicit& listed, std::uint32_t degree, 
     Block block(std::size_t{64} << 20);
     Monitor monitor;
     PairList out;
-    REQUIRE(persist_filtration(listed.complex, degree, keep_zero, block.arena, monitor, &out) == Status::ok);
+    REQUIRE(persist_filtration(listed.complex, degree, keep_zero, {block.arena, monitor}, &out) == Status::ok);
     return {out.pairs, out.pairs + out.count};
 }
 
 template <int D>
 Status pairs(const Input<D>& input, std::uint32_t degree, bool keep_zero, const std::vector<Pair>& expected,
-             Arena& arena, Monitor& monitor) {
+             const Work& work) {
     PairList out;
     const Status status = persist_lower_star<D>(input.ball.view(), input.value.data(), input.zero_born, degree,
-                                                keep_zero, arena, monitor, &out, nullptr);
+                                                keep_zero, work, &out, nullptr);
     if (status == Status::ok) {
         REQUIRE(oracle::same(expected, out));
-        arena.release_low(0);
+        work.arena.release_low(0);
     }
     return status;
 }
@@ -48,22 +48,22 @@ Status pairs(const Input<D>& input, std::uint32_t degree, bool keep_zero, const 
 // Each cycle against the first ones seen, which are the same in any block.
 template <int D>
 Status cycles(const Input<D>& input, const std::vector<Pair>& expected, std::vector<std::vector<std::uint32_t>>* seen,
-              Arena& arena, Monitor& monitor) {
+              const Work& work) {
     PairList out;
     CycleStore store;
     const Status status = lower_star_cycles<D>(input.ball.view(), input.value.data(), input.zero_born, D,
-                                               expected.size(), arena, monitor, &out, &store);
+                                               expected.size(), work, &out, &store);
     if (status != Status::ok) return status;
     REQUIRE(oracle::same(expected, out));
     const bool first = seen->empty();
     for (std::uint64_t i = 0; i < out.count; ++i) {
-        const Cycle cycle = lower_star_cycle(store, arena, out.pairs[i]);
+        const Cycle cycle = lower_star_cycle(store, work.arena, out.pairs[i]);
         const std::vector<std::uint32_t> now(cycle.simplices,
                                              cycle.simplices + std::size_t{cycle.count} * (out.pairs[i].degree + 1));
         if (first) seen->push_back(now);
         REQUIRE((*seen)[i] == now);
     }
-    arena.release_low(0);
+    work.arena.release_low(0);
     return status;
 }
 
@@ -75,19 +75,19 @@ template <int D> void check_sizes(const Input<D>& input, std::size_t dense) {
     for (const bool keep_zero : {false, true}) {
         const auto expected = general(listed, D - 1, keep_zero);
         const auto outcome =
-            disturbed::by_size(enough, keep_zero ? dense / 2 : dense, [&](Arena& arena, Monitor& monitor) {
-                return pairs(input, D - 1, keep_zero, expected, arena, monitor);
+            disturbed::by_size(enough, keep_zero ? dense / 2 : dense, [&](const Work& work) {
+                return pairs(input, D - 1, keep_zero, expected, work);
             });
         CHECK(outcome.refused > 50);
         if (keep_zero) continue;
         std::vector<std::vector<std::uint32_t>> seen;
-        disturbed::by_size(enough, dense, [&](Arena& arena, Monitor& monitor) {
-            return cycles(input, expected, &seen, arena, monitor);
+        disturbed::by_size(enough, dense, [&](const Work& work) {
+            return cycles(input, expected, &seen, work);
         });
     }
     const auto components = general(listed, 0, false);
-    disturbed::by_size(enough, 500, [&](Arena& arena, Monitor& monitor) {
-        return pairs(input, 0, false, components, arena, monitor);
+    disturbed::by_size(enough, 500, [&](const Work& work) {
+        return pairs(input, 0, false, components, work);
     });
 }
 
@@ -143,10 +143,10 @@ void check_refused(const grid::Ball<D>& ball, const std::vector<double>& value, 
     Block block(std::size_t{1} << 20);
     Monitor monitor;
     std::vector<std::vector<std::uint32_t>> seen;
-    CHECK(cycles(input, {{0, 1, 0, 0}}, &seen, block.arena, monitor) == expected);
+    CHECK(cycles(input, {{0, 1, 0, 0}}, &seen, {block.arena, monitor}) == expected);
     CHECK(block.arena.bytes_used() == 0);
     if (D == 2 && !surface) return;
-    CHECK(pairs(input, D, false, {}, block.arena, monitor) == expected);
+    CHECK(pairs(input, D, false, {}, {block.arena, monitor}) == expected);
     CHECK(block.arena.bytes_used() == 0);
 }
 

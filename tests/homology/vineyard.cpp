@@ -128,7 +128,7 @@ TEST_CASE("each diagram equals a fresh computation") {
         Monitor monitor;
         Vineyard vineyard;
         Values now = complex.values([&] { return double(random() % ties); });
-        REQUIRE(vineyard.open(complex.view, max_degree, now.pointers().data(), block.arena, monitor) == Status::ok);
+        REQUIRE(vineyard.open(complex.view, max_degree, now.pointers().data(), {block.arena, monitor}) == Status::ok);
         CHECK(same(vines_of(vineyard, now), complex.fresh(now, max_degree)));
         for (int step = 0; step < 8; ++step) {
             const Values next = complex.values([&] { return double(random() % ties); });
@@ -150,9 +150,9 @@ TEST_CASE("vines are continuous, and the same however finely their way is cut") 
         Block whole_block(std::size_t{1} << 22), cut_block(std::size_t{1} << 22);
         Monitor monitor;
         Vineyard whole, cut;
-        REQUIRE(whole.open(complex.view, max_degree, from.pointers().data(), whole_block.arena, monitor) == Status::ok);
+        REQUIRE(whole.open(complex.view, max_degree, from.pointers().data(), {whole_block.arena, monitor}) == Status::ok);
         REQUIRE(whole.advance(from.pointers().data(), to.pointers().data(), monitor) == Status::ok);
-        REQUIRE(cut.open(complex.view, max_degree, from.pointers().data(), cut_block.arena, monitor) == Status::ok);
+        REQUIRE(cut.open(complex.view, max_degree, from.pointers().data(), {cut_block.arena, monitor}) == Status::ok);
         const int pieces = 100;
         Values now = from;
         std::map<std::uint32_t, Pair> last;
@@ -191,7 +191,7 @@ TEST_CASE("two vines that meet change partners") {
     Block block(1 << 16);
     Monitor monitor;
     Vineyard vineyard;
-    REQUIRE(vineyard.open(path.view, 0, from.pointers().data(), block.arena, monitor) == Status::ok);
+    REQUIRE(vineyard.open(path.view, 0, from.pointers().data(), {block.arena, monitor}) == Status::ok);
     const std::vector<Vine> first = vines_of(vineyard, from);
     REQUIRE(first.size() == 3);
     REQUIRE(vineyard.advance(from.pointers().data(), to.pointers().data(), monitor) == Status::ok);
@@ -217,7 +217,7 @@ TEST_CASE("every size of memory: a status, or the whole vineyard") {
         Block block(bytes);
         Monitor monitor;
         Vineyard vineyard;
-        Status status = vineyard.open(complex.view, 2, from.pointers().data(), block.arena, monitor);
+        Status status = vineyard.open(complex.view, 2, from.pointers().data(), {block.arena, monitor});
         if (status == Status::ok) status = vineyard.advance(from.pointers().data(), to.pointers().data(), monitor);
         enough = status == Status::ok;
         if (!enough) CHECK(status == Status::out_of_memory);
@@ -239,17 +239,17 @@ struct Way {
         for (const Values& v : values) expected.push_back(c.fresh(v, degree));
     }
     // Leaves the arena as it was, which is for its owner to do.
-    Status go(netmesh::Arena& arena, Monitor& monitor) const {
-        const std::size_t low = arena.low_mark(), high = arena.high_mark();
+    Status go(netmesh::const Work& work) const {
+        const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
         Vineyard vineyard;
-        Status status = vineyard.open(complex.view, max_degree, through[0].pointers().data(), arena, monitor);
+        Status status = vineyard.open(complex.view, max_degree, through[0].pointers().data(), work);
         for (std::size_t i = 0; status == Status::ok; ++i) {
             REQUIRE(same(vines_of(vineyard, through[i]), expected[i]));
             if (i + 1 == through.size()) break;
-            status = vineyard.advance(through[i].pointers().data(), through[i + 1].pointers().data(), monitor);
+            status = vineyard.advance(through[i].pointers().data(), through[i + 1].pointers().data(), work.monitor);
         }
-        arena.release_low(low);
-        arena.release_high(high);
+        work.arena.release_low(low);
+        work.arena.release_high(high);
         return status;
     }
 };
@@ -266,7 +266,7 @@ TEST_CASE("columns of a vineyard in blocks of all sizes") {
         for (int i = 0; i < 10; ++i) through.push_back(complex.values([&] { return double(random() % 1000); }));
         const Way way(complex, 1 + round % 3, through);
         disturbed::by_size(std::size_t{1} << 20, 1600,
-                           [&](Arena& arena, Monitor& monitor) { return way.go(arena, monitor); });
+                           [&](const Work& work) { return way.go(work); });
     }
 }
 
@@ -276,21 +276,21 @@ TEST_CASE("a vineyard stopped at any poll") {
     const Values from = complex.values([&] { return double(random()); });
     const Values to = complex.values([&] { return double(random()); });
     const Way way(complex, 2, {from, to});
-    CHECK(disturbed::at_polls(std::size_t{8} << 20, [&](Arena& arena, Monitor& m) { return way.go(arena, m); }) > 0);
+    CHECK(disturbed::at_polls(std::size_t{8} << 20, [&](Arena& arena, Monitor& m) { return way.go({arena, m}); }) > 0);
 }
 
 TEST_CASE("complexes without transpositions, and zeros of both signs") {
     const Complex point(std::vector<Simplex>{Simplex{0}});
     Block block(1 << 16);
     Monitor monitor;
-    REQUIRE(Way(point, 0, {{{{1}}}, {{{2}}}}).go(block.arena, monitor) == Status::ok);
+    REQUIRE(Way(point, 0, {{{{1}}}, {{{2}}}}).go({block.arena, monitor}) == Status::ok);
     Complex points({{0}, {1}, {2}});
     points.view.dimension = 1;  // without edges
-    REQUIRE(Way(points, 1, {{{{1, 2, 3}}}, {{{2, 1, 0}}}}).go(block.arena, monitor) == Status::ok);
+    REQUIRE(Way(points, 1, {{{{1, 2, 3}}}, {{{2, 1, 0}}}}).go({block.arena, monitor}) == Status::ok);
     std::mt19937 random(10);
     const Complex complex(random_complex(random, 8, 20));
     std::vector<Values> through;
     const double levels[] = {0.0, -0.0, 1, 0.0};
     for (int i = 0; i < 20; ++i) through.push_back(complex.values([&] { return levels[random() % 4]; }));
-    REQUIRE(Way(complex, 2, through).go(block.arena, monitor) == Status::ok);
+    REQUIRE(Way(complex, 2, through).go({block.arena, monitor}) == Status::ok);
 }

@@ -9,7 +9,7 @@
 
 #include "common/block.hpp"
 #include "common/inputs.hpp"
-#include "mesh/distance.hpp"
+#include "numerics/vector.hpp"
 #include "mesh/opening.hpp"
 
 using namespace netmesh;

@@ -9,7 +9,7 @@
 #include "common/inputs.hpp"
 #include "delaunay/load.hpp"
 #include "delaunay/triangulate.hpp"
-#include "mesh/distance.hpp"
+#include "numerics/vector.hpp"
 #include "mesh/sizing.hpp"
 
 using namespace netmesh;

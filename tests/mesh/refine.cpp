@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hierarchical.hpp"
-#include "mesh/distance.hpp"
+#include "numerics/vector.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality.hpp"
 

@@ -14,7 +14,6 @@ using namespace netmesh;
 
 namespace {
 
-template <int D> double distance(const double* a, const double* b) { return std::sqrt(distance2<D>(a, b)); }
 
 // Weighted points; d_w(u, x) = |u - x| - w_u for points x without a weight.
 template <int D> struct Weighted {

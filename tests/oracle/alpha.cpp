@@ -124,7 +124,7 @@ template <int D> void compare_values(const inputs::Points& points, const Peer& p
     netmesh_test::Block block(std::size_t(1) << 25);
     Monitor monitor;
     Faces<D> faces;
-    REQUIRE(enumerate_faces<D>(cells.view(), D, block.arena, monitor, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<D>(cells.view(), D, {block.arena, monitor}, &faces) == Status::ok);
     double* value[D + 1];
     for (int k = 0; k <= D; ++k) value[k] = block.arena.template take_low<double>(faces.count[k]);
     REQUIRE(alpha_values<D>(faces, points.data(), sizeof(double) * D, monitor, value) == Status::ok);

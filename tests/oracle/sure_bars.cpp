@@ -36,15 +36,14 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     MeshCertificate certificate;
     REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
                                   value.data(), &certificate, interval.data()) == Status::ok);
-    REQUIRE(sharpen_intervals<D>(store, inputs, domain.enclosing_radius * up, block.arena, monitor, interval.data()) ==
+    REQUIRE(sharpen_intervals<D>(store, inputs, domain.enclosing_radius * up, {block.arena, monitor}, interval.data()) ==
             Status::ok);
     PairList list = {};
-    REQUIRE(persist_lower_star<D>(store.view(), value.data(), inputs, D - 1, false, block.arena, monitor, &list,
+    REQUIRE(persist_lower_star<D>(store.view(), value.data(), inputs, D - 1, false, {block.arena, monitor}, &list,
                                   nullptr) == Status::ok);
     std::vector<BarBounds> bounds(list.count);
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-    REQUIRE(find_sure_bars<D>(store.view(), value.data(), interval.data(), inputs, list.pairs, list.count, block.arena,
-                              monitor, bounds.data()) == Status::ok);
+    REQUIRE(find_sure_bars<D>(store.view(), value.data(), interval.data(), inputs, list.pairs, list.count, {block.arena, monitor}, bounds.data()) == Status::ok);
     CHECK(block.arena.low_mark() == low);
     CHECK(block.arena.high_mark() == high);
     std::vector<Claim> claims;

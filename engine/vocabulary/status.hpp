@@ -1,6 +1,6 @@
 // How engine calls end. The numbers are those of netmesh_status in netmesh.h.
 #pragma once
-#include <cstdint>
+#include "vocabulary/ids.hpp"
 
 namespace netmesh {
 
@@ -19,7 +19,5 @@ enum class Status : int {
     internal = 11,
     not_a_complex = 12,
 };
-
-constexpr std::uint32_t none = 0xFFFFFFFFu;  // no vertex, no cell, no index
 
 }  // namespace netmesh

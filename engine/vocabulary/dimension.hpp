@@ -1,0 +1,79 @@
+// The dimensions that this build of the engine serves, and every figure that was measured or chosen for each of them.
+//
+// This is the only list of dimensions in the engine. A dimension is left out by taking it out of NETMESH_EACH_DIMENSION,
+// here or for one build (cmake -DNETMESH_DIMENSIONS="2;3"); calls that ask for it then return NETMESH_INVALID_ARGUMENT. A
+// new one needs its Figures below and a larger NETMESH_DIM_MAX in netmesh.h, which sizes the structs of the interface.
+#pragma once
+#include <cstdint>
+#include <type_traits>
+
+#ifndef NETMESH_EACH_DIMENSION
+#define NETMESH_EACH_DIMENSION(DO) DO(2) DO(3) DO(4) DO(5) DO(6)
+#endif
+
+namespace netmesh {
+
+template <int D> using Dimension = std::integral_constant<int, D>;
+
+// Whether this build serves dimension dim.
+constexpr bool serves_dimension(std::uint32_t dim) {
+#define NETMESH_IS_DIMENSION(D) dim == D ||
+    return NETMESH_EACH_DIMENSION(NETMESH_IS_DIMENSION) false;
+#undef NETMESH_IS_DIMENSION
+}
+
+// Figures that depend on the dimension and come from measuring or choosing, not from a formula.
+struct Figures {
+    // Meshing
+    double tau_default;   // bound on aspect ratios when the caller names none
+    double pull_back;     // see mesh/refine.hpp
+    double frame_factor;  // distance of the frame over the domain's radius, see mesh/opening.hpp
+    // Analysis
+    double integral_tolerance;             // wanted upper / lower - 1 of integrals when the caller names none
+    double coarsest_box;                   // half diagonal over f_P of a box that is never split
+    std::uint32_t ply_expected;            // cells looked at for a point's ply, on quality meshes
+    std::uint32_t intersections_expected;  // the same for a ball's intersections
+    // Planning memory: measured on uniform points
+    double delaunay_cells_per_point, mesh_cells_per_vertex, simplices_per_cell;
+    double growth;         // vertices a point: 1 + growth / (tau - 2)^(growth_eighths / 8)
+    int growth_eighths;
+    double over_refined;        // vertices a point of an over-refined mesh, times eps^D
+    double tight_surroundings;  // points that the larger domain of the tight filter counts for
+    double audit_balls_per_point;
+};
+
+template <int D> struct FiguresOf;
+template <> struct FiguresOf<2> {
+    static constexpr Figures value = {2.5, 1.25, 4, 0.1, 0.5, 4, 24, 2.0, 2.05, 3.0, 2.1, 7, 6, 16, 8};
+};
+template <> struct FiguresOf<3> {
+    static constexpr Figures value = {2.5, 1.1, 4, 0.25, 0.5, 20, 240, 6.8, 6.5, 4.35, 4.1, 10, 15, 32, 24};
+};
+template <> struct FiguresOf<4> {
+    static constexpr Figures value = {3.08, 1.05, 4.6, 1, 0.5, 120, 3000, 31, 28, 6.3, 8.5, 12, 21, 64, 96};
+};
+template <> struct FiguresOf<5> {
+    static constexpr Figures value = {4, 1, 5.2, 4, 0.6, 700, 40000, 160, 140, 9.1, 12, 13, 26, 128, 480};
+};
+template <> struct FiguresOf<6> {
+    static constexpr Figures value = {4, 1, 5.7, 16, 0.7, 4000, 400000, 760, 600, 13.3, 15, 14, 36, 256, 2400};
+};
+template <int D> constexpr const Figures& figures = FiguresOf<D>::value;
+
+namespace detail {
+constexpr int first_dimension(int dim) { return serves_dimension(static_cast<std::uint32_t>(dim)) ? dim : first_dimension(dim + 1); }
+}  // namespace detail
+
+// Calls f(Dimension<D>{}) for D = dim, one of the dimensions served: check serves_dimension before.
+template <class F> auto with_dimension(std::uint32_t dim, F&& f) {
+    switch (dim) {
+#define NETMESH_CASE(D) case D: return f(Dimension<D>{});
+        NETMESH_EACH_DIMENSION(NETMESH_CASE)
+#undef NETMESH_CASE
+    default: break;
+    }
+    using Result = decltype(f(Dimension<detail::first_dimension(2)>{}));
+    if constexpr (!std::is_void_v<Result>) return Result{};
+}
+
+}  // namespace netmesh
