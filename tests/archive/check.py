@@ -137,7 +137,7 @@ SEES = {
     "delaunay": {"predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "mesh": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "complex": {"memory", "vocabulary", "numerics"},
-    "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
+    "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp"},
     "diagram": {"homology", "complex", "memory", "vocabulary", "numerics", "include"},
     "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "vocabulary", "include"},
     "analysis": {"mesh", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
