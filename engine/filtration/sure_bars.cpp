@@ -1,6 +1,6 @@
 #include "filtration/sure_bars.hpp"
 
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "filtration/value_table.hpp"
 #include "homology/lower_star/lower_star.hpp"
 #include "vocabulary/dimension.hpp"
