@@ -182,7 +182,7 @@ template <int D> Status LowerStars<D>::run_with_cycles(std::uint64_t pair_count,
 
 template <int D>
 Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work,
-                          Diagram* out) {
+                          CountedPairs* out) {
     if (filtration.complex.vertex_count == 0 || filtration.complex.cell_count == 0) return Status::invalid_argument;
     if (request.max_degree > D - 1) request.max_degree = D - 1;
     using Stars = std::conditional_t<D == 2, Surface, LowerStars<D == 2 ? 3 : D>>;
@@ -207,7 +207,7 @@ Status lower_star_cycles(const LowerStarFiltration<D>& filtration, std::uint32_t
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_lower_star<D>(const LowerStarFiltration<D>&, DiagramRequest, const Work&, Diagram*);       \
+    template Status persist_lower_star<D>(const LowerStarFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);       \
     template Status lower_star_cycles<D>(const LowerStarFiltration<D>&, std::uint32_t, std::uint64_t, const Work&,     \
                                          Representatives*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
