@@ -38,30 +38,31 @@ inline bool circumscribe(const double* q, const Edge& a, const Edge& b, double e
 // In the plane the cells in conflict form a tree, as no vertex is inside the cavity. It is searched depth first and
 // counterclockwise, so no cell is met twice, none has to be marked, and the bounding facets come in their order. Facets that are
 // found and facets that wait number two more than the cells.
-template <> bool Kernel<2>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
+template <> bool Kernel<2>::find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity) {
     constexpr std::uint32_t next[4] = {1, 2, 0, 0};
     const std::size_t capacity = list_capacity();
     Line* const end = list_end();
     if (capacity < 3) return refuse_list(3);
     const Cell<2>* const cells = &store_.cell(0);
     end[0].made = first;
-    end[0].waiting = first << 3 | 2;
-    end[-1].waiting = first << 3 | 1;
-    std::uint32_t facet = first << 3;
+    end[0].waiting = FacetId(first, 2);
+    end[-1].waiting = FacetId(first, 1);
+    FacetId facet(first, 0);
     std::ptrdiff_t count = 1, facets = 0, waiting = 2;
     for (;;) {
-        const Cell<2>& cell = cells[facet >> 3];
-        const std::uint32_t word = cell.neighbour[facet & 3u], n = word >> 3;
+        const Cell<2>& cell = cells[facet.cell()];
+        const FacetId beyond = cell.neighbour[facet.position()];
+        const CellId n = beyond.cell();
         if (in_conflict(n, q, id)) {
             if (static_cast<std::size_t>(count) + 3 > capacity) return refuse_list(static_cast<std::size_t>(count) + 3);
-            const std::uint32_t i = next[word & 3u];
+            const std::uint32_t i = next[beyond.position()];
             end[-count++].made = n;
-            end[-waiting++].waiting = n << 3 | next[i];
-            facet = n << 3 | i;
+            end[-waiting++].waiting = FacetId(n, next[i]);
+            facet = FacetId(n, i);
             continue;
         }
-        end[-facets].beyond = word;
-        end[-facets++].start = cell.vertex[next[facet & 3u]];
+        end[-facets].beyond = beyond;
+        end[-facets++].start = cell.vertex[next[facet.position()]];
         if (waiting == 0) break;
         facet = end[-(--waiting)].waiting;
     }
@@ -71,28 +72,30 @@ template <> bool Kernel<2>::find_cavity(const double* q, std::uint32_t id, std::
 
 // In the plane the facets come counterclockwise, so each new cell (id, a, b) has its neighbours before and after it; and as
 // its ball is solved from its points, which costs no more than from other balls, it can take the place of an old cell at once.
-template <> void Kernel<2>::fill(const Cavity& cavity, std::uint32_t id) {
+template <> void Kernel<2>::fill(const Cavity& cavity, VertexId id) {
     Cell<2>* const cells = &store_.cell(0);
     Line* const end = list_end();
     const std::ptrdiff_t facets = cavity.facets;
     end[2 - facets].made = store_.new_cell();
     end[1 - facets].made = store_.new_cell();
     store_.state.cells_created += cavity.cells;
-    std::uint32_t before = end[1 - facets].made, a = end[0].start;
+    CellId before = end[1 - facets].made;
+    VertexId a = end[0].start;
     const double* const q = store_.point(id);
     Edge from = a == none ? Edge{} : edge_to(q, store_.point(a));
     for (std::ptrdiff_t k = 0; k < facets; ++k) {
-        const std::uint32_t n = end[-k].made, word = end[-k].beyond;
-        const std::uint32_t b = end[k + 1 < facets ? -k - 1 : 0].start;
+        const CellId n = end[-k].made;
+        const FacetId beyond = end[-k].beyond;
+        const VertexId b = end[k + 1 < facets ? -k - 1 : 0].start;
         Cell<2>& fresh = cells[n];
         fresh.vertex[0] = id;
         fresh.vertex[1] = a;
         fresh.vertex[2] = b;
-        fresh.neighbour[0] = word;
-        fresh.neighbour[2] = before << 3 | 1;
+        fresh.neighbour[0] = beyond;
+        fresh.neighbour[2] = FacetId(before, 1);
         fresh.mark = 0;
-        cells[before].neighbour[1] = n << 3 | 2;
-        cells[word >> 3].neighbour[word & 7u] = n << 3;
+        cells[before].neighbour[1] = FacetId(n, 2);
+        cells[beyond.cell()].neighbour[beyond.position()] = FacetId(n, 0);
         const Edge to = b == none ? Edge{} : edge_to(q, store_.point(b));
         if (a == none || b == none) {
             make_ghost<2>(fresh);

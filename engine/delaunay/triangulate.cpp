@@ -28,11 +28,11 @@ template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t*
         if (k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]), 1);
         const bool duplicate = k > 0 && equal_points<D>(store.point(first), store.point(v));
         if (!duplicate) first = v;
-        store.vertex(v).next = duplicate ? none : 0;
+        store.vertex(v).next = duplicate ? none : VertexId(0);
     }
     std::uint32_t kept = 0;
     for (std::uint32_t v = 0; v < count; ++v)
-        if (store.vertex(v).next != none) store.vertex(v).next = kept++;
+        if (store.vertex(v).next != none) store.vertex(v).next = VertexId(kept++);
     if (kept == count) return count;
     std::uint32_t out = 0;
     for (std::uint32_t k = 0; k < count; ++k)
@@ -73,12 +73,12 @@ template <int D> Sign orient_in(int k, const double* const* p, const int* axes, 
 // K+1 points span a K-flat exactly when K of the coordinates have a non-zero minor; a set of coordinates that works for
 // the first K points can be extended by one of the others, so no more than D - K of them are tried for each point.
 template <int D>
-bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, std::uint32_t* ids) {
+bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, VertexId* ids) {
     const double* p[D + 1];
     int axes[D] = {};
     PredicateCounts& counts = store.state.orient_counts;
     if (count == 0) return false;
-    ids[0] = order[0];
+    ids[0] = VertexId(order[0]);
     p[0] = store.point(ids[0]);
     int rank = 0;
     for (std::uint32_t k = 1; k < count && rank < D; ++k) {
@@ -89,7 +89,7 @@ bool independent_points(const Store<D>& store, const std::uint32_t* order, std::
             if (used) continue;
             axes[rank] = axis;
             if (orient_in<D>(rank + 1, p, axes, counts) == Sign::zero) continue;
-            ids[++rank] = order[k];
+            ids[++rank] = VertexId(order[k]);
             break;
         }
     }
@@ -148,7 +148,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     Status status = take_input<D>(store, points, n, seed, monitor, input, &order);
     if (status != Status::ok) return status;
     const std::uint32_t count = store.state.vertex_count;
-    std::uint32_t ids[D + 1];
+    VertexId ids[D + 1];
     if (!independent_points<D>(store, order, count, ids)) return Status::flat;
     if (store.open_cells() != Status::ok) return Status::out_of_memory;
     Kernel<D> kernel(store, ball_error_max, false);
@@ -157,11 +157,11 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
 
     monitor.begin(NETMESH_STAGE_DELAUNAY, count);
     for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t v = order[k];
+        const VertexId v(order[k]);
         if (k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]));
         if (store.vertex(v).cell != none) continue;
         const double* const q = store.point(v);
-        const std::uint32_t hit = kernel.locate(q, v, store.state.last_cell);
+        const CellId hit = kernel.locate(q, v, store.state.last_cell);
         Cavity cavity;
         if (!kernel.find_cavity(q, v, hit, &cavity) || !kernel.can_fill(cavity, 0)) {
             status = Status::out_of_memory;
@@ -182,7 +182,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     template Status take_input<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*,        \
                                   std::uint32_t**);                                                                    \
     template Status triangulate<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*);      \
-    template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, std::uint32_t*);
+    template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, VertexId*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -54,12 +54,12 @@ template <int D> Sign in_ball(const double* const* cell, const double* q, Predic
 // coefficient -1, so at the latest q decides. lambda_k has the sign of orient of the cell with q in the place of p_k.
 // As a weight depends on nothing but the index, all answers belong to one lifted point set; as the paraboloid is
 // strictly convex, weights this small hide no point.
-template <int D> Sign break_tie(InBall<D>& question, const std::uint32_t* ids, std::uint32_t q_id) {
+template <int D> Sign break_tie(InBall<D>& question, const VertexId* ids, VertexId q_id) {
     std::uint32_t bound = 0;
     bool bounded = false;
     for (;;) {
         int next = -1;  // the highest index below bound; -1: that of q
-        std::uint32_t highest = q_id;
+        VertexId highest = q_id;
         for (int i = 0; i <= D; ++i)
             if (ids[i] > highest && (!bounded || ids[i] < bound)) {
                 highest = ids[i];
@@ -74,7 +74,7 @@ template <int D> Sign break_tie(InBall<D>& question, const std::uint32_t* ids, s
 }
 
 template <int D>
-Sign in_ball_perturbed(const double* const* cell, const std::uint32_t* ids, const double* q, std::uint32_t q_id,
+Sign in_ball_perturbed(const double* const* cell, const VertexId* ids, const double* q, VertexId q_id,
                        PredicateCounts& counts) {
     InBall<D> question(cell, q);
     const Decision d = question.decision;
@@ -89,7 +89,7 @@ Sign in_ball_perturbed(const double* const* cell, const std::uint32_t* ids, cons
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Sign orient<D>(const double* const*, PredicateCounts&);                                                   \
     template Sign in_ball<D>(const double* const*, const double*, PredicateCounts&);                                   \
-    template Sign in_ball_perturbed<D>(const double* const*, const std::uint32_t*, const double*, std::uint32_t,       \
+    template Sign in_ball_perturbed<D>(const double* const*, const VertexId*, const double*, VertexId,                 \
                                        PredicateCounts&);
 
 template Sign orient<1>(const double* const*, PredicateCounts&);

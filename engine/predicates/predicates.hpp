@@ -6,6 +6,8 @@
 #pragma once
 #include <cstdint>
 
+#include "vocabulary/ids.hpp"
+
 namespace netmesh {
 
 enum class Sign : int { negative = -1, zero = 0, positive = 1 };
@@ -26,7 +28,7 @@ template <int D> Sign in_ball(const double* const* cell, const double* q, Predic
 // The answers are those for generic weights that depend on the index only, so all of them together describe one regular
 // triangulation, and every point is a vertex of it. D = 2..6.
 template <int D>
-Sign in_ball_perturbed(const double* const* cell, const std::uint32_t* ids, const double* q, std::uint32_t q_id,
+Sign in_ball_perturbed(const double* const* cell, const VertexId* ids, const double* q, VertexId q_id,
                        PredicateCounts& counts);
 
 }  // namespace netmesh
