@@ -1,4 +1,6 @@
 #include "delaunay/kernel.hpp"
+
+#include "delaunay/planar.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -22,8 +24,7 @@ template <int D>
 }
 
 // Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
-template <int D>
-[[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp, CellId made, FacetId origin) {
+template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp, CellId made, FacetId origin) {
     Cell<D>& fresh = cells[made];
     const Cell<D>* const start = &cells[origin.cell()];
     const std::uint32_t i = origin.position();
@@ -48,8 +49,7 @@ template <int D>
 
 }  // namespace
 
-template <int D>
-[[gnu::noinline]] bool Kernel<D>::undecided_conflict(CellId c, const double* q, VertexId id) {
+template <int D> [[gnu::noinline]] bool Kernel<D>::undecided_conflict(CellId c, const double* q, VertexId id) {
     const int infinite = store_.ghost_position(c);
     return infinite < 0 ? exact_conflict(c, q, id) : ghost_in_conflict(c, infinite, q, id);
 }
@@ -191,77 +191,85 @@ template <int D> inline void ask_for_neighbours(const Cell<D>* cells, const Cell
 }
 
 template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity) {
-    const std::uint32_t stamp = store_.new_stamp();
-    const std::size_t capacity = list_capacity();
-    Line* const end = list_end();
-    if (capacity < 1) return refuse_list(1);
-    Cell<D>* const cells = &store_.cell(0);
-    end[0].cell = first;
-    cells[first].mark = stamp;
-    std::ptrdiff_t count = 1, facets = 0;
-    for (std::ptrdiff_t k = 0; k < count; ++k) {
-        // Each facet of this cell leads to one more cell or bounds the cavity.
-        const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
-        if (lines > capacity) return refuse_list(lines);
-        const CellId c = end[-k].cell;
-        for (std::uint32_t i = 0; i <= D; ++i) {
-            const CellId n = cells[c].neighbour[i].cell();
-            Cell<D>& other = cells[n];
-            if (other.mark == stamp) continue;
-            if (other.mark != stamp + 1) {
-                if (in_conflict(n, q, id)) {
-                    other.mark = stamp;
-                    end[-count++].cell = n;
-                    ask_for_neighbours(cells, other);
-                    continue;
+    if constexpr (D == 2) {
+        return PlanarCavity<D>::find(*this, q, id, first, cavity);
+    } else {
+        const std::uint32_t stamp = store_.new_stamp();
+        const std::size_t capacity = list_capacity();
+        Line* const end = list_end();
+        if (capacity < 1) return refuse_list(1);
+        Cell<D>* const cells = &store_.cell(0);
+        end[0].cell = first;
+        cells[first].mark = stamp;
+        std::ptrdiff_t count = 1, facets = 0;
+        for (std::ptrdiff_t k = 0; k < count; ++k) {
+            // Each facet of this cell leads to one more cell or bounds the cavity.
+            const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
+            if (lines > capacity) return refuse_list(lines);
+            const CellId c = end[-k].cell;
+            for (std::uint32_t i = 0; i <= D; ++i) {
+                const CellId n = cells[c].neighbour[i].cell();
+                Cell<D>& other = cells[n];
+                if (other.mark == stamp) continue;
+                if (other.mark != stamp + 1) {
+                    if (in_conflict(n, q, id)) {
+                        other.mark = stamp;
+                        end[-count++].cell = n;
+                        ask_for_neighbours(cells, other);
+                        continue;
+                    }
+                    other.mark = stamp + 1;
                 }
-                other.mark = stamp + 1;
+                end[-facets++].facet = FacetId(c, i);
             }
-            end[-facets++].facet = FacetId(c, i);
         }
+        *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
+        return true;
     }
-    *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
-    return true;
 }
 
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
 // keeps the orientation. The old cell's neighbour across the facet becomes the new cell.
 template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
-    Cell<D>* const cells = &store_.cell(0);
-    const double* const q = store_.point(id);
-    Line* const end = list_end();
-    const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
-    CellSupply<D> supply(store_);
-    for (std::ptrdiff_t k = 0; k < facets; ++k) {
-        const CellId n = end[-k].made = supply.take();
-        const std::uint32_t i = end[-k].facet.position();
-        Cell<D>& old = cells[end[-k].facet.cell()];
-        Cell<D>& fresh = cells[n];
-        bool ghost = false;
-        for (std::uint32_t j = 0; j <= D; ++j) {
-            const VertexId v = j == i ? id : old.vertex[j];
-            ghost |= v == none;
-            fresh.vertex[j] = v;
-            fresh.neighbour[j] = none;
+    if constexpr (D == 2) {
+        PlanarCavity<D>::fill(*this, cavity, id);
+    } else {
+        Cell<D>* const cells = &store_.cell(0);
+        const double* const q = store_.point(id);
+        Line* const end = list_end();
+        const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
+        CellSupply<D> supply(store_);
+        for (std::ptrdiff_t k = 0; k < facets; ++k) {
+            const CellId n = end[-k].made = supply.take();
+            const std::uint32_t i = end[-k].facet.position();
+            Cell<D>& old = cells[end[-k].facet.cell()];
+            Cell<D>& fresh = cells[n];
+            bool ghost = false;
+            for (std::uint32_t j = 0; j <= D; ++j) {
+                const VertexId v = j == i ? id : old.vertex[j];
+                ghost |= v == none;
+                fresh.vertex[j] = v;
+                fresh.neighbour[j] = none;
+            }
+            const FacetId outer = old.neighbour[i];
+            Cell<D>& beyond = cells[outer.cell()];
+            fresh.neighbour[i] = outer;
+            fresh.mark = 0;
+            if (ghost)
+                make_ghost<D>(fresh);
+            else
+                make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
+            old.neighbour[i] = FacetId(n, i);
+            beyond.neighbour[outer.position()] = FacetId(n, i);
         }
-        const FacetId outer = old.neighbour[i];
-        Cell<D>& beyond = cells[outer.cell()];
-        fresh.neighbour[i] = outer;
-        fresh.mark = 0;
-        if (ghost)
-            make_ghost<D>(fresh);
-        else
-            make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
-        old.neighbour[i] = FacetId(n, i);
-        beyond.neighbour[outer.position()] = FacetId(n, i);
+        for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
+        for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
+        if (stars_)
+            for (std::ptrdiff_t k = 0; k < facets; ++k)
+                for (const VertexId v : cells[end[-k].made].vertex)
+                    if (v != none) store_.vertex(v).cell = end[-k].made;
+        store_.state.last_cell = end[1 - facets].made;
     }
-    for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
-    for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
-    if (stars_)
-        for (std::ptrdiff_t k = 0; k < facets; ++k)
-            for (const VertexId v : cells[end[-k].made].vertex)
-                if (v != none) store_.vertex(v).cell = end[-k].made;
-    store_.state.last_cell = end[1 - facets].made;
 }
 
 #define NETMESH_INSTANTIATE(D) template class Kernel<D>;

@@ -31,6 +31,13 @@ struct PlanarLine {
     FacetId waiting;  // stack of facets still to be crossed
 };
 
+// What the kernel does in the plane, see planar.hpp. For D = 2.
+template <int D> class Kernel;
+template <int D> struct PlanarCavity {
+    static bool find(Kernel<D>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity);
+    static void fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id);
+};
+
 template <int D> class Kernel {
 public:
     // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts are
@@ -90,6 +97,8 @@ public:
     template <class Visit> bool visit_star(VertexId v, Visit&& visit);
 
 private:
+    friend struct PlanarCavity<D>;
+
     CellId walk(const double* q, CellId from);
     bool ghost_in_conflict(CellId c, int infinite, const double* q, VertexId id);
     bool exact_conflict(CellId c, const double* q, VertexId id);
@@ -122,9 +131,5 @@ template <int D> template <class Visit> bool Kernel<D>::visit_star(VertexId v, V
     }
     return true;
 }
-
-// In planar.cpp.
-template <> bool Kernel<2>::find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity);
-template <> void Kernel<2>::fill(const Cavity& cavity, VertexId id);
 
 }  // namespace netmesh

@@ -10,9 +10,9 @@
 
 #include "complex/triangulation.hpp"
 #include "memory/arena.hpp"
-#include "vocabulary/status.hpp"
 #include "numerics/real.hpp"
 #include "predicates/predicates.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

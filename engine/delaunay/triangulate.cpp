@@ -43,31 +43,6 @@ template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t*
     return kept;
 }
 
-template <int K> Sign projected_orient(const double* const* p, const int* axes, PredicateCounts& counts) {
-    double x[K + 1][K];
-    const double* rows[K + 1];
-    for (int i = 0; i <= K; ++i) {
-        for (int j = 0; j < K; ++j) x[i][j] = p[i][axes[j]];
-        rows[i] = x[i];
-    }
-    return orient<K>(rows, counts);
-}
-
-// Orientation of K+1 points in the K given coordinates.
-template <int D> Sign orient_in(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
-    if (k == 1) return projected_orient<1>(p, axes, counts);
-    if (k == 2) return projected_orient<2>(p, axes, counts);
-    if constexpr (D >= 3)
-        if (k == 3) return projected_orient<3>(p, axes, counts);
-    if constexpr (D >= 4)
-        if (k == 4) return projected_orient<4>(p, axes, counts);
-    if constexpr (D >= 5)
-        if (k == 5) return projected_orient<5>(p, axes, counts);
-    if constexpr (D >= 6)
-        if (k == 6) return projected_orient<6>(p, axes, counts);
-    return Sign::zero;
-}
-
 }  // namespace
 
 // K+1 points span a K-flat exactly when K of the coordinates have a non-zero minor; a set of coordinates that works for
@@ -88,7 +63,7 @@ bool independent_points(const Store<D>& store, const std::uint32_t* order, std::
             for (int j = 0; j < rank; ++j) used |= axes[j] == axis;
             if (used) continue;
             axes[rank] = axis;
-            if (orient_in<D>(rank + 1, p, axes, counts) == Sign::zero) continue;
+            if (orient_projected<D>(rank + 1, p, axes, counts) == Sign::zero) continue;
             ids[++rank] = VertexId(order[k]);
             break;
         }
