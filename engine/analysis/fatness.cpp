@@ -2,7 +2,7 @@
 
 #include "analysis/corners.hpp"
 #include "analysis/in_ball.hpp"
-#include "delaunay/kernel.hpp"
+#include "delaunay/cell_list.hpp"
 #include "numerics/elementary.hpp"
 #include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"
@@ -46,7 +46,7 @@ template <int D> struct Points {
 template <int D> class Fatness {
 public:
     Fatness(Store<D>& store, const Domain<D>& domain, Arena& arena, FatnessAnalysis* analysis)
-        : store_(store), domain_(domain), arena_(arena), kernel_(store, 1, true), analysis_(*analysis) {}
+        : store_(store), domain_(domain), arena_(arena), analysis_(*analysis) {}
 
     Status open();
     // Two passes: fatness first, then what depends on its maximum.
@@ -65,7 +65,6 @@ private:
     Store<D>& store_;
     const Domain<D>& domain_;
     Arena& arena_;
-    Kernel<D> kernel_;
     FatnessAnalysis& analysis_;
     std::uint8_t* part_;  // [vertices]: the smallest part that the vertex belongs to
 };
@@ -171,14 +170,14 @@ double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> c
 template <int D> Status Fatness<D>::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
     *m = {0, {0, 0}, {0, 0}, 0, 0, infinity, 0, 0, {true, true}};
     *clipped = 0;
-    if (!kernel_.visit_star(v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
+    if (!visit_star(store_, v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
     ArenaScope scope(arena_);
     const bool clips = part_[v] == part_bounded && domain_.radius > 0;
     Points<D> corners, neighbours, cut;
     if (!corners.take(arena_, m->corners) || !neighbours.take(arena_, std::size_t{m->corners} * D + clipping_rounds) ||
         !cut.take(arena_, clips ? std::size_t{m->corners} * 2 * D : 0))
         return Status::out_of_memory;
-    const bool room = kernel_.visit_star(v, [&](CellId c) {
+    const bool room = visit_star(store_, v, [&](CellId c) {
         collect(v, c, m, &neighbours);
         corners.add(store_.cell(c).centre, store_.point(v));
         if (clips && balls) add_clipped(v, c, &cut);

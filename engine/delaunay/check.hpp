@@ -24,4 +24,11 @@ template <int D> CheckResult check_geometric(const Store<D>& store);
 // strictly inside any ball. Needs check_geometric.
 template <int D> CheckResult check_delaunay(const Store<D>& store);
 
+#ifdef NETMESH_VALIDATE
+// What is wrong with a store in use, ghosts and free slots included: counts, vertices, mutual neighbours, orientation and the
+// Delaunay property, all exactly; null when all is well or when it has more than validated_cells_max slots. O(cells).
+constexpr std::uint32_t validated_cells_max = 3000;
+template <int D> const char* violation_in_use(const Store<D>& store);
+#endif
+
 }  // namespace netmesh

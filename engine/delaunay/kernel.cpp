@@ -1,5 +1,6 @@
 #include "delaunay/kernel.hpp"
 
+#include "delaunay/check.hpp"
 #include "delaunay/planar.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -231,6 +232,7 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
 // keeps the orientation. The old cell's neighbour across the facet becomes the new cell.
 template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
+    NETMESH_ASSERT(cavity.cells > 0 && cavity.facets > D);
     if constexpr (D == 2) {
         PlanarCavity<D>::fill(*this, cavity, id);
     } else {
@@ -264,12 +266,13 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
         }
         for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
         for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
-        if (stars_)
+        if (vertex_cells_ == VertexCells::kept)
             for (std::ptrdiff_t k = 0; k < facets; ++k)
                 for (const VertexId v : cells[end[-k].made].vertex)
                     if (v != none) store_.vertex(v).cell = end[-k].made;
         store_.state.last_cell = end[1 - facets].made;
     }
+    NETMESH_VALIDATE_WHOLE(violation_in_use<D>(store_));
 }
 
 #define NETMESH_INSTANTIATE(D) template class Kernel<D>;

@@ -79,6 +79,7 @@ template <int D> void PlanarCavity<D>::fill(Kernel<D>& kernel, const Cavity& cav
     Cell<D>* const cells = &store.cell(0);
     PlanarLine* const end = kernel.list_end();
     const std::ptrdiff_t facets = cavity.facets;
+    const bool keeps = kernel.vertex_cells_ == VertexCells::kept;
     end[2 - facets].made = store.new_cell();
     end[1 - facets].made = store.new_cell();
     store.state.cells_created += cavity.cells;
@@ -106,12 +107,12 @@ template <int D> void PlanarCavity<D>::fill(Kernel<D>& kernel, const Cavity& cav
             const double* const p[3] = {q, store.point(a), store.point(b)};
             solve_sphere<D>(p, kernel.error_max_, fresh);
         }
-        if (kernel.stars_ && a != none) store.vertex(a).cell = n;
+        if (keeps && a != none) store.vertex(a).cell = n;
         before = n;
         a = b;
         from = to;
     }
-    if (kernel.stars_) store.vertex(id).cell = before;
+    if (keeps) store.vertex(id).cell = before;
     store.state.last_cell = before;
 }
 

@@ -12,7 +12,7 @@ namespace {
 template <int D> class Sharpener {
 public:
     Sharpener(Store<D>& store, std::uint32_t inputs, double cut, Arena& arena)
-        : store_(store), kernel_(store, 1, true), inputs_(inputs), cut_(cut), arena_(arena) {}
+        : store_(store), kernel_(store, 1, VertexCells::kept), inputs_(inputs), cut_(cut), arena_(arena) {}
 
     Status open();
     Status narrow(std::uint32_t v, Interval* interval);

@@ -32,7 +32,7 @@ public:
 
 protected:
     Insertion(Store<D>& store, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain) {}
+        : store_(store), kernel_(store, corner_error_max, VertexCells::kept), monitor_(monitor), domain_(domain) {}
 
     // Room for what opens the triangulation: the queue, for squared distances up to that of the frame, and the frame.
     Status open_at(double reach) {

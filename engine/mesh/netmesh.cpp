@@ -56,7 +56,7 @@ private:
 template <int D> class NetMesh {
 public:
     NetMesh(Store<D>& store, const HierarchyOptions& options, Monitor& monitor, Domain<D>& domain)
-        : store_(store), kernel_(store, corner_error_max, true), monitor_(monitor), domain_(domain), options_(options),
+        : store_(store), kernel_(store, corner_error_max, VertexCells::kept), monitor_(monitor), domain_(domain), options_(options),
           measures_(options.audit_quality), tau_(options.tau * (1 - tau_margin)) {}
 
     Status open(InputReport* input);
