@@ -60,7 +60,7 @@ private:
     void add_clipped(VertexId v, CellId c, Points<D>* corners);
     double clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners, Points<D> neighbours);
     void add(const CellMeasure& m, int which);
-    void compare(const CellMeasure& m, int part);
+    void compare(const CellMeasure& m, int which);
 
     Store<D>& store_;
     const Domain<D>& domain_;
@@ -288,12 +288,12 @@ Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& wor
     return status == Status::ok ? fatness.run(work.monitor) : status;
 }
 
-const char* violated_fatness_bound(const FatPart& a) {
-    if (!(static_cast<double>(a.edges) <= a.edges_bound)) return "more edges than fat cells have (5.3.1)";
-    if (!(a.faces <= a.faces_bound)) return "more faces than fat cells have (5.3.2)";
-    if (!(a.degree_share <= 1)) return "more neighbours than a fat cell has (5.3.3)";
-    if (!(a.planar_share <= 1)) return "more neighbours than a fat cell in the plane has (5.4.5)";
-    if (!(a.corners_share <= 1)) return "fewer corners than a fat cell has (5.5.1)";
+const char* violated_fatness_bound(const FatPart& part) {
+    if (!(static_cast<double>(part.edges) <= part.edges_bound)) return "more edges than fat cells have (5.3.1)";
+    if (!(part.faces <= part.faces_bound)) return "more faces than fat cells have (5.3.2)";
+    if (!(part.degree_share <= 1)) return "more neighbours than a fat cell has (5.3.3)";
+    if (!(part.planar_share <= 1)) return "more neighbours than a fat cell in the plane has (5.4.5)";
+    if (!(part.corners_share <= 1)) return "fewer corners than a fat cell has (5.5.1)";
     return nullptr;
 }
 

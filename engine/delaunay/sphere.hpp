@@ -38,7 +38,8 @@ template <int D> inline void make_ghost(Cell<D>& cell) {
 // to half wrong and a radius that is up to a quarter wrong.
 template <int D> constexpr double shape_factor() {
     constexpr double c[7] = {1, 1, 1, 1.15471, 1.5, 2.14664, 3.33334}, root[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
-    return 3 * root[D] * ((D + 1) * (D + 2) / 2 + D + 8) * unit_roundoff * (D * c[D - 1] + c[D]);
+    constexpr int roundings = (D + 1) * (D + 2) / 2 + D + 8;
+    return 3 * root[D] * roundings * unit_roundoff * (D * c[D - 1] + c[D]);
 }
 
 // Halves of squared edge lengths between which no product of up to D+1 entries of A and b underflows or overflows by
