@@ -3,7 +3,7 @@
 #include "filtration/cell_bounds.hpp"
 #include "filtration/scales.hpp"
 #include "filtration/tight_filter.hpp"
-#include "mesh/refine.hpp"
+#include "mesh/mesh_points.hpp"
 #include "numerics/double_double.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -92,12 +92,14 @@ template <int D> void ScalesJoin<D>::copy_points(double* x) const {
 template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list) {
     StoreState state = {};
     Store<D> store(arena_, state);
-    InputReport input;
-    Domain<D> domain = {};
-    SizeRule size;
-    size.eps = tight_size(request_.eps);
-    const RefineOptions options = {request_.tau, tight_domain_factor(request_.eps), false, request_.seed, size};
-    Status status = refine<D>(store, x, n, options, monitor_, &input, &domain);
+    MeshRequest request;
+    request.tau = request_.tau;
+    request.domain_factor = tight_domain_factor(request_.eps);
+    request.size.eps = tight_size(request_.eps);
+    request.seed = request_.seed;
+    MeshResult<D> mesh;
+    Status status = mesh_points<D>(store, x, n, request, {arena_, monitor_}, &mesh);
+    const InputReport& input = mesh.input;
     if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
         const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
         const std::uint64_t b = points_.vertex(partition_.chosen()[input.row_b]).origin;
@@ -109,7 +111,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     double* const value = arena_.take_low<double>(state.vertex_count);
     if (value == nullptr) return Status::out_of_memory;
     MeshCertificate certificate;
-    status = tight_filter_values<D>(store, domain, n, request_.values, arena_, value, &certificate);
+    status = tight_filter_values<D>(store, mesh.domain, n, request_.values, arena_, value, &certificate);
     std::uint64_t simplices = 0;
     if (status == Status::ok)
         status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, {arena_, monitor_}, list, &simplices);
