@@ -6,9 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "mesh/refine.hpp"
+#include "common/meshed.hpp"
 
 using namespace netmesh;
 
@@ -27,10 +25,10 @@ template <int D> void sample_inclusions(const inputs::Points& points, double tau
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> mesh;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
+                           &mesh) == Status::ok);
+    const Domain<D>& domain = mesh.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     for (const FilterValues kind : {FilterValues::certified, FilterValues::thesis}) {
@@ -99,10 +97,11 @@ TEST_CASE("the basic filter gives inputs zero and says from where its ratio hold
     StoreState state = {};
     Store<2> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<2> domain = {};
+    MeshResult<2> mesh;
     const inputs::Points points = inputs::uniform(2, 100);
-    REQUIRE(refine<2>(store, points.data(), 100, {2.5, 1, true, 1}, monitor, &input, &domain) == Status::ok);
+    REQUIRE(mesh_points<2>(store, points.data(), 100, by_quality(2.5, 1, true), {block.arena, monitor},
+                           &mesh) == Status::ok);
+    const Domain<2>& domain = mesh.domain;
     std::vector<double> value(state.vertex_count);
     MeshCertificate certificate;
     REQUIRE(mesh_filter_values<2>(store, domain, MeshFilter::basic, FilterValues::thesis, block.arena, value.data(),

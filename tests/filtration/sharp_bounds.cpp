@@ -6,11 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
+#include "common/meshed.hpp"
 #include "filtration/cell_bounds.hpp"
 #include "filtration/nearest_in_hull.hpp"
-#include "mesh/refine.hpp"
 
 using namespace netmesh;
 
@@ -30,10 +28,10 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, factor, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> mesh;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, factor, true), {block.arena, monitor},
+                           &mesh) == Status::ok);
+    const Domain<D>& domain = mesh.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
     const double rho = domain.enclosing_radius * up;
     std::vector<double> value(count);
@@ -102,10 +100,10 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> mesh;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
+                           &mesh) == Status::ok);
+    const Domain<D>& domain = mesh.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
     const double rho = domain.enclosing_radius * up;
     std::vector<double> value(count);
