@@ -1,5 +1,6 @@
 #include "mesh/certificate_rule.hpp"
 
+#include "certificate/interval.hpp"
 #include "delaunay/load.hpp"
 #include "mesh/refinement.hpp"
 #include "vocabulary/dimension.hpp"
@@ -154,8 +155,7 @@ template <int D> bool CertificateRule<D>::is_bad(VertexId v, const CellView& vie
     const double hi = square_root(view.from_input.distance2 < cut2_ ? view.from_input.distance2 : cut2_);
     const double d = square_root(local_distance2(vertex));
     if (vertex.marker == Marker::input) return 2 * hi > bound_.input * d;
-    const double inner = d - square_root(view.farthest.distance2);
-    const double lo = inner > 0.5 * d ? inner : 0.5 * d;
+    const double lo = least_distance(d, square_root(view.farthest.distance2), as_computed);
     if (hi > bound_.ratio2 * lo) return true;
     return hi > focus_.ratio2 * lo && hi > goal_.from && lo < goal_.to;
 }

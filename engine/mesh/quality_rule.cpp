@@ -1,5 +1,6 @@
 #include "mesh/quality_rule.hpp"
 
+#include "certificate/interval.hpp"
 #include "mesh/aspect_rule.hpp"
 #include "mesh/reference_rule.hpp"
 #include "vocabulary/dimension.hpp"
@@ -146,9 +147,8 @@ template <int D> bool QualityRule<D>::spoils_certificate(VertexId v, const CellV
     const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
     const double hi = reach < rho ? reach : rho;
     if (store_.vertex(v).marker == Marker::input) return 2 * hi > tau_ * square_root(nearest2);
-    const double d = square_root(distance2<D>(store_.point(v), store_.point(nearest_input(v))));
-    const double inner = d - square_root(view.whole.distance2);
-    const double lo = inner > 0.5 * d ? inner : 0.5 * d;
+    const double d = distance<D>(store_.point(v), store_.point(nearest_input(v)));
+    const double lo = least_distance(d, square_root(view.whole.distance2), as_computed);
     return hi > (2 + tau_) * lo || hi > tau_ * d;
 }
 

@@ -15,6 +15,8 @@ constexpr double yield_radius = 0.9;
 // Refinement stops a hair before what it is held to: more than the error of the corners that it sees, so the true ratios
 // keep the bound.
 constexpr double tau_margin = 0x1p-20;
+// So the interval of a cell is taken as its ends are computed, not rounded outwards (certificate/interval.hpp).
+constexpr double as_computed = 1;
 
 // Where a Steiner point goes.
 template <int D> struct Split {

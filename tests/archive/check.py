@@ -135,13 +135,14 @@ SEES = {
     "numerics": {"vocabulary", "memory"},
     "predicates": {"numerics", "memory", "vocabulary"},
     "delaunay": {"predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "mesh": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
+    "certificate": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
+    "mesh": {"certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "complex": {"memory", "vocabulary", "numerics"},
     "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
     "diagram": {"homology", "complex", "memory", "vocabulary", "numerics", "include"},
-    "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "vocabulary", "include"},
-    "analysis": {"mesh", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "api": {"analysis", "filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
+    "filtration": {"mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "vocabulary", "include"},
+    "analysis": {"mesh", "certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
+    "api": {"analysis", "filtration", "mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
             "memory", "vocabulary", "include"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
@@ -382,7 +383,8 @@ def check_size(records, nm, limit):
         for name in sorted(names):
             if not name.endswith((".o", ".obj")):
                 continue
-            room = os.path.basename(folder)
+            parts = os.path.relpath(folder, records).split(os.sep)
+            room = parts[1] if parts[0] == "engine" and len(parts) > 1 else parts[0]
             row = table.setdefault(room, {})
             seen = {}
             for line in run(nm, "-P", "-S", "--defined-only", os.path.join(folder, name)).splitlines():

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "certificate/cells.hpp"
 #include "common/meshed.hpp"
-#include "filtration/cell_bounds.hpp"
 #include "filtration/nearest_in_hull.hpp"
 
 using namespace netmesh;
@@ -36,7 +36,7 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     const double rho = domain.enclosing_radius * up;
     std::vector<double> value(count);
     std::vector<Interval> known(count), sharp;
-    MeshCertificate certificate;
+    Certificate certificate;
     REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
                                   value.data(), &certificate, known.data()) == Status::ok);
     sharp = known;
@@ -108,7 +108,7 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     const double rho = domain.enclosing_radius * up;
     std::vector<double> value(count);
     std::vector<Interval> known(count), whole, sharp;
-    MeshCertificate certificate;
+    Certificate certificate;
     REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
                                   value.data(), &certificate, known.data()) == Status::ok);
     whole = known;
