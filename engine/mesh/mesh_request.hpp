@@ -17,7 +17,7 @@ enum class MeshMethod {
     certificate,  // the coarsest mesh that proves a ratio: certificate_rule.hpp
 };
 
-// For the method certificate. With lo <= F <= hi on the cell of a vertex as in filtration/mesh_filter.hpp: hi <= ratio^2 lo
+// For the method certificate. With lo <= F <= hi on the cell of a vertex as in certificate/interval.hpp: hi <= ratio^2 lo
 // everywhere, and hi <= focus^2 lo in each Steiner cell that matters to scales of interest, those with hi > from and
 // lo < to.
 struct RatioGoal {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "certificate/cells.hpp"
 #include "delaunay/kernel.hpp"
 #include "delaunay/load.hpp"
 #include "memory/work.hpp"
@@ -106,7 +107,7 @@ protected:
     Status yielding_insert(const Split<D>& split);
 
     VertexId nearest_input(VertexId v) const {
-        return VertexId(store_.vertex(v).marker == Marker::input ? v.index : store_.vertex(v).origin);
+        return VertexId(netmesh::nearest_input<D>(store_, v));
     }
 
     const MeshRequest& request_;

@@ -12,12 +12,6 @@ using namespace netmesh;
 
 namespace {
 
-template <int D> double distance(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) d2 += (a[k] - b[k]) * (a[k] - b[k]);
-    return std::sqrt(d2);
-}
-
 // Samples the inclusions that the certificate claims: at a point x of v's cell the cover enters at
 // t(v), or at |x - v| in an input's ball before, and that must be within a factor c of F(x) = min(d_P(x), rho).
 template <int D> void sample_inclusions(const inputs::Points& points, double tau, int samples) {

@@ -14,12 +14,6 @@ using namespace netmesh;
 
 namespace {
 
-template <int D> double distance(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) d2 += (a[k] - b[k]) * (a[k] - b[k]);
-    return std::sqrt(d2);
-}
-
 // Samples points, near vertices where cells are small, and compares the distance to the inputs with the bounds of the cell that
 // each is in.
 template <int D>

@@ -128,9 +128,9 @@ TEST_CASE_TEMPLATE_DEFINE("an audit of quality is of the mesh that is made witho
                           same) {
     constexpr int D = T::value;
     // From tau 6 on Steiner points often yield to inputs farther away than nine tenths of their empty balls.
-    for (const double tau : {3.0, 6.0, 12.0}) {
+    for (const double tau : {D < 4 ? 3.0 : 5.0, 12.0}) {
         for (const inputs::Points& points :
-             {inputs::uniform(D, D == 2 ? 60 : 20), inputs::clusters(D, 20), inputs::geometric(D, 20, 6)})
+             {inputs::uniform(D, D == 2 ? 60 : D == 3 ? 20 : 6), inputs::close_pairs(D, 3, 0.1)})
             for (const MeshRequest& request : {by_quality(tau), by_hierarchy(tau), by_hierarchy(tau, true)}) {
                 const Hierarchical<D> plain(points, request), with(points, audited(request, false, true));
                 REQUIRE(plain.status == Status::ok);
@@ -139,7 +139,7 @@ TEST_CASE_TEMPLATE_DEFINE("an audit of quality is of the mesh that is made witho
                 CHECK(plain.result.audit.quality.meshes == 0);
                 CHECK(same_mesh<D>(plain, with));
             }
-        const inputs::Points points = inputs::uniform(D, 60);
+        const inputs::Points points = inputs::uniform(D, D < 4 ? 60 : 20);
         const Hierarchical<D> plain(points, by_quality(tau)), rounds(points, audited(by_quality(tau), true, false));
         CHECK_FALSE(same_mesh<D>(plain, rounds));
     }
