@@ -55,13 +55,13 @@ protected:
         for (int i = 0; i <= D; ++i) {
             const unsigned others = positions & ~(1u << i);
             if (others == 0) continue;
-            const Cell<D>& behind = this->store_.cell(cell.neighbour[i] >> 3);
+            const Cell<D>& behind = this->store_.cell(cell.neighbour[i].cell());
             if (!(behind.radius2 < infinity)) continue;
             double z[2][D];
             const int crossings = sphere_crossings<D>(ball, cell.centre, behind.centre, z);
             for (int j = 0; j < crossings; ++j)
                 for (int k = 0; k <= D; ++k) {
-                    const std::uint32_t w = cell.vertex[k];
+                    const VertexId w = cell.vertex[k];
                     if ((others >> k & 1u) == 0) continue;
                     if (rule().may_be_bad(distance2<D>(z[j], this->store_.point(w)), this->store_.vertex(w)))
                         this->queue_.push(w);

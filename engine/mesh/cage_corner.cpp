@@ -1,60 +1,60 @@
 #include "mesh/cage_corner.hpp"
 
+#include "delaunay/cell_list.hpp"
+#include "delaunay/kernel.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
-// Offers where the edges of the cage's cell that end in the corner of cell c, which is outside of the ball, cross its sphere.
+// Offers where the edge of the cage's cell from the corner of cell c, which is outside of the ball, to that of the cell
+// behind it crosses the sphere.
 template <int D>
-void offer_crossing(const Store<D>& store, const Domain<D>& ball, const double* centre, std::uint32_t c,
-                    std::uint32_t behind, Corner<D>* corner) {
+void offer_crossing(const Store<D>& store, const Domain<D>& ball, const double* centre, CellId c, CellId behind,
+                    Corner<D>* corner) {
     double z[2][D];
     const int crossings = sphere_crossings<D>(ball, store.cell(c).centre, store.cell(behind).centre, z);
     for (int j = 0; j < crossings; ++j) corner->offer(z[j], distance2<D>(z[j], centre), c);
 }
 
+// A cell on the cage's boundary: there is one at any shell vertex. False when the gap is too small for the search.
+template <int D> bool find_boundary_cell(Store<D>& store, const Cage& cage, CellId* found) {
+    Kernel<D> kernel(store, corner_error_max, true);
+    *found = none;
+    return kernel.visit_star(VertexId(cage.shell), [&](CellId c) {
+        if (*found == none && is_on_boundary<D>(store, cage, c)) *found = c;
+    });
+}
+
 }  // namespace
 
+// Cells on the boundary are connected.
 template <int D>
-bool find_cage_corner(Store<D>& store, Kernel<D>& kernel, const Cage& cage, const Domain<D>& ball, Corner<D>* corner) {
+bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, Corner<D>* corner) {
     const double* const centre = store.point(cage.centre);
-    std::uint32_t first = none;
-    if (!kernel.visit_star(cage.shell, [&](std::uint32_t c) {
-            if (first == none && is_on_boundary<D>(store, cage, c)) first = c;
-        }))
-        return false;
+    CellId first;
+    if (!find_boundary_cell<D>(store, cage, &first)) return false;
     if (first == none) return true;
-    const std::uint32_t stamp = store.new_stamp();
-    const std::size_t capacity = store.list_capacity();
-    std::uint32_t* const list = store.list_top();
-    std::uint32_t count = 1;
-    list[-1] = first;
-    store.cell(first).mark = stamp;
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
+    CellList<D> boundary(store);
+    if (!boundary.add(first)) return false;
+    for (std::uint32_t k = 0; k < boundary.size(); ++k) {
+        const CellId c = boundary[k];
         const Cell<D>& cell = store.cell(c);
         const bool known = cell.radius2 < infinity, contained = known && ball.contains(cell.centre);
         if (contained) corner->offer(cell.centre, distance2<D>(cell.centre, centre), c);
         for (int i = 0; i <= D; ++i) {
-            const std::uint32_t n = cell.neighbour[i] >> 3;
+            const CellId n = cell.neighbour[i].cell();
             if (!is_on_boundary<D>(store, cage, n)) continue;
             if (known && !contained && store.cell(n).radius2 < infinity)
                 offer_crossing<D>(store, ball, centre, c, n, corner);
-            if (store.cell(n).mark == stamp) continue;
-            if (count >= capacity) {
-                store.arena.refuse(4);
-                return false;
-            }
-            store.cell(n).mark = stamp;
-            list[-1 - static_cast<std::ptrdiff_t>(count++)] = n;
+            if (!boundary.add(n)) return false;
         }
     }
     return true;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template bool find_cage_corner<D>(Store<D>&, Kernel<D>&, const Cage&, const Domain<D>&, Corner<D>*);
+    template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

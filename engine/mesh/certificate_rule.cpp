@@ -118,20 +118,20 @@ template <int D> double CertificateRule<D>::least_bad2(const Vertex<D>& vertex) 
 // An input's cell may have become bad because its nearest neighbour came nearer.
 template <int D> void CertificateRule<D>::update_distances(const Cavity& cavity, VertexId v) {
     Vertex<D>& centre = store_.vertex(v);
-    kernel_.visit_neighbours(cavity, v, [&](std::uint32_t w) {
+    kernel_.visit_neighbours(cavity, v, [&](VertexId w) {
         Vertex<D>& other = store_.vertex(w);
         const double d2 = distance2<D>(centre.x, other.x);
         if (centre.marker == Marker::input && d2 < centre.nearest2) centre.nearest2 = d2;
         if (other.marker != Marker::input || !(d2 < other.nearest2)) return;
         other.nearest2 = d2;
-        queue_.push(VertexId(w));
+        queue_.push(w);
     });
 }
 
 template <int D> void CertificateRule<D>::queue_bad(CellId c) {
     const Cell<D>& cell = store_.cell(c);
     if (!(cell.radius2 < infinity)) return;
-    for (const std::uint32_t w : cell.vertex) {
+    for (const VertexId w : cell.vertex) {
         const Vertex<D>& vertex = store_.vertex(w);
         if (!vertex.queued && vertex.marker != Marker::exempt && cell.radius2 > least_bad2(vertex)) queue_.push(w);
     }
@@ -142,7 +142,7 @@ template <int D> bool CertificateRule<D>::view_cell(VertexId v, CellView* view) 
     *view = CellView{};
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
-    return kernel_.visit_star(v, [&](std::uint32_t c) {
+    return kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) return;  // a ghost
         view->farthest.offer(cell.centre, distance2<D>(cell.centre, p), c);

@@ -12,11 +12,12 @@ namespace netmesh {
 // A new vertex at x, not inserted yet. Room for it must be there.
 template <int D>
 inline VertexId make_vertex(Store<D>& store, const double* x, std::uint32_t origin, Marker marker) {
-    const VertexId made = VertexId(store.new_vertex());
+    const VertexId made = store.new_vertex();
     Vertex<D>& v = store.vertex(made);
     for (int k = 0; k < D; ++k) v.x[k] = x[k];
     v.nearest2 = infinity;
-    v.cell = v.next = none;
+    v.cell = none;
+    v.next = none;
     v.origin = origin;
     v.marker = marker;
     v.queued = 0;

@@ -79,7 +79,7 @@ private:
     void queue_bad_cages(CellId c);
     void queue_cage(std::uint32_t d) {
         const Cage& cage = hierarchy_.cage(d);
-        queue_.push(cage.shell, cage.nearest2);
+        queue_.push(VertexId(cage.shell), cage.nearest2);
     }
     Verdict judge_vertex(VertexId v, Split<D>* split);
     Verdict judge_cage(std::uint32_t d, Split<D>* split);
@@ -91,7 +91,7 @@ private:
     Path path_;
     // Of the input p whose turn it is: its nearest neighbour u in M_Omega, Omega the domain of p, the nearest distance of u in
     // M_Omega, and the cage in Omega that has u for its centre, if one does.
-    VertexId near_ = VertexId(none);
+    VertexId near_ = none;
     std::uint32_t near_cage_ = none;
     double near_nearest2_ = 0;
     std::uint32_t encroached_ = none;  // list of cages through Cage::next
@@ -126,7 +126,7 @@ template <int D> Status HierarchyRule<D>::insert_input(VertexId p, CellId from, 
     Status status = climb_to_cage(p, cavity, cleaning);
     if (status != Status::ok || (!cleaning && path_.top() != p)) return status;
     const bool has_shell = before != store_.state.vertex_count;  // then the cavity is no more what it was
-    status = has_shell ? this->insert(p, CellId(store_.vertex(near_).cell)) : this->fill(p, cavity);
+    status = has_shell ? this->insert(p, store_.vertex(near_).cell) : this->fill(p, cavity);
     return status == Status::ok ? this->finish_step(p, cleaning) : status;
 }
 
@@ -136,11 +136,11 @@ template <int D> void HierarchyRule<D>::locate_domain(VertexId p, const Cavity& 
     const double* const x = store_.point(p);
     double best2 = infinity;
     for (std::uint32_t k = 0; k < cavity.cells; ++k)
-        for (const std::uint32_t w : store_.cell(kernel_.cavity_cell(k)).vertex) {
+        for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
             const double d2 = distance2<D>(x, store_.point(w));
             if (!(d2 < best2)) continue;
             best2 = d2;
-            near_ = VertexId(w);
+            near_ = w;
         }
     near_nearest2_ = store_.vertex(near_).nearest2;
     near_cage_ = none;
@@ -176,8 +176,7 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
 template <int D> Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
     if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
     const double radius = reach / cage_epsilon * (1 + tau_margin);
-    const VertexId u = near_;
-    const std::uint32_t shell = store_.state.vertex_count;
+    const VertexId u = near_, shell(store_.state.vertex_count);
     const std::uint32_t d = hierarchy_.make(u, radius, near_nearest2_, hierarchy_.of_input(p), shell);
     if (near_cage_ != none)
         hierarchy_.cage(near_cage_).parent = d;
@@ -185,8 +184,8 @@ template <int D> Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
         hierarchy_.set(u, d);
     hierarchy_.set(p, d);
     make_shell(u, d, radius);
-    for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
-        const Status status = this->insert(VertexId(v), CellId(store_.vertex(u).cell));
+    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
+        const Status status = this->insert(v, store_.vertex(u).cell);
         if (status == Status::ok) continue;
         // A cage without its whole shell is given up; the shell vertices that are in the mesh stay there, exempt.
         hierarchy_.release(d);
@@ -224,17 +223,17 @@ template <int D> Status HierarchyRule<D>::release_encroached() {
 }
 
 template <int D> Status HierarchyRule<D>::release_cage(std::uint32_t d) {
-    const std::uint32_t shell = hierarchy_.cage(d).shell;
+    const VertexId shell(hierarchy_.cage(d).shell);
     hierarchy_.release(d);
-    for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
+    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
         store_.vertex(v).marker = Marker::steiner;
         queue_.push(v);
     }
     // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are pushed. None
     // is infinity, as the frame is around them.
-    for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
-        const bool fits = kernel_.visit_star(v, [&](std::uint32_t c) {
-            for (const std::uint32_t w : store_.cell(c).vertex)
+    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
+        const bool fits = kernel_.visit_star(v, [&](CellId c) {
+            for (const VertexId w : store_.cell(c).vertex)
                 if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
         });
         if (!fits) return Status::out_of_memory;
@@ -245,10 +244,10 @@ template <int D> Status HierarchyRule<D>::release_cage(std::uint32_t d) {
 // A Steiner point's nearest input is not looked for here: the one that the split comes from serves as well.
 template <int D> VertexId HierarchyRule<D>::yields_to(const Split<D>& split, NearestInput* nearest) const {
     nearest->input = split.input;
-    if (inserted_ == inputs_) return VertexId(none);
+    if (inserted_ == inputs_) return none;
     double input2;
     const std::uint32_t input = tree_.nearest_within(split.x, yield_radius * yield_radius * split.empty2, &input2);
-    return VertexId(input != none && store_.vertex(input).cell == none ? input : std::uint32_t{none});
+    return input != none && store_.vertex(input).cell == none ? VertexId(input) : VertexId(none);
 }
 
 // Nearest distances of vertices and of cages.
@@ -257,7 +256,7 @@ template <int D> void HierarchyRule<D>::update_distances(const Cavity& cavity, V
     if (hierarchy_.live() == 0) return;
     const Vertex<D>& fresh = store_.vertex(v);
     const std::uint32_t within = fresh.marker == Marker::steiner ? hierarchy_.of(v) : none;
-    kernel_.visit_neighbours(cavity, v, [&](std::uint32_t w) { update_cages(VertexId(w), fresh, within); });
+    kernel_.visit_neighbours(cavity, v, [&](VertexId w) { update_cages(w, fresh, within); });
 }
 
 // A new vertex has become a neighbour of w: it is outside of the cages that contain w but not the vertex. `within`: the
@@ -340,7 +339,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
     const double nearest2 = store_.vertex(v).nearest2, least2 = 0.25 * tau_ * tau_ * nearest2;
     const Domain<D> ball = ball_of(hierarchy_.of(v));
     Corner<D> corner;
-    const bool fits = kernel_.visit_star(v, [&](std::uint32_t c) {
+    const bool fits = kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) return;
         if (ball.contains(cell.centre))
@@ -358,7 +357,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
 template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>* split) {
     const Cage& cage = hierarchy_.cage(d);
     Corner<D> corner;
-    if (!find_cage_corner<D>(store_, kernel_, cage, ball_of(hierarchy_.parent(d)), &corner))
+    if (!find_cage_corner<D>(store_, cage, ball_of(hierarchy_.parent(d)), &corner))
         return Verdict::out_of_memory;
     const double inner = in_radius<D>(cage), whole = square_root(corner.distance2 > 0 ? corner.distance2 : 0);
     if (!(whole > tau_ * inner)) return Verdict::good;
@@ -374,8 +373,8 @@ template <int D> Status HierarchyRule<D>::sweep() {
     std::uint32_t before;
     do {
         before = store_.state.vertex_count;
-        for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
-            if (store_.is_live(c)) queue_bad_vertices(CellId(c));
+        for (CellId c(0); c < store_.state.cell_slots; ++c)
+            if (store_.is_live(c)) queue_bad_vertices(c);
         for (std::uint32_t d = 0; d < hierarchy_.made(); ++d)
             if (hierarchy_.is_live(d)) queue_cage(d);
         const Status status = this->clean();

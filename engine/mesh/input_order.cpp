@@ -10,7 +10,7 @@ template <int D> VertexId InputOrder<D>::next() {
             const VertexId input = VertexId(order_[at_++]);
             if (store_.vertex(input).cell == none) return input;
         }
-        if (!lists_.is_open() || !select_round()) return VertexId(none);
+        if (!lists_.is_open() || !select_round()) return none;
     }
 }
 

@@ -31,7 +31,7 @@ public:
     bool lists_are_full() const { return full_; }
     // Where the search for an input that is not inserted starts.
     CellId start_for(const Store<D>& store, VertexId input) const {
-        return CellId(lists_.is_open() ? lists_.ball_of(input) : store.state.last_cell);
+        return lists_.is_open() ? lists_.ball_of(input) : store.state.last_cell;
     }
     BallLists<D>& lists() { return lists_; }
 
@@ -47,7 +47,7 @@ public:
 private:
     BallLists<D> lists_;
     QualityAudit quality_ = {};
-    VertexId first_new_ = VertexId(none);  // of the step at hand
+    VertexId first_new_ = none;  // of the step at hand
     bool locates_, measures_, full_ = false;
 };
 

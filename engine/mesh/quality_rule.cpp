@@ -62,20 +62,20 @@ template <int D> double QualityRule<D>::choose_domain() {
 }
 
 template <int D> Status QualityRule<D>::take_turn(VertexId p) {
-    return reference_ ? this->insert_input(p, CellId(store_.state.last_cell), false) : Base::take_turn(p);
+    return reference_ ? this->insert_input(p, store_.state.last_cell, false) : Base::take_turn(p);
 }
 
 template <int D> Status QualityRule<D>::insert_boundary_net() {
     const VertexId inside(0);
-    Status status = this->insert(inside, CellId(store_.state.last_cell));
+    Status status = this->insert(inside, store_.state.last_cell);
     for (bool covered = false; !covered && status == Status::ok;) {
         covered = true;
-        for (std::uint32_t c = 0; c < store_.state.cell_slots && status == Status::ok; ++c) {
+        for (CellId c(0); c < store_.state.cell_slots && status == Status::ok; ++c) {
             double z[D], d2;
             if (!lacks_net_vertex<D>(store_, domain_, c, inside, z)) continue;
             if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
             const VertexId v = make_vertex<D>(store_, z, tree_.nearest(z, 0, none, &d2), Marker::exempt);
-            status = this->insert(v, CellId(c));
+            status = this->insert(v, c);
             if (status == Status::out_of_memory) store_.truncate_vertices(v);
             covered = false;
         }
@@ -91,7 +91,7 @@ template <int D> void QualityRule<D>::queue_bad(CellId c) {
     if (domain_.contains(cell.centre)) return this->queue_positions(cell, far);
     if (certify_)
         for (int i = 0; i <= D; ++i)
-            if ((far >> i & 1u) && may_spoil_certificate(VertexId(cell.vertex[i]), cell.centre)) {
+            if ((far >> i & 1u) && may_spoil_certificate(cell.vertex[i], cell.centre)) {
                 queue_.push(cell.vertex[i]);
                 far &= ~(1u << i);
             }
@@ -117,7 +117,7 @@ template <int D> bool QualityRule<D>::view_cell(VertexId v, CellView* view) {
     if (sized2 < least2) least2 = sized2;
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
-    return kernel_.visit_star(v, [&](std::uint32_t c) {
+    return kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) return;  // a ghost, or so flat that its corner is not known
         const double d2 = distance2<D>(cell.centre, p);
@@ -135,7 +135,7 @@ template <int D> bool QualityRule<D>::view_cell(VertexId v, CellView* view) {
 // The farthest point of a clipped cell without corners; no Voronoi edge meets the domain there.
 template <int D> bool QualityRule<D>::find_pole(VertexId v, Corner<D>* corner) {
     std::uint32_t count = 0;
-    if (!kernel_.visit_star(v, [&](std::uint32_t) { ++count; })) return false;
+    if (!kernel_.visit_star(v, [&](CellId) { ++count; })) return false;
     corner->distance2 = farthest_pole<D>(store_, domain_, v, store_.list_top(), count, corner->x, &corner->cell);
     return true;
 }

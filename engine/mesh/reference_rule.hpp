@@ -21,12 +21,11 @@ inline double reference_radius(double tau, double enclosing_radius) {
 // facet's vertices, which is where the line from the centre through the cell's corner meets the sphere, is missing while it
 // is farther than delta.
 template <int D>
-inline bool lacks_net_vertex(const Store<D>& store, const Domain<D>& domain, std::uint32_t c, std::uint32_t inside,
-                             double* z) {
+inline bool lacks_net_vertex(const Store<D>& store, const Domain<D>& domain, CellId c, VertexId inside, double* z) {
     const double delta2 = 4 * domain.enclosing_radius * domain.enclosing_radius;
     if (!store.is_live(c) || store.is_ghost(c) || !(store.cell(c).radius2 < infinity)) return false;
     const Cell<D>& cell = store.cell(c);
-    const std::uint32_t w = cell.vertex[cell.vertex[0] == inside ? 1 : 0];
+    const VertexId w = cell.vertex[cell.vertex[0] == inside ? 1 : 0];
     const double length = square_root(domain.distance2(cell.centre));
     if (!(length > 0)) return false;
     for (int k = 0; k < D; ++k)

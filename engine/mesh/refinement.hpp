@@ -175,7 +175,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
     kernel_.fill(cavity, v);
     if (store_.vertex(v).marker == Marker::input) ++inserted_;
     rule().update_distances(cavity, v);
-    for (std::uint32_t k = 0; k < cavity.facets; ++k) rule().queue_bad(CellId(kernel_.new_cell(k)));
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) rule().queue_bad(kernel_.new_cell(k));
     // The mesh is whole, only the lists are not: the job stops as if it had been asked to.
     if (observers_.locates() && !observers_.after_fill(kernel_, cavity, v)) return Status::cancelled;
     monitor_.mesh_size(store_.state.vertex_count - inputs_ + inserted_, store_.live_cells());
@@ -185,13 +185,13 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
 // nearest2 of v and of its neighbours. Those to which it is nearer than any vertex before may have become bad and are queued.
 template <int D, class Rule> void Refinement<D, Rule>::update_nearest(const Cavity& cavity, VertexId v) {
     Vertex<D>& centre = store_.vertex(v);
-    kernel_.visit_neighbours(cavity, v, [&](std::uint32_t w) {
+    kernel_.visit_neighbours(cavity, v, [&](VertexId w) {
         Vertex<D>& other = store_.vertex(w);
         const double d2 = distance2<D>(centre.x, other.x);
         if (d2 < centre.nearest2) centre.nearest2 = d2;
         if (!(d2 < other.nearest2)) return;
         other.nearest2 = d2;
-        if (other.marker != Marker::exempt) queue_.push(VertexId(w));
+        if (other.marker != Marker::exempt) queue_.push(w);
     });
 }
 
@@ -204,7 +204,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::finish_step(VertexId v,
 // Restores the quality of all cells.
 template <int D, class Rule> Status Refinement<D, Rule>::clean() {
     for (;;) {
-        const VertexId v = VertexId(queue_.pop());
+        const VertexId v = queue_.pop();
         if (v == none) return Status::ok;
         Split<D> split;
         const Verdict verdict = rule().judge(v, &split);
@@ -245,9 +245,9 @@ template <int D, class Rule> Status Refinement<D, Rule>::reach_sizes() {
     const std::uint32_t count = store_.state.vertex_count;
     observers_.stop_measuring();
     sizes_.start();
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         if (store_.vertex(v).marker == Marker::exempt) continue;
-        const Status status = note_size(VertexId(v));
+        const Status status = note_size(v);
         if (status != Status::ok) return status;
         queue_.push(v);
     }

@@ -28,7 +28,7 @@ template <int D> struct Split {
     // Puts x this fraction of the way from p to a corner.
     void place(const double* p, const Corner<D>& corner, double fraction) {
         for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
-        cell = CellId(corner.cell);
+        cell = corner.cell;
     }
 };
 
