@@ -1,5 +1,6 @@
 #include "api/complex_job.hpp"
 
+#include "homology/matrix/matrix.hpp"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {
@@ -69,15 +70,18 @@ Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const C
     context->simplices = 0;
     for (std::uint32_t k = 0; k <= complex.dimension && k <= request.counted; ++k)
         context->simplices += complex.count[k];
+    const DiagramRequest wanted = {request.max_degree, request.keep_zero};
     PairList pairs = {};
     if (request.representatives) {
         if (!keep_complex(context, complex)) return Status::out_of_memory;
-        status = persist_with_cycles(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs,
-                                     &context->cycles);
+        Representatives found = {};
+        status = persist_with_cycles(filtered, wanted, {arena, monitor}, &found);
+        pairs = found.pairs;
+        context->cycles = found.store;
     } else {
         status = is_skeleton(filtered, request.max_degree)
-                     ? persist_skeleton(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs)
-                     : persist_filtration(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs);
+                     ? persist_cohomology(filtered, wanted, {arena, monitor}, &pairs)
+                     : persist_homology(filtered, wanted, {arena, monitor}, &pairs);
     }
     return status == Status::ok ? keep_pairs(context, pairs, request) : status;
 }

@@ -2,6 +2,7 @@
 #include "filtration/alpha.hpp"
 #include "filtration/function_filter.hpp"
 #include "filtration/tight_filter.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "vocabulary/callback.hpp"
 
 namespace netmesh {
@@ -81,7 +82,12 @@ template <int D>
 Status persist_values(netmesh_context* context, const Store<D>& store, const double* value, std::uint32_t zero_born,
                       const Request& request, Monitor& monitor, Outcome* outcome) {
     outcome->value = value;
-    return persist_lower_star<D>(store.view(), value, zero_born, request.max_degree, request.keep_zero, {context->arena, monitor}, &outcome->pairs, &outcome->simplices);
+    CountedPairs diagram = {};
+    const Status status = persist_lower_star<D>({store.view(), value, zero_born}, {request.max_degree, request.keep_zero},
+                                                {context->arena, monitor}, &diagram);
+    outcome->pairs = diagram.pairs;
+    outcome->simplices = diagram.simplices;
+    return status;
 }
 
 template <int D>

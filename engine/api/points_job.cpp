@@ -123,7 +123,6 @@ Status persist_edges(netmesh_context* context, const PointSet& points, const Com
     Arena& arena = context->arena;
     *done = false;
     RipsGraph graph;
-    PairList pairs = {};
     const std::size_t low = arena.low_mark();
     Status status = with_dimension(context->point_dim, [&](auto dimension) {
         return rips_graph<decltype(dimension)::value>(points.coordinates, points.count, {arena, monitor}, &graph);
@@ -133,11 +132,12 @@ Status persist_edges(netmesh_context* context, const PointSet& points, const Com
         return Status::ok;
     }
     *done = true;
+    CountedPairs diagram = {};
     if (status == Status::ok)
-        status =
-            persist_rips(graph, request.max_degree, request.keep_zero, {arena, monitor}, &pairs, &context->simplices);
-    if (status == Status::ok) status = keep_pairs(context, pairs, request);
-    return status;
+        status = persist_rips(graph, {request.max_degree, request.keep_zero}, {arena, monitor}, &diagram);
+    if (status != Status::ok) return status;
+    context->simplices = diagram.simplices;
+    return keep_pairs(context, diagram.pairs, request);
 }
 
 bool is_points_filter(const netmesh_filter& filter) {

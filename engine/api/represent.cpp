@@ -23,8 +23,10 @@ Status represent_listed(netmesh_context* context, Monitor& monitor, PairList* pa
     });
     if (status == Status::ok && !keep_complex(context, complex)) status = Status::out_of_memory;
     if (status != Status::ok) return status;
-    status = persist_with_cycles(complex.filtered(), context->max_degree, context->keeps_zero, {arena, monitor}, pairs,
-                                 &context->cycles);
+    Representatives found = {};
+    status = persist_with_cycles(complex.filtered(), {context->max_degree, context->keeps_zero}, {arena, monitor}, &found);
+    *pairs = found.pairs;
+    context->cycles = found.store;
     if (status == Status::ok && alpha && !context->keeps_zero) drop_rounding(pairs);
     return status;
 }
@@ -38,8 +40,12 @@ Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
         constexpr int D = decltype(d)::value;
         const Store<D> store(arena, context->store);
         const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-        return lower_star_cycles<D>(store.view(), value, born_at_zero(context), context->max_degree,
-                                    context->pair_count, {arena, monitor}, pairs, &context->cycles);
+        Representatives found = {};
+        const Status status = lower_star_cycles<D>({store.view(), value, born_at_zero(context)}, context->max_degree,
+                                                   context->pair_count, {arena, monitor}, &found);
+        *pairs = found.pairs;
+        context->cycles = found.store;
+        return status;
     });
 }
 

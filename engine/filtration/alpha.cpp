@@ -3,6 +3,7 @@
 #include "filtration/alpha.hpp"
 
 #include "filtration/circumsphere.hpp"
+#include "homology/matrix/matrix.hpp"
 #include "numerics/value_order.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -174,7 +175,7 @@ Status diagram_of(const TriangulationView<D>& complex, const Points<D>& points, 
         filtered.of[k] = {faces.count[k], faces.facets[k], value[k]};
         total += faces.count[k];
     }
-    status = persist_filtration(filtered, max_degree, keep_zero, work, out);
+    status = persist_homology(filtered, {max_degree, keep_zero}, work, out);
     if (status == Status::ok && simplex_count != nullptr) *simplex_count = total;
     return status;
 }

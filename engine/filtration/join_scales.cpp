@@ -1,10 +1,11 @@
 // One tight diagram after the other, joined.
-#include "diagram/sort.hpp"
 #include "certificate/cells.hpp"
 #include "filtration/scales.hpp"
 #include "filtration/tight_filter.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "mesh/mesh_points.hpp"
 #include "numerics/double_double.hpp"
+#include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -112,11 +113,13 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (value == nullptr) return Status::out_of_memory;
     Certificate certificate;
     status = tight_filter_values<D>(store, mesh.domain, n, request_.values, arena_, value, &certificate);
-    std::uint64_t simplices = 0;
+    CountedPairs diagram = {};
     if (status == Status::ok)
-        status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, {arena_, monitor_}, list, &simplices);
+        status = persist_lower_star<D>({store.view(), value, n}, {request_.max_degree, request_.keep_zero},
+                                       {arena_, monitor_}, &diagram);
     if (status != Status::ok) return status;
-    add_mesh(n, state.vertex_count, simplices, certificate, result_);
+    *list = diagram.pairs;
+    add_mesh(n, state.vertex_count, diagram.simplices, certificate, result_);
     return Status::ok;
 }
 
@@ -161,7 +164,7 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     if (pairs == nullptr) return Status::out_of_memory;
     __builtin_memmove(pairs, result->pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(result->pairs.count));
     result->pairs.pairs = pairs;
-    sort_pairs(pairs, result->pairs.count);
+    sort(pairs, result->pairs.count, CanonicalOrder{});
     return Status::ok;
 }
 

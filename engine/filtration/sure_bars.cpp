@@ -2,7 +2,7 @@
 
 #include "certificate/cells.hpp"
 #include "filtration/value_table.hpp"
-#include "homology/persistence.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -244,12 +244,11 @@ Status find_sure_bars(const TriangulationView<D>& complex, const double* value, 
         for (std::uint32_t v = 0; v < count; ++v)
             level[v] = chain.level(interval[v]) + (largest > 0 ? 0.5 * (value[v] / largest) : 0);
         const ArenaScope run(work.arena);
-        PairList list = {};
-        std::uint64_t simplices;
-        status = persist_lower_star<D>(complex, level, zero_born, top_degree, false, work, &list, &simplices);
+        CountedPairs diagram = {};
+        status = persist_lower_star<D>({complex, level, zero_born}, {top_degree}, work, &diagram);
         if (status != Status::ok) return status;
         for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)
-            ledger.consider(chain, list, degree, number + 2);
+            ledger.consider(chain, diagram.pairs, degree, number + 2);
     }
     ledger.conclude(bounds);
     return Status::ok;

@@ -28,7 +28,7 @@ namespace netmesh {
 
 // Marks more of the bars pairs[i] as certain, with bounds[i] as proven, in degrees that have no zero-born classes. Chains go
 // through the middles and quarters of the longest bars not yet marked: at most eight, each the cost of a diagram. interval, value: of the
-// vertices, the values serve to order simplices within a level. zero_born: as in homology/persistence.hpp.
+// vertices, the values serve to order simplices within a level. zero_born: as in homology/lower_star/lower_star.hpp.
 // Scratch: 36 bytes a vertex, 144 a bar, and what persist_lower_star needs. out_of_memory, cancelled.
 template <int D>
 Status find_sure_bars(const TriangulationView<D>& complex, const double* value, const Interval* interval,

@@ -138,7 +138,7 @@ SEES = {
     "certificate": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "mesh": {"certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "complex": {"memory", "vocabulary", "numerics"},
-    "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
+    "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp"},
     "diagram": {"homology", "complex", "memory", "vocabulary", "numerics", "include"},
     "filtration": {"mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "vocabulary", "include"},
     "analysis": {"mesh", "certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},

@@ -9,7 +9,7 @@
 #include "common/session.hpp"
 #include "certificate/cells.hpp"
 #include "filtration/sharp_bounds.hpp"
-#include "homology/persistence.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "oracle/log_distance.hpp"
 
 using namespace netmesh;
@@ -37,9 +37,10 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
                                   value.data(), &certificate, interval.data()) == Status::ok);
     REQUIRE(sharpen_intervals<D>(store, inputs, domain.enclosing_radius * up, {block.arena, monitor}, interval.data()) ==
             Status::ok);
-    PairList list = {};
-    REQUIRE(persist_lower_star<D>(store.view(), value.data(), inputs, D - 1, false, {block.arena, monitor}, &list,
-                                  nullptr) == Status::ok);
+    CountedPairs diagram = {};
+    REQUIRE(persist_lower_star<D>({store.view(), value.data(), inputs}, {D - 1}, {block.arena, monitor}, &diagram) ==
+            Status::ok);
+    const PairList& list = diagram.pairs;
     std::vector<BarBounds> bounds(list.count);
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
     REQUIRE(find_sure_bars<D>(store.view(), value.data(), interval.data(), inputs, list.pairs, list.count, {block.arena, monitor}, bounds.data()) == Status::ok);
