@@ -73,7 +73,7 @@ Status keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest
     context->has_cycles = request.representatives;
     context->pairs_offset = context->arena.offset_of(pairs.pairs);
     context->pair_count = pairs.count;
-    context->max_degree = request.max_degree;
+    context->max_degree = request.diagram.max_degree;
     context->result_fingerprint = fingerprint_of(context, pairs);
     return Status::ok;
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "api/dispatch.hpp"
-#include "homology/listed_complex.hpp"
+#include "complex/listed_complex.hpp"
 #include "jobs/persist_complex.hpp"
 
 namespace netmesh {

@@ -72,7 +72,7 @@ netmesh_status persist_on(netmesh_context* context, const Request& request, cons
     Store<D> store(context->arena, context->store);
     FilterDiagram diagram;
     const Status status = persist_filter<D>({store, domain_of<D>(*context), context->inputs},
-                                            {filter, request.max_degree, request.keep_zero},
+                                            {filter, {request.max_degree, request.keep_zero}},
                                             {context->arena, monitor}, &diagram);
     const netmesh_status result = keep_diagram(context, request, filter.k, status, diagram);
     return status == Status::not_finite

@@ -75,7 +75,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const double* po
         context->certified_ratio = context->certified_ratio_best = made.ratio;
         context->simplices = made.diagram.simplices;
         context->cycles = made.diagram.cycles;
-        status = keep_pairs(context, made.diagram.pairs, {max_degree, request.keep_zero, request.representatives});
+        status = keep_pairs(context, made.diagram.pairs, {{max_degree, request.keep_zero}, request.representatives});
         if (status == Status::ok && made.is_listed && !keep_complex(context, made.complex))
             status = Status::out_of_memory;
     }

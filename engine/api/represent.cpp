@@ -10,8 +10,7 @@ Status represent_bars(netmesh_context* context, const Work& work, Representation
     const auto* const before = reinterpret_cast<const Pair*>(arena.at(context->pairs_offset));
     RepresentRequest request = {{context->filter, FilterValues::certified, context->k},
                                 nullptr,
-                                context->max_degree,
-                                context->keeps_zero,
+                                {context->max_degree, context->keeps_zero},
                                 {before, context->pair_count}};
     if (context->has_values) request.value = reinterpret_cast<const double*>(arena.at(context->values_offset));
     return with_dimension(context->dim, [&](auto d) {
