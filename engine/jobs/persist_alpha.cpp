@@ -60,7 +60,8 @@ template <int K, int D> Status order_from(Faces<D>& faces, int dimension, double
     return status;
 }
 
-// Drops the dimensions above `dimension` < D; the values move down to where the facets of the others end. False: out of memory.
+// Drops the dimensions above `dimension` < D; the values move down to where the facets of the others end. False: out of
+// memory.
 template <int D> bool keep_dimensions(Faces<D>& faces, int dimension, double** value, Arena& arena) {
     arena.release_low(arena.offset_of(faces.facets[dimension + 1]));
     for (int k = 0; k <= dimension; ++k) {

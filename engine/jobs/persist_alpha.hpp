@@ -10,9 +10,9 @@
 namespace netmesh {
 
 // Persistent homology of the alpha filtration (filtration/alpha.hpp) in degrees 0..max_degree (at most D-1; larger is
-// clamped). Neighbour words of the complex are not read. keep_zero: list pairs whose birth and death are equal too; otherwise also pairs shorter
-// than the rounding errors of their values (2^-36 relative) are left out, which no input can be known to have.
-// simplex_count: of dimensions 0..max_degree+1, which are what is filtered; may be null.
+// clamped). Neighbour words of the complex are not read. keep_zero: list pairs whose birth and death are equal too;
+// otherwise also pairs shorter than the rounding errors of their values (2^-36 relative) are left out, which no input
+// can be known to have. simplex_count: of dimensions 0..max_degree+1, which are what is filtered; may be null.
 //
 // The diagram is put at the arena's low end in the canonical order (diagram/pair.hpp), everything else is given back;
 // without Status::ok nothing stays. It does not depend on the order in which cells are stored.

@@ -7,7 +7,8 @@
 namespace netmesh {
 
 template <int D>
-Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request, const Work& work, FilterDiagram* out) {
+Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request, const Work& work,
+                      FilterDiagram* out) {
     *out = FilterDiagram{};
     const Store<D>& store = mesh.store;
     if (request.filter.filter == NETMESH_FILTER_ALPHA)

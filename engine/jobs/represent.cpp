@@ -32,8 +32,8 @@ template <int D>
 Status represent_lower_star(const FilteredMesh<D>& mesh, const RepresentRequest& request, std::uint32_t zero_born,
                             const Work& work, Representation* out) {
     Representatives found = {};
-    const Status status = lower_star_cycles<D>({mesh.store.view(), request.value, zero_born}, request.diagram.max_degree,
-                                               request.bars.count, work, &found);
+    const Status status = lower_star_cycles<D>({mesh.store.view(), request.value, zero_born},
+                                               request.diagram.max_degree, request.bars.count, work, &found);
     out->pairs = found.pairs;
     out->cycles = found.store;
     return status;

@@ -22,8 +22,8 @@ template <int D> double distance(const double* a, const double* b) {
     return std::sqrt(d2);
 }
 
-// Samples points, near vertices where cells are small, and compares the distance to the inputs with the bounds of the cell that
-// each is in.
+// Samples points, near vertices where cells are small, and compares the distance to the inputs with the bounds of the
+// cell that each is in.
 template <int D>
 void sample_cells(const inputs::Points& points, double tau, int samples, double share, double factor = 1) {
     Block block(std::size_t{1} << 27);

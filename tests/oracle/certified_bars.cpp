@@ -1,4 +1,5 @@
-// What sequences of covers claim, without what interleaving tells: true bars that contain each claim, all different (alpha complex).
+// What sequences of covers claim, without what interleaving tells: true bars that contain each claim, all different
+// (alpha complex).
 #include "jobs/certified_bars.hpp"
 
 #include <doctest/doctest.h>
