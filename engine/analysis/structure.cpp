@@ -1,7 +1,7 @@
 #include "analysis/structure.hpp"
 
-#include "analysis/corners.hpp"
 #include "delaunay/cell_list.hpp"
+#include "delaunay/load.hpp"
 #include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"
 

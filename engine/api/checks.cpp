@@ -2,6 +2,7 @@
 #include "analysis/size.hpp"
 #include "api/dispatch.hpp"
 #include "delaunay/load.hpp"
+#include "filtration/filters.hpp"
 #include "mesh/input_tree.hpp"
 
 namespace netmesh {
@@ -56,9 +57,11 @@ template <int D> Status check_ratio(Context& context, Store<D>& store, const Rat
     double* const value = context.arena.take_high<double>(store.state.vertex_count);
     Interval* const interval = context.arena.take_high<Interval>(store.state.vertex_count);
     if (value == nullptr || interval == nullptr) return Status::out_of_memory;
-    Certificate certificate;
-    const Status status = mesh_filter_values<D>(store, domain_of<D>(context), MeshFilter::complete,
-                                                FilterValues::certified, context.arena, value, &certificate, interval);
+    Evaluation complete = {value, interval};
+    Monitor unwatched;
+    const Status status =
+        evaluate<D>({store, domain_of<D>(context), context.inputs},
+                    {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {context.arena, unwatched}, &complete);
     if (status != Status::ok) return status;
     for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr; ++v) {
         const Interval& i = interval[v];
@@ -227,7 +230,8 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* 
     if (context->dim == 0 || !context->is_mesh)
         return finish(context, Status::no_result, "there is no mesh with a domain");
     clear_diagram(context);
-    context->hierarchy = HierarchyReport{};
+    context->hierarchy = HierarchyCounts{};
+    context->mesh_audit = MeshAudit{};
     Cage* const kept = context->arena.take_low<Cage>(count);
     if (kept == nullptr) return finish(context, Status::out_of_memory, netmesh_status_text(NETMESH_OUT_OF_MEMORY));
     for (size_t d = 0; d < count; ++d) kept[d] = {cages[d].centre, none, none, none, cages[d].radius, infinity};
