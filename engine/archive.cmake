@@ -35,7 +35,8 @@ function(netmesh_can_finish out out_ok out_why)
     "template <class T> T twice(T x) { return x + x; }\ntemplate double twice<double>(double);\n"
     "extern \"C\" double netmesh_b(double x) { return twice(x); }\n")
   foreach(unit a b)
-    execute_process(COMMAND ${CMAKE_CXX_COMPILER} ${user_flags} ${NETMESH_ENGINE_FLAGS} -c ${dir}/${unit}.cpp -o ${dir}/${unit}.o
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} ${user_flags} ${NETMESH_ENGINE_FLAGS}
+        -c ${dir}/${unit}.cpp -o ${dir}/${unit}.o
       RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
     if(failed)
       set(${out_why} "the compiler refuses a small file" PARENT_SCOPE)

@@ -1,5 +1,5 @@
-# cmake --install: archive, the two headers, what find_package and pkg-config read. Everything is relative to the prefix, so an
-# installation may be moved.
+# cmake --install: archive, the two headers, what find_package and pkg-config read. Everything is relative to the
+# prefix, so an installation may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -1,11 +1,11 @@
 #include "analysis/fatness.hpp"
 
-#include "delaunay/load.hpp"
 #include "analysis/in_ball.hpp"
 #include "delaunay/cell_list.hpp"
+#include "delaunay/load.hpp"
 #include "numerics/elementary.hpp"
-#include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -279,8 +279,7 @@ template <int D> Status Fatness<D>::run(Monitor& monitor) {
 }  // namespace
 
 template <int D>
-Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work,
-                       FatnessAnalysis* analysis) {
+Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work, FatnessAnalysis* analysis) {
     ArenaScope scope(work.arena);
     recompute_balls<D>(store);
     Fatness<D> fatness(store, domain, work.arena, analysis);

@@ -2,8 +2,8 @@
 
 #include "delaunay/cell_list.hpp"
 #include "delaunay/load.hpp"
-#include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {

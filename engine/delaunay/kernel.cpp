@@ -24,7 +24,8 @@ template <int D>
     solve_sphere<D>(p, error_max, cell);
 }
 
-// Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
+// Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for.
+// Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
 template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp, CellId made, FacetId origin) {
     Cell<D>& fresh = cells[made];
     const Cell<D>* const start = &cells[origin.cell()];

@@ -9,8 +9,8 @@
 
 namespace netmesh {
 
-// What an insertion would replace: the cells in conflict with the new point and the facets that bound them. Their list stands
-// in the store's gap until the next search.
+// What an insertion would replace: the cells in conflict with the new point and the facets that bound them. Their list
+// stands in the store's gap until the next search.
 struct Cavity {
     std::uint32_t cells;
     std::uint32_t facets;
@@ -43,16 +43,16 @@ template <int D> struct PlanarCavity {
 
 template <int D> class Kernel {
 public:
-    // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts are
-    // decided exactly whatever it is; corners that results depend on want it small.
+    // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts
+    // are decided exactly whatever it is; corners that results depend on want it small.
     Kernel(Store<D>& store, double error_max, VertexCells vertex_cells)
         : store_(store), error_max_(error_max), vertex_cells_(vertex_cells) {}
 
     // Makes the D+1 points with these indices, affinely independent, the first cell with its ghosts. out_of_memory.
     Status start(const VertexId* ids);
 
-    // Does the open ball of cell c contain point q with index id, ties broken by index? A ghost is in conflict with what
-    // lies strictly beyond its facet, or in the facet's plane and inside the ball of the cell behind it.
+    // Does the open ball of cell c contain point q with index id, ties broken by index? A ghost is in conflict with
+    // what lies strictly beyond its facet, or in the facet's plane and inside the ball of the cell behind it.
     bool in_conflict(CellId c, const double* q, VertexId id) {
         double bound;
         const double value = power<D>(store_.cell(c), q, &bound);
@@ -88,8 +88,8 @@ public:
     void fill(const Cavity& cavity, VertexId id);
     CellId new_cell(std::uint32_t k) const { return line(k).made; }
 
-    // Calls visit(w) once for each neighbour w of the vertex that filled the cavity; needs VertexCells::kept. Filling leaves each of them
-    // pointing at one of the new cells: there it is visited.
+    // Calls visit(w) once for each neighbour w of the vertex that filled the cavity; needs VertexCells::kept. Filling
+    // leaves each of them pointing at one of the new cells: there it is visited.
     template <class Visit> void visit_neighbours(const Cavity& cavity, VertexId v, Visit&& visit) const {
         for (std::uint32_t k = 0; k < cavity.facets; ++k)
             for (const VertexId w : store_.cell(new_cell(k)).vertex)

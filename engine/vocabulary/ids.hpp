@@ -28,8 +28,8 @@ template <class Kind> struct Id {
 using VertexId = Id<struct VertexKind>;
 using CellId = Id<struct CellKind>;
 
-// A facet of a cell: the cell, and the position in it of the vertex opposite the facet. Only this class knows how both fit
-// into one word: 8 * cell + position. That is why there are at most cells_max cells.
+// A facet of a cell: the cell, and the position in it of the vertex opposite the facet. Only this class knows how both
+// fit into one word: 8 * cell + position. That is why there are at most cells_max cells.
 class FacetId {
 public:
     static constexpr std::uint32_t cells_max = 0x1FFFFFFFu;

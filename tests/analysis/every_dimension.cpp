@@ -1,4 +1,5 @@
-// The analysis in every dimension: what coordinates do not resolve, what does not fit, what is stopped, what was loaded.
+// The analysis in every dimension: what coordinates do not resolve, what does not fit, what is stopped, what was
+// loaded.
 #include <doctest/doctest.h>
 
 #include "analysis/common.hpp"
@@ -115,7 +116,8 @@ TEST_CASE_TEMPLATE_DEFINE("a close pair shows in paces, a wide domain in the bal
     held.domain.radius = 10;  // more than seven enclosing radii
     held.domain.enclosing_radius = 1;
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0}, {held.block.arena, held.monitor}, &a) == Status::ok);
+    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0},
+                            {held.block.arena, held.monitor}, &a) == Status::ok);
     CHECK(a.radius[ball_wide] == a.radius[ball_vertices]);
     CHECK(a.theta == doctest::Approx(gaps).epsilon(0.01));
     CHECK(a.theta_limit == doctest::Approx(2 * a.theta / (1 - 3 * a.theta)));

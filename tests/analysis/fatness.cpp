@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "common/dimensions.hpp"
 #include "analysis/common.hpp"
 #include "analysis/in_ball.hpp"
+#include "common/dimensions.hpp"
 
 using namespace netmesh;
 

@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "common/dimensions.hpp"
 #include "analysis/common.hpp"
 #include "analysis/pacing.hpp"
+#include "common/dimensions.hpp"
 #include "numerics/elementary.hpp"
 
 using namespace netmesh;
@@ -44,7 +44,8 @@ template <int D> struct Ordered {
 template <int D>
 SizeAnalysis analyse(Held<D>& held, double tau, const SizeRule& rule = {}, double tolerance = infinity) {
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {tau, rule, tolerance, 1u << 20}, {held.block.arena, held.monitor}, &a) == Status::ok);
+    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {tau, rule, tolerance, 1u << 20},
+                            {held.block.arena, held.monitor}, &a) == Status::ok);
     return a;
 }
 
@@ -75,8 +76,8 @@ TEST_CASE_TEMPLATE_DEFINE("paces of an ordering and the farthest-first ordering 
             const std::vector<double> expected = thetas_by_scan(points, D, o.order);
             for (std::uint32_t i = 0; i < n; ++i) CHECK(o.theta[i] == doctest::Approx(expected[i]).epsilon(1e-14));
         }
-        REQUIRE(farthest_first_order<D>(o.held.store, o.tree, n, {o.held.block.arena, o.held.monitor}, o.order.data()) ==
-                Status::ok);
+        REQUIRE(farthest_first_order<D>(o.held.store, o.tree, n, {o.held.block.arena, o.held.monitor},
+                                        o.order.data()) == Status::ok);
         // Each point is one of those farthest from all before it.
         std::vector<double> near(n, HUGE_VAL);
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -154,7 +155,8 @@ TEST_CASE("two points: the integral of 3.8.3") {
     Ordered<3> o({0, 0, 0, 1, 0, 0});
     const double centre[3] = {0, 0, 0}, radius[] = {1, 4, 16};
     FeatureIntegral integral;
-    REQUIRE(feature_integral<3>(o.held.store, o.tree, 2, centre, radius, 3, 0.3, 1u << 20, {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
+    REQUIRE(feature_integral<3>(o.held.store, o.tree, 2, centre, radius, 3, 0.3, 1u << 20,
+                                {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
     for (int k = 0; k < 3; ++k) {
         CHECK(integral.lower[k] < unit_ball_volume(3) * (1 + 3 * std::log(2 * radius[k])));
         // Far away f_P is about the distance: a factor of four in the radius adds 3 V ln 4.

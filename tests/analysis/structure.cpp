@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "common/dimensions.hpp"
 #include "analysis/common.hpp"
+#include "common/dimensions.hpp"
 
 using namespace netmesh;
 

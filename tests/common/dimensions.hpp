@@ -14,8 +14,7 @@
 //     TEST_CASE_TEMPLATE_APPLY(name, Dimensions<>);          // all of them
 //     TEST_CASE_TEMPLATE_APPLY(name, Dimensions<3, 4>);      // those of 3 and 4 that are served
 template <int D, int lowest, int highest>
-using OneDimension =
-    std::conditional_t<(D >= lowest && D <= highest), std::tuple<netmesh::Dimension<D>>, std::tuple<>>;
+using OneDimension = std::conditional_t<(D >= lowest && D <= highest), std::tuple<netmesh::Dimension<D>>, std::tuple<>>;
 #define NETMESH_ONE(D) OneDimension<D, lowest, highest>{},
 template <int lowest = 0, int highest = NETMESH_DIM_MAX>
 using Dimensions = decltype(std::tuple_cat(NETMESH_EACH_DIMENSION(NETMESH_ONE) std::tuple<>{}));

@@ -42,7 +42,8 @@ template <class Run> std::string last_words(Run&& run) {
 
 // A triangulation in use: all points but the last are inserted.
 template <int D> struct InUse {
-    InUse() : block(std::size_t{1} << 20), store(block.arena, state), kernel(store, corner_error_max, VertexCells::kept) {
+    InUse()
+        : block(std::size_t{1} << 20), store(block.arena, state), kernel(store, corner_error_max, VertexCells::kept) {
         Monitor monitor;
         InputReport input;
         std::uint32_t* order;
