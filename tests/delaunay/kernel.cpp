@@ -114,36 +114,38 @@ TEST_CASE("each planted fault is found by a checker") {
     }
 }
 
-TEST_CASE("triangulation from lists of cells is the one it was made from") {
-    const inputs::Points points = inputs::uniform(4, 80);
-    Triangulated<4> t(points, std::size_t{1} << 24);
+TEST_CASE_TEMPLATE_DEFINE("triangulation from lists of cells is the one it was made from", T, from_lists) {
+    constexpr int D = T::value;
+    constexpr std::uint32_t n = 20 * D;
+    const inputs::Points points = inputs::uniform(D, n);
+    Triangulated<D> t(points, std::size_t{1} << 24);
     std::vector<std::uint32_t> cells;
     for (std::uint32_t c = 0; c < t.state.cell_slots; ++c)
         for (const std::uint32_t v : t.store.cell(c).vertex) cells.push_back(v);
-    for (std::size_t c = 0; c + 5 < cells.size(); c += 10) std::swap(cells[c], cells[c + 1]);
+    for (std::size_t c = 0; c + D + 1 < cells.size(); c += 2 * D + 2) std::swap(cells[c], cells[c + 1]);
     Block block(std::size_t{1} << 24);
     StoreState state = {};
-    Store<4> loaded(block.arena, state);
+    Store<D> loaded(block.arena, state);
     CheckResult why;
-    REQUIRE(load_cells<4>(loaded, points.data(), 80, cells.data(), t.state.cell_slots, &why) == Status::ok);
-    CHECK(violation<4>(loaded) == nullptr);
+    REQUIRE(load_cells<D>(loaded, points.data(), n, cells.data(), t.state.cell_slots, &why) == Status::ok);
+    CHECK(violation<D>(loaded) == nullptr);
     for (std::uint32_t c = 0; c < t.state.cell_slots; ++c)
-        for (int i = 0; i <= 4; ++i) {
+        for (int i = 0; i <= D; ++i) {
             const std::uint32_t v = t.store.cell(c).vertex[i];
             int j = 0;
             while (loaded.cell(c).vertex[j] != v) ++j;
             CHECK(loaded.view().neighbour(c, j) == t.store.view().neighbour(c, i));
         }
     SUBCASE("three cells at one facet are refused") {
-        for (int i = 0; i < 5; ++i) cells.push_back(cells[static_cast<std::size_t>(i)]);
+        for (int i = 0; i <= D; ++i) cells.push_back(cells[static_cast<std::size_t>(i)]);
         Block again(std::size_t{1} << 24);
         StoreState other = {};
-        Store<4> bad(again.arena, other);
-        CHECK(load_cells<4>(bad, points.data(), 80, cells.data(), t.state.cell_slots + 1, &why) ==
-              Status::check_failed);
+        Store<D> bad(again.arena, other);
+        CHECK(load_cells<D>(bad, points.data(), n, cells.data(), t.state.cell_slots + 1, &why) == Status::check_failed);
         CHECK(why.violation != nullptr);
     }
 }
+TEST_CASE_TEMPLATE_APPLY(from_lists, Dimensions<>);
 
 TEST_CASE("any arena size ends in a status and, once there is a cell, in a triangulation") {
     const inputs::Points points = inputs::uniform(3, 60);
