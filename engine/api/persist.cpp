@@ -82,7 +82,7 @@ template <int D>
 Status persist_values(netmesh_context* context, const Store<D>& store, const double* value, std::uint32_t zero_born,
                       const Request& request, Monitor& monitor, Outcome* outcome) {
     outcome->value = value;
-    Diagram diagram = {};
+    CountedPairs diagram = {};
     const Status status = persist_lower_star<D>({store.view(), value, zero_born}, {request.max_degree, request.keep_zero},
                                                 {context->arena, monitor}, &diagram);
     outcome->pairs = diagram.pairs;

@@ -132,7 +132,7 @@ Status persist_edges(netmesh_context* context, const PointSet& points, const Com
         return Status::ok;
     }
     *done = true;
-    Diagram diagram = {};
+    CountedPairs diagram = {};
     if (status == Status::ok)
         status = persist_rips(graph, {request.max_degree, request.keep_zero}, {arena, monitor}, &diagram);
     if (status != Status::ok) return status;

@@ -158,7 +158,7 @@ private:
         std::uint32_t link_size = 0;
         star_size_ = 0;
         for (std::uint32_t i = 0; i < degree; ++i) {
-            const std::uint32_t* w = complex.vertices(cells[i]);
+            const VertexId* w = complex.vertices(cells[i]);
             std::uint32_t* u = upper_ + static_cast<std::size_t>(star_size_) * D;
             int n = 0;
             for (int j = 0; j <= D; ++j) {

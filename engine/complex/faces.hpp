@@ -4,9 +4,8 @@
 #include <cstdint>
 
 #include "complex/triangulation.hpp"
-#include "memory/arena.hpp"
-#include "vocabulary/monitor.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

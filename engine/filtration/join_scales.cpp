@@ -111,7 +111,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (value == nullptr) return Status::out_of_memory;
     Certificate certificate;
     status = tight_filter_values<D>(store, domain, n, request_.values, arena_, value, &certificate);
-    Diagram diagram = {};
+    CountedPairs diagram = {};
     if (status == Status::ok)
         status = persist_lower_star<D>({store.view(), value, n}, {request_.max_degree, request_.keep_zero},
                                        {arena_, monitor_}, &diagram);

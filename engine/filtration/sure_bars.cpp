@@ -244,7 +244,7 @@ Status find_sure_bars(const TriangulationView<D>& complex, const double* value, 
         for (std::uint32_t v = 0; v < count; ++v)
             level[v] = chain.level(interval[v]) + (largest > 0 ? 0.5 * (value[v] / largest) : 0);
         const ArenaScope run(work.arena);
-        Diagram diagram = {};
+        CountedPairs diagram = {};
         status = persist_lower_star<D>({complex, level, zero_born}, {top_degree}, work, &diagram);
         if (status != Status::ok) return status;
         for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)

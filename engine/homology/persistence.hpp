@@ -19,7 +19,7 @@ struct DiagramRequest {
 };
 
 // A diagram of a complex that is never stored.
-struct Diagram {
+struct CountedPairs {
     PairList pairs;
     std::uint64_t simplices;  // how many simplices the complex has as far as they were counted
 };

@@ -152,7 +152,7 @@ template <int D> int measure(std::uint32_t cubes, std::uint32_t sample, double j
     std::memset(block.data(), 1, block.size());  // the pages are there before the clock runs
     double best[2] = {1e300, 1e300};
     std::size_t peak[2] = {0, 0};
-    netmesh::Diagram out = {};
+    netmesh::CountedPairs out = {};
     std::uint64_t pairs[D] = {};
     for (int round = 0; round < 6; ++round) {
         netmesh::Arena arena;

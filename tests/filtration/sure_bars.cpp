@@ -35,7 +35,7 @@ template <int D> struct Cells {
 template <int D> Pairs diagram(const Cells<D>& cells, const std::vector<double>& value) {
     Block block(std::size_t{1} << 22);
     Monitor monitor;
-    Diagram diagram;
+    CountedPairs diagram;
     REQUIRE(persist_lower_star<D>({cells.view(), value.data(), 0}, {D - 1}, {block.arena, monitor}, &diagram) ==
             Status::ok);
     return Pairs(diagram.pairs.pairs, diagram.pairs.pairs + diagram.pairs.count);

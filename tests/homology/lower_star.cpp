@@ -24,7 +24,7 @@ void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
             }
             const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
             Monitor monitor;
-            Diagram diagram;
+            CountedPairs diagram;
             REQUIRE(persist_lower_star<D>({ball.view(), value.data(), zero_born_count}, {degree, keep},
                                           {block.arena, monitor}, &diagram) == Status::ok);
             const PairList& out = diagram.pairs;
@@ -123,7 +123,7 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
     for (std::size_t bytes = 0; bytes < 300000; bytes += fitted ? 1024 : 16) {
         Block block(bytes);
         Monitor monitor;
-        Diagram out;
+        CountedPairs out;
         const Status status =
             persist_lower_star<4>({ball.view(), value.data(), 20}, {3}, {block.arena, monitor}, &out);
         if (status == Status::ok) {
@@ -158,7 +158,7 @@ TEST_CASE("stopping at any poll leaves the arena as it was") {
     for (bool finished = false; !finished; ++polls) {
         Countdown countdown = {polls};
         Monitor monitor(poll, &countdown);
-        Diagram out;
+        CountedPairs out;
         const Status status =
             persist_lower_star<4>({ball.view(), value.data(), 0}, {3}, {block.arena, monitor}, &out);
         finished = status == Status::ok;

@@ -65,7 +65,7 @@ template <int D> void check(const std::array<std::uint32_t, D>& cubes, std::uint
         const auto f = oracle::lower_star(simplices, value, zero_born_count);
         const auto expected = phat_diagram(f, D - 1);
         Monitor monitor;
-        Diagram diagram;
+        CountedPairs diagram;
         const std::size_t low = block.arena.low_mark();
         REQUIRE(persist_lower_star<D>({ball.view(), value.data(), zero_born_count}, {D - 1}, {block.arena, monitor},
                                       &diagram) == Status::ok);

@@ -60,7 +60,7 @@ oracle::Filtered flag_complex(const Graph& g, std::uint32_t most) {
     });
 }
 
-Status run(Graph g, DiagramRequest request, const Work& work, Diagram* out) {
+Status run(Graph g, DiagramRequest request, const Work& work, CountedPairs* out) {
     RipsGraph graph = {g.vertices, static_cast<std::uint32_t>(g.value.size()), g.value.data(), g.ends.data()};
     REQUIRE(rips_has_numbers(graph, request.max_degree));
     return persist_rips(graph, request, work, out);
@@ -81,7 +81,7 @@ void check(const Graph& g, std::uint32_t degree_most) {
             expected.erase(std::remove_if(expected.begin(), expected.end(), zero), expected.end());
             const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
             Monitor monitor;
-            Diagram out = {};
+            CountedPairs out = {};
             REQUIRE(run(g, {degree, keep}, {block.arena, monitor}, &out) == Status::ok);
             REQUIRE(oracle::same(expected, out.pairs));
             CHECK(out.simplices == static_cast<std::uint64_t>(counted));
@@ -126,7 +126,7 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
     for (; !enough; bytes += 256) {
         Block block(bytes);
         Monitor monitor;
-        Diagram out;
+        CountedPairs out;
         const Status status = run(g, {2}, {block.arena, monitor}, &out);
         enough = status == Status::ok;
         if (enough) {
@@ -146,7 +146,7 @@ TEST_CASE("simplices that have no numbers are refused") {
     CHECK(rips_has_numbers(graph, 10));
     CHECK(!rips_has_numbers(graph, 30));
     CHECK(!rips_has_numbers(graph, 31));
-    Diagram out;
+    CountedPairs out;
     CHECK(persist_rips(graph, {30}, {block.arena, monitor}, &out) == Status::invalid_argument);
     graph.vertices = RipsGraph::vertices_max + 1;
     CHECK(!rips_has_numbers(graph, 1));
@@ -164,7 +164,7 @@ TEST_CASE("graphs of several kinds in blocks of all sizes") {
             for (const bool keep : {false, true}) {
                 const auto expected = oracle::diagram(f, degree, keep);
                 disturbed::by_size(std::size_t{4} << 20, 1000, [&](const Work& work) {
-                    Diagram out;
+                    CountedPairs out;
                     const Status status = run(g, {degree, keep}, work, &out);
                     if (status == Status::ok) REQUIRE(oracle::same(expected, out.pairs));
                     return status;
@@ -181,7 +181,7 @@ TEST_CASE("stopped at any poll, then the diagram of an undisturbed run") {
     const auto check = [](const Graph& g, std::uint32_t degree) {
         std::vector<Pair> expected;
         const auto once = [&](const Work& work) {
-            Diagram diagram;
+            CountedPairs diagram;
             const Status status = run(g, {degree}, work, &diagram);
             if (status != Status::ok) return status;
             const PairList& out = diagram.pairs;

@@ -35,7 +35,7 @@ std::vector<Pair> general(const oracle::Explicit& listed, std::uint32_t degree, 
 template <int D>
 Status pairs(const Input<D>& input, std::uint32_t degree, bool keep_zero, const std::vector<Pair>& expected,
              const Work& work) {
-    Diagram out;
+    CountedPairs out;
     const Status status = persist_lower_star<D>({input.ball.view(), input.value.data(), input.zero_born},
                                                 {degree, keep_zero}, work, &out);
     if (status == Status::ok) {

@@ -38,7 +38,7 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
                                   value.data(), &certificate, interval.data()) == Status::ok);
     REQUIRE(sharpen_intervals<D>(store, inputs, domain.enclosing_radius * up, {block.arena, monitor}, interval.data()) ==
             Status::ok);
-    Diagram diagram = {};
+    CountedPairs diagram = {};
     REQUIRE(persist_lower_star<D>({store.view(), value.data(), inputs}, {D - 1}, {block.arena, monitor}, &diagram) ==
             Status::ok);
     const PairList& list = diagram.pairs;

@@ -105,8 +105,8 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, std::uint32
     bool sound = true;
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + ahead);
-        const std::uint32_t c = ball.incidence[t] >> 3, i = ball.incidence[t] & 7;
-        const std::uint32_t* p = ball.complex.vertices(c);
+        const std::uint32_t c = ball.incidence[t].cell(), i = ball.incidence[t].position();
+        const VertexId* p = ball.complex.vertices(c);
         std::uint32_t s[D];
         std::uint32_t k = 0;
         std::uint64_t mask = 0;
@@ -125,7 +125,7 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, std::uint32
         add_cell(mask, s);
         if (!hull) continue;
         for (std::uint32_t j = 0; j < D; ++j) {
-            if (p[D + 1 + j + (j >= i ? 1 : 0)] != none) continue;
+            if (!ball.complex.facet_beyond(c, j + (j >= i ? 1 : 0)).is_absent()) continue;
             const std::uint64_t cone = (mask & ~(std::uint64_t{1} << (s[j] >> 1 & 63))) | 1;
             const std::uint32_t kept = s[j];
             s[j] = 0;

@@ -24,6 +24,6 @@ template <int D> struct LowerStarFiltration {
 // O(simplices) plus the reduction of the critical simplices. out_of_memory, cancelled, internal (not a ball).
 template <int D>
 Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work,
-                          Diagram* out);
+                          CountedPairs* out);
 
 }  // namespace netmesh

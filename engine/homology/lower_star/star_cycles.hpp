@@ -6,7 +6,6 @@
 #include "homology/lower_star/front.hpp"
 #include "homology/lower_star/star.hpp"
 #include "vocabulary/monitor.hpp"
-#include "numerics/sort.hpp"
 
 namespace netmesh {
 
@@ -64,7 +63,7 @@ template <int D> bool StarCycles<D>::write_column(std::uint32_t c, std::uint32_t
 // Whether the facet opposite vertex j of the cell comes after that position in the star of v.
 template <int D>
 bool StarCycles<D>::is_later(std::uint32_t cell, int j, std::uint32_t v, std::uint32_t position) const {
-    const std::uint32_t* const p = ball_.complex.vertices(cell);
+    const VertexId* const p = ball_.complex.vertices(cell);
     const std::uint32_t r = ball_.rank[v];
     std::uint32_t labels[D] = {}, count = 0;
     for (int i = 0; i <= D; ++i) {
@@ -73,8 +72,7 @@ bool StarCycles<D>::is_later(std::uint32_t cell, int j, std::uint32_t v, std::ui
         if (p[i] != v) labels[count++] = ball_.slot[p[i]];
     }
     if (count == D) return false;  // v is not among them
-    insertion_sort(labels, count, [](std::uint32_t a, std::uint32_t b) { return a < b; });
-    return star_.position(star_.simplex_of(labels, count)) > position;
+    return star_.position(star_.simplex_of_any_order(labels, count)) > position;
 }
 
 template <int D> Status StarCycles<D>::collect(std::uint32_t cell, std::uint32_t v, std::uint32_t position) {
@@ -107,10 +105,10 @@ Status StarCycles<D>::write_piece(std::uint32_t cell, std::uint32_t i, std::uint
     const Status status = collect(cell, v, star_.position(i));
     if (status != Status::ok) return status;
     std::uint64_t count = 0;
-    each_boundary_facet([&count](const std::uint32_t*, int) { ++count; });
+    each_boundary_facet([&count](const VertexId*, int) { ++count; });
     std::uint32_t* out = writer_->append(count, D - 1, handle);
     if (out == nullptr) return Status::out_of_memory;
-    each_boundary_facet([&out](const std::uint32_t* p, int opposite) {
+    each_boundary_facet([&out](const VertexId* p, int opposite) {
         for (int j = 0; j <= D; ++j) {
             if (j != opposite) *out++ = p[j];
         }

@@ -33,17 +33,17 @@ private:
     };
     struct Corner {
         std::uint32_t cell;
-        int from, to;  // positions of the two link vertices in the cell, in the direction of the walk
+        std::uint32_t from, to;  // positions of the two link vertices in the cell, in the direction of the walk
     };
     // u is not `outside`: that is what a walk that meets it begins with.
     bool is_after(std::uint32_t u, std::uint32_t w) const { return w != outside() && rank_[u] > rank_[w]; }
     std::uint32_t outside() const { return complex_.vertex_count; }
     bool reserve();
-    bool look_at(std::uint32_t v, std::uint32_t cell, JoinList& joins);
-    bool note_star(const Circle& circle);
+    bool read_link(std::uint32_t v, std::uint32_t cell, JoinList& joins);
+    bool count_star(const Circle& circle);
     bool advance(std::uint32_t v, Corner* corner) const;
     bool walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const;
-    bool see(Circle* circle, std::uint32_t u, JoinList* joins) const;
+    bool add_link_vertex(Circle* circle, std::uint32_t u, JoinList* joins) const;
     bool end_run(const Circle& circle, JoinList* joins) const;
 
     TriangulationView<2> complex_;

@@ -212,7 +212,7 @@ Status Rips::run() {
 
 }  // namespace
 
-Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, Diagram* out) {
+Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out) {
     if (!rips_has_numbers(graph, request.max_degree)) return Status::invalid_argument;
     Rips rips(graph, request, work);
     const Status status = write_diagram(rips, work.arena, &out->pairs);

@@ -27,6 +27,6 @@ bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree);
 // lowest degree up, neither they nor the complex being stored: a pair of a simplex with its first coface is found from
 // the edges alone. Takes 4 bytes for each two vertices, 12 for each edge in passing, and about 40 for each simplex that
 // needs a column, plus fill. out_of_memory, cancelled.
-Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, Diagram* out);
+Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out);
 
 }  // namespace netmesh
