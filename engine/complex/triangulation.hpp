@@ -8,7 +8,7 @@
 namespace netmesh {
 
 // Record c starts at cells + c * stride_bytes: the D+1 vertices (VertexId), then for each of them the facet opposite it as
-// the cell beyond names it (FacetId: that cell and the position in it of its vertex opposite the facet), absent on the
+// the cell beyond names it (FacetId: that cell and the position in it of its vertex opposite the facet), none on the
 // hull.
 template <int D> struct TriangulationView {
     const unsigned char* cells;
@@ -16,17 +16,17 @@ template <int D> struct TriangulationView {
     std::uint32_t cell_count;
     std::uint32_t vertex_count;
 
-    const VertexId* vertices(std::uint32_t cell) const {
+    const VertexId* vertices(CellId cell) const {
         return reinterpret_cast<const VertexId*>(cells + cell * stride_bytes);
     }
     // The facet opposite vertex i, as the cell beyond names it.
-    FacetId facet_beyond(std::uint32_t cell, std::uint32_t i) const {
+    FacetId facet_beyond(CellId cell, std::uint32_t i) const {
         return reinterpret_cast<const FacetId*>(vertices(cell) + (D + 1))[i];
     }
     // The cell beyond that facet, `none` on the hull.
-    CellId neighbour(std::uint32_t cell, std::uint32_t i) const {
+    CellId neighbour(CellId cell, std::uint32_t i) const {
         const FacetId facet = facet_beyond(cell, i);
-        return facet.is_absent() ? CellId(none) : facet.cell();
+        return facet == none ? CellId(none) : facet.cell();
     }
 };
 

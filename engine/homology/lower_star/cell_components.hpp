@@ -21,9 +21,9 @@ public:
     Status unite_critical_facets(std::uint32_t v);
 
 private:
-    std::uint32_t component_of(std::uint32_t cell, std::uint32_t v);
-    std::uint32_t cell_of(std::uint32_t facet, std::uint32_t v) const;
-    std::uint32_t cell_beyond(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const;
+    std::uint32_t component_of(CellId cell, std::uint32_t v);
+    CellId cell_of(std::uint32_t facet, std::uint32_t v) const;
+    CellId cell_beyond(CellId cell, std::uint32_t facet, std::uint32_t v) const;
     // The oldest of a component is `outside` or its vertex of the highest rank.
     std::uint32_t age_of(std::uint32_t root) const { return root == ball_.outside ? none : ball_.rank[root]; }
 
@@ -37,7 +37,7 @@ private:
 // The component of a cell at a critical facet (`none`: outside), by following the gradient to a cell with an upper
 // vertex, outside, or to a critical cell. A cell is critical only when no facet is free: then the lower cells around v
 // have no boundary, so they are all cells of the star, one of them is critical, and v stands for its component.
-template <int D> std::uint32_t CellComponents<D>::component_of(std::uint32_t cell, std::uint32_t v) {
+template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, std::uint32_t v) {
     while (cell != none) {
         const VertexId* p = ball_.complex.vertices(cell);
         std::uint32_t labels[D + 1] = {};
@@ -54,8 +54,8 @@ template <int D> std::uint32_t CellComponents<D>::component_of(std::uint32_t cel
 }
 
 // A cell at `facet` of the star.
-template <int D> std::uint32_t CellComponents<D>::cell_of(std::uint32_t facet, std::uint32_t v) const {
-    std::uint32_t cell = star_.cell(facet);
+template <int D> CellId CellComponents<D>::cell_of(std::uint32_t facet, std::uint32_t v) const {
+    CellId cell = star_.cell(facet);
     if constexpr (D == 2) {  // edges know their vertex instead
         for (std::uint32_t t = ball_.begin[v + 1]; t-- > ball_.begin[v];) {
             const VertexId* const p = ball_.complex.vertices(ball_.incidence[t].cell());
@@ -68,7 +68,8 @@ template <int D> std::uint32_t CellComponents<D>::cell_of(std::uint32_t facet, s
 }
 
 // The cell on the other side of `facet` of the star, `none` outside.
-template <int D> std::uint32_t CellComponents<D>::cell_beyond(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const {
+template <int D>
+CellId CellComponents<D>::cell_beyond(CellId cell, std::uint32_t facet, std::uint32_t v) const {
     const VertexId* p = ball_.complex.vertices(cell);
     int opposite = 0;
     for (int j = 0; j <= D; ++j) {
@@ -84,8 +85,8 @@ template <int D> Status CellComponents<D>::unite_critical_facets(std::uint32_t v
     for (std::uint32_t p = star_.count(); p-- > 0;) {
         const std::uint32_t i = star_.at(p);
         if (star_.partner(i) != none || star_.dimension(i) != D - 1) continue;
-        std::uint32_t cell = cell_of(i, v);
-        const std::uint32_t beyond = cell_beyond(cell, i, v);
+        CellId cell = cell_of(i, v);
+        const CellId beyond = cell_beyond(cell, i, v);
         std::uint32_t a = component_of(beyond, v), b = component_of(cell, v);
         if (a == b) continue;
         if (age_of(a) < age_of(b)) {

@@ -1,6 +1,6 @@
-// A quick look at the link of a vertex: which part of it is lower, in how many pieces, and whether anything can be born
-// or die at the vertex at all. Needs only which link vertices are adjacent, as bits, and how many link cells have how
-// many lower vertices.
+// The link of a vertex, as far as it can be told without listing its simplices: which part of it is lower, in how many
+// pieces, and whether anything can be born or die at the vertex at all. Needs only which link vertices are adjacent, as
+// bits, and how many link cells have how many lower vertices.
 //
 // The lower link L and the upper link U are complementary in the sphere S^(D-1), so the reduced Betti numbers satisfy
 // b_i(L) = b_(D-2-i)(U). With both in one piece b_0(L) = b_(D-2)(L) = 0. For D = 3 nothing is left; for D = 4 only
@@ -10,16 +10,9 @@
 #include <cstdint>
 
 #include "homology/lower_star/triangulated_ball.hpp"
+#include "numerics/bits.hpp"
 
 namespace netmesh {
-
-inline std::uint32_t count_bits(std::uint64_t x) {
-    x -= x >> 1 & 0x5555555555555555u;
-    x = (x & 0x3333333333333333u) + (x >> 2 & 0x3333333333333333u);
-    x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
-    return static_cast<std::uint32_t>(x * 0x0101010101010101u >> 56);
-}
-inline std::uint32_t lowest_bit(std::uint64_t x) { return static_cast<std::uint32_t>(__builtin_ctzll(x)); }
 
 template <int D> class Link {
 public:
@@ -105,7 +98,8 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, std::uint32
     bool sound = true;
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + ahead);
-        const std::uint32_t c = ball.incidence[t].cell(), i = ball.incidence[t].position();
+        const CellId c = ball.incidence[t].cell();
+        const std::uint32_t i = ball.incidence[t].position();
         const VertexId* p = ball.complex.vertices(c);
         std::uint32_t s[D];
         std::uint32_t k = 0;
@@ -125,7 +119,7 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, std::uint32
         add_cell(mask, s);
         if (!hull) continue;
         for (std::uint32_t j = 0; j < D; ++j) {
-            if (!ball.complex.facet_beyond(c, j + (j >= i ? 1 : 0)).is_absent()) continue;
+            if (ball.complex.facet_beyond(c, j + (j >= i ? 1 : 0)) != none) continue;
             const std::uint64_t cone = (mask & ~(std::uint64_t{1} << (s[j] >> 1 & 63))) | 1;
             const std::uint32_t kept = s[j];
             s[j] = 0;

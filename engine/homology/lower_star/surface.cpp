@@ -7,8 +7,9 @@ namespace netmesh {
 // To the next cell around v. False at the hull.
 bool Surface::advance(std::uint32_t v, Corner* corner) const {
     const FacetId facet = complex_.facet_beyond(corner->cell, corner->from);
-    if (facet.is_absent()) return false;
-    const std::uint32_t next = facet.cell(), to = facet.position();
+    if (facet == none) return false;
+    const CellId next = facet.cell();
+    const std::uint32_t to = facet.position();
     const VertexId* p = complex_.vertices(next);
     const std::uint32_t other = to == 0 ? 1 : 0;
     corner->from = p[other] == v ? 3 - to - other : other;
@@ -48,7 +49,7 @@ bool Surface::add_link_vertex(Circle* circle, std::uint32_t u, JoinList* joins) 
 // Around the circle's vertex from *corner, which becomes the last one. `open`: from one end of the hull to the other,
 // else *closed says whether the walk came back or ended at the hull. The first walk has no joins. False: out of memory.
 bool Surface::walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const {
-    const std::uint32_t first = corner->cell;
+    const CellId first = corner->cell;
     if (open) {  // takes no memory: the piece of `outside` gets no join
         add_link_vertex(circle, outside(), joins);
         add_link_vertex(circle, complex_.vertices(first)[corner->from], joins);
@@ -64,7 +65,7 @@ bool Surface::walk(Circle* circle, Corner* corner, bool open, JoinList* joins, b
     return true;
 }
 
-bool Surface::read_link(std::uint32_t v, std::uint32_t cell, JoinList& joins) {
+bool Surface::read_link(std::uint32_t v, CellId cell, JoinList& joins) {
     const VertexId* p = complex_.vertices(cell);
     const std::uint32_t at = p[0] == v ? 0 : p[1] == v ? 1 : 2;
     Corner start = {cell, at == 0 ? 1u : 0u, at == 2 ? 1u : 2u};
@@ -118,14 +119,14 @@ Status Surface::run() {
     if (!reserve()) return Status::out_of_memory;
     const std::uint32_t n = complex_.vertex_count;
     for (std::uint32_t v = 0; v < n; ++v) below_[v] = none;
-    for (std::uint32_t c = 0; c < complex_.cell_count; ++c) {
+    for (CellId c(0); c < complex_.cell_count; ++c) {
         for (int i = 0; i < 3; ++i) below_[complex_.vertices(c)[i]] = c;
     }
     monitor_.begin(NETMESH_STAGE_GRADIENT, n);
     JoinList joins(arena_);
     for (std::uint32_t v = 0; v < n; ++v) {
         if (below_[v] == none) return Status::invalid_argument;
-        if (!read_link(v, below_[v], joins)) return Status::out_of_memory;
+        if (!read_link(v, CellId(below_[v]), joins)) return Status::out_of_memory;
         if (monitor_.advance(v)) return Status::cancelled;
     }
     above_[outside()] = outside();

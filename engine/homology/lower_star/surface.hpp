@@ -32,14 +32,14 @@ private:
         bool first_lower, last_lower;
     };
     struct Corner {
-        std::uint32_t cell;
+        CellId cell;
         std::uint32_t from, to;  // positions of the two link vertices in the cell, in the direction of the walk
     };
     // u is not `outside`: that is what a walk that meets it begins with.
     bool is_after(std::uint32_t u, std::uint32_t w) const { return w != outside() && rank_[u] > rank_[w]; }
     std::uint32_t outside() const { return complex_.vertex_count; }
     bool reserve();
-    bool read_link(std::uint32_t v, std::uint32_t cell, JoinList& joins);
+    bool read_link(std::uint32_t v, CellId cell, JoinList& joins);
     bool count_star(const Circle& circle);
     bool advance(std::uint32_t v, Corner* corner) const;
     bool walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const;

@@ -60,7 +60,7 @@ template <int D> struct TriangulatedBall {
         if (begin == nullptr || incidence == nullptr || flags == nullptr || slot == nullptr || m >= none) return false;
         for (std::size_t v = 0; v < n; ++v) begin[v] = flags[v] = 0, slot[v] = 0;
         begin[n] = 0;
-        for (std::uint32_t c = 0; c < complex.cell_count; ++c) {
+        for (CellId c(0); c < complex.cell_count; ++c) {
             const VertexId* p = complex.vertices(c);
             for (int i = 0; i <= D; ++i) ++begin[p[i] + 1];
         }
@@ -72,16 +72,16 @@ template <int D> struct TriangulatedBall {
             begin[v] = sum;  // moves to the end of v-1's list while that is filled
             sum += count;
         }
-        for (std::uint32_t c = 0; c < complex.cell_count; ++c) place(c);
+        for (CellId c(0); c < complex.cell_count; ++c) place(c);
         return true;
     }
 
 private:
-    void place(std::uint32_t c) {
+    void place(CellId c) {
         const VertexId* p = complex.vertices(c);
         for (std::uint32_t i = 0; i <= D; ++i) {
             incidence[begin[p[i] + 1]++] = FacetId(c, i);
-            if (!complex.facet_beyond(c, i).is_absent()) continue;
+            if (complex.facet_beyond(c, i) != none) continue;
             for (std::uint32_t j = 0; j <= D; ++j) {
                 if (j != i) flags[p[j]] |= on_hull;
             }
