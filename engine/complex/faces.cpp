@@ -207,8 +207,8 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
     unfold<D>(stream.words(), dimension_max, count, &faces, &trie);
     work.arena.release_low(low);
     for (int k = 1; k <= dimension_max; ++k) {
-        faces.facets[k] =
-            work.arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) * static_cast<std::size_t>(k + 1));
+        faces.facets[k] = work.arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) *
+                                                             static_cast<std::size_t>(k + 1));
         if (faces.facets[k] == nullptr) return Status::out_of_memory;
     }
     for (int k = 1; k <= dimension_max; ++k) {

@@ -167,13 +167,13 @@ private:
 
     int dimension_max_;
     std::uint32_t star_size_;
-    std::uint32_t* rank_;        // [vertex_count], `none` between calls
-    std::uint32_t* upper_;       // [degree][D], ascending ranks
-    std::uint8_t* size_;         // [degree], how many there are
-    std::uint32_t* link_;        // [link], vertex of each rank
-    std::uint32_t* seen_;        // [link], scratch of expand
-    std::uint32_t* tally_;       // [link], 0 between calls
-    Entry* entries_[D];  // [level][degree * entries_a_cell(level)]
+    std::uint32_t* rank_;   // [vertex_count], `none` between calls
+    std::uint32_t* upper_;  // [degree][D], ascending ranks
+    std::uint8_t* size_;    // [degree], how many there are
+    std::uint32_t* link_;   // [link], vertex of each rank
+    std::uint32_t* seen_;   // [link], scratch of expand
+    std::uint32_t* tally_;  // [link], 0 between calls
+    Entry* entries_[D];     // [level][degree * entries_a_cell(level)]
 };
 
 }  // namespace netmesh

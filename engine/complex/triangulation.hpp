@@ -7,9 +7,9 @@
 
 namespace netmesh {
 
-// Record c starts at cells + c * stride_bytes: the D+1 vertices (VertexId), then for each of them the facet opposite it as
-// the cell beyond names it (FacetId: that cell and the position in it of its vertex opposite the facet), none on the
-// hull.
+// Record c starts at cells + c * stride_bytes: the D+1 vertices (VertexId), then for each of them the facet opposite
+// it as the cell beyond names it (FacetId: that cell and the position in it of its vertex opposite the facet), none on
+// the hull.
 template <int D> struct TriangulationView {
     const unsigned char* cells;
     std::size_t stride_bytes;

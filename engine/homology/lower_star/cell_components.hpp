@@ -1,5 +1,5 @@
-// Degree D-1 by duality: components of the superlevel sets of the closed sphere (triangulated_ball.hpp), as sets of cells
-// that are joined at critical facets.
+// Degree D-1 by duality: components of the superlevel sets of the closed sphere (triangulated_ball.hpp), as sets of
+// cells that are joined at critical facets.
 #pragma once
 #include "homology/lower_star/star.hpp"
 #include "homology/lower_star/star_cycles.hpp"
@@ -10,14 +10,14 @@ namespace netmesh {
 
 template <int D> class CellComponents {
 public:
-    // above[vertex_count + 1]: for each vertex a higher vertex of its link or `outside`, itself if there is none; becomes
-    // the union-find. cycles: null when none are wanted.
+    // above[vertex_count + 1]: for each vertex a higher vertex of its link or `outside`, itself if there is none;
+    // becomes the union-find. cycles: null when none are wanted.
     CellComponents(const TriangulatedBall<D>& ball, Star<D>& star, std::uint32_t* above, PairWriter& writer,
                    StarCycles<D>* cycles)
         : ball_(ball), star_(star), above_(above), writer_(writer), cycles_(cycles) {}
 
-    // Takes the critical facets of the star of v from the last to the first. One that joins two components is the pivot of
-    // the younger one's creator; it becomes its own owner in the star. out_of_memory, cancelled.
+    // Takes the critical facets of the star of v from the last to the first. One that joins two components is the
+    // pivot of the younger one's creator; it becomes its own owner in the star. out_of_memory, cancelled.
     Status unite_critical_facets(std::uint32_t v);
 
 private:
@@ -46,7 +46,8 @@ template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, std:
             if (ball_.rank[p[j]] > ball_.rank[v]) return find_root(above_, p[j]);
             if (p[j] != v) labels[k++] = ball_.slot[p[j]];
         }
-        const std::uint32_t facet = star_.partner(star_.simplex_of_any_order(labels, D));  // a cell around v, and all lower
+        const std::uint32_t facet =
+            star_.partner(star_.simplex_of_any_order(labels, D));  // a cell around v, and all lower
         if (facet == none) return find_root(above_, v);
         cell = cell_beyond(cell, facet, v);
     }
@@ -68,8 +69,7 @@ template <int D> CellId CellComponents<D>::cell_of(std::uint32_t facet, std::uin
 }
 
 // The cell on the other side of `facet` of the star, `none` outside.
-template <int D>
-CellId CellComponents<D>::cell_beyond(CellId cell, std::uint32_t facet, std::uint32_t v) const {
+template <int D> CellId CellComponents<D>::cell_beyond(CellId cell, std::uint32_t facet, std::uint32_t v) const {
     const VertexId* p = ball_.complex.vertices(cell);
     int opposite = 0;
     for (int j = 0; j <= D; ++j) {

@@ -17,7 +17,8 @@ namespace netmesh {
 template <int D> class Link {
 public:
     static std::size_t labels_max(const TriangulatedBall<D>& ball) { return std::size_t{ball.degree_max} + 2 * D + 2; }
-    // What a small link is asked for needs no more than adjacency in these dimensions (surfaces are walked around instead).
+    // What a small link is asked for needs no more than adjacency in these dimensions (surfaces are walked around
+    // instead).
     static constexpr bool tells_all = D == 3 || D == 4;
 
     // vertices: scratch [labels_max]. False when the link has more vertices than a ball's can have.
@@ -62,7 +63,8 @@ private:
 };
 
 template <int D>
-std::uint32_t Link<D>::label(const TriangulatedBall<D>& ball, std::uint32_t u, std::uint32_t r, std::uint32_t* vertices) {
+std::uint32_t Link<D>::label(const TriangulatedBall<D>& ball, std::uint32_t u, std::uint32_t r,
+                             std::uint32_t* vertices) {
     const std::uint32_t n = label_count_++;
     const std::uint32_t ru = ball.rank[u];
     const std::uint32_t low = ru < r ? 1 : 0;
@@ -154,7 +156,8 @@ template <int D> std::uint32_t Link<D>::count_pieces(std::uint64_t set, std::uin
 }
 
 template <int D>
-std::uint32_t Link<D>::next_piece(const TriangulatedBall<D>& ball, const std::uint32_t* vertices, std::uint64_t* left) const {
+std::uint32_t Link<D>::next_piece(const TriangulatedBall<D>& ball, const std::uint32_t* vertices,
+                                  std::uint64_t* left) const {
     std::uint64_t ignored = 0;
     const std::uint64_t piece = piece_of(*left & (~*left + 1), *left, &ignored);
     *left &= ~piece;

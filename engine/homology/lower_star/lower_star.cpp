@@ -1,14 +1,14 @@
-// Lower-star persistence for D >= 3 (surfaces have a shorter way): a quick look at every link finds degree 0 and the
-// stars where more can happen; a sweep over those finds the rest.
+// Lower-star persistence for D >= 3 (surface.cpp does D = 2): the links of all vertices tell degree 0 and the stars
+// where more can happen; a sweep over those finds the rest.
 #include <type_traits>
 
 #include "homology/cycles/cycles.hpp"
 #include "homology/lower_star/link.hpp"
-#include "homology/lower_star/merge_tree.hpp"
 #include "homology/lower_star/lower_star.hpp"
-#include "homology/rank.hpp"
+#include "homology/lower_star/merge_tree.hpp"
 #include "homology/lower_star/surface.hpp"
 #include "homology/lower_star/sweep.hpp"
+#include "homology/rank.hpp"
 #include "memory/arena.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -127,7 +127,7 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
     return Status::ok;
 }
 
-// Links that the quick look does not settle: their lower stars in full.
+// Where Link does not tell enough: lower stars in full.
 template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
     for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
         if constexpr (Link<D>::tells_all) {
@@ -207,7 +207,7 @@ Status lower_star_cycles(const LowerStarFiltration<D>& filtration, std::uint32_t
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_lower_star<D>(const LowerStarFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);       \
+    template Status persist_lower_star<D>(const LowerStarFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);  \
     template Status lower_star_cycles<D>(const LowerStarFiltration<D>&, std::uint32_t, std::uint64_t, const Work&,     \
                                          Representatives*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)

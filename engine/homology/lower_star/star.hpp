@@ -32,8 +32,8 @@ public:
     // Arrays for stars of at most simplices_max simplices, at the high end of the arena. False: out of memory.
     bool reserve(const TriangulatedBall<D>& ball, std::uint64_t simplices_max, Arena& arena);
 
-    // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for
-    // the upper ones. The links' vertices must have been counted (Link::read). False when the cells are not those of a ball.
+    // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for the upper
+    // ones. The links' vertices must have been counted (Link::read). False when the cells are not those of a ball.
     bool open(const TriangulatedBall<D>& ball, std::uint32_t v);
     void close(const TriangulatedBall<D>& ball);
     // The gradient. Returns how many simplices are critical.
@@ -47,7 +47,7 @@ public:
     std::uint32_t parent(std::uint32_t i) const { return facets_[std::size_t{i} * D]; }          // without it
     const std::uint32_t* facets(std::uint32_t i) const { return facets_ + std::size_t{i} * D; }  // [dimension(i)]
     CellId cell(std::uint32_t i) const { return FacetId::from_word(origin_[i]).cell(); }  // with the face i, no vertex
-    std::uint32_t partner(std::uint32_t i) const { return partner_[i]; }  // none: critical
+    std::uint32_t partner(std::uint32_t i) const { return partner_[i]; }                  // none: critical
     // Whether i is the face of its pair.
     bool is_tail(std::uint32_t i) const { return partner_[i] != none && dimension(partner_[i]) > dimension(i); }
     std::uint32_t position(std::uint32_t i) const { return position_[i]; }  // in the filtration of the star

@@ -11,7 +11,8 @@ namespace netmesh {
 
 template <int D> class StarCycles {
 public:
-    StarCycles(const TriangulatedBall<D>& ball, const Star<D>& star, const Front<D>& front, CycleWriter* writer, Monitor& monitor)
+    StarCycles(const TriangulatedBall<D>& ball, const Star<D>& star, const Front<D>& front, CycleWriter* writer,
+               Monitor& monitor)
         : ball_(ball), star_(star), front_(front), writer_(writer), monitor_(monitor) {}
 
     // Takes 4 bytes and a bit for each cell from the arena's high end. False: out of memory.
@@ -62,8 +63,7 @@ template <int D> bool StarCycles<D>::write_column(std::uint32_t c, std::uint32_t
 }
 
 // Whether the facet opposite vertex j of the cell comes after that position in the star of v.
-template <int D>
-bool StarCycles<D>::is_later(CellId cell, int j, std::uint32_t v, std::uint32_t position) const {
+template <int D> bool StarCycles<D>::is_later(CellId cell, int j, std::uint32_t v, std::uint32_t position) const {
     const VertexId* const p = ball_.complex.vertices(cell);
     const std::uint32_t r = ball_.rank[v];
     std::uint32_t labels[D] = {}, count = 0;

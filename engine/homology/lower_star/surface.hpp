@@ -1,12 +1,12 @@
-// Lower-star persistence of a triangulated disc: the link of a vertex is a circle, walked through the neighbours;
-// degrees 0 and 1 are merge trees. Nothing but four words a vertex is kept.
+// Lower-star persistence of a triangulated disc: the link of a vertex is a circle, around which a walk leads from cell
+// to cell; degrees 0 and 1 are merge trees. Four words a vertex are kept, nothing else.
 #pragma once
-#include "homology/lower_star/triangulated_ball.hpp"
 #include "homology/lower_star/lower_star.hpp"
 #include "homology/lower_star/merge_tree.hpp"
+#include "homology/lower_star/triangulated_ball.hpp"
 #include "homology/pair_writer.hpp"
-#include "vocabulary/monitor.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -35,7 +35,7 @@ private:
         CellId cell;
         std::uint32_t from, to;  // positions of the two link vertices in the cell, in the direction of the walk
     };
-    // u is not `outside`: that is what a walk that meets it begins with.
+    // u is not `outside`: a walk around a vertex of the hull begins there, so it is never compared as the later one.
     bool is_after(std::uint32_t u, std::uint32_t w) const { return w != outside() && rank_[u] > rank_[w]; }
     std::uint32_t outside() const { return complex_.vertex_count; }
     bool reserve();

@@ -1,27 +1,27 @@
 // Degrees 1 to D-1 by one sweep over lower stars from the last to the first. Only stars where something can happen are
 // visited: irregular ones, whose lower link is not contractible as far as is known, and those where a column waits.
 //
-// A column is what is left of the boundary of a critical simplex while it is reduced. In a star the columns are reduced
-// from the top dimension down. A critical k-simplex that no (k+1)-column has taken as its pivot by then never will be
-// one: it ends a class and starts a column. To a column are added boundaries of the gradient's pairs and columns whose
-// pivots it meets, which are older, until it takes a pivot of its own, in this star or in a later one. What it holds
-// besides its pivot's star is dropped then, since no younger column can need it in another star. For k = D columns are
-// components of cells (cell_components.hpp).
+// A column is what is left of the boundary of a critical simplex while it is reduced. In a star the columns are
+// reduced from the top dimension down. A critical k-simplex that no (k+1)-column has taken as its pivot by then never
+// will be one: it ends a class and starts a column. To a column are added boundaries of the gradient's pairs and
+// columns whose pivots it meets, which are older, until it takes a pivot of its own, in this star or in a later one.
+// What it holds besides its pivot's star is dropped then, since no younger column can need it in another star. For k =
+// D columns are components of cells (cell_components.hpp).
 //
-// Simplices that end a class are no pivots, and a column leaves them out. When cycles are wanted it does not: then it is
-// a boundary at all times, whose last simplex always gives birth, and a cycle of its pair when it takes its pivot.
+// Simplices that end a class are no pivots, and a column leaves them out. When cycles are wanted it does not: then it
+// is a boundary at all times, whose last simplex always gives birth, and a cycle of its pair when it takes its pivot.
 //
-// This is not the loop of matrix/reduction.hpp: columns are not reduced one after the other but all of them star by star,
-// and a column stops at each star that holds a part of it.
+// This is not the loop of matrix/reduction.hpp: columns are not reduced one after the other but all of them star by
+// star, and a column stops at each star that holds a part of it.
 #pragma once
-#include "homology/lower_star/triangulated_ball.hpp"
 #include "homology/lower_star/cell_components.hpp"
 #include "homology/lower_star/front.hpp"
-#include "homology/pair_writer.hpp"
 #include "homology/lower_star/star.hpp"
 #include "homology/lower_star/star_cycles.hpp"
-#include "vocabulary/monitor.hpp"
+#include "homology/lower_star/triangulated_ball.hpp"
+#include "homology/pair_writer.hpp"
 #include "numerics/sort.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -107,8 +107,8 @@ template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {
     return column_words_ != nullptr && outer_ != nullptr;
 }
 
-// A star is visited because it is irregular or because a column waits there. In the plane there are no columns, and it is
-// swept for cycles alone, which pairs of length zero have none of.
+// A star is visited because it is irregular or because a column waits there. In the plane there are no columns, and it
+// is swept for cycles alone, which pairs of length zero have none of.
 template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     const std::uint32_t v = ball_.order[r];
     irregular_ = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
@@ -320,8 +320,8 @@ template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std
 
 template <int D> bool Sweep<D>::write_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v) {
     const std::uint32_t r = front_.creator_rank(c);
-    // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3, where
-    // every lower link collapses as far as it can. Its pairs are counted already.
+    // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3,
+    // where every lower link collapses as far as it can. Its pairs are counted already.
     if constexpr (D == 4) {
         if (r == ball_.rank[v] && !irregular_) return true;
     }

@@ -7,7 +7,8 @@
 
 namespace netmesh {
 
-Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, const Work& work) {
+Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value,
+                      const Work& work) {
     complex_ = complex;
     arena_ = &work.arena;
     max_degree_ = max_degree < complex.dimension ? max_degree : complex.dimension;
@@ -90,8 +91,8 @@ public:
     }
     bool is_zero() const { return pivot_ == none; }
 
-    // As a recorder. Where the dimension above has found that a simplex gives birth, the column that it is the pivot of is
-    // a cycle that it completes: R = 0 and V that cycle (clearing).
+    // As a recorder. Where the dimension above has found that a simplex gives birth, the column that it is the pivot
+    // of is a cycle that it completes: R = 0 and V that cycle (clearing).
     bool next(std::uint32_t* s) {
         for (; status_ == Status::ok && next_ < v_.complex_.count[k_]; ++next_) {
             *s = v_.of_[k_].order[next_];
@@ -194,11 +195,12 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
     return Status::ok;
 }
 
-// Transposes the simplices at positions i and i + 1, whose crossing is the first of all, and goes on as long as the next
-// crossing is among the positions whose times have changed since; the tournament is told of all of these at the end.
-// Simplices that share their values, as those of a lower star do, cross others all at once, so such runs are long. The
-// order of transpositions is that of the tournament: when the run begins, all times before position i are later; a time
-// that has not changed since is not earlier than the present one, nor does it come first among equal times.
+// Transposes the simplices at positions i and i + 1, whose crossing is the first of all, and goes on as long as the
+// next crossing is among the positions whose times have changed since; the tournament is told of all of these at the
+// end. Simplices that share their values, as those of a lower star do, cross others all at once, so such runs are
+// long. The order of transpositions is that of the tournament: when the run begins, all times before position i are
+// later; a time that has not changed since is not earlier than the present one, nor does it come first among equal
+// times.
 Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monitor) {
     constexpr std::uint32_t span_max = 256;
     Dimension& d = of_[k];

@@ -1,15 +1,15 @@
 // Vineyards (thesis 6.3): persistence along a sequence of filtrations of one complex, by transpositions on R = D V
 // (Cohen-Steiner, Edelsbrunner, Morozov 2006). Between two filtrations every simplex's value moves on a straight line,
-// which is a filtration at all times; simplices of one dimension whose values cross are transposed in the order of their times,
-// and each transposition repairs R and V by at most two additions of columns. Only orders within a dimension matter,
-// simplices of different dimensions are never transposed. A vine is a pair's path: where two pairs exchange their partners they do so
-// in one point, and each goes on from there.
+// which is a filtration at all times; simplices of one dimension whose values cross are transposed in the order of
+// their times, and each transposition repairs R and V by at most two additions of columns. Only orders within a
+// dimension matter, simplices of different dimensions are never transposed. A vine is a pair's path: where two pairs
+// exchange their partners they do so in one point, and each goes on from there.
 #pragma once
 #include <cstdint>
 
 #include "homology/vineyard/column_pool.hpp"
-#include "vocabulary/monitor.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    // All that a transposition looks at, in one place.
+    // All that a transposition reads, in one place.
     struct Record {
         std::uint32_t position;
         std::uint32_t target;  // its position in the filtration to come
@@ -86,8 +86,9 @@ private:
     Arena* arena_ = nullptr;
     Dimension of_[ComplexView::dimension_max + 1] = {};
     ColumnPool pool_;
-    // A slot is two adjacent positions of a dimension, whose simplices may cross. The earliest crossing of all is kept by
-    // a tournament: node i holds the slot that crosses earlier of those of nodes 2 i and 2 i + 1; node slots_ + s is slot s.
+    // A slot is two adjacent positions of a dimension, whose simplices may cross. The earliest crossing of all is kept
+    // by a tournament: node i holds the slot that crosses earlier of those of nodes 2 i and 2 i + 1; node slots_ + s
+    // is slot s.
     std::uint32_t slot_at(std::uint32_t node) const { return node >= slots_ ? node - slots_ : winner_[node]; }
     double* time_ = nullptr;           // [slot]
     std::uint32_t* winner_ = nullptr;  // [node], a slot
