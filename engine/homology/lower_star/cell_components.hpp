@@ -17,13 +17,13 @@ public:
         : ball_(ball), star_(star), above_(above), writer_(writer), cycles_(cycles) {}
 
     // Takes the critical facets of the star of v from the last to the first. One that joins two components is the
-    // pivot of the younger one's creator; it becomes its own owner in the star. out_of_memory, cancelled.
-    Status unite_critical_facets(std::uint32_t v);
+    // pivot of the younger one's creator and gets an owner in the star. out_of_memory, cancelled.
+    Status unite_critical_facets(VertexId v);
 
 private:
-    std::uint32_t component_of(CellId cell, std::uint32_t v);
-    CellId cell_of(std::uint32_t facet, std::uint32_t v) const;
-    CellId cell_beyond(CellId cell, std::uint32_t facet, std::uint32_t v) const;
+    std::uint32_t component_of(CellId cell, VertexId v);
+    CellId cell_of(std::uint32_t facet, VertexId v) const;
+    CellId cell_beyond(CellId cell, std::uint32_t facet, VertexId v) const;
     // The oldest of a component is `outside` or its vertex of the highest rank.
     std::uint32_t age_of(std::uint32_t root) const { return root == ball_.outside ? none : ball_.rank[root]; }
 
@@ -37,7 +37,7 @@ private:
 // The component of a cell at a critical facet (`none`: outside), by following the gradient to a cell with an upper
 // vertex, outside, or to a critical cell. A cell is critical only when no facet is free: then the lower cells around v
 // have no boundary, so they are all cells of the star, one of them is critical, and v stands for its component.
-template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, std::uint32_t v) {
+template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, VertexId v) {
     while (cell != none) {
         const VertexId* p = ball_.complex.vertices(cell);
         std::uint32_t labels[D + 1] = {};
@@ -46,8 +46,7 @@ template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, std:
             if (ball_.rank[p[j]] > ball_.rank[v]) return find_root(above_, p[j]);
             if (p[j] != v) labels[k++] = ball_.slot[p[j]];
         }
-        const std::uint32_t facet =
-            star_.partner(star_.simplex_of_any_order(labels, D));  // a cell around v, and all lower
+        const std::uint32_t facet = star_.partner(star_.simplex_of_any_order(labels, D));  // the cell is in the star
         if (facet == none) return find_root(above_, v);
         cell = cell_beyond(cell, facet, v);
     }
@@ -55,9 +54,9 @@ template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, std:
 }
 
 // A cell at `facet` of the star.
-template <int D> CellId CellComponents<D>::cell_of(std::uint32_t facet, std::uint32_t v) const {
+template <int D> CellId CellComponents<D>::cell_of(std::uint32_t facet, VertexId v) const {
     CellId cell = star_.cell(facet);
-    if constexpr (D == 2) {  // edges know their vertex instead
+    if constexpr (D == 2) {  // facets are edges, and of these the star notes the vertex, not a cell
         for (std::uint32_t t = ball_.begin[v + 1]; t-- > ball_.begin[v];) {
             const VertexId* const p = ball_.complex.vertices(ball_.incidence[t].cell());
             for (int j = 0; j <= D; ++j) {
@@ -69,7 +68,7 @@ template <int D> CellId CellComponents<D>::cell_of(std::uint32_t facet, std::uin
 }
 
 // The cell on the other side of `facet` of the star, `none` outside.
-template <int D> CellId CellComponents<D>::cell_beyond(CellId cell, std::uint32_t facet, std::uint32_t v) const {
+template <int D> CellId CellComponents<D>::cell_beyond(CellId cell, std::uint32_t facet, VertexId v) const {
     const VertexId* p = ball_.complex.vertices(cell);
     int opposite = 0;
     for (int j = 0; j <= D; ++j) {
@@ -81,7 +80,7 @@ template <int D> CellId CellComponents<D>::cell_beyond(CellId cell, std::uint32_
     return ball_.complex.neighbour(cell, opposite);
 }
 
-template <int D> Status CellComponents<D>::unite_critical_facets(std::uint32_t v) {
+template <int D> Status CellComponents<D>::unite_critical_facets(VertexId v) {
     for (std::uint32_t p = star_.count(); p-- > 0;) {
         const std::uint32_t i = star_.at(p);
         if (star_.partner(i) != none || star_.dimension(i) != D - 1) continue;

@@ -22,7 +22,7 @@ public:
     static constexpr bool tells_all = D == 3 || D == 4;
 
     // vertices: scratch [labels_max]. False when the link has more vertices than a ball's can have.
-    bool read(const TriangulatedBall<D>& ball, std::uint32_t v, std::uint32_t* vertices);
+    bool read(const TriangulatedBall<D>& ball, VertexId v, std::uint32_t* vertices);
 
     // Whether the link has at most 63 vertices, so that parts() and counts are known.
     bool small() const { return label_count_ <= 64; }
@@ -83,7 +83,7 @@ std::uint32_t Link<D>::label(const TriangulatedBall<D>& ball, std::uint32_t u, s
     return ball.slot[u] = 2 * n + low;
 }
 
-template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, std::uint32_t v, std::uint32_t* vertices) {
+template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, VertexId v, std::uint32_t* vertices) {
     constexpr std::uint32_t ahead = 16;
     const std::uint32_t r = ball.rank[v];
     const bool hull = (ball.flags[v] & TriangulatedBall<D>::on_hull) != 0;

@@ -38,9 +38,9 @@ private:
         return star_.reserve(ball_, star_bound_, arena_);
     }
     Status classify_links(JoinList& joins);
-    bool classify_small_link(Link<D>& link, std::uint32_t v, JoinList& joins);
+    bool classify_small_link(Link<D>& link, VertexId v, JoinList& joins);
     Status classify_stars(JoinList& joins);
-    bool count_star(std::uint32_t v, const std::uint32_t* counts, bool regular);
+    bool count_star(VertexId v, const std::uint32_t* counts, bool regular);
 
     Arena& arena_;
     Monitor& monitor_;
@@ -70,7 +70,7 @@ template <int D> bool LowerStars<D>::reserve() {
 
 // Counts a star; the pairs within a regular one are known from its counts: simplices pair with the next dimension, up
 // from the vertex with one edge.
-template <int D> bool LowerStars<D>::count_star(std::uint32_t v, const std::uint32_t* counts, bool regular) {
+template <int D> bool LowerStars<D>::count_star(VertexId v, const std::uint32_t* counts, bool regular) {
     for (int k = 0; k <= D; ++k) simplex_count_ += counts[k];
     if (!regular) {
         ball_.flags[v] |= TriangulatedBall<D>::irregular;
@@ -88,7 +88,7 @@ template <int D> bool LowerStars<D>::count_star(std::uint32_t v, const std::uint
     return true;
 }
 
-template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, std::uint32_t v, JoinList& joins) {
+template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, VertexId v, JoinList& joins) {
     const std::uint32_t pieces = link.lower_pieces();
     if (pieces > 1) {
         std::uint64_t left = link.lower_set();
@@ -107,7 +107,7 @@ template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, std::uin
 template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
     Link<D> link;
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
-    for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
+    for (VertexId v(0); v < ball_.vertex_count; ++v) {
         if (ball_.begin[v] == ball_.begin[v + 1]) return Status::invalid_argument;
         if (!link.read(ball_, v, labels_)) return Status::internal;
         below_[v] = link.lowest();
@@ -129,7 +129,7 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
 
 // Where Link does not tell enough: lower stars in full.
 template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
-    for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
+    for (VertexId v(0); v < ball_.vertex_count; ++v) {
         if constexpr (Link<D>::tells_all) {
             if ((ball_.flags[v] & TriangulatedBall<D>::large) == 0) continue;
         }

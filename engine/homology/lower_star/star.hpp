@@ -34,7 +34,7 @@ public:
 
     // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for the upper
     // ones. The links' vertices must have been counted (Link::read). False when the cells are not those of a ball.
-    bool open(const TriangulatedBall<D>& ball, std::uint32_t v);
+    bool open(const TriangulatedBall<D>& ball, VertexId v);
     void close(const TriangulatedBall<D>& ball);
     // The gradient. Returns how many simplices are critical.
     std::uint32_t match();
@@ -138,7 +138,7 @@ template <int D> void Star<D>::clear_table(std::uint32_t cell_count, bool hull) 
     for (std::uint32_t i = 0; i < 1u << bits; ++i) table[i] = 0;
 }
 
-template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, std::uint32_t v) {
+template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v) {
     const bool hull = (ball.flags[v] & TriangulatedBall<D>::on_hull) != 0;
     rank_ = ball.rank[v];
     count_ = seen_count_ = 0;

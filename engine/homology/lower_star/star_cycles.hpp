@@ -26,14 +26,14 @@ public:
     }
 
     // The cycle that column c is, which has just taken its pivot in the star of v. False: out of memory.
-    bool write_column(std::uint32_t c, std::uint32_t v, std::uint32_t* handle);
+    bool write_column(std::uint32_t c, VertexId v, std::uint32_t* handle);
     // The boundary of the cells that are joined to `cell` by facets later than critical facet i of the star of v.
     // out_of_memory, cancelled.
-    Status write_piece(CellId cell, std::uint32_t i, std::uint32_t v, std::uint32_t* handle);
+    Status write_piece(CellId cell, std::uint32_t i, VertexId v, std::uint32_t* handle);
 
 private:
-    bool is_later(CellId cell, int j, std::uint32_t v, std::uint32_t position) const;
-    Status collect(CellId cell, std::uint32_t v, std::uint32_t position);
+    bool is_later(CellId cell, int j, VertexId v, std::uint32_t position) const;
+    Status collect(CellId cell, VertexId v, std::uint32_t position);
     template <class F> void each_boundary_facet(F f) const;
 
     const TriangulatedBall<D>& ball_;
@@ -46,7 +46,7 @@ private:
     std::uint32_t piece_count_ = 0;
 };
 
-template <int D> bool StarCycles<D>::write_column(std::uint32_t c, std::uint32_t v, std::uint32_t* handle) {
+template <int D> bool StarCycles<D>::write_column(std::uint32_t c, VertexId v, std::uint32_t* handle) {
     const std::uint32_t n = front_.dimension(c);
     const Run here = front_.local(c), below = front_.below(c);
     std::uint32_t* out = writer_->append(std::uint64_t{here.count} + below.count, n - 1, handle);
@@ -63,7 +63,7 @@ template <int D> bool StarCycles<D>::write_column(std::uint32_t c, std::uint32_t
 }
 
 // Whether the facet opposite vertex j of the cell comes after that position in the star of v.
-template <int D> bool StarCycles<D>::is_later(CellId cell, int j, std::uint32_t v, std::uint32_t position) const {
+template <int D> bool StarCycles<D>::is_later(CellId cell, int j, VertexId v, std::uint32_t position) const {
     const VertexId* const p = ball_.complex.vertices(cell);
     const std::uint32_t r = ball_.rank[v];
     std::uint32_t labels[D] = {}, count = 0;
@@ -76,7 +76,7 @@ template <int D> bool StarCycles<D>::is_later(CellId cell, int j, std::uint32_t 
     return star_.position(star_.simplex_of_any_order(labels, count)) > position;
 }
 
-template <int D> Status StarCycles<D>::collect(CellId cell, std::uint32_t v, std::uint32_t position) {
+template <int D> Status StarCycles<D>::collect(CellId cell, VertexId v, std::uint32_t position) {
     piece_count_ = 0;
     inside_.insert(cell);
     piece_[piece_count_++] = cell;
@@ -101,8 +101,7 @@ template <int D> template <class F> void StarCycles<D>::each_boundary_facet(F f)
     }
 }
 
-template <int D>
-Status StarCycles<D>::write_piece(CellId cell, std::uint32_t i, std::uint32_t v, std::uint32_t* handle) {
+template <int D> Status StarCycles<D>::write_piece(CellId cell, std::uint32_t i, VertexId v, std::uint32_t* handle) {
     const Status status = collect(cell, v, star_.position(i));
     if (status != Status::ok) return status;
     std::uint64_t count = 0;

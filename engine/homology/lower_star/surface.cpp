@@ -5,7 +5,7 @@
 namespace netmesh {
 
 // To the next cell around v. False at the hull.
-bool Surface::advance(std::uint32_t v, Corner* corner) const {
+bool Surface::advance(VertexId v, Corner* corner) const {
     const FacetId facet = complex_.facet_beyond(corner->cell, corner->from);
     if (facet == none) return false;
     const CellId next = facet.cell();
@@ -65,7 +65,7 @@ bool Surface::walk(Circle* circle, Corner* corner, bool open, JoinList* joins, b
     return true;
 }
 
-bool Surface::read_link(std::uint32_t v, CellId cell, JoinList& joins) {
+bool Surface::read_link(VertexId v, CellId cell, JoinList& joins) {
     const VertexId* p = complex_.vertices(cell);
     const std::uint32_t at = p[0] == v ? 0 : p[1] == v ? 1 : 2;
     Corner start = {cell, at == 0 ? 1u : 0u, at == 2 ? 1u : 2u};
@@ -118,13 +118,13 @@ bool Surface::reserve() {
 Status Surface::run() {
     if (!reserve()) return Status::out_of_memory;
     const std::uint32_t n = complex_.vertex_count;
-    for (std::uint32_t v = 0; v < n; ++v) below_[v] = none;
+    for (VertexId v(0); v < n; ++v) below_[v] = none;
     for (CellId c(0); c < complex_.cell_count; ++c) {
         for (int i = 0; i < 3; ++i) below_[complex_.vertices(c)[i]] = c;
     }
     monitor_.begin(NETMESH_STAGE_GRADIENT, n);
     JoinList joins(arena_);
-    for (std::uint32_t v = 0; v < n; ++v) {
+    for (VertexId v(0); v < n; ++v) {
         if (below_[v] == none) return Status::invalid_argument;
         if (!read_link(v, CellId(below_[v]), joins)) return Status::out_of_memory;
         if (monitor_.advance(v)) return Status::cancelled;

@@ -24,7 +24,8 @@ public:
 private:
     // What a walk around a vertex has seen.
     struct Circle {
-        std::uint32_t vertex, rank;   // walked around
+        VertexId vertex;              // walked around
+        std::uint32_t rank;           // of it
         std::uint32_t seen, changes;  // link vertices; changes between lower and upper
         std::uint32_t lower_vertices, lower_edges;
         std::uint32_t lowest, highest;  // of the lower, of the upper link vertices, by rank
@@ -39,9 +40,9 @@ private:
     bool is_after(std::uint32_t u, std::uint32_t w) const { return w != outside() && rank_[u] > rank_[w]; }
     std::uint32_t outside() const { return complex_.vertex_count; }
     bool reserve();
-    bool read_link(std::uint32_t v, CellId cell, JoinList& joins);
+    bool read_link(VertexId v, CellId cell, JoinList& joins);
     bool count_star(const Circle& circle);
-    bool advance(std::uint32_t v, Corner* corner) const;
+    bool advance(VertexId v, Corner* corner) const;
     bool walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const;
     bool add_link_vertex(Circle* circle, std::uint32_t u, JoinList* joins) const;
     bool end_run(const Circle& circle, JoinList* joins) const;

@@ -45,14 +45,14 @@ private:
     bool add_zero_pairs(double value);
     Status reduce_columns(std::uint32_t r);
     std::uint32_t sorted(std::uint32_t columns);
-    bool start_columns(std::uint32_t k, std::uint32_t v);
+    bool start_columns(std::uint32_t k, VertexId v);
     bool gather(std::uint32_t c, std::uint32_t r);
-    bool reduce(std::uint32_t c, std::uint32_t v);
+    bool reduce(std::uint32_t c, VertexId v);
     void add_outer_facet(std::uint32_t i);
     template <std::uint32_t N> bool add_outer_facets(std::uint32_t c);
     bool flush(std::uint32_t c);
-    bool take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v);
-    bool write_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v);
+    bool take_pivot(std::uint32_t c, std::uint32_t i, VertexId v);
+    bool write_pair(std::uint32_t c, std::uint32_t degree, VertexId v);
     bool before(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t ka = front_.dimension(a), kb = front_.dimension(b);
         return ka != kb ? ka > kb : front_.age(a) > front_.age(b);
@@ -110,7 +110,7 @@ template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {
 // A star is visited because it is irregular or because a column waits there. In the plane there are no columns, and it
 // is swept for cycles alone, which pairs of length zero have none of.
 template <int D> Status Sweep<D>::visit(std::uint32_t r) {
-    const std::uint32_t v = ball_.order[r];
+    const VertexId v(ball_.order[r]);
     irregular_ = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
     if (!star_.open(ball_, v)) return Status::internal;
     prefetch_star(front_.waiting().top());
@@ -128,7 +128,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
 
 // From the top dimension down: the columns of the star's own critical simplices, then those that have arrived.
 template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
-    const std::uint32_t v = ball_.order[r];
+    const VertexId v(ball_.order[r]);
     column_.adopt(column_words_, star_.count());
     std::uint32_t c = sorted(front_.arrive(r));
     for (std::uint32_t k = D - 1; k >= 2; --k) {
@@ -152,7 +152,7 @@ template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
 // one is worked on.
 template <int D> void Sweep<D>::prefetch_star(std::uint32_t r) {
     if (r == none) return;
-    const std::uint32_t v = ball_.order[r];
+    const VertexId v(ball_.order[r]);
     for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
     if constexpr (D > 2) front_.prefetch(r);
 }
@@ -211,7 +211,7 @@ template <int D> bool Sweep<D>::gather(std::uint32_t c, std::uint32_t r) {
     return true;
 }
 
-template <int D> bool Sweep<D>::start_columns(std::uint32_t k, std::uint32_t v) {
+template <int D> bool Sweep<D>::start_columns(std::uint32_t k, VertexId v) {
     std::uint32_t left = 0;
     for (std::uint32_t i = 0; i < star_.count(); ++i) {
         left += star_.dimension(i) == k && star_.partner(i) == none && star_.owner(i) == none ? 1 : 0;
@@ -273,7 +273,7 @@ template <int D> bool Sweep<D>::flush(std::uint32_t c) {
 }
 
 // Reduces column_, the part of column c in this star, until it takes a pivot or nothing is left here.
-template <int D> bool Sweep<D>::reduce(std::uint32_t c, std::uint32_t v) {
+template <int D> bool Sweep<D>::reduce(std::uint32_t c, VertexId v) {
     for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
         ++work_;
         const std::uint32_t i = star_.at(p);
@@ -302,7 +302,7 @@ template <int D> bool Sweep<D>::reduce(std::uint32_t c, std::uint32_t v) {
     return true;
 }
 
-template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v) {
+template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, VertexId v) {
     if (!flush(c) || !front_.unite_runs(c)) return false;
     star_.owner(i) = c;
     front_.next(c) = done_columns_;
@@ -318,7 +318,7 @@ template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std
     return write_pair(c, star_.dimension(i), v);
 }
 
-template <int D> bool Sweep<D>::write_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v) {
+template <int D> bool Sweep<D>::write_pair(std::uint32_t c, std::uint32_t degree, VertexId v) {
     const std::uint32_t r = front_.creator_rank(c);
     // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3,
     // where every lower link collapses as far as it can. Its pairs are counted already.
