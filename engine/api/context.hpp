@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "delaunay/store.hpp"
-#include "filtration/mesh_filter.hpp"
 #include "homology/cycles/cycles.hpp"
 #include "homology/persistence.hpp"
 #include "include/netmesh.h"

@@ -1,5 +1,5 @@
 #include "api/dispatch.hpp"
-#include "filtration/multifiltration.hpp"
+#include "jobs/k_vineyard.hpp"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {

@@ -10,8 +10,8 @@
 namespace netmesh {
 
 // Both list the simplices of dimension 0..dimension (at most D) at the arena's low end, linked and in order of value; a
-// vertex's label is its number in the triangulation. Scratch as enumerate_faces, and for lower stars a copy of the cells'
-// vertices. out_of_memory, cancelled.
+// vertex's label is its number in the triangulation. Scratch as enumerate_faces, and for lower stars a copy of the
+// cells' vertices. out_of_memory, cancelled.
 
 // A simplex of more than one vertex enters at the largest of its vertices' values, a vertex v < zero_born_count at 0.
 template <int D>
