@@ -6,6 +6,7 @@
 #include "complex/triangulation.hpp"
 #include "homology/persistence.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 
