@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE_DEFINE("triangulation from lists of cells is the one it was m
     CheckResult why;
     REQUIRE(load_cells<D>(loaded, points.data(), n, cells.data(), t.state.cell_slots, &why) == Status::ok);
     CHECK(violation<D>(loaded) == nullptr);
-    for (std::uint32_t c = 0; c < t.state.cell_slots; ++c)
+    for (CellId c(0); c < t.state.cell_slots; ++c)
         for (int i = 0; i <= D; ++i) {
             const std::uint32_t v = t.store.cell(c).vertex[i];
             int j = 0;
