@@ -493,8 +493,8 @@ typedef struct netmesh_function {
     void* user;                                      /* handed to evaluate */
     double lipschitz;                                /* finite, >= 0 */
     double distance_factor; /* a c with f >= d_2 / c, d_2 the distance to the second nearest point (8.6.3); 0: none */
-    double cut;             /* finite, >= 0: f >= cut outside the domain ball (report.mesh.domain), and sublevel sets from
-                               cut on are contractible; values are cut there */
+    double cut;             /* finite, >= 0: f >= cut outside the domain ball (report.mesh.domain), and sublevel sets
+                               from cut on are contractible; values are cut there */
 } netmesh_function;
 
 void netmesh_function_init(netmesh_function* function, size_t function_bytes);
