@@ -1,11 +1,11 @@
-// What every job works with: the memory it takes from and the monitor that it reports to and asks whether to stop.
+// What every job is given: the memory that it takes from, and the monitor that it reports to.
 #pragma once
 #include "memory/arena.hpp"
 #include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
-// Two references, handed on by value or by reference to const; `{arena, monitor}` makes one on the spot.
+// Two references. Functions take it as `const Work&`; a caller may write `{arena, monitor}`.
 struct Work {
     Arena& arena;
     Monitor& monitor;

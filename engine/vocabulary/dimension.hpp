@@ -35,7 +35,7 @@ struct Figures {
     std::uint32_t intersections_expected;  // the same for a ball's intersections
     // Planning memory: measured on uniform points
     double delaunay_cells_per_point, mesh_cells_per_vertex, simplices_per_cell;
-    double growth;         // vertices a point: 1 + growth / (tau - 2)^(growth_eighths / 8)
+    double growth;  // vertices a point: 1 + growth / (tau - 2)^(growth_eighths / 8)
     int growth_eighths;
     double over_refined;        // vertices a point of an over-refined mesh, times eps^D
     double tight_surroundings;  // points that the larger domain of the tight filter counts for
@@ -61,13 +61,16 @@ template <> struct FiguresOf<6> {
 template <int D> constexpr const Figures& figures = FiguresOf<D>::value;
 
 namespace detail {
-constexpr int first_dimension(int dim) { return serves_dimension(static_cast<std::uint32_t>(dim)) ? dim : first_dimension(dim + 1); }
+constexpr int first_dimension(int dim) {
+    return serves_dimension(static_cast<std::uint32_t>(dim)) ? dim : first_dimension(dim + 1);
+}
 }  // namespace detail
 
 // Calls f(Dimension<D>{}) for D = dim, one of the dimensions served: check serves_dimension before.
 template <class F> auto with_dimension(std::uint32_t dim, F&& f) {
     switch (dim) {
-#define NETMESH_CASE(D) case D: return f(Dimension<D>{});
+#define NETMESH_CASE(D)                                                                                                \
+    case D: return f(Dimension<D>{});
         NETMESH_EACH_DIMENSION(NETMESH_CASE)
 #undef NETMESH_CASE
     default: break;

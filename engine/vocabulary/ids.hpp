@@ -1,5 +1,5 @@
-// Names of vertices, cells and facets. Each converts to a plain index, so that it can be compared, stored and used as a
-// subscript; nothing becomes a name by itself, so a cell is never taken for a vertex.
+// Identifiers of vertices, cells and facets. A vertex or cell id converts to its index, so that it can be compared and
+// used as a subscript. Nothing converts to an id by itself, so a cell is never taken for a vertex.
 #pragma once
 #include <cstdint>
 
@@ -21,8 +21,8 @@ struct CellId {
     constexpr operator std::uint32_t() const { return index; }
 };
 
-// A facet of a cell, named by the cell and the position in it of the vertex that the facet does not have. The one place
-// that knows how both fit into a word: 8 * cell + position. A mesh has at most cells_max cells for that reason.
+// A facet of a cell: the cell, and the position in it of the vertex opposite the facet. Only this class knows how both fit
+// into one word: 8 * cell + position. That is why there are at most cells_max cells.
 class FacetId {
 public:
     static constexpr std::uint32_t cells_max = 0x1FFFFFFFu;

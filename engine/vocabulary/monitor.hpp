@@ -1,4 +1,4 @@
-// Progress out, wish to stop in: the caller's poll function seen from inside a job.
+// Reports progress to the caller's poll function and asks it whether to stop.
 #pragma once
 #include <cstdint>
 
@@ -21,7 +21,7 @@ public:
         progress_.vertices = vertices;
         progress_.cells = cells;
     }
-    // Says that `done` units are done; `work` is the cost since the last call in rough hundreds of nanoseconds. True
+    // Reports that `done` units are done; `work` is what they cost since the last call, in units of roughly 100 ns. True
     // when the caller wants to stop.
     bool advance(std::uint64_t done, std::uint32_t work = 1) {
         if (countdown_ > work) {

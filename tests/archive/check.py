@@ -382,7 +382,8 @@ def check_size(records, nm, limit):
         for name in sorted(names):
             if not name.endswith((".o", ".obj")):
                 continue
-            room = os.path.basename(folder)
+            parts = os.path.relpath(folder, records).split(os.sep)
+            room = parts[1] if parts[0] == "engine" and len(parts) > 1 else parts[0]
             row = table.setdefault(room, {})
             seen = {}
             for line in run(nm, "-P", "-S", "--defined-only", os.path.join(folder, name)).splitlines():

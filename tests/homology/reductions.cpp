@@ -135,8 +135,8 @@ TEST_CASE("reductions stopped at any poll") {
         const std::size_t enough = std::size_t{96} << 20;
         CHECK(disturbed::at_polls(enough, first) > 0);
         Reductions r(dense.complex, 2, false, expected);
-        CHECK(disturbed::at_polls(enough, [&](Arena& a, Monitor& m) { return r.skeleton(a, m); }) > 0);
-        CHECK(disturbed::at_polls(enough, [&](Arena& a, Monitor& m) { return r.with_cycles(a, m); }) > 0);
+        CHECK(disturbed::at_polls(enough, [&](const Work& work) { return r.skeleton(work); }) > 0);
+        CHECK(disturbed::at_polls(enough, [&](const Work& work) { return r.with_cycles(work); }) > 0);
     }
 }
 

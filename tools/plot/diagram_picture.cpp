@@ -10,7 +10,7 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double page_width = 1280, page_height = 730;
+constexpr double page_width = 1280, page_height = 750;
 constexpr std::size_t rows_max = 40;  // bars shown of one degree
 
 std::string superscript(std::uint32_t dim) {
@@ -89,10 +89,10 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
                                     : grouped_text(report.points) + " points in R" + superscript(report.dim);
     svg.text(48, 40, "Persistent homology of " + subject, 20, ink, Anchor::start, true);
     svg.text(48, 62, subtitle(report), 13, faint_ink, Anchor::start);
-    svg.text(page_width - 40, 62, certificate(report), 13, ink, Anchor::end);
-    const Panel barcode{152, 92, 572, 520};
+    svg.text(48, 82, certificate(report), 13, ink, Anchor::start);
+    const Panel barcode{152, 112, 572, 520};
     draw_barcode(svg, barcode, group_bars(bars, report.max_degree, rows_max), scale, style);
-    const Panel scatter{800, 92, 440, 520};
+    const Panel scatter{800, 112, 440, 520};
     draw_scatter(svg, scatter, bars, scale, style);
     draw_key(svg, 52, page_height - 26, report, style);
     svg.finish();

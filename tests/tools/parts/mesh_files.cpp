@@ -193,6 +193,14 @@ TEST_CASE("diagrams: faults and their lines") {
     CHECK(fault("0 0 1e999\n") == "d.pers:1");
 }
 
+// The y of the text that has these words.
+static std::string height_of(const std::string& picture, const char* words) {
+    const std::size_t found = picture.find(words);
+    REQUIRE(found != std::string::npos);
+    const std::size_t from = picture.find(" y=\"", picture.rfind("<text", found)) + 4;
+    return picture.substr(from, picture.find('"', from) - from);
+}
+
 TEST_CASE("pictures are whole documents that show what they should") {
     netmesh_report report = {};
     report.dim = 2;
@@ -212,6 +220,7 @@ TEST_CASE("pictures are whole documents that show what they should") {
     CHECK(picture.find("longest 40") != std::string::npos);
     CHECK(picture.find("certified ratio c = 2") != std::string::npos);
     CHECK(picture.find("nan") == std::string::npos);
+    CHECK(height_of(picture, "filter complete") != height_of(picture, "certified ratio c"));  // both are long lines
     const std::string lonely = diagram_picture({{0, 0, HUGE_VAL}}, report);
     CHECK(lonely.find("nan") == std::string::npos);
     CHECK(lonely.find("1 bar<") != std::string::npos);

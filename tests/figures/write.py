@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Writes measured figures into the documents, between `<!-- figures: NAME -->` and `<!-- end -->`.
+
+  write.py stack BUILD      stack of every public call, by the compiler's call graph   -> tests/CHECKS.md
+  write.py size BUILD       code and constants by folder and dimension                 -> tests/CHECKS.md
+  write.py bare LOG         what `platform/cortexm/run` printed                        -> tests/CHECKS.md
+  write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
+
+Nothing between the marks is written by hand. Exit code 1: the marks or the figures are missing."""
+import os
+import re
+import subprocess
+import sys
+
+TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+CHECKS = os.path.join(TESTS, "CHECKS.md")
+COVERAGE = os.path.join(TESTS, "coverage", "COVERAGE.md")
+STACK_LEAST = 1024  # calls with less are not listed
+
+
+def put(document, name, lines):
+    """Replaces what stands between the marks of this name."""
+    with open(document, encoding="utf-8") as f:
+        text = f.read()
+    marks = re.compile(r"(<!-- figures: %s -->\n).*?(<!-- end -->)" % re.escape(name), re.S)
+    if not lines:
+        sys.exit("no figures for %s" % name)
+    text, found = marks.subn(lambda m: m.group(1) + "\n" + "\n".join(lines) + "\n\n" + m.group(2), text)
+    if found != 1:
+        sys.exit("%s has no place for %s" % (document, name))
+    with open(document, "w", encoding="utf-8") as f:
+        f.write(text)
+    print("%s: %s" % (os.path.relpath(document), name))
+
+
+def check(what, build, *options):
+    """The output of tests/archive/check.py on the objects of a build."""
+    records = os.path.join(build, "CMakeFiles", "netmesh_engine.dir")
+    command = [sys.executable, os.path.join(TESTS, "archive", "check.py"), what, "--records", records, *options]
+    return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()
+
+
+def table(header, rows):
+    return ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)] + ["| " + " | ".join(r) + " |" for r in rows]
+
+
+def stack(build):
+    lines = [line.split() for line in check("stack", build)]
+    title = next(line for line in lines if line[:2] == ["worst", "chain,"])
+    dimensions = [title[i + 2] for i, word in enumerate(title) if word == "D" and title[i + 1] == "="]
+    calls = [line for line in lines if line and line[0].startswith("netmesh_") and len(line) == 2 + len(dimensions)]
+    small = [int(c[1]) for c in calls if int(c[1]) < STACK_LEAST]
+    rows = [["`%s`" % c[0]] + c[2:] for c in sorted(calls, key=lambda c: -int(c[1])) if int(c[1]) >= STACK_LEAST]
+    text = table(["bytes"] + ["D = " + d for d in dimensions], rows)
+    put(CHECKS, "stack", text + ["", "%d other calls take at most %d bytes." % (len(small), max(small))])
+
+
+def size(build):
+    lines = [line for line in check("size", build) if not line.startswith("ok")]
+    columns = [c.strip() for c in re.findall(r"(D = \d|any D|sum)", lines[0])]
+    rows = []
+    for line in lines[1:]:
+        name, numbers = re.match(r"(.*?)((?:\s+\d+)+)$", line).groups()
+        rows.append([name] + ["{:,}".format(int(n)) if int(n) > 0 else "" for n in numbers.split()])
+    put(CHECKS, "size", table(["bytes"] + columns, rows))
+
+
+def bare(log):
+    with open(log, encoding="utf-8") as f:
+        lines = [line.rstrip() for line in f if line.startswith("cortex-")]
+    put(CHECKS, "bare", ["```"] + lines + ["```"])
+
+
+def coverage(log):
+    """Tables are blocks of lines, a title and a number or an empty field for each column of 20 characters."""
+    with open(log, encoding="utf-8") as f:
+        blocks = [b.splitlines() for b in f.read().strip().split("\n\n") if b.strip()]
+    blocks = [b for b in blocks if re.search(r"D = \d", b[0])]
+    for name, block in zip(("branches", "conditions"), blocks):
+        fields = [[line[:12].strip()] + [" ".join(line[i:i + 20].split()) for i in range(12, len(line), 20)] for line in block]
+        put(COVERAGE, name, table(fields[0], fields[1:]))
+    if len(blocks) < 2:
+        sys.exit("%s has no two tables" % log)
+
+
+def main():
+    writers = {"stack": stack, "size": size, "bare": bare, "coverage": coverage}
+    if len(sys.argv) != 3 or sys.argv[1] not in writers:
+        sys.exit(__doc__)
+    writers[sys.argv[1]](sys.argv[2])
+
+
+if __name__ == "__main__":
+    main()
