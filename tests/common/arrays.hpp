@@ -6,25 +6,41 @@
 #include "common/session.hpp"
 
 struct Arrays {
-    explicit Arrays(const Session& s) {
-        const netmesh_report r = s.report();
-        dim = r.dim;
-        netmesh_vertex v;
-        for (std::uint64_t i = 0; netmesh_get_vertex(s.context, i, &v) == NETMESH_OK; ++i) {
+    explicit Arrays(const Session& s) : dim(s.request.dim), cages(read_all(s.context, netmesh_get_cage)) {
+        for (const netmesh_vertex& v : read_all(s.context, netmesh_get_vertex)) {
             vertices.insert(vertices.end(), v.coordinates, v.coordinates + dim);
             markers.push_back(static_cast<std::uint8_t>(v.marker));
         }
-        netmesh_cell c;
-        for (std::uint64_t i = 0; netmesh_get_cell(s.context, i, &c) == NETMESH_OK; ++i)
+        for (const netmesh_cell& c : read_all(s.context, netmesh_get_cell))
             cells.insert(cells.end(), c.vertices, c.vertices + dim + 1);
-        domain.assign(r.domain, r.domain + dim + 1);
-        netmesh_cage cage;
-        for (std::uint64_t i = 0; netmesh_get_cage(s.context, i, &cage) == NETMESH_OK; ++i) cages.push_back(cage);
+        const netmesh_report r = s.report();
+        domain.assign(r.mesh.domain, r.mesh.domain + dim + 1);
+    }
+    // Points to the arrays here and to what the session asks of meshes.
+    netmesh_load_request load_request(const Session& s) const {
+        netmesh::requests::Load r(dim);
+        r.monitor = s.request.monitor;
+        r.vertices = vertices.data();
+        r.markers = markers.data();
+        r.vertex_count = markers.size();
+        r.cells = cells.data();
+        r.cell_count = cells.size() / (dim + 1);
+        r.domain = domain.empty() ? nullptr : domain.data();
+        r.mesh = &s.request;
+        return r;
     }
     netmesh_status load(Session& s) const {
-        return netmesh_load(s.context, vertices.data(), markers.data(), markers.size(), cells.data(),
-                            cells.size() / (dim + 1), domain.empty() ? nullptr : domain.data(), &s.options);
+        const netmesh_load_request r = load_request(s);
+        return netmesh_load(s.context, &r);
     }
+    netmesh_status load_cages(Session& s) const {
+        netmesh::requests::Cages r;
+        r.monitor = s.request.monitor;
+        r.cages = cages.data();
+        r.cage_count = cages.size();
+        return netmesh_load_cages(s.context, &r);
+    }
+
     std::uint32_t dim;
     std::vector<double> vertices, domain;
     std::vector<std::uint8_t> markers;
