@@ -37,23 +37,23 @@ Diagram bars(int kind, std::size_t count, std::uint64_t seed, const Diagram* mov
 }
 
 void compare(const char* name, const Diagram& a, const Diagram& b, std::size_t gudhi_most) {
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
+    const std::size_t bytes = netmesh_bottleneck_bytes(a.size.vertices(), b.size());
     void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
     netmesh_distance plain = {}, log = {};
     const double start = seconds();
-    netmesh_status status = netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 1, NETMESH_SCALE_PLAIN, scratch,
+    netmesh_status status = netmesh_bottleneck(a.data(), a.size.vertices(), b.data(), b.size(), 1, NETMESH_SCALE_PLAIN, scratch,
                                                bytes, nullptr, nullptr, &plain);
     const double between = seconds();
     if (status == NETMESH_OK)
-        status = netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 1, NETMESH_SCALE_LOG, scratch, bytes,
+        status = netmesh_bottleneck(a.data(), a.size.vertices(), b.data(), b.size(), 1, NETMESH_SCALE_LOG, scratch, bytes,
                                     nullptr, nullptr, &log);
     const double end = seconds();
     std::free(scratch);
     if (status != NETMESH_OK)
         return static_cast<void>(std::printf("bottleneck %s: %s\n", name, netmesh_status_text(status)));
-    std::printf("bottleneck %-8s %6zu bars  plain %8.4f s  log %8.4f s  distance %.12g", name, a.size(),
+    std::printf("bottleneck %-8s %6zu bars  plain %8.4f s  log %8.4f s  distance %.12g", name, a.size.vertices(),
                 between - start, end - between, plain.value);
-    if (a.size() <= gudhi_most) {
+    if (a.size.vertices() <= gudhi_most) {
         std::vector<std::pair<double, double>> x, y;
         for (const netmesh_pair& p : a) x.emplace_back(p.birth, p.death);
         for (const netmesh_pair& p : b) y.emplace_back(p.birth, p.death);
@@ -66,11 +66,11 @@ void compare(const char* name, const Diagram& a, const Diagram& b, std::size_t g
 
 void cycles(std::size_t points) {
     Session session(4);
-    session.options.tau = 3.08;
+    session.request.tau = 3.08;
     session.reserve(points << 20);  // a quarter of that is used, the rest costs nothing
     const inputs::Points p = inputs::clifford(points);
     const double start = seconds();
-    netmesh_mesh(session.context, p.data(), points, NETMESH_JOB_PERSIST, &session.options);
+    netmesh_mesh(session.context, p.data(), points, NETMESH_PURPOSE_PERSIST, &session.options);
     const double meshed = seconds();
     double diagram = HUGE_VAL, represent = HUGE_VAL;
     netmesh_status status = NETMESH_OK;
@@ -79,7 +79,7 @@ void cycles(std::size_t points) {
         netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
                         &session.options);
         const double between = seconds();
-        status = netmesh_represent(session.context, &session.options);
+        status = session.represent();
         diagram = std::min(diagram, between - begin);
         represent = std::min(represent, seconds() - between);
     }

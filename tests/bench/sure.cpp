@@ -35,12 +35,12 @@ int main(int argc, char** argv) {
     Wish wish = {inputs::clifford(2000), argc > 1 ? std::atof(argv[1]) : 0.16, argc > 2 ? std::atof(argv[2]) : 0.95};
     Session session(4);
     session.bounds = true;
-    session.options.tau = 4;
-    session.options.size = size_of;
-    session.options.size_user = &wish;
+    session.request.tau = 4;
+    session.request.sizes.size = size_of;
+    session.request.sizes.user = &wish;
     if (session.mesh_and_persist(wish.points) != NETMESH_OK) return 1;
     const netmesh_report report = session.report();
-    std::printf("%" PRIu64 " vertices, certified ratio %.4f\n", report.vertices, report.certified_ratio);
+    std::printf("%" PRIu64 " vertices, certified ratio %.4f\n", report.mesh.vertices, report.diagram.certified_ratio);
     const std::vector<netmesh_pair> pairs = session.pairs();
     netmesh_bar_bounds b;
     for (std::size_t i = 0; i < pairs.size() && netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK; ++i) {

@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     const int dim = argument(3, 3);
     Session session(dim);
     session.reserve(std::size_t{1} << 34);  // little of that is used, the rest costs nothing
-    if (session.mesh(inputs::uniform(dim, points), NETMESH_JOB_PERSIST) != NETMESH_OK) return 1;
+    if (session.mesh(inputs::uniform(dim, points), NETMESH_PURPOSE_PERSIST) != NETMESH_OK) return 1;
     const double start = seconds();
     const netmesh_status status =
         netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, filtrations, NETMESH_VALUES_CERTIFIED,
@@ -64,8 +64,8 @@ int main(int argc, char** argv) {
     const std::uint32_t equal = equal_diagrams(session, diagrams, &fresh);
     std::printf("%u filtrations of %llu simplices in D = %d: %s, %.2f s, %llu transpositions at %.0f ns, %.1f MiB; "
                 "%llu vines; %u diagrams are those of fresh computations, which take %.2f s\n",
-                filtrations, static_cast<unsigned long long>(report.simplices), dim, netmesh_status_text(status), took,
-                static_cast<unsigned long long>(report.transpositions), took / double(report.transpositions) * 1e9,
-                double(report.peak_bytes) / 1048576, static_cast<unsigned long long>(report.vines), equal, fresh);
+                filtrations, static_cast<unsigned long long>(report.diagram.simplices), dim, netmesh_status_text(status), took,
+                static_cast<unsigned long long>(report.vineyard.transpositions), took / double(report.vineyard.transpositions) * 1e9,
+                double(report.memory.peak_bytes) / 1048576, static_cast<unsigned long long>(report.vineyard.vines), equal, fresh);
     return status == NETMESH_OK && equal == filtrations ? 0 : 1;
 }

@@ -6,6 +6,7 @@
 #include "common/session.hpp"
 
 struct Arrays {
+    explicit Arrays(std::uint32_t d) : dim(d) {}
     explicit Arrays(const Session& s) : dim(s.request.dim), cages(read_all(s.context, netmesh_get_cage)) {
         for (const netmesh_vertex& v : read_all(s.context, netmesh_get_vertex)) {
             vertices.insert(vertices.end(), v.coordinates, v.coordinates + dim);

@@ -84,6 +84,10 @@ public:
     }
 
     // Calls in the block as it is, watched by the session's monitor.
+    netmesh_status mesh_in_block(const inputs::Points& points, netmesh_purpose purpose = NETMESH_PURPOSE_MESH) {
+        const netmesh_mesh_request r = mesh_request(points, purpose);
+        return netmesh_mesh(context, &r);
+    }
     netmesh_status persist(netmesh_persist_request r) {
         r.monitor = request.monitor;
         return netmesh_persist(context, &r);

@@ -17,16 +17,16 @@ bool failed = false;
 
 void print(const char* job, const char* input, const Session& session, netmesh_status status) {
     if (status != NETMESH_OK) {
-        std::printf("%s %s D%" PRIu32 " failed: %s\n", job, input, session.options.dim, netmesh_status_text(status));
+        std::printf("%s %s D%" PRIu32 " failed: %s\n", job, input, session.request.dim, netmesh_status_text(status));
         failed = true;
         return;
     }
     const netmesh_report r = session.report();
     std::uint64_t pairs = 0;
-    for (std::uint32_t k = 0; k <= r.max_degree; ++k) pairs += r.has_diagram ? r.pairs[k] : 0;
+    for (std::uint32_t k = 0; k <= r.diagram.max_degree; ++k) pairs += r.diagram.present ? r.diagram.pairs[k] : 0;
     std::printf("%s %s D%" PRIu32 " input %016" PRIx64 " result %016" PRIx64 " vertices %" PRIu64 " cells %" PRIu64
                 " pairs %" PRIu64 "\n",
-                job, input, r.dim, r.input_fingerprint, r.fingerprint, r.vertices, r.cells, pairs);
+                job, input, r.input.dim, r.input.fingerprint, r.fingerprint, r.mesh.vertices, r.mesh.cells, pairs);
     std::fflush(stdout);
 }
 
@@ -42,15 +42,15 @@ std::uint64_t hash_of_cycles(const Session& session) {
 }
 
 void represent(const char* job, Session& session, netmesh_status status) {
-    if (status == NETMESH_OK) status = netmesh_represent(session.context, &session.options);
+    if (status == NETMESH_OK) status = session.represent();
     failed = failed || status != NETMESH_OK;
-    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.options.dim, hash_of_cycles(session),
+    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.request.dim, hash_of_cycles(session),
                 static_cast<int>(status));
 }
 
 // Every number of the bounds of bars and of the ratio by scale.
 void bound(const char* job, Session& session) {
-    const netmesh_status status = netmesh_bound_bars(session.context, &session.options);
+    const netmesh_status status = session.bound_bars();
     failed = failed || status != NETMESH_OK;
     std::uint64_t hash = 1, bars = 0, steps = 0, certain = 0;
     const auto add = [&](double x) {
@@ -68,29 +68,29 @@ void bound(const char* job, Session& session) {
         for (const double x : {s.from, s.reach, s.ratio}) add(x);
     std::printf("bounds %s D%" PRIu32 " %016" PRIx64 " bars %" PRIu64 " certain %" PRIu64 " steps %" PRIu64
                 " status %d\n",
-                job, session.options.dim, hash, bars, certain, steps, static_cast<int>(status));
+                job, session.request.dim, hash, bars, certain, steps, static_cast<int>(status));
     std::fflush(stdout);
 }
 
 void print_analysis(const char* input, Session& session, std::uint32_t what) {
     netmesh_analysis a = {};
     a.struct_bytes = sizeof a;
-    const netmesh_status status = netmesh_analyse(session.context, what, 30, &session.options, &a);
+    const netmesh_status status = session.analyse(&a, what, 30);
     failed = failed || status != NETMESH_OK;
     std::printf("analyse %s D%" PRIu32 " status %d result %016" PRIx64 " boxes %" PRIu64 " ply %" PRIu64
                 " degree %" PRIu64 "\n",
-                input, session.options.dim, static_cast<int>(status), a.fingerprint, a.boxes, a.ply_max, a.degree_max);
+                input, session.request.dim, static_cast<int>(status), a.fingerprint, a.size.boxes, a.structure.ply_max, a.structure.degree_max);
     std::fflush(stdout);
 }
 
 void print_audit(const char* input, Session& session, const inputs::Points& points) {
-    session.options.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    session.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
     const netmesh_status status = session.mesh(points);
-    session.options.audit = 0;
+    session.request.audit = 0;
     print("audit", input, session, status);
-    const netmesh_audit a = session.report().audit;
-    const double ratios[] = {a.ply_mean,      a.touches_mean, a.tests_mean,    a.aspect_ratio_max,
-                             a.feature_ratio, a.cage_ratio,   a.steiner_ratio, a.input_ratio};
+    const netmesh_audit a = session.report().mesh.audit;
+    const double ratios[] = {a.structure.ply_mean,      a.touches_mean, a.tests_mean,    a.aspect_ratio_max,
+                             a.size.feature_ratio, a.cage_ratio,   a.steiner_ratio, a.input_ratio};
     std::uint64_t hash = 1;
     for (const double ratio : ratios) {
         std::uint64_t bits;
@@ -99,7 +99,7 @@ void print_audit(const char* input, Session& session, const inputs::Points& poin
     }
     std::printf("audit %s D%" PRIu32 " rounds %" PRIu32 " nets %" PRIu32 " ply %" PRIu32 " touches %" PRIu32
                 " meshes %" PRIu32 " ratios %016" PRIx64 "\n",
-                input, session.options.dim, a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, hash);
+                input, session.request.dim, a.rounds, a.nets, a.structure.ply_max, a.touches_max, a.meshes, hash);
     std::fflush(stdout);
 }
 
@@ -118,21 +118,21 @@ void dimension(int dim) {
           session.delaunay(inputs::repeated(dim, inputs::uniform(dim, points[d] / 2), 2)));
     print("mesh", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d])));
     print("mesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
-    session.options.method = NETMESH_METHOD_NETMESH;
+    session.request.method = NETMESH_METHOD_NETMESH;
     print("netmesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
     print("netmesh", "geometric", session, session.mesh(inputs::geometric(dim, 1000, dim < 5 ? 40 : 10)));
     print_audit("uniform", session, inputs::uniform(dim, 4 + meshed[d] / 16));
     print_audit("geometric", session, inputs::geometric(dim, 1000, 10));
-    session.options.finish = 1;
+    session.request.finish = 1;
     print("netmesh-finish", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d] / 4)));
-    session.options.finish = 0;
-    session.options.method = NETMESH_METHOD_REFINE;
+    session.request.finish = 0;
+    session.request.method = NETMESH_METHOD_REFINE;
     if (dim < 4) print("refine", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4)));
-    session.options.method = NETMESH_METHOD_SVR;
+    session.request.method = NETMESH_METHOD_SVR;
     print_analysis("clusters-mesh", session, NETMESH_ANALYSE_ALL);
-    session.options.over_refine_eps = dim < 4 ? 0.5 : 1;
+    session.request.sizes.eps = dim < 4 ? 0.5 : 1;
     print("mesh-eps", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4 + 3)));
-    session.options.over_refine_eps = 0;
+    session.request.sizes.eps = 0;
     print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
     bound("uniform", session);
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
@@ -146,10 +146,10 @@ void dimension(int dim) {
               session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
         bound(filter == NETMESH_FILTER_KNN ? "knn" : "kdistance", session);
     }
-    session.options.ratio = 2.25;
+    session.request.certificate.ratio = 2.25;
     print("persist-ratio", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
     print("persist-ratio", "shell", session, session.mesh_and_persist(inputs::shell(dim, meshed[d] / 2, 1, 1, 7)));
-    session.options.ratio = 0;
+    session.request.certificate.ratio = 0;
     if (dim <= 3) {
         const inputs::Points zoom = inputs::zoom(dim, 40, dim == 2 ? 4 : 10);
         print("persist-scales", "zoom", session, session.until_it_fits(std::size_t(1) << 24, [&] {
@@ -159,7 +159,7 @@ void dimension(int dim) {
         const inputs::Points sparse = inputs::uniform(dim, dim == 2 ? 20 : 5);
         print("persist-tight", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
             const netmesh_status status = netmesh_mesh(session.context, sparse.data(), sparse.size() / d,
-                                                       NETMESH_JOB_PERSIST_TIGHT, &session.options);
+                                                       NETMESH_PURPOSE_TIGHT, &session.options);
             return status != NETMESH_OK
                        ? status
                        : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, NETMESH_VALUES_CERTIFIED,
@@ -168,7 +168,7 @@ void dimension(int dim) {
         const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
         print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
             const netmesh_status status =
-                netmesh_mesh(session.context, few.data(), few.size() / d, NETMESH_JOB_PERSIST, &session.options);
+                netmesh_mesh(session.context, few.data(), few.size() / d, NETMESH_PURPOSE_PERSIST, &session.options);
             return status != NETMESH_OK ? status
                                         : netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, 5,
                                                            NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, &session.options);
@@ -252,7 +252,7 @@ int main(int argc, char** argv) {
     homology();
     if (!small) {
         Session session(4);
-        session.options.tau = 3.08;
+        session.request.tau = 3.08;
         print("persist", "clifford", session, session.mesh_and_persist(inputs::clifford(2000)));
     }
     return failed ? 1 : 0;

@@ -34,10 +34,10 @@ Diagram persist(int dim, const inputs::Points& points, netmesh_filter filter, st
 
 // e^distance in log scale, the largest difference in plain scale.
 double distance(const Diagram& a, const Diagram& b, netmesh_scale scale) {
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
+    const std::size_t bytes = netmesh_bottleneck_bytes(a.size.vertices(), b.size());
     void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16 + 16);
     netmesh_distance d = {};
-    REQUIRE(netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), NETMESH_ALL_DEGREES, scale, scratch, bytes,
+    REQUIRE(netmesh_bottleneck(a.data(), a.size.vertices(), b.data(), b.size(), NETMESH_ALL_DEGREES, scale, scratch, bytes,
                                nullptr, nullptr, &d) == NETMESH_OK);
     std::free(scratch);
     return std::ldexp(d.value, d.exponent);
@@ -389,15 +389,15 @@ TEST_CASE("the report names filter, k and ratio; arguments are checked") {
     };
     REQUIRE(call(NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 1) == NETMESH_OK);
     netmesh_report r = session.report();
-    CHECK(r.filter == NETMESH_FILTER_BARYCENTRIC_RIPS);
-    CHECK(r.k == 3);
-    CHECK(r.certified_ratio == doctest::Approx(std::pow(2, 0.25)).epsilon(1e-15));
-    CHECK(r.points == 8);
-    CHECK(r.simplices == netmesh::barycentric_count(8, 3, 5, 2));
-    CHECK(r.essential[0] == 1);
+    CHECK(r.diagram.filter == NETMESH_FILTER_BARYCENTRIC_RIPS);
+    CHECK(r.diagram.k == 3);
+    CHECK(r.diagram.certified_ratio == doctest::Approx(std::pow(2, 0.25)).epsilon(1e-15));
+    CHECK(r.input.points == 8);
+    CHECK(r.diagram.simplices == netmesh::barycentric_count(8, 3, 5, 2));
+    CHECK(r.diagram.essential[0] == 1);
     CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 0, 1) == NETMESH_INVALID_ARGUMENT);
     CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 9, 1) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_get_detail(session.context).index_a == 6);
+    CHECK(session.detail().index_a == 6);
     CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 8, 1) == NETMESH_OK);
     CHECK(session.pairs().size() == 1);
     CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 30, 1) == NETMESH_INVALID_ARGUMENT);
@@ -406,14 +406,14 @@ TEST_CASE("the report names filter, k and ratio; arguments are checked") {
     CHECK(call(NETMESH_FILTER_CECH, 0, 1) == NETMESH_OK);
     CHECK(netmesh_persist(session.context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 1, 0, &session.options) ==
           NETMESH_NO_RESULT);
-    CHECK(netmesh_check(session.context, NETMESH_CHECK_ALL, &session.options) == NETMESH_NO_RESULT);
+    CHECK(session.check() == NETMESH_NO_RESULT);
     netmesh_vertex v;
     CHECK(netmesh_get_vertex(session.context, 0, &v) == NETMESH_INVALID_ARGUMENT);
     inputs::Points bad = points;
     bad[7] = std::nan("");
     CHECK(netmesh_persist_points(session.context, bad.data(), 8, NETMESH_FILTER_RIPS, NETMESH_VALUES_CERTIFIED, 0, 1, 0,
                                  0, &session.options) == NETMESH_NOT_FINITE);
-    CHECK(netmesh_get_detail(session.context).index_a == 3);
+    CHECK(session.detail().index_a == 3);
 }
 
 TEST_CASE("what is planned is enough, what is too small says so") {
@@ -434,7 +434,7 @@ TEST_CASE("what is planned is enough, what is too small says so") {
                 CHECK((status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY));
                 CHECK(!(fitted && status != NETMESH_OK));
                 fitted = fitted || status == NETMESH_OK;
-                if (status == NETMESH_OUT_OF_MEMORY) CHECK(netmesh_get_detail(session.context).bytes_wanted > 4096);
+                if (status == NETMESH_OUT_OF_MEMORY) CHECK(session.detail().bytes_wanted > 4096);
             }
             CHECK(fitted);
         }

@@ -32,11 +32,11 @@ inline netmesh_report report(const Session& session) {
 // Births at 0 are infinitely far from all others on the log scale, so these bars are matched to each other, in order of
 // death, which is best; the one that never dies to its like.
 inline double log_distance_of_degree_0(Bars a, Bars b) {
-    REQUIRE(a.size() == b.size());
+    REQUIRE(a.size.vertices() == b.size());
     std::sort(a.begin(), a.end());
     std::sort(b.begin(), b.end());
     double distance = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t i = 0; i < a.size.vertices(); ++i) {
         REQUIRE(a[i].first == 0);
         REQUIRE(b[i].first == 0);
         if (a[i].second != b[i].second)
@@ -123,7 +123,7 @@ inline bool all_real(const std::vector<Claim>& claims, const Diagram& truth, dou
 // Do the bounds of the session's bars hold? *certain: how many are said to be real. slack: the truth is known to within this factor,
 // and bars so short may be missing from it.
 inline bool bounds_hold(Session& session, const Diagram& truth, std::size_t* certain, double slack = 1 + 1e-9) {
-    REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
+    REQUIRE(session.bound_bars() == NETMESH_OK);
     *certain = 0;
     std::vector<Claim> claims;
     netmesh_pair pair;

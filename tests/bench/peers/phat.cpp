@@ -114,7 +114,7 @@ template <int D> void persist(Trial& trial, const inputs::Points& points, double
     std::vector<std::array<std::uint32_t, D + 1>> cells;
     {
         Session session(D);
-        session.options.tau = tau;
+        session.request.tau = tau;
         if (session.mesh_and_persist(points) != NETMESH_OK) std::exit(1);
         netmesh_vertex vertex;
         for (std::uint64_t v = 0; netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK; ++v) {
