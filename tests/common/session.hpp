@@ -79,6 +79,9 @@ public:
     netmesh_status points(const netmesh_points_request& r) {
         return until_it_fits(netmesh_plan_points(&r), [&] { return netmesh_persist_points(context, &r); });
     }
+    netmesh_status homology(const netmesh_homology_request& r) {
+        return until_it_fits(netmesh_plan_homology(&r), [&] { return netmesh_homology(context, &r); });
+    }
     netmesh_status scales(const netmesh_scales_request& r) {
         return until_it_fits(netmesh_plan_scales(&r), [&] { return netmesh_persist_scales(context, &r); });
     }
@@ -102,6 +105,13 @@ public:
         netmesh::requests::Bounds r;
         r.monitor = request.monitor;
         return netmesh_bound_bars(context, &r);
+    }
+    netmesh_status vineyard(netmesh_filter filter, std::uint32_t k_first, std::uint32_t k_last) {
+        netmesh::requests::Vineyard r(filter);
+        r.monitor = request.monitor;
+        r.k_first = k_first;
+        r.k_last = k_last;
+        return netmesh_vineyard(context, &r);
     }
     netmesh_status check(std::uint32_t what = NETMESH_CHECK_ALL) {
         netmesh::requests::Check r;
@@ -134,8 +144,12 @@ public:
         r.purpose = purpose;
         return r;
     }
-    netmesh_points_request points_request(const inputs::Points& points, netmesh_filter filter) const {
-        return on(points, watched(netmesh::requests::Points(request.dim, filter)));
+    netmesh_points_request points_request(const inputs::Points& points, netmesh_filter filter, std::uint32_t k = 1,
+                                          std::uint32_t max_degree = 1) const {
+        netmesh_points_request r = on(points, watched(netmesh::requests::Points(request.dim, filter)));
+        r.k = k;
+        r.max_degree = max_degree;
+        return r;
     }
     netmesh_scales_request scales_request(const inputs::Points& points) const {
         netmesh_scales_request r = on(points, watched(netmesh::requests::Scales(request.dim)));
