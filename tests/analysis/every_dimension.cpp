@@ -9,6 +9,7 @@
 #include "analysis/size.hpp"
 #include "analysis/structure.hpp"
 #include "common/arrays.hpp"
+#include "common/session.hpp"
 #include "numerics/elementary.hpp"
 
 using namespace netmesh;

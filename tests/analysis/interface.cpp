@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "common/arrays.hpp"
+#include "common/session.hpp"
 
 namespace {
 
