@@ -234,9 +234,9 @@ size_t netmesh_plan_delaunay(const netmesh_delaunay_request* request);
 netmesh_status netmesh_delaunay(netmesh_context* context, const netmesh_delaunay_request* request);
 
 typedef enum netmesh_method {
-    NETMESH_METHOD_SVR = 0,     /* Sparse Voronoi Refinement (4.4) */
-    NETMESH_METHOD_NETMESH = 1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the spread */
-    NETMESH_METHOD_REFINE = 2   /* VoronoiRefine (3.2), in the bounding domain and with the boundary net of 3.5 */
+    NETMESH_METHOD_SVR = 0,       /* Sparse Voronoi Refinement (4.4) */
+    NETMESH_METHOD_HIERARCHY = 1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the spread */
+    NETMESH_METHOD_REFINE = 2     /* VoronoiRefine (3.2), in the bounding domain and with the boundary net of 3.5 */
 } netmesh_method;
 
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone
@@ -290,8 +290,9 @@ typedef struct netmesh_mesh_request {
                              1 + tight_eps; in (0, 1/2]; 0: 1/2 */
     netmesh_sizes sizes;
     netmesh_certificate_goal certificate; /* for PURPOSE_PERSIST with METHOD_SVR, without sizes */
-    uint32_t finish;                      /* 1: METHOD_NETMESH goes on to a mesh of quality tau without cages (4.7.6) */
-    uint32_t audit; /* a union of netmesh_audit_what, for PURPOSE_MESH with SVR or NETMESH without sizes. The mesh is as
+    uint32_t finish; /* 1: METHOD_HIERARCHY goes on to a mesh of quality tau without cages (4.7.6) */
+    uint32_t
+        audit; /* a union of netmesh_audit_what, for PURPOSE_MESH with SVR or HIERARCHY without sizes. The mesh is as
                         good as without; it takes several times as long, with QUALITY about the number of cells for each
                         vertex: for small runs. INTERNAL when an audit finds a point out of its balls or an encroached
                         cage */
@@ -307,14 +308,14 @@ double netmesh_tau(const netmesh_mesh_request* request);
 size_t netmesh_plan_mesh(const netmesh_mesh_request* request);
 
 /* Quality mesh of points: a Delaunay triangulation of the points and of Steiner points in which each vertex that is not
- * exempt has a Voronoi cell that, clipped to the domain ball, has aspect ratio at most tau. With METHOD_NETMESH, unless
- * finished, there are cages as well (see netmesh_cage), each vertex's cell is clipped to the ball of its own domain,
- * and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and, after merging
- * duplicates, distances of at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
- * PURPOSE_PERSIST refines (SVR alone) a shell around the domain as well, as far as a certified ratio of sqrt(2 + tau)
- * needs it. PURPOSE_TIGHT over-refines to e = tight_eps / (3 (1 + tight_eps)) times f_P (7.5) in a domain of at least
- * 3.1 + 4 e enclosing radii: hundreds (D = 2) to tens of thousands (D = 3) of vertices a point. Meshes with cages are
- * not for persistence, and METHOD_NETMESH does not over-refine.
+ * exempt has a Voronoi cell that, clipped to the domain ball, has aspect ratio at most tau. With METHOD_HIERARCHY,
+ * unless finished, there are cages as well (see netmesh_cage), each vertex's cell is clipped to the ball of its own
+ * domain, and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and,
+ * after merging duplicates, distances of at least 2^-500 and 64 units in the last place. Works on flat input and on a
+ * single point. PURPOSE_PERSIST refines (SVR alone) a shell around the domain as well, as far as a certified ratio of
+ * sqrt(2 + tau) needs it. PURPOSE_TIGHT over-refines to e = tight_eps / (3 (1 + tight_eps)) times f_P (7.5) in a
+ * domain of at least 3.1 + 4 e enclosing radii: hundreds (D = 2) to tens of thousands (D = 3) of vertices a point.
+ * Meshes with cages are not for persistence, and METHOD_HIERARCHY does not over-refine.
  * With certificate.ratio the mesh has about half of the vertices for the same certified ratio. No aspect ratio is
  * promised then; the report's tau is 0. For a ratio below 2 distances must be 64 / (ratio^2 / 2 - 1) units, and with
  * scales of interest focus_from must be 64 / k units, k = focus_ratio^2 / 2 - 1, or
@@ -1057,12 +1058,13 @@ typedef enum netmesh_figure_type {
 typedef struct netmesh_figure {
     uint32_t struct_bytes;
     netmesh_figure_type type;
-    const char* path;   /* "mesh.certificate.ratio": parts and name */
-    const void* values; /* [count], in the struct that was handed over */
-    uint32_t is_array;
-    uint32_t count;          /* of an array: how many of its places are used */
+    const char* path;        /* parts and name, as in the tool's JSON: "mesh.audit.location.ply_max" */
+    const void* values;      /* [count], in the struct that was handed over */
+    uint32_t is_array;       /* 1: an array, which may be empty */
+    uint32_t count;          /* how many values are used; 1 of what is no array */
     uint32_t applies;        /* 0: says nothing here, as its part is not present or the figure was not asked for */
-    uint32_t in_fingerprint; /* 1: enters the fingerprint */
+    uint32_t on_request;     /* 1: of something that a job has to be asked for */
+    uint32_t in_fingerprint; /* 1: enters the fingerprint as it stands here */
     const char* text;        /* of a NAME, else null */
 } netmesh_figure;
 

@@ -68,9 +68,7 @@ struct Homology : netmesh_homology_request {
     Homology() { netmesh_homology_request_init(this, sizeof(netmesh_homology_request)); }
 };
 struct Bottleneck : netmesh_bottleneck_request {
-    Bottleneck() {
-        netmesh_bottleneck_request_init(this, sizeof(netmesh_bottleneck_request), sizeof(netmesh_pair));
-    }
+    Bottleneck() { netmesh_bottleneck_request_init(this, sizeof(netmesh_bottleneck_request), sizeof(netmesh_pair)); }
 };
 struct Analyse : netmesh_analyse_request {
     Analyse() { netmesh_analyse_request_init(this, sizeof(netmesh_analyse_request)); }
