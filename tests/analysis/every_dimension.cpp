@@ -303,7 +303,7 @@ TEST_CASE("tolerances of their own, and meshes of which sizes say nothing") {
         CHECK(std::isinf(a.size.upper));
         CHECK(std::isinf(a.size.feature_ratio_bound));
         s.request.certificate.ratio = 0;
-        s.request.method = NETMESH_METHOD_NETMESH;
+        s.request.method = NETMESH_METHOD_HIERARCHY;
         REQUIRE(s.mesh(inputs::geometric(dim, 40, 3)) == NETMESH_OK);
         REQUIRE(s.report().mesh.hierarchy.cages > 0);
         analyse(40);

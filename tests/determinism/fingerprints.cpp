@@ -136,7 +136,7 @@ void meshes(Session& session, int dim, std::size_t meshed) {
     };
     mesh("mesh", "uniform", inputs::uniform(dim, meshed));
     mesh("mesh", "clusters", inputs::clusters(dim, meshed));
-    session.request.method = NETMESH_METHOD_NETMESH;
+    session.request.method = NETMESH_METHOD_HIERARCHY;
     mesh("netmesh", "clusters", inputs::clusters(dim, meshed));
     mesh("netmesh", "geometric", inputs::geometric(dim, 1000, dim < 5 ? 40 : 10));
     print_audit("uniform", session, inputs::uniform(dim, 4 + meshed / 16));

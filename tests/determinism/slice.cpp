@@ -334,7 +334,7 @@ private:
         add_hash(&line, "order", status, hash.value());
         in_.count = 0;
         zoom(&in_, in_.dim < 5 ? 5 : 3, 6, 13);
-        context_.mesh_request.method = NETMESH_METHOD_NETMESH;
+        context_.mesh_request.method = NETMESH_METHOD_HIERARCHY;
         add_result(&line, "cages", mesh(NETMESH_PURPOSE_MESH), context_.handle);
         context_.mesh_request.finish = 1;
         if (in_.dim < 4) add_result(&line, "finished", mesh(NETMESH_PURPOSE_MESH), context_.handle);

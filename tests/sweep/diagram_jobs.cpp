@@ -169,7 +169,7 @@ netmesh_status analyse(Run& run) {
 }
 
 netmesh_status measure(Run& run) {
-    run.request.method = NETMESH_METHOD_NETMESH;
+    run.request.method = NETMESH_METHOD_HIERARCHY;
     netmesh_status status = run.mesh_in_block(run.points());
     if (status != NETMESH_OK) return status;
     const std::size_t vertices = run.report().mesh.vertices, inputs = run.job.points;

@@ -89,7 +89,7 @@ netmesh_status check(Run& run) {
 }
 
 netmesh_status hierarchy(Run& run) {
-    run.request.method = NETMESH_METHOD_NETMESH;
+    run.request.method = NETMESH_METHOD_HIERARCHY;
     return run.mesh_in_block(made<spread_points>(run.job));
 }
 netmesh_status finished(Run& run) {
@@ -97,12 +97,12 @@ netmesh_status finished(Run& run) {
     return hierarchy(run);
 }
 netmesh_status audited(Run& run) {
-    run.request.method = NETMESH_METHOD_NETMESH;
+    run.request.method = NETMESH_METHOD_HIERARCHY;
     run.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
     return run.mesh_in_block(run.points());
 }
 netmesh_status released(Run& run) {
-    run.request.method = NETMESH_METHOD_NETMESH;
+    run.request.method = NETMESH_METHOD_HIERARCHY;
     run.request.tau = run.job.dim < 4 ? 2.2 : run.job.dim < 6 ? 6 : 8;
     return run.mesh_in_block(made<narrow_pairs>(run.job));
 }
