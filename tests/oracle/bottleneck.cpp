@@ -25,10 +25,10 @@ std::vector<std::pair<double, double>> for_gudhi(const Diagram& diagram, bool lo
 }
 
 double ours(const Diagram& a, const Diagram& b, netmesh_scale scale) {
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size.vertices(), b.size());
+    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
     void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
     netmesh_distance d = {};
-    REQUIRE(netmesh_bottleneck(a.data(), a.size.vertices(), b.data(), b.size(), 1, scale, scratch, bytes, nullptr, nullptr,
+    REQUIRE(netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 1, scale, scratch, bytes, nullptr, nullptr,
                                &d) == NETMESH_OK);
     std::free(scratch);
     return scale == NETMESH_SCALE_LOG ? std::log(d.value) + d.exponent * std::log(2.0) : d.value;
@@ -70,7 +70,7 @@ class Definition {
 public:
     Definition(const std::vector<std::pair<double, double>>& a, const std::vector<std::pair<double, double>>& b,
                double t)
-        : a_(a), b_(b), t_(t), mate_(a.size.vertices() + b.size(), -1) {}
+        : a_(a), b_(b), t_(t), mate_(a.size() + b.size(), -1) {}
     bool holds() {
         for (std::size_t i = 0; i < mate_.size(); ++i) {
             std::vector<bool> seen(mate_.size());

@@ -32,11 +32,11 @@ inline netmesh_report report(const Session& session) {
 // Births at 0 are infinitely far from all others on the log scale, so these bars are matched to each other, in order of
 // death, which is best; the one that never dies to its like.
 inline double log_distance_of_degree_0(Bars a, Bars b) {
-    REQUIRE(a.size.vertices() == b.size());
+    REQUIRE(a.size() == b.size());
     std::sort(a.begin(), a.end());
     std::sort(b.begin(), b.end());
     double distance = 0;
-    for (std::size_t i = 0; i < a.size.vertices(); ++i) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
         REQUIRE(a[i].first == 0);
         REQUIRE(b[i].first == 0);
         if (a[i].second != b[i].second)

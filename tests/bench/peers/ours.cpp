@@ -22,9 +22,7 @@ void ours_delaunay(Trial& trial, int dim, const inputs::Points& points) {
     Session session(dim);
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
-                            &session.options),
-           session);
+    demand(session.delaunay_in_block(points), session);
     trial.stop();
     trial.figure(cells, static_cast<double>(session.report().mesh.cells));
     trial.figure(arena_bytes, static_cast<double>(session.report().memory.peak_bytes));
@@ -35,15 +33,13 @@ void ours_mesh(Trial& trial, const inputs::Points& points, double tau) {
     session.request.tau = tau;
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_mesh(session.context, points.data(), points.size() / 3, NETMESH_PURPOSE_MESH, &session.options),
-           session);
+    demand(session.mesh_in_block(points), session);
     trial.stop();
     const netmesh_report report = session.report();
     trial.figure(vertices, static_cast<double>(report.mesh.vertices));
     trial.figure(cells, static_cast<double>(report.mesh.cells));
     std::vector<double> coordinates;
-    netmesh_vertex vertex;
-    for (std::uint64_t v = 0; netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK; ++v)
+    for (const netmesh_vertex& vertex : session.vertices())
         coordinates.insert(coordinates.end(), vertex.coordinates, vertex.coordinates + 3);
     measure_aspect(trial, coordinates, session.cells<4>(), report.mesh.domain);
     trial.figure(aspect_clipped, report.mesh.aspect_ratio_max);
@@ -53,14 +49,10 @@ void ours_persist(Trial& trial, int dim, const inputs::Points& points, double ta
     Session session(dim);
     session.request.tau = tau;
     session.reserve(block_bytes);
-    demand(netmesh_mesh(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
-                        NETMESH_PURPOSE_PERSIST, &session.options),
-           session);
+    demand(session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST), session);
     const double mesh_bytes = static_cast<double>(session.report().memory.used_bytes);
     trial.start();
-    demand(netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                           &session.options),
-           session);
+    demand(session.persist(), session);
     trial.stop();
     const netmesh_report report = session.report();
     trial.figure(simplices, static_cast<double>(report.diagram.simplices));
@@ -74,12 +66,8 @@ void ours_alpha(Trial& trial, int dim, const inputs::Points& points) {
     Session session(dim);
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
-                            &session.options),
-           session);
-    demand(netmesh_persist(session.context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                           &session.options),
-           session);
+    demand(session.delaunay_in_block(points), session);
+    demand(session.persist(NETMESH_FILTER_ALPHA), session);
     trial.stop();
     trial.figure(simplices, static_cast<double>(session.report().diagram.simplices));
     trial.figure(arena_bytes, static_cast<double>(session.report().memory.peak_bytes));
