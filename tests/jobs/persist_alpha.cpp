@@ -1,3 +1,5 @@
+#include "jobs/persist_alpha.hpp"
+
 #include "filtration/alpha.hpp"
 
 #include <doctest/doctest.h>

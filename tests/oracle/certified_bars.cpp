@@ -1,5 +1,5 @@
-// What chains of covers claim, without what interleaving tells: true bars that contain each claim, all different (alpha complex).
-#include "filtration/sure_bars.hpp"
+// What sequences of covers claim, without what interleaving tells: true bars that contain each claim, all different (alpha complex).
+#include "jobs/certified_bars.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 
 #include "common/block.hpp"
 #include "common/session.hpp"
-#include "filtration/cell_bounds.hpp"
-#include "filtration/sharp_bounds.hpp"
+#include "filtration/filters.hpp"
+#include "filtration/tighten_cell_bounds.hpp"
 #include "homology/persistence.hpp"
 #include "mesh/refine.hpp"
 #include "oracle/log_distance.hpp"
@@ -33,17 +33,19 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);
-    MeshCertificate certificate;
-    REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
-                                  value.data(), &certificate, interval.data()) == Status::ok);
-    REQUIRE(sharpen_intervals<D>(store, inputs, domain.enclosing_radius * up, {block.arena, monitor}, interval.data()) ==
+    const FilteredMesh<D> mesh = {store, domain, inputs};
+    Evaluation complete = {value.data(), interval.data()};
+    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {block.arena, monitor}, &complete) ==
             Status::ok);
+    REQUIRE(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, interval.data()) == Status::ok);
     PairList list = {};
     REQUIRE(persist_lower_star<D>(store.view(), value.data(), inputs, D - 1, false, {block.arena, monitor}, &list,
                                   nullptr) == Status::ok);
     std::vector<BarBounds> bounds(list.count);
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-    REQUIRE(find_sure_bars<D>(store.view(), value.data(), interval.data(), inputs, list.pairs, list.count, {block.arena, monitor}, bounds.data()) == Status::ok);
+    const CertifiedBarsRequest<D> request = {
+        store.view(), {value.data(), interval.data(), state.vertex_count}, inputs, {list.pairs, list.count}};
+    REQUIRE(find_certified_bars<D>(request, {block.arena, monitor}, bounds.data()) == Status::ok);
     CHECK(block.arena.low_mark() == low);
     CHECK(block.arena.high_mark() == high);
     std::vector<Claim> claims;

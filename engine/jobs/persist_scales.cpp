@@ -1,7 +1,8 @@
-// One tight diagram after the other, joined.
+#include "jobs/persist_scales.hpp"
+
 #include "diagram/sort.hpp"
-#include "filtration/cell_bounds.hpp"
-#include "filtration/scales.hpp"
+#include "filtration/filters.hpp"
+#include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
 #include "mesh/refine.hpp"
 #include "numerics/double_double.hpp"
@@ -30,7 +31,7 @@ bool add_pairs(const PairList& list, bool is_first, std::size_t low, Arena& aren
 }
 
 // Counts the mesh of a cluster of `points`.
-void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const MeshCertificate& certificate,
+void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const Certificate& certificate,
               ScalesResult* result) {
     result->simplices += simplices;
     result->vertices += vertices;
@@ -56,7 +57,7 @@ public:
                ScalesResult* result)
         : points_(points), request_(request), arena_(work.arena), monitor_(work.monitor), result_(result) {}
 
-    // Everything but moving the pairs to where they stay.
+    // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way.
     Status run(std::uint32_t count);
 
 private:
@@ -108,13 +109,14 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (status != Status::ok) return status;
     double* const value = arena_.take_low<double>(state.vertex_count);
     if (value == nullptr) return Status::out_of_memory;
-    MeshCertificate certificate;
-    status = tight_filter_values<D>(store, domain, n, request_.values, arena_, value, &certificate);
+    const Work work = {arena_, monitor_};
+    Evaluation tight = {value};
+    status = evaluate<D>({store, domain, n}, {NETMESH_FILTER_TIGHT, request_.values}, work, &tight);
     std::uint64_t simplices = 0;
     if (status == Status::ok)
-        status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, {arena_, monitor_}, list, &simplices);
+        status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, work, list, &simplices);
     if (status != Status::ok) return status;
-    add_mesh(n, state.vertex_count, simplices, certificate, result_);
+    add_mesh(n, state.vertex_count, simplices, tight.certificate, result_);
     return Status::ok;
 }
 

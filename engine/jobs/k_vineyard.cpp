@@ -1,4 +1,4 @@
-#include "filtration/multifiltration.hpp"
+#include "jobs/k_vineyard.hpp"
 
 #include "complex/faces.hpp"
 #include "homology/vineyard.hpp"
@@ -31,12 +31,10 @@ private:
 
 template <int D> class KVineyard {
 public:
-    KVineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const VineRequest& request,
-              const Work& work)
-        : store_(store), domain_(domain), inputs_(inputs), request_(request), arena_(work.arena), monitor_(work.monitor),
-          writer_(work.arena) {}
+    KVineyard(const FilteredMesh<D>& mesh, const VineRequest& request, const Work& work)
+        : mesh_(mesh), request_(request), work_(work), arena_(work.arena), writer_(work.arena) {}
 
-    // Everything but giving back what was taken; ratio[] is there.
+    // Fills ratio[k_last - k_first + 1], and leaves the points somewhere above the arena's low mark.
     Status run(double* ratio, VineList* out);
 
 private:
@@ -45,12 +43,10 @@ private:
     bool note(std::uint32_t k, const double* const* value);
     Status number_vines(VineList* out);
 
-    const Store<D>& store_;
-    const Domain<D>& domain_;
-    std::uint32_t inputs_;
+    const FilteredMesh<D>& mesh_;
     const VineRequest& request_;
+    const Work& work_;
     Arena& arena_;
-    Monitor& monitor_;
     PointWriter writer_;
     Faces<D> faces_;
     ComplexView complex_ = {};
@@ -61,8 +57,8 @@ private:
 
 template <int D> Status KVineyard<D>::open() {
     const int top = static_cast<int>(request_.max_degree) + 1;
-    monitor_.begin(NETMESH_STAGE_FILTER, 0);
-    const Status status = enumerate_faces<D>(store_.view(), top, {arena_, monitor_}, &faces_);
+    work_.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    const Status status = enumerate_faces<D>(mesh_.store.view(), top, work_, &faces_);
     if (status != Status::ok) return status;
     complex_.dimension = static_cast<std::uint32_t>(top);
     for (int k = 0; k <= top; ++k) {
@@ -72,22 +68,16 @@ template <int D> Status KVineyard<D>::open() {
         value_[1][k] = arena_.take_high<double>(faces_.count[k]);
         if (value_[0][k] == nullptr || value_[1][k] == nullptr) return Status::out_of_memory;
     }
-    vertex_value_ = arena_.take_high<double>(store_.state.vertex_count);
+    vertex_value_ = arena_.take_high<double>(mesh_.vertices());
     return vertex_value_ == nullptr ? Status::out_of_memory : Status::ok;
 }
 
 // Values of all simplices, as netmesh_persist gives them.
 template <int D> Status KVineyard<D>::filter(std::uint32_t k, double** value, double* ratio) {
-    MeshCertificate certificate;
-    Status status;
-    if (k == 1) {
-        status = mesh_filter_values<D>(store_, domain_, MeshFilter::complete, request_.values, arena_, vertex_value_,
-                                       &certificate);
-    } else {
-        status = distance_filter_values<D>(store_, domain_, inputs_, request_.kind, k, request_.values, {arena_, monitor_}, vertex_value_, &certificate);
-    }
+    Evaluation evaluation = {vertex_value_};
+    const Status status = evaluate<D>(mesh_, {request_.filter, request_.values, k}, work_, &evaluation);
     if (status != Status::ok) return status;
-    *ratio = certificate.ratio;
+    *ratio = evaluation.certificate.ratio;
     for (std::uint32_t f = 0; f < faces_.count[0]; ++f) value[0][f] = vertex_value_[faces_.last_vertex[0][f]];
     for (int dimension = 1; dimension <= faces_.dimension_max; ++dimension)
         for (std::uint32_t f = 0; f < faces_.count[dimension]; ++f) {
@@ -98,8 +88,8 @@ template <int D> Status KVineyard<D>::filter(std::uint32_t k, double** value, do
             }
             value[dimension][f] = most;
         }
-    for (std::uint32_t f = 0; f < faces_.count[0] && k == 1; ++f)
-        if (faces_.last_vertex[0][f] < inputs_) value[0][f] = 0;
+    for (std::uint32_t f = 0; f < faces_.count[0]; ++f)
+        if (faces_.last_vertex[0][f] < evaluation.zero_born) value[0][f] = 0;
     return Status::ok;
 }
 
@@ -149,12 +139,12 @@ template <int D> Status KVineyard<D>::number_vines(VineList* out) {
 template <int D> Status KVineyard<D>::run(double* ratio, VineList* out) {
     Status status = open();
     if (status == Status::ok) status = filter(request_.k_first, value_[0], ratio);
-    if (status == Status::ok) status = vineyard_.open(complex_, request_.max_degree, value_[0], {arena_, monitor_});
+    if (status == Status::ok) status = vineyard_.open(complex_, request_.max_degree, value_[0], work_);
     int now = 0;
     if (status == Status::ok && !note(request_.k_first, value_[now])) status = Status::out_of_memory;
     for (std::uint32_t k = request_.k_first + 1; k <= request_.k_last && status == Status::ok; ++k, now = 1 - now) {
         status = filter(k, value_[1 - now], ratio + (k - request_.k_first));
-        if (status == Status::ok) status = vineyard_.advance(value_[now], value_[1 - now], monitor_);
+        if (status == Status::ok) status = vineyard_.advance(value_[now], value_[1 - now], work_.monitor);
         if (status == Status::ok && !note(k, value_[1 - now])) status = Status::out_of_memory;
     }
     if (status == Status::ok) status = number_vines(out);
@@ -168,14 +158,13 @@ template <int D> Status KVineyard<D>::run(double* ratio, VineList* out) {
 }  // namespace
 
 template <int D>
-Status k_vineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const VineRequest& request,
-                  const Work& work, VineList* out) {
+Status k_vineyard(const FilteredMesh<D>& mesh, const VineRequest& request, const Work& work, VineList* out) {
     ArenaScope scope(work.arena);
     const std::uint32_t steps = request.k_last - request.k_first + 1;
     double* const ratio = work.arena.take_low<double>(steps);
     const std::size_t low = work.arena.low_mark();
     if (ratio == nullptr) return Status::out_of_memory;
-    KVineyard<D> vineyard(store, domain, inputs, request, work);
+    KVineyard<D> vineyard(mesh, request, work);
     const Status status = vineyard.run(ratio, out);
     if (status != Status::ok) return status;
     work.arena.release_low(low);
@@ -190,7 +179,7 @@ Status k_vineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t 
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status k_vineyard<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const VineRequest&, const Work&, VineList*);
+    template Status k_vineyard<D>(const FilteredMesh<D>&, const VineRequest&, const Work&, VineList*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -1,4 +1,4 @@
-#include "filtration/sharp_bounds.hpp"
+#include "filtration/tighten_cell_bounds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 
 #include "common/block.hpp"
 #include "common/inputs.hpp"
-#include "filtration/cell_bounds.hpp"
+#include "filtration/filters.hpp"
 #include "filtration/nearest_in_hull.hpp"
 #include "mesh/refine.hpp"
 
@@ -35,15 +35,16 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, factor, true, 1}, monitor, &input, &domain) ==
             Status::ok);
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
-    const double rho = domain.enclosing_radius * up;
+    const FilteredMesh<D> mesh = {store, domain, inputs};
+    const double rho = mesh.cut();
     std::vector<double> value(count);
     std::vector<Interval> known(count), sharp;
-    MeshCertificate certificate;
-    REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
-                                  value.data(), &certificate, known.data()) == Status::ok);
+    Evaluation complete = {value.data(), known.data()};
+    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {block.arena, monitor}, &complete) ==
+            Status::ok);
     sharp = known;
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-    REQUIRE(sharpen_intervals<D>(store, inputs, rho, {block.arena, monitor}, sharp.data()) == Status::ok);
+    REQUIRE(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, sharp.data()) == Status::ok);
     CHECK(block.arena.low_mark() == low);
     CHECK(block.arena.high_mark() == high);
     std::size_t narrower = 0;
@@ -107,21 +108,22 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
             Status::ok);
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
-    const double rho = domain.enclosing_radius * up;
+    const FilteredMesh<D> mesh = {store, domain, inputs};
+    const double rho = mesh.cut();
     std::vector<double> value(count);
     std::vector<Interval> known(count), whole, sharp;
-    MeshCertificate certificate;
-    REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
-                                  value.data(), &certificate, known.data()) == Status::ok);
+    Evaluation complete = {value.data(), known.data()};
+    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {block.arena, monitor}, &complete) ==
+            Status::ok);
     whole = known;
-    REQUIRE(sharpen_intervals<D>(store, inputs, rho, {block.arena, monitor}, whole.data()) == Status::ok);
+    REQUIRE(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, whole.data()) == Status::ok);
     const std::size_t free_bytes = block.arena.bytes_free();
     int refused = 0;
     for (std::size_t left = 64; left <= std::size_t{1} << 20; left += left / 8) {
         const std::size_t high = block.arena.high_mark();
         REQUIRE(block.arena.template take_high<unsigned char>(free_bytes - left) != nullptr);
         sharp = known;
-        const Status status = sharpen_intervals<D>(store, inputs, rho, {block.arena, monitor}, sharp.data());
+        const Status status = tighten_cell_bounds<D>(mesh, {block.arena, monitor}, sharp.data());
         block.arena.release_high(high);
         CHECK(block.arena.bytes_free() == free_bytes);
         for (std::uint32_t v = 0; v < count; ++v) {  // each as it was or as it will be
@@ -152,7 +154,7 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     std::vector<Interval> before = known;
     before[open] = {rho / 8, rho};
     sharp = before;
-    CHECK(sharpen_intervals<D>(store, inputs, rho, {block.arena, monitor}, sharp.data()) == Status::ok);
+    CHECK(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, sharp.data()) == Status::ok);
     for (const std::uint32_t v : {open, vague}) {
         CHECK(sharp[v].lo == before[v].lo);
         CHECK(sharp[v].hi == before[v].hi);
@@ -168,7 +170,7 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
         },
         &polls);
     sharp = known;
-    const Status status = sharpen_intervals<D>(store, inputs, rho, {block.arena, stopping}, sharp.data());
+    const Status status = tighten_cell_bounds<D>(mesh, {block.arena, stopping}, sharp.data());
     CHECK(status == (polls > 0 ? Status::cancelled : Status::ok));
     CHECK((polls > 0 || state.vertex_count < 1000));
 }

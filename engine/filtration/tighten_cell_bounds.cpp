@@ -1,7 +1,7 @@
-#include "filtration/sharp_bounds.hpp"
+#include "filtration/tighten_cell_bounds.hpp"
 
 #include "delaunay/kernel.hpp"
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "filtration/nearest_in_hull.hpp"
 #include "mesh/input_tree.hpp"
 #include "vocabulary/dimension.hpp"
@@ -9,13 +9,13 @@
 namespace netmesh {
 namespace {
 
-template <int D> class Sharpener {
+template <int D> class CellTightener {
 public:
-    Sharpener(Store<D>& store, std::uint32_t inputs, double cut, Arena& arena)
+    CellTightener(Store<D>& store, std::uint32_t inputs, double cut, Arena& arena)
         : store_(store), kernel_(store, 1, true), inputs_(inputs), cut_(cut), arena_(arena) {}
 
     Status open();
-    Status narrow(std::uint32_t v, Interval* interval);
+    Status tighten(std::uint32_t v, Interval* interval);
 
 private:
     // A range of the tree and a box that holds it.
@@ -24,14 +24,14 @@ private:
         double low[D], high[D];
     };
     bool gather(std::uint32_t v, bool* known);
-    double least_distance(std::uint32_t v, double least);
-    double largest_distance(std::uint32_t v);
-    void relative(std::uint32_t input, double* q) const {
+    double input_distance_low(std::uint32_t v, double least);
+    double input_distance_high(std::uint32_t v);
+    void from_vertex(std::uint32_t input, double* q) const {
         for (int k = 0; k < D; ++k) q[k] = store_.point(input)[k] - at_[k];
     }
-    void look(std::uint32_t input);
+    void bound_input(std::uint32_t input);
     double box_distance(const Part& part) const;
-    double worst_corner(const double* mean, double square, std::uint32_t* corner) const;
+    double farthest_corner(const double* mean, double square, std::uint32_t* corner) const;
 
     Store<D>& store_;
     Kernel<D> kernel_;
@@ -52,7 +52,7 @@ private:
     double least_ = 0;  // least distance of an input from the cell so far
 };
 
-template <int D> Status Sharpener<D>::open() {
+template <int D> Status CellTightener<D>::open() {
     const std::uint32_t count = store_.state.vertex_count;
     degree_ = arena_.take_low<std::uint32_t>(count);
     if (degree_ == nullptr || tree_.build(store_, arena_, inputs_) != Status::ok) return Status::out_of_memory;
@@ -71,7 +71,7 @@ template <int D> Status Sharpener<D>::open() {
 }
 
 // The corners of v's cell. False: no room to visit the star.
-template <int D> bool Sharpener<D>::gather(std::uint32_t v, bool* known) {
+template <int D> bool CellTightener<D>::gather(std::uint32_t v, bool* known) {
     at_ = store_.point(v);
     corners_ = 0;
     out_radius_ = doubt_ = 0;
@@ -90,12 +90,12 @@ template <int D> bool Sharpener<D>::gather(std::uint32_t v, bool* known) {
 }
 
 // Lowers least_ to what is known of this input, where that is less.
-template <int D> void Sharpener<D>::look(std::uint32_t input) {
+template <int D> void CellTightener<D>::bound_input(std::uint32_t input) {
     double q[D];
-    relative(input, q);
+    from_vertex(input, q);
     const double d = square_root(dot<D>(q, q));
-    double bound = d - out_radius_ > 0.5 * d ? d - out_radius_ : 0.5 * d;
-    const double slack = 0x1p-44 * (d + out_radius_);
+    double bound = least_distance(d, out_radius_, 1);
+    const double slack = sum_slack * (d + out_radius_);
     for (std::uint32_t i = 0; i < half_spaces_ && bound < least_; ++i) {
         const double b = half_space_[i].distance(q) - slack;
         if (b > bound) bound = b;
@@ -111,7 +111,7 @@ template <int D> void Sharpener<D>::look(std::uint32_t input) {
 }
 
 // No input in the box is nearer to the cell than this.
-template <int D> double Sharpener<D>::box_distance(const Part& part) const {
+template <int D> double CellTightener<D>::box_distance(const Part& part) const {
     double away2 = 0, size = out_radius_;
     for (int k = 0; k < D; ++k) {
         const double outside = part.low[k] > 0 ? part.low[k] : part.high[k] < 0 ? -part.high[k] : 0;
@@ -128,14 +128,14 @@ template <int D> double Sharpener<D>::box_distance(const Part& part) const {
         }
         if (reach > best) best = reach;
     }
-    return best - 0x1p-44 * size;
+    return best - sum_slack * size;
 }
 
 // At most the least distance of an input from v's cell; `least` is known already.
-template <int D> double Sharpener<D>::least_distance(std::uint32_t v, double least) {
+template <int D> double CellTightener<D>::input_distance_low(std::uint32_t v, double least) {
     half_spaces_ = 0;
     least_ = 2 * cut_;
-    look(nearest_input<D>(store_, v));
+    bound_input(nearest_input<D>(store_, v));
     Part stack[40];
     int depth = 0;
     stack[depth].range = tree_.root();
@@ -148,13 +148,13 @@ template <int D> double Sharpener<D>::least_distance(std::uint32_t v, double lea
         const Part part = stack[--depth];
         if (!(box_distance(part) < least_)) continue;
         if (part.range.is_leaf()) {
-            for (std::uint32_t i = part.range.begin; i < part.range.end; ++i) look(tree_.item(i));
+            for (std::uint32_t i = part.range.begin; i < part.range.end; ++i) bound_input(tree_.item(i));
             continue;
         }
         const std::uint32_t middle = part.range.middle();
         const int axis = tree_.axis(middle);
         const double split = store_.point(tree_.item(middle))[axis] - at_[axis];
-        look(tree_.item(middle));
+        bound_input(tree_.item(middle));
         // The side of v last: it is searched first.
         const bool side = split > 0;
         for (int turn = 0; turn < 2; ++turn) {
@@ -169,7 +169,7 @@ template <int D> double Sharpener<D>::least_distance(std::uint32_t v, double lea
 }
 
 // The largest |y|^2 - 2 y.mean + square over the corners.
-template <int D> double Sharpener<D>::worst_corner(const double* mean, double square, std::uint32_t* corner) const {
+template <int D> double CellTightener<D>::farthest_corner(const double* mean, double square, std::uint32_t* corner) const {
     double worst = -infinity;
     for (std::uint32_t i = 0; i < corners_; ++i) {
         const double* const y = corner_ + std::size_t{i} * D;
@@ -183,22 +183,22 @@ template <int D> double Sharpener<D>::worst_corner(const double* mean, double sq
 
 // At least the largest distance of a point of v's cell to its nearest input. A mixture of inputs is known by the mean of its
 // points and of their squares.
-template <int D> double Sharpener<D>::largest_distance(std::uint32_t v) {
+template <int D> double CellTightener<D>::input_distance_high(std::uint32_t v) {
     constexpr int rounds = 8;
     constexpr double steps[] = {1, 0.7, 0.5, 0.35, 0.25, 0.15, 0.08};
     std::uint32_t near = nearest_input<D>(store_, v);
     double mean[D];
-    relative(near, mean);
+    from_vertex(near, mean);
     double square = dot<D>(mean, mean), largest = square, reached2 = 0;
     std::uint32_t corner = 0;
-    double worst = worst_corner(mean, square, &corner);
+    double worst = farthest_corner(mean, square, &corner);
     for (int round = 0; round < rounds; ++round) {
         double x[D], q[D], d2;
         for (int k = 0; k < D; ++k) x[k] = corner_[std::size_t{corner} * D + static_cast<std::size_t>(k)] + at_[k];
         near = tree_.nearest(x, near, none, &d2);
         if (d2 > reached2) reached2 = d2;
         if (worst <= reached2 * (1 + 0x1p-6)) break;
-        relative(near, q);
+        from_vertex(near, q);
         const double q2 = dot<D>(q, q);
         if (q2 > largest) largest = q2;
         double best = worst, best_step = 0;
@@ -206,7 +206,7 @@ template <int D> double Sharpener<D>::largest_distance(std::uint32_t v) {
             double trial[D];
             for (int k = 0; k < D; ++k) trial[k] = mean[k] + step * (q[k] - mean[k]);
             std::uint32_t at = 0;
-            const double d = worst_corner(trial, square + step * (q2 - square), &at);
+            const double d = farthest_corner(trial, square + step * (q2 - square), &at);
             if (!(d < best)) continue;
             best = d;
             best_step = step;
@@ -217,15 +217,15 @@ template <int D> double Sharpener<D>::largest_distance(std::uint32_t v) {
         square += best_step * (q2 - square);
         worst = best;
     }
-    return (square_root(worst + 0x1p-44 * (largest + out_radius_ * out_radius_)) + doubt_) * up;
+    return (square_root(worst + sum_slack * (largest + out_radius_ * out_radius_)) + doubt_) * up;
 }
 
-template <int D> Status Sharpener<D>::narrow(std::uint32_t v, Interval* interval) {
+template <int D> Status CellTightener<D>::tighten(std::uint32_t v, Interval* interval) {
     if (degree_[v] == 0) return Status::ok;
     bool known;
     if (!gather(v, &known)) return Status::out_of_memory;
     if (!known) return Status::ok;
-    const double lo = least_distance(v, interval->lo), hi = largest_distance(v);
+    const double lo = input_distance_low(v, interval->lo), hi = input_distance_high(v);
     if (lo > interval->lo) interval->lo = lo < cut_ ? lo : cut_;
     if (hi < interval->hi) interval->hi = hi;
     return Status::ok;
@@ -233,23 +233,23 @@ template <int D> Status Sharpener<D>::narrow(std::uint32_t v, Interval* interval
 
 }  // namespace
 
-template <int D>
-Status sharpen_intervals(Store<D>& store, std::uint32_t inputs, double cut, const Work& work,
-                         Interval* interval) {
+template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const Work& work, Interval* interval) {
     const ArenaScope scope(work.arena);
-    Sharpener<D> sharpener(store, inputs, cut, work.arena);
-    Status status = sharpener.open();
-    work.monitor.begin(NETMESH_STAGE_CERTIFY, store.state.vertex_count);
-    for (std::uint32_t v = inputs; v < store.state.vertex_count && status == Status::ok; ++v) {
+    const Store<D>& store = mesh.store;
+    const double cut = mesh.cut();
+    CellTightener<D> tightener(mesh.store, mesh.inputs, cut, work.arena);
+    Status status = tightener.open();
+    work.monitor.begin(NETMESH_STAGE_CERTIFY, mesh.vertices());
+    for (std::uint32_t v = mesh.inputs; v < mesh.vertices() && status == Status::ok; ++v) {
         if (store.vertex(v).marker != Marker::steiner || !(interval[v].lo < cut)) continue;
-        status = sharpener.narrow(v, &interval[v]);
+        status = tightener.tighten(v, &interval[v]);
         if (status == Status::ok && work.monitor.advance(v, 200)) status = Status::cancelled;
     }
     return status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status sharpen_intervals<D>(Store<D>&, std::uint32_t, double, const Work&, Interval*);
+    template Status tighten_cell_bounds<D>(const FilteredMesh<D>&, const Work&, Interval*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

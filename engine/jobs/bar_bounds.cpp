@@ -1,16 +1,17 @@
-#include "filtration/bar_bounds.hpp"
+#include "jobs/bar_bounds.hpp"
 
-#include "filtration/value_table.hpp"
+#include "jobs/value_table.hpp"
 
 namespace netmesh {
 namespace {
 
 class Interleaving {
 public:
-    Status open(const double* value, const Interval* interval, std::uint32_t count, Arena& arena) {
-        const auto t = [&](std::uint32_t v) { return value[v]; };
-        const auto lo = [&](std::uint32_t v) { return interval[v].lo; };
-        const auto hi = [&](std::uint32_t v) { return interval[v].hi; };
+    Status open(const FilterBounds& filter, Arena& arena) {
+        const auto t = [&](std::uint32_t v) { return filter.value[v]; };
+        const auto lo = [&](std::uint32_t v) { return filter.interval[v].lo; };
+        const auto hi = [&](std::uint32_t v) { return filter.interval[v].hi; };
+        const std::uint32_t count = filter.count;
         const bool room = by_value_.open_largest(count, t, hi, arena) && by_low_.open_largest(count, lo, t, arena) &&
                           lows_.open_least(count, t, lo, arena);
         return room ? Status::ok : Status::out_of_memory;
@@ -45,22 +46,20 @@ private:
 
 }  // namespace
 
-Status bound_bars(const double* value, const Interval* interval, std::uint32_t count, const Pair* pairs,
-                  std::uint64_t pair_count, Arena& arena, BarBounds* bounds, ScaleCurve* curve) {
-    const std::size_t high = arena.high_mark();
+Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
+                      ScaleCurve* curve) {
+    const HighScope scope(arena);
     Interleaving interleaving;
-    Status status = interleaving.open(value, interval, count, arena);
+    Status status = interleaving.open(filter, arena);
     *curve = {arena.take_low<ScaleStep>(0), 0};
     if (curve->steps == nullptr) status = Status::out_of_memory;
-    for (double at = status == Status::ok ? interleaving.first_scale() : infinity; at < infinity; ++curve->count) {
-        if (!arena.extend_low(sizeof(ScaleStep))) {
-            status = Status::out_of_memory;
-            break;
-        }
+    if (status != Status::ok) return status;
+    for (double at = interleaving.first_scale(); at < infinity; ++curve->count) {
+        if (!arena.extend_low(sizeof(ScaleStep))) return Status::out_of_memory;
         curve->steps[curve->count] = interleaving.step(at, &at);
     }
-    for (std::uint64_t i = 0; i < pair_count && status == Status::ok; ++i) {
-        const double birth = pairs[i].birth, death = pairs[i].death;
+    for (std::uint64_t i = 0; i < bars.count; ++i) {
+        const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
         const double latest = interleaving.phi(birth), after = interleaving.psi(latest);
         bounds[i] = {interleaving.psi_inverse(birth),
                      latest,
@@ -71,8 +70,31 @@ Status bound_bars(const double* value, const Interval* interval, std::uint32_t c
                      0};
         if (birth == 0) bounds[i].birth_low = 0;
     }
-    arena.release_high(high);
-    return status;
+    return Status::ok;
+}
+
+Status bound_by_ratio(double ratio, const BarList& bars, Arena& arena, BarBounds* bounds, ScaleCurve* curve) {
+    for (std::uint64_t i = 0; i < bars.count; ++i) {
+        const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
+        const bool zero = birth == 0;  // whatever the ratio: 0 times infinity is no number
+        const double after = zero ? 0 : birth * ratio * ratio;
+        bounds[i] = {zero ? 0 : birth / ratio,
+                     zero ? 0 : birth * ratio,
+                     death < infinity ? death / ratio : infinity,
+                     death > 0 ? death * ratio : 0,
+                     after,
+                     death > after ? 1u : 0u,
+                     0};
+    }
+    *curve = {arena.take_low<ScaleStep>(ratio > 1 ? 1 : 0), ratio > 1 ? 1u : 0u};
+    if (curve->steps == nullptr) return Status::out_of_memory;
+    if (ratio > 1) curve->steps[0] = {0, infinity};
+    return Status::ok;
+}
+
+double step_ratio(const ScaleStep& step, double certified_ratio) {
+    const double ratio = step.reach > step.from ? square_root(step.reach / step.from) * up : 1;
+    return ratio < certified_ratio ? ratio : certified_ratio;
 }
 
 }  // namespace netmesh

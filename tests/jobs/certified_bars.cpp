@@ -1,5 +1,5 @@
-// Bars that are surely real: a function given up to intervals, the chains of covers between, and its own diagram as the truth.
-#include "filtration/sure_bars.hpp"
+// Certified bars: a function given up to intervals, the sequences of covers between, and its own diagram as the truth.
+#include "jobs/certified_bars.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,6 @@
 #include "common/block.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/triangulate.hpp"
-#include "filtration/cell_bounds.hpp"
 #include "homology/persistence.hpp"
 
 using namespace netmesh;
@@ -49,15 +48,17 @@ std::vector<BarBounds> bounded(const Cells<D>& cells, const std::vector<double>&
     Monitor monitor;
     std::vector<BarBounds> bounds(pairs.size());
     ScaleCurve curve;
-    REQUIRE(bound_bars(value.data(), interval.data(), cells.vertex_count, pairs.data(), pairs.size(), block.arena,
-                       bounds.data(), &curve) == Status::ok);
+    const FilterBounds filter = {value.data(), interval.data(), cells.vertex_count};
+    const BarList bars = {pairs.data(), pairs.size()};
+    REQUIRE(bound_by_scale(filter, bars, block.arena, bounds.data(), &curve) == Status::ok);
     const std::size_t used = block.arena.bytes_used();
-    REQUIRE(find_sure_bars<D>(cells.view(), value.data(), interval.data(), 0, pairs.data(), pairs.size(), {block.arena, monitor}, bounds.data()) == Status::ok);
+    REQUIRE(find_certified_bars<D>({cells.view(), filter, 0, bars}, {block.arena, monitor}, bounds.data()) ==
+            Status::ok);
     CHECK(block.arena.bytes_used() == used);
     return bounds;
 }
 
-// Can each sure bar be given a true one of its own within its bounds?
+// Can each certified bar be given a true one of its own within its bounds?
 bool have_true_ones(const Pairs& pairs, const std::vector<BarBounds>& bounds, const Pairs& truth) {
     std::vector<std::size_t> holder(truth.size(), pairs.size());
     std::vector<char> seen;
@@ -86,7 +87,7 @@ bool have_true_ones(const Pairs& pairs, const std::vector<BarBounds>& bounds, co
 }
 
 // A function on points whose values spread over `spread`; a filter and intervals that know it up to `doubt`.
-template <int D> std::size_t sure_bars(std::size_t points, double spread, double doubt, std::uint64_t seed) {
+template <int D> std::size_t certified_bars(std::size_t points, double spread, double doubt, std::uint64_t seed) {
     CAPTURE(D);
     CAPTURE(spread);
     CAPTURE(doubt);
@@ -107,42 +108,42 @@ template <int D> std::size_t sure_bars(std::size_t points, double spread, double
     const Pairs pairs = diagram<D>(cells, value), exact = diagram<D>(cells, truth);
     const std::vector<BarBounds> bounds = bounded<D>(cells, value, interval, pairs);
     CHECK(have_true_ones(pairs, bounds, exact));
-    std::size_t sure = 0;
+    std::size_t certified = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        sure += bounds[i].certain;
+        certified += bounds[i].certain;
         CHECK(bounds[i].birth_low <= bounds[i].birth_high);
         CHECK(bounds[i].death_low <= bounds[i].death_high);
     }
-    return sure;
+    return certified;
 }
 
 template <int D> void no_bars() {
     Block block(64);
     Monitor monitor;
     const Cells<D> cells(D + 1);
-    CHECK(find_sure_bars<D>(cells.view(), nullptr, nullptr, 0, nullptr, 0, {block.arena, monitor}, nullptr) ==
-          Status::ok);
+    CHECK(find_certified_bars<D>({cells.view(), {nullptr, nullptr, D + 1}, 0, {nullptr, 0}}, {block.arena, monitor},
+                                 nullptr) == Status::ok);
     CHECK(block.arena.bytes_used() == 0);
 }
 
 }  // namespace
 
-TEST_CASE("sure bars stand for different true ones") {
-    std::size_t sure = 0;
+TEST_CASE("certified bars stand for different true ones") {
+    std::size_t certified = 0;
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
         for (const double doubt : {1.01, 1.3, 2.5}) {
-            sure += sure_bars<2>(80, 30, doubt, seed);
-            sure += sure_bars<2>(40, 1e15, doubt, seed);
-            sure += sure_bars<3>(60, 100, doubt, seed);
+            certified += certified_bars<2>(80, 30, doubt, seed);
+            certified += certified_bars<2>(40, 1e15, doubt, seed);
+            certified += certified_bars<3>(60, 100, doubt, seed);
         }
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        sure += sure_bars<4>(30, 20, 1.6, seed);
-        sure += sure_bars<5>(20, 20, 1.6, seed);
-        sure += sure_bars<5>(24, 1e4, 3, seed);
-        sure += sure_bars<6>(14, 20, 1.6, seed);
-        sure += sure_bars<6>(18, 1e4, 3, seed);
+        certified += certified_bars<4>(30, 20, 1.6, seed);
+        certified += certified_bars<5>(20, 20, 1.6, seed);
+        certified += certified_bars<5>(24, 1e4, 3, seed);
+        certified += certified_bars<6>(14, 20, 1.6, seed);
+        certified += certified_bars<6>(18, 1e4, 3, seed);
     }
-    CHECK(sure > 300);
+    CHECK(certified > 300);
     no_bars<2>();
     no_bars<3>();
     no_bars<4>();

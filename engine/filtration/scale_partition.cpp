@@ -1,7 +1,8 @@
-#include "filtration/scales.hpp"
+#include "filtration/scale_partition.hpp"
 
-#include "filtration/cell_bounds.hpp"
+#include "certificate/rounding.hpp"
 #include "numerics/sort.hpp"
+#include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {

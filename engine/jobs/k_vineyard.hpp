@@ -1,10 +1,9 @@
-// One mesh for all k (thesis 8.1, 8.6): the filtrations of d_k or of the k-distance, k = k_first..k_last, and their
-// vineyard.
+// A vineyard in k (thesis 6.3, 8.1, 8.6): one mesh for all k, the filtrations of a filter by neighbours for
+// k = k_first..k_last, and the path of each bar from k to k.
 #pragma once
 #include <cstdint>
 
-#include "filtration/function_filter.hpp"
-#include "memory/work.hpp"
+#include "filtration/filters.hpp"
 
 namespace netmesh {
 
@@ -24,7 +23,7 @@ struct VineList {
 };
 
 struct VineRequest {
-    InputDistance kind;
+    netmesh_filter filter;          // with has_vineyard
     std::uint32_t k_first, k_last;  // 1 <= k_first <= k_last <= number of inputs; k = 1 is the complete filter (7.4.2)
     FilterValues values;
     std::uint32_t max_degree;  // 0..D-1
@@ -34,7 +33,6 @@ struct VineRequest {
 // else is given back; without ok nothing stays. Memory: about 100 bytes a simplex of dimension up to max_degree + 1,
 // and the columns. out_of_memory, cancelled.
 template <int D>
-Status k_vineyard(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const VineRequest& request,
-                  const Work& work, VineList* out);
+Status k_vineyard(const FilteredMesh<D>& mesh, const VineRequest& request, const Work& work, VineList* out);
 
 }  // namespace netmesh

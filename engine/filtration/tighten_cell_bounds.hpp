@@ -1,5 +1,5 @@
 // The least and the largest distance from the Voronoi cell of a Steiner vertex to the inputs, narrower than the bounds of
-// mesh_filter.hpp, which know the cell by its out-radius and one corner alone.
+// certificate/interval.hpp, which know the cell by its out-radius and one corner alone.
 //
 // Let Y be the corners of v's cell, so Vor(v) = conv Y.
 //
@@ -13,20 +13,14 @@
 // A cell next to an input has lo = d_P / 2 and often no second input near its far end, so the worst ratio of a mesh does
 // not change; larger scales gain. Inputs' bounds are exact as they are.
 #pragma once
-#include <cstdint>
-
-#include "filtration/mesh_filter.hpp"
-#include "vocabulary/monitor.hpp"
-#include "memory/work.hpp"
+#include "filtration/filter.hpp"
 
 namespace netmesh {
 
-// Narrows interval[v] of every Steiner vertex whose cell's corners are known; inputs are vertices 0..inputs-1, intervals
-// are cut at `cut` and hold for min(d_P, cut). Needs a compact, complete mesh. Marks of cells are used.
+// Narrows interval[v] of every Steiner vertex whose cell's corners are known; intervals hold for min(d_P, mesh.cut()).
+// Marks of cells are used.
 // About 10-20 us a vertex in D = 4. Scratch: 4 bytes a vertex, 5 an input, 8 D a corner of the largest cell. out_of_memory,
 // cancelled.
-template <int D>
-Status sharpen_intervals(Store<D>& store, std::uint32_t inputs, double cut, const Work& work,
-                         Interval* interval);
+template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const Work& work, Interval* interval);
 
 }  // namespace netmesh
