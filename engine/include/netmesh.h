@@ -308,14 +308,14 @@ double netmesh_tau(const netmesh_mesh_request* request);
 size_t netmesh_plan_mesh(const netmesh_mesh_request* request);
 
 /* Quality mesh of points: a Delaunay triangulation of the points and of Steiner points in which each vertex that is not
- * exempt has a Voronoi cell that, clipped to the domain ball, has aspect ratio at most tau. With METHOD_HIERARCHY, unless
- * finished, there are cages as well (see netmesh_cage), each vertex's cell is clipped to the ball of its own domain,
- * and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and, after merging
- * duplicates, distances of at least 2^-500 and 64 units in the last place. Works on flat input and on a single point.
- * PURPOSE_PERSIST refines (SVR alone) a shell around the domain as well, as far as a certified ratio of sqrt(2 + tau)
- * needs it. PURPOSE_TIGHT over-refines to e = tight_eps / (3 (1 + tight_eps)) times f_P (7.5) in a domain of at least
- * 3.1 + 4 e enclosing radii: hundreds (D = 2) to tens of thousands (D = 3) of vertices a point. Meshes with cages are
- * not for persistence, and METHOD_HIERARCHY does not over-refine.
+ * exempt has a Voronoi cell that, clipped to the domain ball, has aspect ratio at most tau. With METHOD_HIERARCHY,
+ * unless finished, there are cages as well (see netmesh_cage), each vertex's cell is clipped to the ball of its own
+ * domain, and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and,
+ * after merging duplicates, distances of at least 2^-500 and 64 units in the last place. Works on flat input and on a
+ * single point. PURPOSE_PERSIST refines (SVR alone) a shell around the domain as well, as far as a certified ratio of
+ * sqrt(2 + tau) needs it. PURPOSE_TIGHT over-refines to e = tight_eps / (3 (1 + tight_eps)) times f_P (7.5) in a
+ * domain of at least 3.1 + 4 e enclosing radii: hundreds (D = 2) to tens of thousands (D = 3) of vertices a point.
+ * Meshes with cages are not for persistence, and METHOD_HIERARCHY does not over-refine.
  * With certificate.ratio the mesh has about half of the vertices for the same certified ratio. No aspect ratio is
  * promised then; the report's tau is 0. For a ratio below 2 distances must be 64 / (ratio^2 / 2 - 1) units, and with
  * scales of interest focus_from must be 64 / k units, k = focus_ratio^2 / 2 - 1, or
@@ -1058,12 +1058,13 @@ typedef enum netmesh_figure_type {
 typedef struct netmesh_figure {
     uint32_t struct_bytes;
     netmesh_figure_type type;
-    const char* path;   /* "mesh.certificate.ratio": parts and name */
-    const void* values; /* [count], in the struct that was handed over */
-    uint32_t is_array;
-    uint32_t count;          /* of an array: how many of its places are used */
+    const char* path;        /* parts and name, as in the tool's JSON: "mesh.audit.location.ply_max" */
+    const void* values;      /* [count], in the struct that was handed over */
+    uint32_t is_array;       /* 1: an array, which may be empty */
+    uint32_t count;          /* how many values are used; 1 of what is no array */
     uint32_t applies;        /* 0: says nothing here, as its part is not present or the figure was not asked for */
-    uint32_t in_fingerprint; /* 1: enters the fingerprint */
+    uint32_t on_request;     /* 1: of something that a job has to be asked for */
+    uint32_t in_fingerprint; /* 1: enters the fingerprint as it stands here */
     const char* text;        /* of a NAME, else null */
 } netmesh_figure;
 
