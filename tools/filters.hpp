@@ -29,6 +29,7 @@ std::string choice_text(const FilterChoice& choice);
 std::string reported_choice_text(const FilterChoice& choice);
 
 inline bool is_on_points(netmesh_filter filter) { return about(filter).source == NETMESH_SOURCE_POINTS; }
+inline bool has_vineyard(const netmesh_filter_info& info) { return info.has_vineyard != 0; }
 // Nested sets of points (8.5).
 inline bool is_barycentric(netmesh_filter filter) { return is_on_points(filter) && about(filter).needs_k != 0; }
 

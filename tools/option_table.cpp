@@ -209,7 +209,6 @@ constexpr unsigned engine = mesh | delaunay | persist;
 
 constexpr const char* next_line = "\n                    ";  // of a help text
 
-bool makes_vineyards(const netmesh_filter_info& info) { return info.has_vineyard != 0; }
 bool on_points(const netmesh_filter_info& info) { return info.source == NETMESH_SOURCE_POINTS; }
 
 // The list says which filter is taken when none is named.
@@ -225,7 +224,7 @@ std::string filter_help() {
 }
 
 std::string vineyard_filter_help() {
-    return with_default(list_filters(makes_vineyards, "or"), default_filter(Command::vineyard));
+    return with_default(list_filters(has_vineyard, "or"), default_filter(Command::vineyard));
 }
 
 }  // namespace

@@ -26,7 +26,6 @@ struct RunReport {
     std::optional<StageClock> clock;
     const Vines* vines = nullptr;                             // vineyard
     const Bounds* bounds = nullptr;                           // of all bars, --bounds
-    std::vector<std::uint64_t> certain;                       // bars surely real, by degree, --bounds
     const std::vector<Bar>* bars = nullptr;                   // diagram.bars, when the data has no other way out
     std::optional<std::uint64_t> plan_bytes;                  // size
     std::optional<std::vector<DegreeDistance>> distances;     // distance
