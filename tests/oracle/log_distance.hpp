@@ -123,7 +123,7 @@ inline bool all_real(const std::vector<Claim>& claims, const Diagram& truth, dou
 // Do the bounds of the session's bars hold? *certain: how many are said to be real. slack: the truth is known to within this factor,
 // and bars so short may be missing from it.
 inline bool bounds_hold(Session& session, const Diagram& truth, std::size_t* certain, double slack = 1 + 1e-9) {
-    REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
+    REQUIRE(session.bound_bars() == NETMESH_OK);
     *certain = 0;
     std::vector<Claim> claims;
     netmesh_pair pair;
