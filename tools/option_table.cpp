@@ -16,21 +16,26 @@ const std::vector<CommandEntry>& command_entries() {
          "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
         {Command::homology, "homology", "FILE", 1, "persistent homology of a filtered complex",
          "One simplex a line: its vertices, whole numbers from 0, then the value at which it enters: `3 1 4 0.5` is a\n"
-         "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth death`;\n"
+         "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth "
+         "death`;\n"
          "the bars that never die are the Betti numbers.\n"},
         {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck distance between two diagrams",
-         "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential classes "
+         "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential "
+         "classes "
          "differ.\n"},
         {Command::vineyard, "vineyard", "POINTS", 1, "diagrams of d_k for a range of k, and their vines",
-         "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of each k; a "
+         "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of "
+         "each k; a "
          "vine\nfollows one class from k to k.\n"},
         {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
          "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
          "persist.\n"},
         {Command::check, "check", "MESH.node | DIAGRAM.pers | FILE.vines", 1,
          "recompute every certificate from the files alone",
-         "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram, with its bounds\n"
-         "where it has any, or a vineyard is recomputed from --points or --mesh; alone, it is only looked at for what every\n"
+         "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram, with its "
+         "bounds\n"
+         "where it has any, or a vineyard is recomputed from --points or --mesh; alone, it is only looked at for what "
+         "every\n"
          "diagram must satisfy.\n"},
         {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
     };
@@ -284,7 +289,8 @@ const std::vector<OptionEntry>& option_entries() {
         {"--from", persist | check, "A", apply_from, "least radius of interest", {NETMESH_FIELD_FOCUS_FROM}},
         {"--to", persist | check, "B", apply_to, "largest radius of interest", {NETMESH_FIELD_FOCUS_TO}},
         {"--fit", persist, nullptr, apply_switch<&Options::fit>,
-         "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins (4)"},
+         "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins "
+         "(4)"},
         {"--method",
          persist,
          "M",
@@ -303,7 +309,8 @@ const std::vector<OptionEntry>& option_entries() {
          mesh | size,
          "WHAT",
          apply_audit,
-         "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured after each\n"
+         "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured "
+         "after each\n"
          "                    insertion, for small runs; or all. Figures go to the report",
          {NETMESH_FIELD_AUDIT}},
         {"--filter", vineyard, "F", apply_filter, vineyard_filter_help(), {NETMESH_FIELD_FILTER}},
@@ -312,7 +319,8 @@ const std::vector<OptionEntry>& option_entries() {
          persist | size | check,
          "K",
          apply_k,
-         "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points in\n"
+         "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points "
+         "in\n"
          "                    every set of a barycentric filter, at least",
          {NETMESH_FIELD_K}},
         {"--values",
@@ -358,7 +366,8 @@ const std::vector<OptionEntry>& option_entries() {
         {"--check", homology, nullptr, apply_switch<&Options::check>,
          "check that each cycle is one, and born with its bar"},
         {"--bounds", persist, nullptr, apply_switch<&Options::bounds>,
-         "where each birth and death surely is and which bars surely are real, behind the bars, and the certified ratio by\n"
+         "where each birth and death surely is and which bars surely are real, behind the bars, and the certified "
+         "ratio by\n"
          "                    scale, in front of them; both in JSON and in the picture"},
         {"--all", persist | homology | size | check, nullptr, apply_switch<&Options::all>, "keep bars of length zero"},
         {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_switch<&Options::json>,

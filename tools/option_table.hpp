@@ -1,4 +1,5 @@
-// Every command and option of the program, with what the help text says. The parser and the help text are made of these.
+// Every command and option of the program, with what the help text says. The parser and the help text are made of
+// these.
 #pragma once
 #include <cstddef>
 #include <string>

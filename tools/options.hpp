@@ -68,8 +68,8 @@ inline netmesh_filter filter_of(const Options& options) { return choice_of(optio
 bool refines_by_certificate(const Options& options);
 Outcome check_ratio(const Options& options);
 
-// Whether --eps is a promise about the diagram and not a size of cells; and what is wrong with --eps and --theta for the
-// filter asked for.
+// Whether --eps is a promise about the diagram and not a size of cells; and what is wrong with --eps and --theta for
+// the filter asked for.
 bool promises_accuracy(const Options& options);
 Outcome check_accuracy(const Options& options);
 

@@ -8,8 +8,8 @@ namespace netmesh::tool {
 
 namespace {
 
-// Whether a filter is tried at all. Of several k none is tried by itself, and where there is no mesh yet, filters that a
-// mesh is made for have to be named.
+// Whether a filter is tried at all. Of several k none is tried by itself, and where there is no mesh yet, filters that
+// a mesh is made for have to be named.
 bool is_tried(const Options& options, const netmesh_filter_info& filter) {
     if (options.filter ? *options.filter != filter.filter : filter.needs_k != 0 && !options.k) return false;
     const bool from_points = options.mesh_path.empty() && ending_of(options.positionals[0]) == ".pers";

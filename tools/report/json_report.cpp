@@ -46,7 +46,8 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
     json.close('}');
 }
 
-// The ratio by scale; with the bars, in their order: birth from, to, death from, to, and whether the bar is surely real.
+// The ratio by scale; with the bars, in their order: birth from, to, death from, to, and whether the bar is surely
+// real.
 void write_bounds(Json& json, const RunReport& run) {
     json.key("scale_steps");
     json.open('[');
@@ -81,8 +82,8 @@ void write_bars(Json& json, const std::vector<Bar>& bars) {
     json.close(']');
 }
 
-// What JSON says of a diagram besides the library's figures. `extended_ball`: the least radius of a ball that belongs to a
-// scale alone, in radii of the scale (7.6: at least (1 - theta) / (2 theta)); the joined diagram needs 2.
+// What JSON says of a diagram besides the library's figures. `extended_ball`: the least radius of a ball that belongs
+// to a scale alone, in radii of the scale (7.6: at least (1 - theta) / (2 theta)); the joined diagram needs 2.
 void add_to_diagram(Json& json, const RunReport& run, std::string_view path) {
     if (path == "diagram.certified_ratio") {
         json.entry("reference", reference_name(*run.engine));

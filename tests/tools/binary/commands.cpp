@@ -28,7 +28,7 @@ TEST_CASE("version and help go to stdout") {
     const Folder folder;
     Result result = folder.run("--version");
     CHECK(result.exit == 0);
-    CHECK(result.out == "netmesh 0.1.0\n");
+    CHECK(result.out == "netmesh 0.2.0\n");
     CHECK(result.err == "");
     for (const char* command : {"", "mesh", "delaunay", "persist", "homology", "distance", "size", "check", "sample"}) {
         result = folder.run(std::string(command) + " --help");

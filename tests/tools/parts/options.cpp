@@ -140,7 +140,7 @@ TEST_CASE("help and version") {
     CHECK(help_text(Command::persist).find("--filter F") != std::string::npos);
     CHECK(help_text(Command::mesh).find("--filter") == std::string::npos);
     CHECK(help_text(Command::sample).find("clifford") != std::string::npos);
-    CHECK(version_text() == "netmesh 0.1.0\n");
+    CHECK(version_text() == "netmesh 0.2.0\n");
 }
 
 TEST_CASE("memory to reserve when none is named") {
