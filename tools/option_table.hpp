@@ -24,7 +24,7 @@ struct OptionEntry {
     const char* value;                                         // how the help calls the value; null for a switch
     std::string (*apply)(Options&, const std::string& value);  // a complaint, or empty
     std::string help;
-    std::vector<netmesh_field> fields = {};  // of the library's requests that come from it alone
+};  // of the library's requests that come from it alone
 };
 
 constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
@@ -34,5 +34,8 @@ const std::vector<OptionEntry>& option_entries();
 
 // Not of Command::none.
 const CommandEntry& entry_of(Command command);
+
+// The option that a field of the library's requests comes from; null for those that come from none.
+const char* option_name(netmesh_field field);
 
 }  // namespace netmesh::tool

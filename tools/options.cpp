@@ -128,15 +128,11 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
 }
 
 std::string option_of(const Options& options, netmesh_field field) {
-    for (const OptionEntry& entry : option_entries()) {
-        if ((entry.commands & bit(options.command)) == 0) continue;
-        if (std::find(entry.fields.begin(), entry.fields.end(), field) == entry.fields.end()) continue;
-        const auto is_it = [&](const auto& given) { return given.first == entry.name; };
-        const auto last = std::find_if(options.given.rbegin(), options.given.rend(), is_it);
-        if (last != options.given.rend()) return last->first + " " + last->second;
-        return entry.name;
-    }
-    return {};
+    const char* const name = option_name(field);
+    if (name == nullptr) return {};
+    const auto is_it = [&](const auto& given) { return given.first == name; };
+    const auto last = std::find_if(options.given.rbegin(), options.given.rend(), is_it);
+    return last == options.given.rend() ? name : last->first + " " + last->second;
 }
 
 netmesh_filter default_filter(Command command) {

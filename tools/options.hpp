@@ -56,7 +56,7 @@ struct Options {
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
 
 // The option that a field of the library's requests comes from, as the user wrote it: "--k 15". Its name alone when it
-// was not given, nothing when the field comes from no option of the command.
+// was not given, nothing when the field comes from no option.
 std::string option_of(const Options& options, netmesh_field field);
 
 // What a diagram is of, with the defaults of the command.
