@@ -24,7 +24,6 @@ struct OptionEntry {
     const char* value;                                         // how the help calls the value; null for a switch
     std::string (*apply)(Options&, const std::string& value);  // a complaint, or empty
     std::string help;
-};  // of the library's requests that come from it alone
 };
 
 constexpr unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
