@@ -49,8 +49,7 @@ void persist(netmesh_context* context, double tau) {
     require(fits_or_not(status));
     auto report = netmesh::sized<netmesh_report>();
     require(netmesh_get_report(context, &report) == NETMESH_OK);
-    if (status == NETMESH_OK)
-        require(report.diagram.certified_ratio >= 1 && report.mesh.aspect_ratio_max <= tau);
+    if (status == NETMESH_OK) require(report.diagram.certified_ratio >= 1 && report.mesh.aspect_ratio_max <= tau);
 }
 
 }  // namespace
