@@ -1,57 +1,24 @@
-// Cycles for the diagram of a triangulation, from its complex made explicit.
-#include "api/complex_job.hpp"
-#include "filtration/alpha.hpp"
-#include "filtration/explicit_complex.hpp"
+// Representatives of the diagram of the triangulation or mesh that the context holds.
+#include "jobs/represent.hpp"
+#include "api/keep_complex.hpp"
+#include "api/measure.hpp"
+#include "api/requests.hpp"
 
 namespace netmesh {
 namespace {
 
-// Pairs of zero length and the alpha filtration: the complex is listed and reduced.
-Status represent_listed(netmesh_context* context, Monitor& monitor, PairList* pairs) {
-    Arena& arena = context->arena;
-    const std::uint32_t dimension = context->max_degree + 1;
-    ListedComplex complex;
-    const bool alpha = context->filter == NETMESH_FILTER_ALPHA;
-    Status status = with_dimension(context->dim, [&](auto d) {
-        constexpr int D = decltype(d)::value;
-        Store<D> store(arena, context->store);
-        if (alpha)
-            return alpha_complex<D>(store.view(), store.point(0), Store<D>::vertex_stride, dimension, {arena, monitor},
-                                    &complex);
-        const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-        return lower_star_complex<D>(store.view(), value, born_at_zero(context), dimension, {arena, monitor}, &complex);
+Status find_cycles(netmesh_context* context, Monitor& monitor, Representation* made) {
+    const KeptDiagram& diagram = context->diagram;
+    const RepresentRequest request = {{diagram.filter, values_of(diagram.values), diagram.k},
+                                      diagram.vertex_values.in(context),
+                                      diagram.max_degree,
+                                      diagram.keeps_zero,
+                                      {diagram.pairs.in(context), diagram.pairs.count}};
+    return with_dimension(context->input.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->mesh.store);
+        return represent<D>(filtered_mesh_of<D>(*context, store), request, {context->arena, monitor}, made);
     });
-    if (status == Status::ok && !keep_complex(context, complex)) status = Status::out_of_memory;
-    if (status != Status::ok) return status;
-    status = persist_with_cycles(complex.filtered(), context->max_degree, context->keeps_zero, {arena, monitor}, pairs,
-                                 &context->cycles);
-    if (status == Status::ok && alpha && !context->keeps_zero) drop_rounding(pairs);
-    return status;
-}
-
-Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
-    if (context->filter == NETMESH_FILTER_ALPHA || context->keeps_zero)
-        return represent_listed(context, monitor, pairs);
-    Arena& arena = context->arena;
-    context->kept_offset = 0;
-    return with_dimension(context->dim, [&](auto d) {
-        constexpr int D = decltype(d)::value;
-        const Store<D> store(arena, context->store);
-        const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-        return lower_star_cycles<D>(store.view(), value, born_at_zero(context), context->max_degree,
-                                    context->pair_count, {arena, monitor}, pairs, &context->cycles);
-    });
-}
-
-// The bars of the diagram that was there.
-bool same_bars(const netmesh_context* context, const PairList& pairs) {
-    const auto* const before = reinterpret_cast<const Pair*>(context->arena.at(context->pairs_offset));
-    if (pairs.count != context->pair_count) return false;
-    for (std::uint64_t i = 0; i < pairs.count; ++i) {
-        const Pair &a = before[i], &b = pairs.pairs[i];
-        if (a.degree != b.degree || a.birth != b.birth || a.death != b.death) return false;
-    }
-    return true;
 }
 
 }  // namespace
@@ -59,25 +26,20 @@ bool same_bars(const netmesh_context* context, const PairList& pairs) {
 
 using namespace netmesh;
 
-extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netmesh_options* options) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 2);
-    if (context->dim == 0 || !context->has_diagram || context->store.cell_slots == 0 ||
-        (!context->has_values && context->filter != NETMESH_FILTER_ALPHA))
+extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netmesh_represent_request* from) {
+    netmesh_represent_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    if (!context->mesh.present || !context->diagram.present)
         return finish(context, Status::no_result, "there is no diagram of a triangulation or mesh");
-    if (context->has_cycles) return finish(context, Status::ok, "");
-    const std::size_t low = context->arena.low_mark(), high = context->arena.high_mark();
-    Monitor monitor = monitor_of(*options);
-    PairList pairs = {};
-    Status status = represent(context, monitor, &pairs);
-    if (status == Status::ok && !same_bars(context, pairs)) status = Status::internal;
-    if (status != Status::ok) {
-        context->arena.release_low(low);
-        context->arena.release_high(high);
-        return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
-    }
-    context->has_cycles = true;
-    context->cycles_high = high;
-    context->pairs_offset = context->arena.offset_of(pairs.pairs);
-    return finish(context, Status::ok, "");
+    if (context->cycles.present) return finish(context, Status::ok);
+    const std::size_t high = context->arena.high_mark();
+    Monitor monitor = monitor_of(request.monitor);
+    Representation made = {};
+    const Status status = find_cycles(context, monitor, &made);
+    if (status != Status::ok) return finish(context, status);
+    context->diagram.pairs = Slice<Pair>::of(context->arena, made.pairs.pairs, made.pairs.count);
+    keep_cycles(context, made.cycles, high);
+    if (made.is_listed) keep_complex(context, made.complex);
+    return finish(context, status);
 }

@@ -361,7 +361,7 @@ typedef struct netmesh_cage {
 
 typedef struct netmesh_cages_request {
     uint32_t struct_bytes;
-    uint32_t cage_bytes; /* sizeof(netmesh_cage), from one cage to the next */
+    uint32_t cage_bytes; /* sizeof(netmesh_cage), from one cage to the next; not below that of version 0.2 */
     netmesh_monitor monitor;
     const netmesh_cage* cages; /* [cage_count]; their struct_bytes and parents are not read. May be null for no cages */
     size_t cage_count;
@@ -761,7 +761,7 @@ typedef enum netmesh_scale {
 
 typedef struct netmesh_bottleneck_request {
     uint32_t struct_bytes;
-    uint32_t pair_bytes;         /* sizeof(netmesh_pair), from one pair to the next */
+    uint32_t pair_bytes;         /* sizeof(netmesh_pair), from one pair to the next; not below that of version 0.2 */
     netmesh_monitor monitor;     /* can only cancel, its progress is empty */
     const netmesh_pair* pairs_a; /* [count_a], in any order; their struct_bytes are not read */
     const netmesh_pair* pairs_b; /* [count_b] */
