@@ -50,12 +50,25 @@ public:
         r.monitor = request.monitor;
         return netmesh_bound_bars(context, &r);
     }
+    netmesh_status persist(netmesh_function function, netmesh_persist_request r) {
+        r.filter = NETMESH_FILTER_FUNCTION;
+        r.function = &function;
+        return persist(r);
+    }
+    netmesh_status vineyard(netmesh_vineyard_request r) {
+        r.monitor = request.monitor;
+        return netmesh_vineyard(context, &r);
+    }
     netmesh_status vineyard(netmesh_filter filter, std::uint32_t k_first, std::uint32_t k_last) {
         netmesh::requests::Vineyard r(filter);
-        r.monitor = request.monitor;
         r.k_first = k_first;
         r.k_last = k_last;
-        return netmesh_vineyard(context, &r);
+        return vineyard(r);
+    }
+    netmesh_status fit(const inputs::Points& points, bool bounds = false) {
+        netmesh_fit_request r = fit_request(points);
+        r.bounds = bounds ? 1 : 0;
+        return netmesh_fit(context, &r);
     }
     netmesh_status check(std::uint32_t what = NETMESH_CHECK_ALL) {
         netmesh::requests::Check r;
@@ -99,6 +112,14 @@ public:
         netmesh_scales_request r = on(points, watched(netmesh::requests::Scales(request.dim)));
         r.seed = request.seed;
         r.tau = request.tau;
+        return r;
+    }
+    netmesh_fit_request fit_request(const inputs::Points& points) const {
+        netmesh_fit_request r = on(points, watched(netmesh::requests::Fit(request.dim)));
+        r.seed = request.seed;
+        r.ratio = request.certificate.ratio;
+        r.focus_from = request.certificate.focus_from;
+        r.focus_to = request.certificate.focus_to;
         return r;
     }
 

@@ -19,8 +19,8 @@ template <int D> void within_certificate(const std::string& name, const inputs::
         Session session(D);
         session.request.tau = tau;
         session.bounds = true;
-        REQUIRE(session.mesh_and_persist(points, NETMESH_FILTER_COMPLETE, values) == NETMESH_OK);
-        const netmesh_report r = report(session);
+        REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_COMPLETE, 0, values)) == NETMESH_OK);
+        const netmesh_report r = session.report();
         CHECK(r.diagram.certified_ratio <= r.mesh.tau);
         if (values == NETMESH_VALUES_CERTIFIED) CHECK(r.diagram.certified_ratio <= std::sqrt(2 + r.mesh.tau));
         const double distance = log_distance(diagram(session), truth, D);
@@ -31,8 +31,8 @@ template <int D> void within_certificate(const std::string& name, const inputs::
         CHECK(bounds_hold(session, truth, &certain));
         CHECK(certain > 0);
         MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
-                     << " values: true ratio " << ratio << ", certified " << r.diagram.certified_ratio << ", tau " << r.mesh.tau
-                     << ", " << certain << " bars surely real");
+                     << " values: true ratio " << ratio << ", certified " << r.diagram.certified_ratio << ", tau "
+                     << r.mesh.tau << ", " << certain << " bars surely real");
     }
 }
 
@@ -44,14 +44,15 @@ template <int D> void reaches_ratio(const std::string& name, const inputs::Point
     const Diagram truth = diagram(exact);
     session.request.certificate.ratio = ratio;
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
-    const netmesh_report r = report(session);
+    const netmesh_report r = session.report();
     CHECK(r.diagram.certified_ratio <= ratio);
     const double true_ratio = std::exp(log_distance(diagram(session), truth, D));
     CHECK(true_ratio <= r.diagram.certified_ratio);
     std::size_t certain = 0;
     CHECK(bounds_hold(session, truth, &certain));
     MESSAGE(name << " D=" << D << " by the certificate: true ratio " << true_ratio << ", certified "
-                 << r.diagram.certified_ratio << ", " << r.mesh.vertices << " vertices, " << certain << " bars surely real");
+                 << r.diagram.certified_ratio << ", " << r.mesh.vertices << " vertices, " << certain
+                 << " bars surely real");
 }
 
 }  // namespace

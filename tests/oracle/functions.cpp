@@ -17,9 +17,9 @@ void within_certificate(const std::string& name, int dim, const inputs::Points& 
     CAPTURE(name);
     CAPTURE(k);
     Session session(dim);
-    session.options.k = static_cast<std::uint32_t>(k);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-        REQUIRE(session.mesh_and_persist(points, mean ? NETMESH_FILTER_KDISTANCE : NETMESH_FILTER_KNN, values) ==
+        const netmesh_filter filter = mean ? NETMESH_FILTER_KDISTANCE : NETMESH_FILTER_KNN;
+        REQUIRE(session.mesh_and_persist(points, persist_by(filter, static_cast<std::uint32_t>(k), values)) ==
                 NETMESH_OK);
         const netmesh_report report = session.report();
         REQUIRE(report.diagram.k == k);

@@ -76,12 +76,7 @@ netmesh_status focused(Run& run) {
     return run.mesh_in_block(made<close_pairs>(run.job), NETMESH_PURPOSE_PERSIST);
 }
 // As fine as the block allows: a request refused gives another diagram, and a whole one.
-netmesh_status fit(Run& run) {
-    netmesh_fit_request request = on(run.points(), netmesh::requests::Fit(run.request.dim));
-    request.monitor = run.request.monitor;
-    request.bounds = 1;
-    return netmesh_fit(run.context, &request);
-}
+netmesh_status fit(Run& run) { return run.fit(run.points(), true); }
 
 netmesh_status check(Run& run) {
     const netmesh_status status = mesh(run);
