@@ -1,6 +1,6 @@
-/* A budget of polls (about ten milliseconds of work each): a job that goes beyond it stops with a valid mesh of what it had
- * inserted. There is no way to go on from there: a second call starts anew, in the same block, and with a larger budget gives
- * the result that it would have given at first. */
+/* A budget of polls (about ten milliseconds of work each): a job that goes beyond it stops with a valid mesh of what it
+ * had inserted. There is no way to go on from there: a second call starts anew, in the same block, and with a larger
+ * budget gives the result that it would have given at first. */
 #include <netmesh.h>
 #include <stdio.h>
 
@@ -49,7 +49,8 @@ int main(void) {
 
     left = 1000000;
     if (netmesh_delaunay(context, &request) != NETMESH_OK) return 6;
-    if (netmesh_get_report(context, &report) != NETMESH_OK || !report.complete || report.mesh.inputs != POINTS) return 7;
+    if (netmesh_get_report(context, &report) != NETMESH_OK || !report.complete || report.mesh.inputs != POINTS)
+        return 7;
     printf("%u cells within the budget, %u in all\n", (unsigned)partial, (unsigned)report.mesh.cells);
     return partial < report.mesh.cells ? 0 : 8;
 }

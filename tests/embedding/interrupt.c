@@ -1,5 +1,5 @@
-/* A stop that a signal handler asks for. The handler may do next to nothing; it sets a flag of the one type that is allowed,
- * and the engine's poll looks at it. */
+/* A stop that a signal handler asks for. The handler may do next to nothing; it sets a flag of the one type that is
+ * allowed, and the engine's poll looks at it. */
 #include <netmesh.h>
 #include <signal.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
-/* A job in time slices, as a task of a real-time system runs it: the task's poll hands the processor back and waits for the
- * next slice, so the job goes on where it stopped. The engine needs nothing for that but a stack of known size; here the task
- * is a thread, the scheduler a mutex and a condition. The result is that of an undivided run. */
+/* A job in time slices, as a task of a real-time system runs it: the task's poll hands the processor back and waits for
+ * the next slice, so the job goes on where it stopped. The engine needs nothing for that but a stack of known size;
+ * here the task is a thread, the scheduler a mutex and a condition. The result is that of an undivided run. */
 #define _POSIX_C_SOURCE 200112L
 #include <netmesh.h>
 #include <pthread.h>

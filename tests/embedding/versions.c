@@ -1,6 +1,6 @@
-/* A program and a library of different versions. This one is built twice: with netmesh.h, and with a header whose structs lack
- * their last member, as an older version's did (header.py). Every struct stands between bytes that the library must leave
- * alone. What both print must be the same. */
+/* A program and a library of different versions. This one is built twice: with netmesh.h, and with a header whose
+ * structs lack their last member, as an older version's did (header.py). Every struct stands between bytes that the
+ * library must leave alone. What both print must be the same. */
 #include "netmesh.h"
 
 #include <stdio.h>
@@ -12,15 +12,14 @@
 #define GUARD_BYTES 96
 
 /* A struct `name.it` between guards; GUARDED once for each, FILL before its use, CHECK after each call. */
-#define GUARDED(type, name)                \
-    static struct {                        \
-        unsigned char before[GUARD_BYTES]; \
-        type it;                           \
-        unsigned char after[GUARD_BYTES];  \
+#define GUARDED(type, name)                                                                                            \
+    static struct {                                                                                                    \
+        unsigned char before[GUARD_BYTES];                                                                             \
+        type it;                                                                                                       \
+        unsigned char after[GUARD_BYTES];                                                                              \
     } name
-#define FILL(name)                                  \
-    (memset(&(name), GUARD, sizeof(name)),          \
-     (name).it.struct_bytes = sizeof((name).it), \
+#define FILL(name)                                                                                                     \
+    (memset(&(name), GUARD, sizeof(name)), (name).it.struct_bytes = sizeof((name).it),                                 \
      watch(#name, (name).before, (name).after))
 
 static struct {
@@ -38,8 +37,7 @@ static void watch(const char* name, const unsigned char* before, const unsigned 
 static void look_at_guards(const char* call) {
     int i, k, bad;
     for (i = 0; i < watched_count; ++i) {
-        for (bad = 0, k = 0; k < GUARD_BYTES; ++k)
-            bad += watched[i].before[k] != GUARD || watched[i].after[k] != GUARD;
+        for (bad = 0, k = 0; k < GUARD_BYTES; ++k) bad += watched[i].before[k] != GUARD || watched[i].after[k] != GUARD;
         if (bad > 0) printf("%s wrote %d bytes beside %s\n", call, bad, watched[i].name);
         damages += bad;
     }
@@ -97,7 +95,8 @@ static void fill_results(void) {
 
 static void fill_requests(void) {
     FILL(delaunay), FILL(mesh), FILL(load), FILL(cages), FILL(check), FILL(function), FILL(persist), FILL(bounds);
-    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(homology), FILL(bottleneck), FILL(analyse);
+    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(homology), FILL(bottleneck),
+        FILL(analyse);
     netmesh_delaunay_request_init(&delaunay.it, sizeof delaunay.it, 2);
     netmesh_mesh_request_init(&mesh.it, sizeof mesh.it, 2);
     netmesh_load_request_init(&load.it, sizeof load.it, 2);
@@ -208,7 +207,8 @@ static void run_others(void) {
     printf("cage about %u\n", (unsigned)cage.it.centre);
     bottleneck.it.pairs_a = bottleneck.it.pairs_b = &pair.it;
     bottleneck.it.count_a = bottleneck.it.count_b = 0;
-    netmesh_bottleneck(&bottleneck.it, &distance.it, &detail.it); /* an older program's pairs or scratch are too small */
+    netmesh_bottleneck(&bottleneck.it, &distance.it,
+                       &detail.it); /* an older program's pairs or scratch are too small */
     look_at_guards("netmesh_bottleneck");
 }
 
