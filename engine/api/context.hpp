@@ -1,6 +1,6 @@
 // What a context remembers between calls, at the start of the caller's block: a header, the arena, and a sum of
-// results. Each result says itself whether it is there, holds counts, offsets and values only, and is forgotten by `=
-// {}`.
+// results. Each result says itself whether it is there, holds counts, offsets and values only, and is forgotten by
+// `= {}`.
 #pragma once
 #include <cstdint>
 
