@@ -1,11 +1,12 @@
 #include "jobs/persist_scales.hpp"
 
-#include "diagram/sort.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "mesh/refine.hpp"
 #include "numerics/double_double.hpp"
+#include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -112,11 +113,12 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     const Work work = {arena_, monitor_};
     Evaluation tight = {value};
     status = evaluate<D>({store, domain, n}, {NETMESH_FILTER_TIGHT, request_.values}, work, &tight);
-    std::uint64_t simplices = 0;
+    CountedPairs found = {};
     if (status == Status::ok)
-        status = persist_lower_star<D>(store.view(), value, n, request_.max_degree, request_.keep_zero, work, list, &simplices);
+        status = persist_lower_star<D>({store.view(), value, n}, {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
-    add_mesh(n, state.vertex_count, simplices, tight.certificate, result_);
+    *list = found.pairs;
+    add_mesh(n, state.vertex_count, found.simplices, tight.certificate, result_);
     return Status::ok;
 }
 
@@ -161,7 +163,7 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     if (pairs == nullptr) return Status::out_of_memory;
     __builtin_memmove(pairs, result->pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(result->pairs.count));
     result->pairs.pairs = pairs;
-    sort_pairs(pairs, result->pairs.count);
+    sort(pairs, result->pairs.count, CanonicalOrder{});
     return Status::ok;
 }
 

@@ -9,7 +9,7 @@
 #include "common/session.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/tighten_cell_bounds.hpp"
-#include "homology/persistence.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "mesh/refine.hpp"
 #include "oracle/log_distance.hpp"
 
@@ -38,9 +38,10 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {block.arena, monitor}, &complete) ==
             Status::ok);
     REQUIRE(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, interval.data()) == Status::ok);
-    PairList list = {};
-    REQUIRE(persist_lower_star<D>(store.view(), value.data(), inputs, D - 1, false, {block.arena, monitor}, &list,
-                                  nullptr) == Status::ok);
+    CountedPairs counted = {};
+    REQUIRE(persist_lower_star<D>({store.view(), value.data(), inputs}, {D - 1}, {block.arena, monitor}, &counted) ==
+            Status::ok);
+    const PairList& list = counted.pairs;
     std::vector<BarBounds> bounds(list.count);
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
     const CertifiedBarsRequest<D> request = {
