@@ -7,7 +7,7 @@
 #include "api/slice.hpp"
 #include "delaunay/store.hpp"
 #include "diagram/pair.hpp"
-#include "homology/cycles.hpp"
+#include "homology/cycles/cycles.hpp"
 #include "include/netmesh.h"
 #include "jobs/bar_bounds.hpp"
 #include "jobs/k_vineyard.hpp"
