@@ -85,6 +85,7 @@ Outcome check_together(const Options& options) {
     const bool hierarchical = options.method == NETMESH_METHOD_HIERARCHY;
     if (options.audit != 0 && (options.method == NETMESH_METHOD_REFINE || options.eps > 0))
         return usage_error("--audit goes with --method svr or netmesh, and not with --eps");
+    if (options.eps > 0 && hierarchical) return usage_error("--eps does not go with --method netmesh");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

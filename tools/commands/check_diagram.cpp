@@ -126,6 +126,7 @@ Outcome Recomputation::conclude(RunReport* run) const {
     if (!bounds_complaint_.empty()) return mismatch(bounds_complaint_);
     if (!equal_) return mismatch(file_.name + " is not the diagram of " + cloud_.name + "; closest is " + closest_);
     run->engine = session_.engine().report();
+    run->engine->bounds = {};  // compared with the file's, not asked for
     run->clock = session_.clock();
     const netmesh_diagram_report& diagram = run->engine->diagram;
     const netmesh_mesh_report& mesh = run->engine->mesh;

@@ -103,6 +103,7 @@ TEST_CASE("methods, filters and values that this version has not") {
     good({"mesh", "p", "--method", "netmesh", "--finish"});
     CHECK(names(fault({"mesh", "p", "--finish"}), "--finish goes with --method netmesh"));
     CHECK(names(fault({"persist", "p", "--method", "netmesh"}), "--finish"));
+    CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--eps", ".4"}), "--eps does not go with --method netmesh"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
     for (const char* filter : {"frob", "cechs"}) {
         CHECK(names(fault({"persist", "p", "--filter", filter}), "complete, basic, alpha"));
