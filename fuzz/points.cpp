@@ -7,6 +7,7 @@
 
 #include "fuzz/decoder.hpp"
 #include "netmesh.hpp"
+#include "vocabulary/dimension.hpp"
 
 using fuzz::coordinate;
 using fuzz::require;
@@ -57,6 +58,7 @@ void persist(netmesh_context* context, double tau) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 3) return 0;
     const std::uint32_t dim = 2 + data[0] % 5;
+    if (!netmesh::serves_dimension(dim)) return 0;
     const std::size_t block_bytes = std::size_t{4096} << (data[0] / 5 % 9);
     const std::size_t points_max = dim < 5 ? 24 : 9;
     std::vector<double> points;
