@@ -79,7 +79,8 @@ Status check_promises(Context& context, Store<D>& store, const Promises& promise
                                    : check_quality<D>(context, store, promises, why);
 }
 
-// What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and degrees.
+// What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and
+// degrees.
 template <int D>
 Status check_bounds(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
     const Work work = {context.arena, monitor};

@@ -118,7 +118,7 @@ netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
     const SimplexList list = {request.vertices, request.starts, request.entries, request.simplex_count};
-    const ComplexRequest wanted = {request.max_degree, request.keep_zero_pairs != 0, request.representatives != 0};
+    const ComplexRequest wanted = {{request.max_degree, request.keep_zero_pairs != 0}, request.representatives != 0};
     SimplicesDiagram made;
     const Status status = persist_simplices(list, wanted, {context->arena, monitor}, &made);
     if (status != Status::ok)

@@ -8,8 +8,8 @@
 namespace netmesh {
 namespace {
 
-// Is the floating-point mode the one that all bounds and fingerprints rest on? Catches at run time what the preprocessor
-// cannot: flush-to-zero or another rounding mode set for the whole process, double rounding, contraction.
+// Is the floating-point mode the one that all bounds and fingerprints rest on? Catches at run time what the
+// preprocessor cannot: flush-to-zero or another rounding mode set for the whole process, double rounding, contraction.
 bool floating_point_as_expected() {
     volatile double one = 1, tiny = 0x1p-1060, half_ulp = 0x1p-53, third = 3, big = 0x1p27 + 1;
     if (tiny * 0.5 == 0 || tiny + tiny != 0x1p-1059) return false;

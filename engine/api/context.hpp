@@ -1,12 +1,13 @@
-// What a context remembers between calls, at the start of the caller's block: a header, the arena, and a sum of results.
-// Each result says itself whether it is there, holds counts, offsets and values only, and is forgotten by `= {}`.
+// What a context remembers between calls, at the start of the caller's block: a header, the arena, and a sum of
+// results. Each result says itself whether it is there, holds counts, offsets and values only, and is forgotten by
+// `= {}`.
 #pragma once
 #include <cstdint>
 
 #include "api/slice.hpp"
 #include "delaunay/store.hpp"
 #include "diagram/pair.hpp"
-#include "homology/cycles.hpp"
+#include "homology/cycles/cycles.hpp"
 #include "include/netmesh.h"
 #include "jobs/bar_bounds.hpp"
 #include "jobs/k_vineyard.hpp"
@@ -25,7 +26,7 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736802u;
 //
 // (cages that were loaded stand behind the cells), with representatives, where pairs are listed once more,
 //
-//   | Context | cages | cells | filter values | pairs | pairs | cycles |                 gap                    | vertices |
+//   | Context | cages | cells | filter values | pairs | pairs | cycles |            gap               | vertices |
 //
 // of an alpha complex or with pairs of zero length
 //
@@ -38,9 +39,8 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736802u;
 // The points or simplices that the other results are made from.
 struct KeptInput {
     bool present = false;
-    bool is_complex =
-        false;              // the diagram is that of a complex on the points, or of simplices: neither mesh nor scales
-    std::uint32_t dim = 0;  // 0: a complex given by its simplices
+    bool is_complex = false;  // there is the diagram of a complex, on the points or of simplices, and no mesh
+    std::uint32_t dim = 0;    // 0: a complex given by its simplices
     std::uint64_t points = 0, duplicates = 0, fingerprint = 0;
     std::uint32_t distinct = 0;  // inputs of a mesh, vertices of a complex
 };

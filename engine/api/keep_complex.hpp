@@ -1,7 +1,7 @@
 // Complexes and cycles that the context keeps.
 #pragma once
 #include "api/call.hpp"
-#include "homology/listed_complex.hpp"
+#include "complex/listed_complex.hpp"
 
 namespace netmesh {
 

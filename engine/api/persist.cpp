@@ -31,15 +31,15 @@ const char* missing_result(const netmesh_context* context, const Filter& filter)
     return context->mesh.cages.count > 0 ? "this filter needs a mesh without cages" : nullptr;
 }
 
-void keep_diagram(netmesh_context* context, const DiagramRequest& request, netmesh_values values,
+void keep_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
                   const FilterDiagram& diagram) {
     const Arena& arena = context->arena;
     KeptDiagram& kept = context->diagram;
     kept.present = true;
-    kept.keeps_zero = request.keep_zero;
+    kept.keeps_zero = request.diagram.keep_zero;
     kept.filter = request.filter.filter;
     kept.values = values;
-    kept.max_degree = request.max_degree;
+    kept.max_degree = request.diagram.max_degree;
     kept.k = request.filter.k;
     kept.pairs = Slice<Pair>::of(arena, diagram.pairs.pairs, diagram.pairs.count);
     if (diagram.value != nullptr)
@@ -72,9 +72,8 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     const std::uint32_t k = !filter->has(filter_trait::needs_k) ? 0 : request.k > 1 ? request.k : 1;
     if (k > context->input.distinct)
         return refuse(context, NETMESH_FIELD_K, "k is more than the number of different points");
-    const DiagramRequest wanted = {{request.filter, values_of(request.values), k, &function},
-                                   degree_of(request.max_degree, context->input.dim),
-                                   request.keep_zero_pairs != 0};
+    const PersistRequest wanted = {{request.filter, values_of(request.values), k, &function},
+                                   {degree_of(request.max_degree, context->input.dim), request.keep_zero_pairs != 0}};
     clear_diagram(context);
     Monitor monitor = monitor_of(request.monitor);
     FilterDiagram diagram;

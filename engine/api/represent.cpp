@@ -11,8 +11,7 @@ Status find_cycles(netmesh_context* context, Monitor& monitor, Representation* m
     const KeptDiagram& diagram = context->diagram;
     const RepresentRequest request = {{diagram.filter, values_of(diagram.values), diagram.k},
                                       diagram.vertex_values.in(context),
-                                      diagram.max_degree,
-                                      diagram.keeps_zero,
+                                      {diagram.max_degree, diagram.keeps_zero},
                                       {diagram.pairs.in(context), diagram.pairs.count}};
     return with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "complex/triangulation.hpp"
-#include "homology/listed_complex.hpp"
+#include "complex/listed_complex.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include "homology/listed_complex.hpp"
+#include "complex/listed_complex.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {

@@ -75,7 +75,7 @@ template <int D> bool CellTightener<D>::gather(std::uint32_t v, bool* known) {
     at_ = store_.point(v);
     corners_ = 0;
     out_radius_ = doubt_ = 0;
-    const bool room = kernel_.visit_star(v, [&](std::uint32_t c) {
+    const bool room = kernel_.visit_star(VertexId(v), [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         const double radius = square_root(cell.radius2), error = static_cast<double>(cell.error) * radius;
         if (!(error <= doubt_)) doubt_ = error;

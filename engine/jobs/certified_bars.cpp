@@ -1,6 +1,6 @@
 #include "jobs/certified_bars.hpp"
 
-#include "homology/persistence.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "jobs/value_table.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -245,13 +245,11 @@ Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& w
         for (std::uint32_t v = 0; v < filter.count; ++v)
             level[v] = covers.level(filter.interval[v]) + (largest > 0 ? 0.5 * (filter.value[v] / largest) : 0);
         const ArenaScope run(work.arena);
-        PairList list = {};
-        std::uint64_t simplices;
-        status = persist_lower_star<D>(request.complex, level, request.zero_born, top_degree, false, work, &list,
-                                       &simplices);
+        CountedPairs found = {};
+        status = persist_lower_star<D>({request.complex, level, request.zero_born}, {top_degree}, work, &found);
         if (status != Status::ok) return status;
         for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)
-            ledger.consider(covers, list, degree, number + 2);
+            ledger.consider(covers, found.pairs, degree, number + 2);
     }
     ledger.conclude(bounds);
     return Status::ok;

@@ -29,7 +29,7 @@ namespace netmesh {
 template <int D> struct CertifiedBarsRequest {
     TriangulationView<D> complex;
     FilterBounds filter;      // of the vertices; values serve to order simplices within a level
-    std::uint32_t zero_born;  // as in homology/persistence.hpp: inputs of covers that begin with balls
+    std::uint32_t zero_born;  // as in homology/lower_star/lower_star.hpp: inputs of covers that begin with balls
     BarList bars;
 };
 

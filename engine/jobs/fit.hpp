@@ -4,7 +4,7 @@
 // reaches too, as it is no matter of the block whether a rung is tried; if it reaches more, it is ahead by more than the steps
 // of 4, 2 and 1 can make up for together; and so on down. So more memory never gives a coarser rung.
 #pragma once
-#include "mesh/certify.hpp"
+#include "mesh/mesh_request.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/status.hpp"
 

@@ -1,7 +1,7 @@
 #include "jobs/k_vineyard.hpp"
 
 #include "complex/faces.hpp"
-#include "homology/vineyard.hpp"
+#include "homology/vineyard/vineyard.hpp"
 #include "memory/arena.hpp"
 #include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"

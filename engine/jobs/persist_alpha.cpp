@@ -1,6 +1,7 @@
 #include "jobs/persist_alpha.hpp"
 
 #include "filtration/alpha.hpp"
+#include "homology/matrix/matrix.hpp"
 #include "numerics/real.hpp"
 #include "numerics/value_order.hpp"
 #include "vocabulary/dimension.hpp"
@@ -112,7 +113,7 @@ Status diagram_of(const TriangulationView<D>& complex, const Coordinates& points
         filtered.of[k] = {faces.count[k], faces.facets[k], value[k]};
         total += faces.count[k];
     }
-    status = persist_filtration(filtered, max_degree, keep_zero, work, out);
+    status = persist_homology(filtered, {max_degree, keep_zero}, work, out);
     if (status == Status::ok && simplex_count != nullptr) *simplex_count = total;
     return status;
 }

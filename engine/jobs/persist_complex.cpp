@@ -1,5 +1,7 @@
 #include "jobs/persist_complex.hpp"
 
+#include "homology/matrix/matrix.hpp"
+
 namespace netmesh {
 namespace {
 
@@ -17,11 +19,16 @@ Status persist_complex(ListedComplex& complex, const ComplexRequest& request, co
     if (status != Status::ok) return status;
     for (std::uint32_t k = 0; k <= complex.dimension && k <= request.counted; ++k) out->simplices += complex.count[k];
     const FilteredComplex filtered = complex.filtered();
-    if (request.representatives)
-        return persist_with_cycles(filtered, request.max_degree, request.keep_zero, work, &out->pairs, &out->cycles);
-    return is_skeleton(filtered, request.max_degree)
-               ? persist_skeleton(filtered, request.max_degree, request.keep_zero, work, &out->pairs)
-               : persist_filtration(filtered, request.max_degree, request.keep_zero, work, &out->pairs);
+    if (request.representatives) {
+        Representatives found = {};
+        const Status reduced = persist_with_cycles(filtered, request.diagram, work, &found);
+        out->pairs = found.pairs;
+        out->cycles = found.store;
+        return reduced;
+    }
+    return is_skeleton(filtered, request.diagram.max_degree)
+               ? persist_cohomology(filtered, request.diagram, work, &out->pairs)
+               : persist_homology(filtered, request.diagram, work, &out->pairs);
 }
 
 }  // namespace netmesh

@@ -2,14 +2,14 @@
 #pragma once
 #include <cstdint>
 
-#include "homology/cycles.hpp"
-#include "homology/listed_complex.hpp"
+#include "complex/listed_complex.hpp"
+#include "homology/cycles/cycles.hpp"
 
 namespace netmesh {
 
 struct ComplexRequest {
-    std::uint32_t max_degree;
-    bool keep_zero, representatives;
+    DiagramRequest diagram;
+    bool representatives;
     std::uint32_t counted = FilteredComplex::dimension_max;  // the dimension up to which simplices are counted
 };
 

@@ -5,10 +5,9 @@
 
 namespace netmesh {
 
-struct DiagramRequest {
+struct PersistRequest {
     FilterRequest filter;  // of source mesh or delaunay
-    std::uint32_t max_degree;
-    bool keep_zero;
+    DiagramRequest diagram;
 };
 
 struct FilterDiagram {
@@ -23,6 +22,6 @@ struct FilterDiagram {
 // arena's low end; without ok nothing stays but the culprit. What evaluate, persist_lower_star and persist_alpha say. A
 // triangulation for the alpha filter needs no domain.
 template <int D>
-Status persist_filter(const FilteredMesh<D>& mesh, const DiagramRequest& request, const Work& work, FilterDiagram* out);
+Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request, const Work& work, FilterDiagram* out);
 
 }  // namespace netmesh

@@ -115,7 +115,7 @@ Status persist_listed(const PointsRequest& request, const PointSet& set, const W
         return make_complex<decltype(dimension)::value>(set, filter, work, &complex);
     });
     if (status != Status::ok) return status;
-    ComplexRequest counted = {filter.max_degree, request.keep_zero, request.representatives};
+    ComplexRequest counted = {{filter.max_degree, request.keep_zero}, request.representatives};
     if (filter.filter == NETMESH_FILTER_RIPS) counted.counted = filter.max_degree > 1 ? filter.max_degree : 1;
     return persist_complex(complex, counted, work, &out->diagram);
 }
@@ -136,7 +136,11 @@ Status persist_edges(const PointsRequest& request, const PointSet& set, const Wo
     }
     *done = true;
     if (status != Status::ok) return status;
-    return persist_rips(graph, max_degree, request.keep_zero, work, &out->diagram.pairs, &out->diagram.simplices);
+    CountedPairs found = {};
+    const Status reduced = persist_rips(graph, {max_degree, request.keep_zero}, work, &found);
+    out->diagram.pairs = found.pairs;
+    out->diagram.simplices = found.simplices;
+    return reduced;
 }
 
 Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram* out) {

@@ -118,8 +118,8 @@ Status persist_simplices(const SimplexList& list, const ComplexRequest& request,
     }
     if (status != Status::ok) return status;
     ComplexRequest wanted = request;
-    if (wanted.max_degree > out->complex.dimension) wanted.max_degree = out->complex.dimension;
-    out->max_degree = wanted.max_degree;
+    if (wanted.diagram.max_degree > out->complex.dimension) wanted.diagram.max_degree = out->complex.dimension;
+    out->max_degree = wanted.diagram.max_degree;
     status = persist_complex(out->complex, wanted, work, &out->diagram);
     if (status != Status::ok || wanted.representatives) return status;
     return move_down(work.arena, low, &out->diagram.pairs);

@@ -34,7 +34,8 @@ struct SimplicesDiagram {
 };
 
 // The pairs are put at the arena's low end, with representatives behind the complex, whose cycles stay at the high end.
-// Without ok memory is as the reduction left it. not_a_complex, not_finite (both: *fault), out_of_memory, cancelled, internal.
+// Without ok memory is as the reduction left it. not_a_complex and not_finite (out->fault), out_of_memory, cancelled,
+// internal.
 Status persist_simplices(const SimplexList& list, const ComplexRequest& request, const Work& work,
                          SimplicesDiagram* out);
 

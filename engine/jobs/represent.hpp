@@ -1,8 +1,8 @@
 // A cycle for each bar of a diagram that persist_filter made.
 #pragma once
 #include "filtration/filters.hpp"
-#include "homology/cycles.hpp"
-#include "homology/listed_complex.hpp"
+#include "homology/cycles/cycles.hpp"
+#include "complex/listed_complex.hpp"
 #include "jobs/bar_bounds.hpp"
 
 namespace netmesh {
@@ -10,8 +10,7 @@ namespace netmesh {
 struct RepresentRequest {
     FilterRequest filter;  // as the diagram was made
     const double* value;   // the filter's values; not read for alpha
-    std::uint32_t max_degree;
-    bool keep_zero;
+    DiagramRequest diagram;
     BarList bars;
 };
 

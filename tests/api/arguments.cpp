@@ -1,4 +1,5 @@
-// What every call says to arguments that it cannot use: a status, the field at fault, and the result that was there stays.
+// What every call says to arguments that it cannot use: a status and the field at fault; the result that was there
+// stays.
 #include <doctest/doctest.h>
 
 #include <cfenv>
@@ -459,8 +460,8 @@ TEST_CASE("dimensions that there are not") {
 }
 
 TEST_CASE("points beyond what lists can number") {
-    // More points than a graph of edges is made for, and more simplices than 62 bits number: both are listed, one by one,
-    // until stopped.
+    // More points than a graph of edges is made for, and more simplices than 62 bits number: both are listed, one by
+    // one, until stopped.
     Session s(2);
     s.reserve(std::size_t{1} << 24);
     s.request.monitor.poll = [](void*, const netmesh_progress* progress) {

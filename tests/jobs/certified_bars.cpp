@@ -9,7 +9,7 @@
 #include "common/block.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/triangulate.hpp"
-#include "homology/persistence.hpp"
+#include "homology/lower_star/lower_star.hpp"
 
 using namespace netmesh;
 
@@ -34,11 +34,10 @@ template <int D> struct Cells {
 template <int D> Pairs diagram(const Cells<D>& cells, const std::vector<double>& value) {
     Block block(std::size_t{1} << 22);
     Monitor monitor;
-    PairList list;
-    std::uint64_t simplices;
-    REQUIRE(persist_lower_star<D>(cells.view(), value.data(), 0, D - 1, false, {block.arena, monitor}, &list,
-                                  &simplices) == Status::ok);
-    return Pairs(list.pairs, list.pairs + list.count);
+    CountedPairs diagram;
+    REQUIRE(persist_lower_star<D>({cells.view(), value.data(), 0}, {D - 1}, {block.arena, monitor}, &diagram) ==
+            Status::ok);
+    return Pairs(diagram.pairs.pairs, diagram.pairs.pairs + diagram.pairs.count);
 }
 
 template <int D>

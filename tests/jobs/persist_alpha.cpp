@@ -66,7 +66,7 @@ Diagram diagram(const Cloud<D>& c, std::uint32_t max_degree = D, bool keep_zero 
     CHECK(block.arena.offset_of(list.pairs) == 0);
     CHECK(block.arena.bytes_used() == list.count * sizeof(Pair));
     for (std::uint64_t i = 0; i < list.count; ++i) {
-        if (i > 0) CHECK(!before(list.pairs[i], list.pairs[i - 1]));
+        if (i > 0) CHECK(!CanonicalOrder{}(list.pairs[i], list.pairs[i - 1]));
         if (out.degree.size() <= list.pairs[i].degree) out.degree.resize(list.pairs[i].degree + 1);
         out.degree[list.pairs[i].degree].push_back({list.pairs[i].birth, list.pairs[i].death});
     }

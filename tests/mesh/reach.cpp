@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE_DEFINE("the farthest pole of a half ball, wherever the domain
     REQUIRE(triangulate<D>(store, points.data(), n, 1, monitor, &input) == Status::ok);
     std::uint32_t v = 0, count = 0;
     while (store.point(v)[0] != 0 || std::fabs(store.point(v)[D - 1]) > 1) ++v;
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+    for (CellId c(0); c < state.cell_slots; ++c)
         if (std::count(store.cell(c).vertex, store.cell(c).vertex + D + 1, v) == 1)
             store.list_top()[-1 - static_cast<std::ptrdiff_t>(count++)] = c;
     REQUIRE(count > 1);
@@ -99,7 +99,7 @@ TEST_CASE_TEMPLATE_DEFINE("the farthest pole of a half ball, wherever the domain
         if (D > 2 && off == 0.25) domain.centre[D - 1] = 0.25;
         domain.radius = 2;
         double x[D], farthest = 0;
-        std::uint32_t cell;
+        CellId cell;
         const double found = std::sqrt(farthest_pole<D>(store, domain, v, store.list_top(), count, x, &cell));
         for (int sample = 0; sample < 4000; ++sample) {
             double y[D], length = 0;

@@ -5,12 +5,11 @@
 
 #include <string>
 
-#include "common/block.hpp"
+#include "common/meshed.hpp"
 #include "common/session.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/tighten_cell_bounds.hpp"
-#include "homology/persistence.hpp"
-#include "mesh/refine.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "oracle/log_distance.hpp"
 
 using namespace netmesh;
@@ -26,10 +25,10 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> made;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
+                           &made) == Status::ok);
+    const Domain<D>& domain = made.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);
@@ -38,9 +37,10 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {block.arena, monitor}, &complete) ==
             Status::ok);
     REQUIRE(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, interval.data()) == Status::ok);
-    PairList list = {};
-    REQUIRE(persist_lower_star<D>(store.view(), value.data(), inputs, D - 1, false, {block.arena, monitor}, &list,
-                                  nullptr) == Status::ok);
+    CountedPairs counted = {};
+    REQUIRE(persist_lower_star<D>({store.view(), value.data(), inputs}, {D - 1}, {block.arena, monitor}, &counted) ==
+            Status::ok);
+    const PairList& list = counted.pairs;
     std::vector<BarBounds> bounds(list.count);
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
     const CertifiedBarsRequest<D> request = {
