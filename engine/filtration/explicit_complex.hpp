@@ -1,17 +1,16 @@
 // The filtrations of a triangulation as complexes whose simplices are stored: what representatives are made from.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 
-#include "complex/triangulation.hpp"
+#include "filtration/alpha.hpp"
 #include "complex/listed_complex.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {
 
 // Both list the simplices of dimension 0..dimension (at most D) at the arena's low end, linked and in order of value; a
-// vertex's label is its number in the triangulation. Scratch as enumerate_faces, and for lower stars a copy of the cells'
-// vertices. out_of_memory, cancelled.
+// vertex's label is its number in the triangulation. Scratch as enumerate_faces, and for lower stars a copy of the
+// cells' vertices. out_of_memory, cancelled.
 
 // A simplex of more than one vertex enters at the largest of its vertices' values, a vertex v < zero_born_count at 0.
 template <int D>
@@ -20,7 +19,7 @@ Status lower_star_complex(const TriangulationView<D>& triangulation, const doubl
 
 // The alpha filtration (alpha.hpp), for which all dimensions are listed for a while.
 template <int D>
-Status alpha_complex(const TriangulationView<D>& triangulation, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t dimension, const Work& work, ListedComplex* out);
+Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimension, const Work& work,
+                     ListedComplex* out);
 
 }  // namespace netmesh

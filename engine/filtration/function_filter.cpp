@@ -34,8 +34,8 @@ Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, 
         if (work.monitor.advance(v, 10 + distance.k)) return Status::cancelled;
     }
     measure_cells<D>(store, out_radius, nullptr);
-    // The root mean square of k distances: the sum of their squares has D + 2 roundings in each and k - 1 of its own, then
-    // come a quotient and a root, (k + D + 2) / 2 + 1 in all. D <= 6.
+    // The root mean square of k distances: the sum of their squares has D + 2 roundings in each and k - 1 of its own,
+    // then come a quotient and a root, (k + D + 2) / 2 + 1 in all. D <= 6.
     const double doubt = (distance.k + 16.0) * unit_roundoff;
     const auto interval = [&](std::uint32_t v) {
         const double most = out->value[v] * (1 + doubt), least = out->value[v] * (1 - doubt);

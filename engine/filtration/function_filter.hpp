@@ -45,8 +45,8 @@ template <int D>
 Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, FilterValues values, const Work& work,
                        Evaluation* out);
 
-// value[v]: f(v), cut and clamped. Scratch: 8 bytes a vertex. out_of_memory, cancelled, not_finite (culprit: a vertex with
-// f(v) < 0 or not finite).
+// value[v]: f(v), cut and clamped. Scratch: 8 bytes a vertex. out_of_memory, cancelled, not_finite (culprit: a vertex
+// with f(v) < 0 or not finite).
 template <int D>
 Status function_filter(const FilteredMesh<D>& mesh, const netmesh_function& function, FilterValues values,
                        const Work& work, Evaluation* out);

@@ -10,12 +10,13 @@
 // any t between hi / c* and c* lo does, and the filter's own value clamped to that interval stays closest to the
 // thesis.
 //
-// The bounds are those of certificate/interval.hpp, rounded outwards, the corners' own error bounds included. An unbounded
-// cell has hi = rho.
+// The bounds are those of certificate/interval.hpp, rounded outwards, the corners' own error bounds included. An
+// unbounded cell has hi = rho.
 //
-// A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi <= (2 + tau) lo and hi <= tau s, s the thesis's value: for a
-// Steiner vertex R_v <= (tau/2) d, so hi <= d + R_v <= tau d, and lo >= d/2; for an input hi <= tau lo, s = lo. Refinement with
-// `certify_filter` (mesh/quality_rule.hpp) brings every other cell there too. So c* <= sqrt(2 + tau), and with the thesis's values c <= tau.
+// A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi <= (2 + tau) lo and hi <= tau s, s the thesis's
+// value: for a Steiner vertex R_v <= (tau/2) d, so hi <= d + R_v <= tau d, and lo >= d/2; for an input hi <= tau lo, s
+// = lo. Refinement with certify_filter (mesh/quality_rule.hpp) brings every other cell there too. So c* <= sqrt(2 + tau), and with
+// the thesis's values c <= tau.
 #pragma once
 #include "filtration/filter.hpp"
 

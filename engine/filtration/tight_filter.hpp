@@ -29,8 +29,8 @@ namespace netmesh {
 inline double tight_size(double eps) { return eps / (3 * (1 + eps)); }
 inline double tight_domain_factor(double eps) { return 3.0625 + 4 * tight_size(eps); }
 
-// value[v]: t(v), cut at rho; interval[v]: r_p and hi(W) for the vertices of clumps. The mesh may be over-refined or not.
-// O(cells + vertices log n). Scratch: 20 bytes a vertex, 29 an input. out_of_memory.
+// value[v]: t(v), cut at rho; interval[v]: r_p and hi(W) for the vertices of clumps. The mesh may be over-refined or
+// not. O(cells + vertices log n). Scratch: 20 bytes a vertex, 29 an input. out_of_memory.
 template <int D>
 Status tight_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out);
 

@@ -169,7 +169,8 @@ template <int D> double CellTightener<D>::input_distance_low(std::uint32_t v, do
 }
 
 // The largest |y|^2 - 2 y.mean + square over the corners.
-template <int D> double CellTightener<D>::farthest_corner(const double* mean, double square, std::uint32_t* corner) const {
+template <int D>
+double CellTightener<D>::farthest_corner(const double* mean, double square, std::uint32_t* corner) const {
     double worst = -infinity;
     for (std::uint32_t i = 0; i < corners_; ++i) {
         const double* const y = corner_ + std::size_t{i} * D;
@@ -181,8 +182,8 @@ template <int D> double CellTightener<D>::farthest_corner(const double* mean, do
     return worst;
 }
 
-// At least the largest distance of a point of v's cell to its nearest input. A mixture of inputs is known by the mean of its
-// points and of their squares.
+// At least the largest distance of a point of v's cell to its nearest input. A mixture of inputs is known by the mean
+// of its points and of their squares.
 template <int D> double CellTightener<D>::input_distance_high(std::uint32_t v) {
     constexpr int rounds = 8;
     constexpr double steps[] = {1, 0.7, 0.5, 0.35, 0.25, 0.15, 0.08};

@@ -1,15 +1,15 @@
-// For each bar of a filter on a mesh, where the true bar surely is, and the ratio near each scale: interleaving by scale instead of
-// by one ratio.
+// For each bar of a filter on a mesh, where the true bar surely is, and the ratio near each scale: interleaving by
+// scale instead of by one ratio.
 //
 // With lo_v <= F <= hi_v on the cell (or clump) of v and t_v the filter's value, the cover at scale b lies in the
 // sublevel set of F at phi(b) = max(b, hi_v over t_v <= b), and the sublevel set at a in the cover at psi(a) = max(a,
 // t_v over lo_v <= a): the arguments of mesh_filter.hpp, function_filter.hpp and tight_filter.hpp with each cell's own
 // bounds. Hence the true birth is in [psi^-(b), phi(b)], psi^-(b) = min(b, lo_v over t_v >= b), the true death
-// likewise, and a bar of the filter stands for a class of F when its death is after psi(phi(birth)). A bad cell spoils only
-// the scales from its value to its hi.
+// likewise, and a bar of the filter stands for a class of F when its death is after psi(phi(birth)). A bad cell spoils
+// only the scales from its value to its hi.
 //
-// The basic filter's inputs are there from the start, t_v = 0 <= hi_v = R_v, and the same holds: phi(b) is never below the
-// largest R_v of an input, and a true bar that dies before need not be in the diagram.
+// The basic filter's inputs are there from the start, t_v = 0 <= hi_v = R_v, and the same holds: phi(b) is never below
+// the largest R_v of an input, and a true bar that dies before need not be in the diagram.
 #pragma once
 #include <cstdint>
 
@@ -49,9 +49,9 @@ struct ScaleCurve {
     std::uint64_t count;
 };
 
-// bounds[i] of bar i, and the curve. Deaths at infinity are exact. A step comes where psi(phi(a)) has grown by a 16th; their
-// number is bounded by the logarithm of the spread of scales. O((vertices + bars + steps) log vertices). Scratch: 48 bytes a
-// vertex. out_of_memory.
+// bounds[i] of bar i, and the curve. Deaths at infinity are exact. A step comes where psi(phi(a)) has grown by a 16th;
+// their number is bounded by the logarithm of the spread of scales. O((vertices + bars + steps) log vertices). Scratch:
+// 48 bytes a vertex. out_of_memory.
 Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 

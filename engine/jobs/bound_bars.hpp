@@ -15,9 +15,9 @@ struct BoundedBars {
     ScaleCurve curve;
 };
 
-// Of a diagram on a mesh whose filter bounds_by_scale: from the bounds of every cell, with certified bars. The result is put
-// at the arena's low end, bounds before the curve; without ok nothing stays. Scratch: about 110 bytes a vertex, 120 a bar, and
-// what a diagram takes. out_of_memory, cancelled.
+// Of a diagram on a mesh whose filter bounds_by_scale: from the bounds of every cell, with certified bars. The result
+// is put at the arena's low end, bounds before the curve; without ok nothing stays. Scratch: about 110 bytes a vertex,
+// 120 a bar, and what a diagram takes. out_of_memory, cancelled.
 template <int D>
 Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, const Work& work, BoundedBars* out);
 

@@ -128,7 +128,8 @@ Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) 
 // Is the claim about another true bar than all claims of this sequence (of the others) in the set?
 bool Ledger::excludes(const Claim* set, const Claim& claim, bool of_this_sequence, int number) const {
     for (std::uint64_t i = begin_; i < end_; ++i)
-        if (set[i].sequence != 0 && (set[i].sequence == number) == of_this_sequence && !claim.disjoint(set[i])) return false;
+        if (set[i].sequence != 0 && (set[i].sequence == number) == of_this_sequence && !claim.disjoint(set[i]))
+            return false;
     return true;
 }
 
@@ -192,8 +193,8 @@ void Ledger::conclude(BarBounds* bounds) const {
     }
 }
 
-// Where the next sequence goes through: the middle, then the quarters, of the longest bar worth it that has no claim, as far
-// as no sequence went near there; 0 for nowhere.
+// Where the next sequence goes through: the middle, then the quarters, of the longest bar worth it that has no claim,
+// as far as no sequence went near there; 0 for nowhere.
 double next_scale(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree,
                   const double* gone, int sequences) {
     double best = shortest, scale = 0;

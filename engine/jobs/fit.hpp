@@ -1,8 +1,9 @@
 // Budget mode: the best ratio that fits in the block, on a ladder of ratios that does not depend on the block.
 //
-// Steps of 8, 4, 2 and 1 rungs, each step taken when what it leads to fits. What a block reaches by a step of 8 a larger one
-// reaches too, as it is no matter of the block whether a rung is tried; if it reaches more, it is ahead by more than the steps
-// of 4, 2 and 1 can make up for together; and so on down. So more memory never gives a coarser rung.
+// Steps of 8, 4, 2 and 1 rungs, each step taken when what it leads to fits. What a block reaches by a step of 8 a
+// larger one reaches too, as it is no matter of the block whether a rung is tried; if it reaches more, it is ahead by
+// more than the steps of 4, 2 and 1 can make up for together; and so on down. So more memory never gives a coarser
+// rung.
 #pragma once
 #include "mesh/mesh_request.hpp"
 #include "numerics/real.hpp"
@@ -10,8 +11,8 @@
 
 namespace netmesh {
 
-// Rungs of ratios: rung 0 is the coarsest, eight rungs halve what is above 1. With scales of interest the ladder is of their
-// ratio, and the coarsest is asked of everything else.
+// Rungs of ratios: rung 0 is the coarsest, eight rungs halve what is above 1. With scales of interest the ladder is of
+// their ratio, and the coarsest is asked of everything else.
 class RatioLadder {
 public:
     static constexpr int rungs_a_halving = 8;
@@ -45,8 +46,9 @@ private:
     double coarsest_, from_, to_;
 };
 
-// climb(goal) makes the result of a goal in place of the one before, or says why not: a Status, of which out_of_memory ends a
-// step. Costs about seven results. Without ok there is no result: not even the coarsest fits, or what climb says.
+// climb(goal) makes the result of a goal in place of the one before, or says why not: a Status, of which out_of_memory
+// ends a step. Costs about seven results. Without ok there is no result: not even the coarsest fits, or what climb
+// says.
 template <class Climb> Status fit(const RatioLadder& ladder, Climb&& climb) {
     Status status = climb(ladder.goal(0));
     if (status != Status::ok) return status;

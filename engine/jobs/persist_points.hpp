@@ -1,5 +1,5 @@
-// Filtrations on the points themselves: from points to a complex (filtration/point_complexes.hpp), from the complex to a
-// diagram.
+// Filtrations on the points themselves: from points to a complex (filtration/point_complexes.hpp), from the complex to
+// a diagram.
 #pragma once
 #include <cstdint>
 

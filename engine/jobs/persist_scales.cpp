@@ -12,8 +12,8 @@
 namespace netmesh {
 namespace {
 
-// Appends the bars of a cluster, without the essential one but for the first cluster. They stand somewhere above `low`, where the
-// ones before them end. False: out of memory.
+// Appends the bars of a cluster, without the essential one but for the first cluster. They stand somewhere above `low`,
+// where the ones before them end. False: out of memory.
 bool add_pairs(const PairList& list, bool is_first, std::size_t low, Arena& arena, PairList* joined) {
     std::uint64_t kept = 0;
     for (std::uint64_t i = 0; i < list.count; ++i)
@@ -117,7 +117,8 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     status = evaluate<D>({store, mesh.domain, n}, {NETMESH_FILTER_TIGHT, request_.values}, work, &tight);
     CountedPairs found = {};
     if (status == Status::ok)
-        status = persist_lower_star<D>({store.view(), value, n}, {request_.max_degree, request_.keep_zero}, work, &found);
+        status =
+            persist_lower_star<D>({store.view(), value, n}, {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
     *list = found.pairs;
     add_mesh(n, state.vertex_count, found.simplices, tight.certificate, result_);
@@ -151,7 +152,8 @@ template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
 }  // namespace
 
 template <int D>
-Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work, ScalesResult* result) {
+Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
+                      ScalesResult* result) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *result = ScalesResult{};
     result->ratio = result->ratio_best = 1;
@@ -161,7 +163,8 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     work.arena.release_low(low);
     work.arena.release_high(high);
     if (status != Status::ok) return status;
-    Pair* const pairs = work.arena.take_low<Pair>(static_cast<std::size_t>(result->pairs.count));  // not above the old ones
+    Pair* const pairs =
+        work.arena.take_low<Pair>(static_cast<std::size_t>(result->pairs.count));  // not above the old ones
     if (pairs == nullptr) return Status::out_of_memory;
     __builtin_memmove(pairs, result->pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(result->pairs.count));
     result->pairs.pairs = pairs;

@@ -32,6 +32,7 @@ struct ScalesResult {
 // but the pairs is given back. out_of_memory, cancelled, out_of_range, too_close, invalid_argument (coordinates do not
 // resolve the size asked for).
 template <int D>
-Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work, ScalesResult* result);
+Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
+                      ScalesResult* result);
 
 }  // namespace netmesh

@@ -14,7 +14,7 @@ Status represent_listed(const FilteredMesh<D>& mesh, const RepresentRequest& req
     const Store<D>& store = mesh.store;
     const std::uint32_t dimension = request.diagram.max_degree + 1;
     const bool alpha = request.filter.filter == NETMESH_FILTER_ALPHA;
-    Status status = alpha ? alpha_complex<D>(store.view(), store.point(0), Store<D>::vertex_stride, dimension, work,
+    Status status = alpha ? alpha_complex<D>({store.view(), store.point(0), Store<D>::vertex_stride}, dimension, work,
                                              &out->complex)
                           : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, work,
                                                   &out->complex);
@@ -32,8 +32,8 @@ template <int D>
 Status represent_lower_star(const FilteredMesh<D>& mesh, const RepresentRequest& request, std::uint32_t zero_born,
                             const Work& work, Representation* out) {
     Representatives found = {};
-    const Status status = lower_star_cycles<D>({mesh.store.view(), request.value, zero_born}, request.diagram.max_degree,
-                                               request.bars.count, work, &found);
+    const Status status = lower_star_cycles<D>({mesh.store.view(), request.value, zero_born},
+                                               request.diagram.max_degree, request.bars.count, work, &found);
     out->pairs = found.pairs;
     out->cycles = found.store;
     return status;

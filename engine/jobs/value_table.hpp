@@ -10,8 +10,8 @@ namespace netmesh {
 
 class ValueTable {
 public:
-    // key(i), of(i) of items i < count, count >= 1. 16 bytes an item at the arena's high end, 4 more for the time of the call. False:
-    // no room. O(count log count).
+    // key(i), of(i) of items i < count, count >= 1. 16 bytes an item at the arena's high end, 4 more for the time of
+    // the call. False: no room. O(count log count).
     template <class Key, class Of> bool open_largest(std::uint32_t count, Key&& key, Of&& of, Arena& arena) {
         return open(count, key, of, arena, true);
     }

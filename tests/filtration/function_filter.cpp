@@ -139,8 +139,8 @@ TEST_CASE("d_k and the k-distance stay within their certificate") {
     sample_distances<6>(inputs::clusters(6, 8), 3, 20);
 }
 
-// Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 - sqrt(2) eps). The domain
-// is so large that cells which reach out of it are beyond the cut.
+// Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 -
+// sqrt(2) eps). The domain is so large that cells which reach out of it are beyond the cut.
 TEST_CASE("eps-refined meshes keep the bound of 8.6.4") {
     for (const double eps : {0.25, 0.125}) {
         Mesh<2> mesh(inputs::uniform(2, 30), 2.5, 3.0625 + 4 * eps, eps);

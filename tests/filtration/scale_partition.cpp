@@ -1,4 +1,5 @@
-// Recursively well-paced subsets: a partition of the points, parents first, each scale as far from the next as theta says.
+// Recursively well-paced subsets: a partition of the points, parents first, each scale as far from the next as theta
+// says.
 #include "filtration/scale_partition.hpp"
 
 #include <doctest/doctest.h>

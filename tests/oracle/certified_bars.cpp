@@ -1,4 +1,5 @@
-// What sequences of covers claim, without what interleaving tells: true bars that contain each claim, all different (alpha complex).
+// What sequences of covers claim, without what interleaving tells: true bars that contain each claim, all different
+// (alpha complex).
 #include "jobs/certified_bars.hpp"
 
 #include <doctest/doctest.h>
@@ -25,10 +26,10 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    MeshResult<D> made;
+    MeshResult<D> meshed;
     REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
-                           &made) == Status::ok);
-    const Domain<D>& domain = made.domain;
+                           &meshed) == Status::ok);
+    const Domain<D>& domain = meshed.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);
@@ -58,8 +59,7 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
         CHECK(b.death_low <= list.pairs[i].death);
         CHECK(list.pairs[i].death <= b.death_high);
         CHECK(b.birth_high <= b.death_low);
-        claims.push_back({list.pairs[i].degree,
-                          {sizeof(netmesh_bar_bounds), 1, b.birth_low, b.birth_high, b.death_low, b.death_high, 0}});
+        claims.push_back({list.pairs[i].degree, {b.birth_low, b.birth_high, b.death_low, b.death_high, 0, 1}});
     }
     CHECK(claims.size() >= least);
     CHECK(all_real(claims, diagram(exact), 1 + 1e-9));
