@@ -1,10 +1,12 @@
 // The dimensions that tests run in: those that the build serves, as vocabulary/dimension.hpp lists them.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "include/netmesh.h"
 #include "vocabulary/dimension.hpp"
@@ -23,6 +25,21 @@ using Dimensions = decltype(std::tuple_cat(NETMESH_EACH_DIMENSION(NETMESH_ONE) s
 // Calls f(Dimension<D>{}) for each dimension served from lowest to highest.
 template <int lowest = 0, int highest = NETMESH_DIM_MAX, class F> void for_each_dimension(F&& f) {
     std::apply([&](auto... dimension) { (f(dimension), ...); }, Dimensions<lowest, highest>{});
+}
+
+// For loops over numbers: those served from lowest to highest.
+inline std::vector<int> dimensions(int lowest = 0, int highest = NETMESH_DIM_MAX) {
+    std::vector<int> served;
+    for (int dim = lowest; dim <= highest; ++dim)
+        if (netmesh::serves_dimension(static_cast<std::uint32_t>(dim))) served.push_back(dim);
+    return served;
+}
+// Those of `wanted` that are served.
+inline std::vector<int> dimensions(std::initializer_list<int> wanted) {
+    std::vector<int> served;
+    for (const int dim : wanted)
+        if (netmesh::serves_dimension(static_cast<std::uint32_t>(dim))) served.push_back(dim);
+    return served;
 }
 
 // The figure of dimension dim in a list that begins with that of the plane.
