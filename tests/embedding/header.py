@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Looks at netmesh.h and netmesh.hpp.
 
-  header.py shorten NETMESH_H      prints a header whose structs with a size lack their last member: one of an older version
+  header.py shorten NETMESH_H      prints an older version's header: structs with a size lack their last member
   header.py calls NETMESH_H NETMESH_HPP
                                    every function of the first occurs in the second; prints what is missing, exits 1
   header.py same PROGRAM PROGRAM   runs both; exits 1 when one fails or they print different lines
@@ -26,8 +26,9 @@ def shortened(body):
 
 def shorten(header):
     struct = re.compile(r"typedef struct (netmesh_\w+) \{\s*(uint32_t struct_bytes;.*?)\} \1;", re.S)
-    text, count = struct.subn(lambda m: "typedef struct %s {\n%s} %s;" % (m.group(1), shortened(m.group(2)), m.group(1)),
-                              code_of(header))
+    def without_last(m):
+        return "typedef struct %s {\n%s} %s;" % (m.group(1), shortened(m.group(2)), m.group(1))
+    text, count = struct.subn(without_last, code_of(header))
     if count < 20:
         sys.exit("only %d structs with a size in %s" % (count, header))
     print("#define NETMESH_SHORTER\n" + text)
