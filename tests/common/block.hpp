@@ -1,16 +1,20 @@
-// A block of memory for tests of inner rooms.
+// A block of memory for tests of inner folders, and an arena of exactly so many bytes over it.
 #pragma once
-#include <cstdint>
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 
 #include "memory/arena.hpp"
 
 class Block {
 public:
-    explicit Block(std::size_t bytes, int fill = 0x55) : bytes_((bytes + 15) / 16 * 16) {
-        memory_ = static_cast<unsigned char*>(std::aligned_alloc(16, bytes_ > 0 ? bytes_ : 16));
-        for (std::size_t i = 0; i < bytes_; ++i) memory_[i] = static_cast<unsigned char>(fill);
-        arena.adopt(memory_, bytes_);
+    static constexpr int untouched = -1;  // for large blocks, of which the system gives what is used
+
+    explicit Block(std::size_t bytes, int fill = 0x55)
+        : memory_(std::aligned_alloc(netmesh::Arena::alignment, rounded(bytes > 0 ? bytes : 1))) {
+        if (memory_ == nullptr) std::abort();
+        if (fill != untouched) std::memset(memory_, fill, bytes);
+        arena.adopt(memory_, bytes);
     }
     ~Block() { std::free(memory_); }
     Block(const Block&) = delete;
@@ -19,6 +23,8 @@ public:
     netmesh::Arena arena;
 
 private:
-    std::size_t bytes_;
-    unsigned char* memory_;
+    static std::size_t rounded(std::size_t bytes) {
+        return (bytes + netmesh::Arena::alignment - 1) & ~(netmesh::Arena::alignment - 1);
+    }
+    void* const memory_;
 };

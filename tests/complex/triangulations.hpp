@@ -6,8 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "common/block.hpp"
 #include "complex/triangulation.hpp"
-#include "memory/arena.hpp"
 
 namespace netmesh_test {
 
@@ -69,15 +69,6 @@ struct Random {
     }
     std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(bits() % n); }
     double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-};
-
-struct Block {
-    explicit Block(std::size_t bytes) : words(bytes / 16 + 1) { arena.adopt(words.data(), bytes); }
-    struct alignas(16) Word {
-        unsigned char bytes[16];
-    };
-    std::vector<Word> words;
-    netmesh::Arena arena;
 };
 
 }  // namespace netmesh_test

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/block.hpp"
 #include "common/inputs.hpp"
 #include "common/mesh_requests.hpp"
 #include "mesh/hierarchy_quality.hpp"
@@ -33,20 +34,6 @@ struct Run {
     MeshAudit audit;
 };
 
-// Reserved, hardly used.
-class Block {
-public:
-    Block() : memory_(std::aligned_alloc(16, bytes)) { arena.adopt(memory_, bytes); }
-    ~Block() { std::free(memory_); }
-    Block(const Block&) = delete;
-    Block& operator=(const Block&) = delete;
-
-    Arena arena;
-
-private:
-    static constexpr std::size_t bytes = std::size_t{6} << 30;
-    void* memory_;
-};
 
 double now() {
     using namespace std::chrono;
@@ -338,7 +325,7 @@ int main(int argc, char** argv) {
     const int only = argc > 2 ? std::atoi(argv[2]) : 0;
     const bool quick = what == "slice", all = what == "all";
     const std::uint64_t count = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : quick ? 100 : 10000;
-    Block block;
+    Block block(std::size_t{6} << 30, Block::untouched);
     bool any = false;
     const auto each = [&](const char* name, auto&& job) {
         if (what != name && !all && !(quick && std::string(name) != "times")) return;

@@ -3,7 +3,7 @@
 #pragma once
 #include <doctest/doctest.h>
 
-#include "block.hpp"
+#include "common/block.hpp"
 #include "vocabulary/monitor.hpp"
 #include "vocabulary/status.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "block.hpp"
+#include "common/block.hpp"
 #include "grid.hpp"
 
 using namespace netmesh;

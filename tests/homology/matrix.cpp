@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "block.hpp"
+#include "common/block.hpp"
 #include "complexes.hpp"
 #include "oracle.hpp"
 

@@ -2,7 +2,7 @@
 // cycle is a sum of others up to what has died before.
 #include <doctest/doctest.h>
 
-#include "block.hpp"
+#include "common/block.hpp"
 #include "boundaries.hpp"
 #include "grid.hpp"
 #include "homology/cycles/cycles.hpp"
