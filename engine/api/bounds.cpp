@@ -1,6 +1,6 @@
 #include "api/dispatch.hpp"
 #include "filtration/bar_bounds.hpp"
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "filtration/function_filter.hpp"
 #include "filtration/sharp_bounds.hpp"
 #include "filtration/sure_bars.hpp"
@@ -19,7 +19,7 @@ Status measure(const netmesh_context* context, Store<D>& store, const Work& work
                Interval* interval, std::uint32_t* zero_born) {
     const Domain<D> domain = domain_of<D>(*context);
     const FilterValues kind = context->values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified;
-    MeshCertificate certificate;
+    Certificate certificate;
     *zero_born = 0;
     if (context->k > 1) {
         const InputDistance distance =

@@ -56,7 +56,7 @@ template <int D> Status check_ratio(Context& context, Store<D>& store, const Rat
     double* const value = context.arena.take_high<double>(store.state.vertex_count);
     Interval* const interval = context.arena.take_high<Interval>(store.state.vertex_count);
     if (value == nullptr || interval == nullptr) return Status::out_of_memory;
-    MeshCertificate certificate;
+    Certificate certificate;
     const Status status = mesh_filter_values<D>(store, domain_of<D>(context), MeshFilter::complete,
                                                 FilterValues::certified, context.arena, value, &certificate, interval);
     if (status != Status::ok) return status;

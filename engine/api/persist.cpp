@@ -47,7 +47,7 @@ netmesh_status check_request(netmesh_context* context, const netmesh_filter& fil
 struct Outcome {
     PairList pairs;
     std::uint64_t simplices;
-    MeshCertificate certificate;
+    Certificate certificate;
     const double* value;  // null: none is kept
 };
 

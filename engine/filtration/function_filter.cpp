@@ -1,6 +1,7 @@
 #include "filtration/function_filter.hpp"
 
-#include "filtration/clamp.hpp"
+#include "certificate/cells.hpp"
+#include "certificate/certificate.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -17,7 +18,7 @@ double input_distance(const InputTree<D>& tree, InputDistance kind, const double
 template <int D>
 Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, InputDistance kind,
                               std::uint32_t k, FilterValues values, const Work& work, double* value,
-                              MeshCertificate* certificate, Interval* intervals) {
+                              Certificate* certificate, Interval* intervals) {
     ArenaScope scope(work.arena);
     const std::uint32_t count = store.state.vertex_count;
     double* const out_radius = work.arena.take_high<double>(count);
@@ -36,20 +37,18 @@ Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, st
     const double doubt = (k + 16.0) * unit_roundoff;
     const auto interval = [&](std::uint32_t v) {
         const double d = value[v];
-        const double inner = (d * (1 - doubt) - out_radius[v]) * down;
-        Interval i = {(inner > 0.5 * d ? inner : 0.5 * d * (1 - doubt)) * down,
-                      store.vertex(v).marker == Marker::exempt ? infinity : (d * (1 + doubt) + out_radius[v]) * up};
-        if (!(i.hi <= rho)) i.hi = rho;
-        if (i.lo > rho) i.lo = rho;
-        return i;
+        return cut_at(rho, store.vertex(v).marker == Marker::exempt
+                               ? unbounded_interval(d * (1 - doubt))
+                               : Interval{least_distance(d * (1 - doubt), out_radius[v]),
+                                          (d * (1 + doubt) + out_radius[v]) * up});
     };
-    clamp_values(count, rho, values, interval, value, certificate, intervals);
+    *certificate = clamp_values(count, rho, values, interval, value, intervals);
     return Status::ok;
 }
 
 template <int D>
 Status function_filter_values(const Store<D>& store, const Domain<D>& domain, const LipschitzBounds& bounds,
-                              FilterValues values, Arena& arena, double* value, MeshCertificate* certificate) {
+                              FilterValues values, Arena& arena, double* value, Certificate* certificate) {
     ArenaScope scope(arena);
     const std::uint32_t count = store.state.vertex_count;
     double* const out_radius = arena.take_high<double>(count);
@@ -73,11 +72,9 @@ Status function_filter_values(const Store<D>& store, const Domain<D>& domain, co
         const double f = value[v], change = bounds.lipschitz * out_radius[v] * up;
         Interval i = {(f - change) * down, (f + change) * up};
         if (!(i.lo > f * share)) i.lo = f * share;
-        if (!(i.hi <= cut)) i.hi = cut;
-        if (i.lo > cut) i.lo = cut;
-        return i;
+        return cut_at(cut, i);
     };
-    clamp_values(count, cut, values, interval, value, certificate, nullptr);
+    *certificate = clamp_values(count, cut, values, interval, value, nullptr);
     return Status::ok;
 }
 
@@ -85,9 +82,9 @@ Status function_filter_values(const Store<D>& store, const Domain<D>& domain, co
     template double input_distance<D>(const InputTree<D>&, InputDistance, const double*, std::uint32_t, Neighbour*);   \
     template Status distance_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, InputDistance,         \
                                               std::uint32_t, FilterValues, const Work&, double*,                  \
-                                              MeshCertificate*, Interval*);                                            \
+                                              Certificate*, Interval*);                                            \
     template Status function_filter_values<D>(const Store<D>&, const Domain<D>&, const LipschitzBounds&, FilterValues, \
-                                              Arena&, double*, MeshCertificate*);
+                                              Arena&, double*, Certificate*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -52,12 +52,12 @@ double input_distance(const InputTree<D>& tree, InputDistance kind, const double
 template <int D>
 Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, InputDistance kind,
                               std::uint32_t k, FilterValues values, const Work& work, double* value,
-                              MeshCertificate* certificate, Interval* intervals = nullptr);
+                              Certificate* certificate, Interval* intervals = nullptr);
 
 // The same for any function with such bounds. value[v]: f(v) >= 0 at first, the filter's value then.
 // Scratch: 8 bytes a vertex. out_of_memory.
 template <int D>
 Status function_filter_values(const Store<D>& store, const Domain<D>& domain, const LipschitzBounds& bounds,
-                              FilterValues values, Arena& arena, double* value, MeshCertificate* certificate);
+                              FilterValues values, Arena& arena, double* value, Certificate* certificate);
 
 }  // namespace netmesh

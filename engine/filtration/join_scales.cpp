@@ -1,6 +1,6 @@
 // One tight diagram after the other, joined.
 #include "diagram/sort.hpp"
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "filtration/scales.hpp"
 #include "filtration/tight_filter.hpp"
 #include "mesh/refine.hpp"
@@ -30,7 +30,7 @@ bool add_pairs(const PairList& list, bool is_first, std::size_t low, Arena& aren
 }
 
 // Counts the mesh of a cluster of `points`.
-void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const MeshCertificate& certificate,
+void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const Certificate& certificate,
               ScalesResult* result) {
     result->simplices += simplices;
     result->vertices += vertices;
@@ -108,7 +108,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (status != Status::ok) return status;
     double* const value = arena_.take_low<double>(state.vertex_count);
     if (value == nullptr) return Status::out_of_memory;
-    MeshCertificate certificate;
+    Certificate certificate;
     status = tight_filter_values<D>(store, domain, n, request_.values, arena_, value, &certificate);
     std::uint64_t simplices = 0;
     if (status == Status::ok)

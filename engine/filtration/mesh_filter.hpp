@@ -26,29 +26,18 @@
 #pragma once
 #include <cstdint>
 
+#include "certificate/certificate.hpp"
 #include "mesh/domain.hpp"
 
 namespace netmesh {
 
 enum class MeshFilter { complete, basic };
-enum class FilterValues { certified, thesis };
-
-// Surely contains the function meant, cut, on the cell of a vertex.
-struct Interval {
-    double lo, hi;
-};
-
-struct MeshCertificate {
-    double ratio;       // c of the values given
-    double ratio_best;  // c*
-    double from;        // scale from which the ratio holds: 0 (complete), the largest out-radius of an input (basic)
-};
 
 // value[v] for every vertex: t(v), cut at rho; the basic filter gives inputs 0. intervals[v], when asked for: lo_v and hi_v. Needs a
 // compact, complete mesh.
 // O(cells). Scratch: 16 bytes a vertex. out_of_memory.
 template <int D>
 Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFilter filter, FilterValues values,
-                          Arena& arena, double* value, MeshCertificate* certificate, Interval* intervals = nullptr);
+                          Arena& arena, double* value, Certificate* certificate, Interval* intervals = nullptr);
 
 }  // namespace netmesh

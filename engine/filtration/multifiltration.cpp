@@ -78,7 +78,7 @@ template <int D> Status KVineyard<D>::open() {
 
 // Values of all simplices, as netmesh_persist gives them.
 template <int D> Status KVineyard<D>::filter(std::uint32_t k, double** value, double* ratio) {
-    MeshCertificate certificate;
+    Certificate certificate;
     Status status;
     if (k == 1) {
         status = mesh_filter_values<D>(store_, domain_, MeshFilter::complete, request_.values, arena_, vertex_value_,

@@ -1,6 +1,6 @@
 #include "filtration/scales.hpp"
 
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
 

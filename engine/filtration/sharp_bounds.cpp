@@ -1,7 +1,7 @@
 #include "filtration/sharp_bounds.hpp"
 
 #include "delaunay/kernel.hpp"
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "filtration/nearest_in_hull.hpp"
 #include "mesh/input_tree.hpp"
 #include "vocabulary/dimension.hpp"
@@ -24,8 +24,8 @@ private:
         double low[D], high[D];
     };
     bool gather(std::uint32_t v, bool* known);
-    double least_distance(std::uint32_t v, double least);
-    double largest_distance(std::uint32_t v);
+    double input_distance_low(std::uint32_t v, double least);
+    double input_distance_high(std::uint32_t v);
     void relative(std::uint32_t input, double* q) const {
         for (int k = 0; k < D; ++k) q[k] = store_.point(input)[k] - at_[k];
     }
@@ -94,8 +94,8 @@ template <int D> void Sharpener<D>::look(std::uint32_t input) {
     double q[D];
     relative(input, q);
     const double d = square_root(dot<D>(q, q));
-    double bound = d - out_radius_ > 0.5 * d ? d - out_radius_ : 0.5 * d;
-    const double slack = 0x1p-44 * (d + out_radius_);
+    double bound = least_distance(d, out_radius_, 1);
+    const double slack = sum_slack * (d + out_radius_);
     for (std::uint32_t i = 0; i < half_spaces_ && bound < least_; ++i) {
         const double b = half_space_[i].distance(q) - slack;
         if (b > bound) bound = b;
@@ -128,11 +128,11 @@ template <int D> double Sharpener<D>::box_distance(const Part& part) const {
         }
         if (reach > best) best = reach;
     }
-    return best - 0x1p-44 * size;
+    return best - sum_slack * size;
 }
 
 // At most the least distance of an input from v's cell; `least` is known already.
-template <int D> double Sharpener<D>::least_distance(std::uint32_t v, double least) {
+template <int D> double Sharpener<D>::input_distance_low(std::uint32_t v, double least) {
     half_spaces_ = 0;
     least_ = 2 * cut_;
     look(nearest_input<D>(store_, v));
@@ -183,7 +183,7 @@ template <int D> double Sharpener<D>::worst_corner(const double* mean, double sq
 
 // At least the largest distance of a point of v's cell to its nearest input. A mixture of inputs is known by the mean of its
 // points and of their squares.
-template <int D> double Sharpener<D>::largest_distance(std::uint32_t v) {
+template <int D> double Sharpener<D>::input_distance_high(std::uint32_t v) {
     constexpr int rounds = 8;
     constexpr double steps[] = {1, 0.7, 0.5, 0.35, 0.25, 0.15, 0.08};
     std::uint32_t near = nearest_input<D>(store_, v);
@@ -217,7 +217,7 @@ template <int D> double Sharpener<D>::largest_distance(std::uint32_t v) {
         square += best_step * (q2 - square);
         worst = best;
     }
-    return (square_root(worst + 0x1p-44 * (largest + out_radius_ * out_radius_)) + doubt_) * up;
+    return (square_root(worst + sum_slack * (largest + out_radius_ * out_radius_)) + doubt_) * up;
 }
 
 template <int D> Status Sharpener<D>::narrow(std::uint32_t v, Interval* interval) {
@@ -225,7 +225,7 @@ template <int D> Status Sharpener<D>::narrow(std::uint32_t v, Interval* interval
     bool known;
     if (!gather(v, &known)) return Status::out_of_memory;
     if (!known) return Status::ok;
-    const double lo = least_distance(v, interval->lo), hi = largest_distance(v);
+    const double lo = input_distance_low(v, interval->lo), hi = input_distance_high(v);
     if (lo > interval->lo) interval->lo = lo < cut_ ? lo : cut_;
     if (hi < interval->hi) interval->hi = hi;
     return Status::ok;

@@ -1,6 +1,6 @@
 #include "filtration/sure_bars.hpp"
 
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "filtration/value_table.hpp"
 #include "homology/persistence.hpp"
 #include "vocabulary/dimension.hpp"

@@ -1,6 +1,6 @@
 #include "filtration/tight_filter.hpp"
 
-#include "filtration/clamp.hpp"
+#include "certificate/cells.hpp"
 #include "mesh/input_tree.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -15,16 +15,9 @@ public:
     // What the mesh says about v: F on its cell, or on its clump's, is at most hi; lo stands for r_p there.
     Interval interval(std::uint32_t v) const {
         const std::uint32_t p = clump_[v];
-        Interval i;
-        if (p != none) {
-            i = {inner_[p], outer_[p]};
-        } else {
-            const double d = distance<D>(store_.point(v), store_.point(nearest_input<D>(store_, v)));
-            i = {cell_distance(d, v), store_.vertex(v).marker == Marker::exempt ? infinity : reach_[v]};
-        }
-        if (!(i.hi <= rho_)) i.hi = rho_;
-        if (!(i.lo <= rho_)) i.lo = rho_;
-        return i;
+        if (p != none) return cut_at(rho_, {inner_[p], outer_[p]});
+        const double d = distance_to_inputs<D>(store_, v);
+        return cut_at(rho_, {cell_distance(d, v), store_.vertex(v).marker == Marker::exempt ? infinity : reach_[v]});
     }
     // s'(v), cut.
     double own_value(std::uint32_t v) const {
@@ -37,8 +30,8 @@ public:
 private:
     // Lower bound of the distance to v's cell from an input at distance d of v, not v itself.
     double cell_distance(double d, std::uint32_t v) const {
-        const double inner = store_.vertex(v).marker == Marker::exempt ? 0 : (d - out_radius_[v]) * down;
-        return (inner > 0.5 * d ? inner : 0.5 * d) * down;
+        return store_.vertex(v).marker == Marker::exempt ? least_distance_unbounded(d)
+                                                         : least_distance(d, out_radius_[v]);
     }
     void gather(const InputTree<D>& tree);
     void look_outside();
@@ -113,22 +106,21 @@ template <int D> void Clumps<D>::look_outside() {
 
 template <int D>
 Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, FilterValues values,
-                           Arena& arena, double* value, MeshCertificate* certificate, Interval* intervals) {
+                           Arena& arena, double* value, Certificate* certificate, Interval* intervals) {
     ArenaScope scope(arena);
     const double rho = domain.enclosing_radius * up;
     Clumps<D> clumps(store, rho, inputs);
     const Status status = clumps.open(arena);
     if (status != Status::ok) return status;
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) value[v] = clumps.own_value(v);
-    clamp_values(
-        store.state.vertex_count, rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, value, certificate,
-        intervals);
+    *certificate = clamp_values(
+        store.state.vertex_count, rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, value, intervals);
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status tight_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, FilterValues, Arena&,     \
-                                           double*, MeshCertificate*, Interval*);
+                                           double*, Certificate*, Interval*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

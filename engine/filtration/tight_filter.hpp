@@ -36,6 +36,6 @@ inline double tight_domain_factor(double eps) { return 3.0625 + 4 * tight_size(e
 // not. O(cells + vertices log n). Scratch: 20 bytes a vertex, 29 an input. out_of_memory.
 template <int D>
 Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, FilterValues values,
-                           Arena& arena, double* value, MeshCertificate* certificate, Interval* intervals = nullptr);
+                           Arena& arena, double* value, Certificate* certificate, Interval* intervals = nullptr);
 
 }  // namespace netmesh

@@ -135,13 +135,14 @@ SEES = {
     "numerics": {"vocabulary", "memory"},
     "predicates": {"numerics", "memory", "vocabulary"},
     "delaunay": {"predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "mesh": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
+    "certificate": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
+    "mesh": {"certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "complex": {"memory", "vocabulary", "numerics"},
     "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
     "diagram": {"homology", "complex", "memory", "vocabulary", "numerics", "include"},
-    "filtration": {"mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "vocabulary", "include"},
-    "analysis": {"mesh", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "api": {"analysis", "filtration", "mesh", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
+    "filtration": {"mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "vocabulary", "include"},
+    "analysis": {"mesh", "certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
+    "api": {"analysis", "filtration", "mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
             "memory", "vocabulary", "include"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)

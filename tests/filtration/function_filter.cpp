@@ -64,7 +64,7 @@ template <int D> void sample_distances(const inputs::Points& points, double tau,
     for (const InputDistance kind : {InputDistance::kth, InputDistance::root_mean_square})
         for (const std::uint32_t k : {2u, 3u, 7u, mesh.inputs})
             for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
-                MeshCertificate certificate;
+                Certificate certificate;
                 Monitor monitor;
                 const std::size_t used = mesh.block.arena.bytes_used();
                 REQUIRE(distance_filter_values<D>(mesh.store, mesh.domain, mesh.inputs, kind, k, values,
@@ -138,7 +138,7 @@ TEST_CASE("eps-refined meshes keep the bound of 8.6.4") {
         Mesh<2> mesh(inputs::uniform(2, 30), 2.5, 3.0625 + 4 * eps, eps);
         std::vector<double> value(mesh.state.vertex_count);
         for (const std::uint32_t k : {2u, 5u}) {
-            MeshCertificate certificate;
+            Certificate certificate;
             Monitor monitor;
             REQUIRE(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::kth, k,
                                               FilterValues::thesis, {mesh.block.arena, monitor}, value.data(),
@@ -164,7 +164,7 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     std::vector<double> value(mesh.state.vertex_count);
     for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
-        MeshCertificate certificate;
+        Certificate certificate;
         REQUIRE(function_filter_values<2>(mesh.store, mesh.domain, {5, 0.5, cut}, values, mesh.block.arena,
                                           value.data(), &certificate) == Status::ok);
         const double c = certificate.ratio;
@@ -181,7 +181,7 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     }
     // A function that is 0 somewhere has no ratio.
     for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = 0;
-    MeshCertificate certificate;
+    Certificate certificate;
     REQUIRE(function_filter_values<2>(mesh.store, mesh.domain, {1, 0, 1}, FilterValues::certified, mesh.block.arena,
                                       value.data(), &certificate) == Status::ok);
     CHECK(certificate.ratio == infinity);
@@ -204,7 +204,7 @@ TEST_CASE_TEMPLATE("a function on cells that leave the domain, or of which nothi
     std::vector<double> value(mesh.state.vertex_count);
     const auto filter = [&] {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
-        MeshCertificate certificate;
+        Certificate certificate;
         REQUIRE(function_filter_values<D>(mesh.store, inner, {5, 0.5, cut}, FilterValues::certified, mesh.block.arena,
                                           value.data(), &certificate) == Status::ok);
         return certificate.ratio;
@@ -231,7 +231,7 @@ TEST_CASE("too little memory is said") {
     const inputs::Points points = inputs::uniform(2, 50);
     Mesh<2> mesh(points, 2.5);
     std::vector<double> value(mesh.state.vertex_count);
-    MeshCertificate certificate;
+    Certificate certificate;
     Monitor monitor;
     const std::size_t high = mesh.block.arena.high_mark();
     REQUIRE(mesh.block.arena.take_low<unsigned char>(mesh.block.arena.bytes_free() - 512) != nullptr);

@@ -34,7 +34,7 @@ template <int D> void sample_inclusions(const inputs::Points& points, double tau
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     for (const FilterValues kind : {FilterValues::certified, FilterValues::thesis}) {
-        MeshCertificate certificate;
+        Certificate certificate;
         REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, kind, block.arena, value.data(),
                                       &certificate) == Status::ok);
         const double c = certificate.ratio, rho = domain.enclosing_radius;
@@ -104,7 +104,7 @@ TEST_CASE("the basic filter gives inputs zero and says from where its ratio hold
     const inputs::Points points = inputs::uniform(2, 100);
     REQUIRE(refine<2>(store, points.data(), 100, {2.5, 1, true, 1}, monitor, &input, &domain) == Status::ok);
     std::vector<double> value(state.vertex_count);
-    MeshCertificate certificate;
+    Certificate certificate;
     REQUIRE(mesh_filter_values<2>(store, domain, MeshFilter::basic, FilterValues::thesis, block.arena, value.data(),
                                   &certificate) == Status::ok);
     for (std::uint32_t v = 0; v < 100; ++v) CHECK(value[v] == 0);

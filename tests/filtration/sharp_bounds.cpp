@@ -8,7 +8,7 @@
 
 #include "common/block.hpp"
 #include "common/inputs.hpp"
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "filtration/nearest_in_hull.hpp"
 #include "mesh/refine.hpp"
 
@@ -38,7 +38,7 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     const double rho = domain.enclosing_radius * up;
     std::vector<double> value(count);
     std::vector<Interval> known(count), sharp;
-    MeshCertificate certificate;
+    Certificate certificate;
     REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
                                   value.data(), &certificate, known.data()) == Status::ok);
     sharp = known;
@@ -110,7 +110,7 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     const double rho = domain.enclosing_radius * up;
     std::vector<double> value(count);
     std::vector<Interval> known(count), whole, sharp;
-    MeshCertificate certificate;
+    Certificate certificate;
     REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
                                   value.data(), &certificate, known.data()) == Status::ok);
     whole = known;

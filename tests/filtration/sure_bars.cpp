@@ -9,7 +9,7 @@
 #include "common/block.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/triangulate.hpp"
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "homology/persistence.hpp"
 
 using namespace netmesh;

@@ -7,7 +7,7 @@
 
 #include "common/block.hpp"
 #include "common/session.hpp"
-#include "filtration/cell_bounds.hpp"
+#include "certificate/cells.hpp"
 #include "filtration/sharp_bounds.hpp"
 #include "homology/persistence.hpp"
 #include "mesh/refine.hpp"
@@ -33,7 +33,7 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);
-    MeshCertificate certificate;
+    Certificate certificate;
     REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, FilterValues::certified, block.arena,
                                   value.data(), &certificate, interval.data()) == Status::ok);
     REQUIRE(sharpen_intervals<D>(store, inputs, domain.enclosing_radius * up, {block.arena, monitor}, interval.data()) ==

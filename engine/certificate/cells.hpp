@@ -1,16 +1,20 @@
-// What the Voronoi cells of a mesh reach, rounded outwards: the ground of every certificate.
+// What the Voronoi cells of a mesh reach, rounded outwards: the numbers that interval.hpp takes.
 #pragma once
 #include <cstdint>
 
+#include "certificate/rounding.hpp"
 #include "delaunay/store.hpp"
 #include "numerics/vector.hpp"
 
 namespace netmesh {
 
-constexpr double up = 1 + 0x1p-40, down = 1 - 0x1p-40;  // more than the roundings of a few operations
-
 template <int D> std::uint32_t nearest_input(const Store<D>& store, std::uint32_t v) {
     return store.vertex(v).marker == Marker::input ? v : store.vertex(v).origin;
+}
+
+// The distance from v to its nearest input; 0 for inputs.
+template <int D> double distance_to_inputs(const Store<D>& store, std::uint32_t v) {
+    return distance<D>(store.point(v), store.point(nearest_input<D>(store, v)));
 }
 
 // out_radius[v]: R_v or more, over all corners of v's cell; reach[v]: the largest distance from a corner to v's nearest
