@@ -58,8 +58,8 @@ template <int D> void compare(const Points& points) {
     if (orient > 0) std::swap(p[0], p[D]);
 
     // In a positively oriented cell, ties broken: an answer, the exact one where there was no tie, in any even order.
-    std::uint32_t ids[D + 2];
-    for (std::uint32_t i = 0; i < D + 2; ++i) ids[i] = i;
+    netmesh::VertexId ids[D + 2];
+    for (std::uint32_t i = 0; i < D + 2; ++i) ids[i] = netmesh::VertexId(i);
     const int exact = static_cast<int>(netmesh::in_ball<D>(p, p[D + 1], counts));
     const int broken = static_cast<int>(netmesh::in_ball_perturbed<D>(p, ids, p[D + 1], ids[D + 1], counts));
     require(broken != 0 && (exact == 0 || broken == exact));

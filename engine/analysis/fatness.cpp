@@ -55,10 +55,10 @@ public:
 private:
     bool holds(int part, std::uint32_t v) const { return part_[v] <= part; }
     FatPart& of(int part) { return part == part_inside ? analysis_.inside : analysis_.bounded; }
-    Status measure(std::uint32_t v, bool balls, CellMeasure* m, double* clipped);
-    void collect(std::uint32_t v, std::uint32_t c, CellMeasure* m, Points<D>* neighbours);
-    void add_clipped(std::uint32_t v, std::uint32_t c, Points<D>* corners);
-    double clipped_fatness(std::uint32_t v, const CellMeasure& m, Points<D> corners, Points<D> neighbours);
+    Status measure(VertexId v, bool balls, CellMeasure* m, double* clipped);
+    void collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours);
+    void add_clipped(VertexId v, CellId c, Points<D>* corners);
+    double clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners, Points<D> neighbours);
     void add(const CellMeasure& m, int which);
     void compare(const CellMeasure& m, int part);
 
@@ -98,14 +98,14 @@ template <int D> Status Fatness<D>::open() {
 }
 
 // One cell of v's star: its corner's distance, and the neighbours not met before.
-template <int D> void Fatness<D>::collect(std::uint32_t v, std::uint32_t c, CellMeasure* m, Points<D>* neighbours) {
+template <int D> void Fatness<D>::collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours) {
     const Cell<D>& cell = store_.cell(c);
     const double* const x = store_.point(v);
     const double error = static_cast<double>(cell.error), radius = square_root(cell.radius2);
     if (error * radius > m->doubt) m->doubt = error * radius;
     if (radius * (1 + error) * up > m->farthest) m->farthest = radius * (1 + error) * up;
     unsigned subsets[2] = {1, 1};  // of the cell's other vertices, as far as they are in the part
-    for (const std::uint32_t w : cell.vertex) {
+    for (const VertexId w : cell.vertex) {
         for (int part = part_inside; part <= part_bounded && w != v; ++part)
             if (holds(part, w)) subsets[part] *= 2;
         if (w == v || store_.vertex(w).next == v) continue;
@@ -122,7 +122,7 @@ template <int D> void Fatness<D>::collect(std::uint32_t v, std::uint32_t c, Cell
 }
 
 // Corners of v's clipped cell at corner c: itself inside, crossings of its edges outside.
-template <int D> void Fatness<D>::add_clipped(std::uint32_t v, std::uint32_t c, Points<D>* corners) {
+template <int D> void Fatness<D>::add_clipped(VertexId v, CellId c, Points<D>* corners) {
     const Cell<D>& cell = store_.cell(c);
     if (domain_.contains(cell.centre)) {
         corners->add(cell.centre, store_.point(v));
@@ -130,7 +130,7 @@ template <int D> void Fatness<D>::add_clipped(std::uint32_t v, std::uint32_t c, 
     }
     for (int i = 0; i <= D; ++i) {
         if (cell.vertex[i] == v) continue;
-        const std::uint32_t n = cell.neighbour[i] >> 3;
+        const CellId n = cell.neighbour[i].cell();
         if (n < c && !domain_.contains(store_.cell(n).centre)) continue;  // seen from the other end
         double z[2][D];
         const int crossings = sphere_crossings<D>(domain_, cell.centre, store_.cell(n).centre, z);
@@ -141,7 +141,7 @@ template <int D> void Fatness<D>::add_clipped(std::uint32_t v, std::uint32_t c, 
 // Out-radius over in-radius of the clipped cell; 0 when no corner of it is known. In-balls are kept in the domain by
 // cutting planes: a tangent plane of the sphere is a bisector with the vertex's mirror image.
 template <int D>
-double Fatness<D>::clipped_fatness(std::uint32_t v, const CellMeasure& m, Points<D> corners, Points<D> neighbours) {
+double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners, Points<D> neighbours) {
     double out_radius, centre[D] = {};
     if (corners.count < 2 || !domain_.contains(store_.point(v))) return 0;
     smallest_enclosing_ball<D>(corners.x, corners.count, centre, &out_radius);
@@ -168,17 +168,17 @@ double Fatness<D>::clipped_fatness(std::uint32_t v, const CellMeasure& m, Points
     return best > 0 ? out_radius / best : 0;
 }
 
-template <int D> Status Fatness<D>::measure(std::uint32_t v, bool balls, CellMeasure* m, double* clipped) {
+template <int D> Status Fatness<D>::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
     *m = {0, {0, 0}, {0, 0}, 0, 0, infinity, 0, 0, {true, true}};
     *clipped = 0;
-    if (!kernel_.visit_star(v, [&](std::uint32_t) { ++m->corners; })) return Status::out_of_memory;
+    if (!kernel_.visit_star(v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
     ArenaScope scope(arena_);
     const bool clips = part_[v] == part_bounded && domain_.radius > 0;
     Points<D> corners, neighbours, cut;
     if (!corners.take(arena_, m->corners) || !neighbours.take(arena_, std::size_t{m->corners} * D + clipping_rounds) ||
         !cut.take(arena_, clips ? std::size_t{m->corners} * 2 * D : 0))
         return Status::out_of_memory;
-    const bool room = kernel_.visit_star(v, [&](std::uint32_t c) {
+    const bool room = kernel_.visit_star(v, [&](CellId c) {
         collect(v, c, m, &neighbours);
         corners.add(store_.cell(c).centre, store_.point(v));
         if (clips && balls) add_clipped(v, c, &cut);
@@ -254,7 +254,7 @@ template <int D> Status Fatness<D>::run(Monitor& monitor) {
     const std::uint32_t count = store_.state.vertex_count;
     CellMeasure m;
     double clipped;
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         if (!holds(part_bounded, v)) continue;
         const Status status = measure(v, true, &m, &clipped);
         if (status != Status::ok) return status;
@@ -265,7 +265,7 @@ template <int D> Status Fatness<D>::run(Monitor& monitor) {
         if (monitor.advance(v, 4 * m.corners)) return Status::cancelled;
     }
     for (std::uint32_t v = 0; v < count; ++v) store_.vertex(v).next = none;
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         if (!holds(part_bounded, v)) continue;
         const Status status = measure(v, false, &m, &clipped);
         if (status != Status::ok) return status;

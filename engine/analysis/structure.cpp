@@ -14,29 +14,15 @@ template <int D> constexpr std::uint32_t intersections_expected = figures<D>.int
 constexpr std::uint32_t looks_max = 1u << 24;
 
 // The number of cells connected with `from` through cells that `take`. `none` when the gap has no room for their list.
-template <int D, class Take> std::uint32_t flood(Store<D>& store, std::uint32_t from, Take&& take) {
-    const std::uint32_t stamp = store.new_stamp();
-    const std::size_t capacity = store.list_capacity();
-    std::uint32_t* const list = store.list_top();
-    std::uint32_t count = 1;
-    if (capacity < 1) return none;
-    list[-1] = from;
-    store.cell(from).mark = stamp;
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
-        for (const std::uint32_t word : store.cell(c).neighbour) {
-            if (word == none) continue;
-            const std::uint32_t n = word >> 3;
-            if (store.cell(n).mark == stamp || !take(store.cell(n))) continue;
-            if (count >= capacity) {
-                store.arena.refuse(4);
-                return none;
-            }
-            store.cell(n).mark = stamp;
-            list[-1 - static_cast<std::ptrdiff_t>(count++)] = n;
+template <int D, class Take> std::uint32_t flood(Store<D>& store, CellId from, Take&& take) {
+    CellList<D> taken(store);
+    if (!taken.add(from)) return none;
+    for (std::uint32_t k = 0; k < taken.size(); ++k)
+        for (const FacetId facet : store.cell(taken[k]).neighbour) {
+            if (facet == none || taken.has(facet.cell()) || !take(store.cell(facet.cell()))) continue;
+            if (!taken.add(facet.cell())) return none;
         }
-    }
-    return count;
+    return taken.size();
 }
 
 template <int D> std::uint32_t stride_of(const Store<D>& store, std::uint32_t expected) {
@@ -65,12 +51,12 @@ template <int D> Status measure_stars(Store<D>& store, Arena& arena, StructureAn
                 if (j != i) open[store.cell(c).vertex[j]] = 1;
     Kernel<D> kernel(store, 1, true);
     std::uint64_t stars = 0;
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         if (open[v]) continue;
         std::uint64_t degree = 0, star = 0;
-        const bool room = kernel.visit_star(v, [&](std::uint32_t c) {
+        const bool room = kernel.visit_star(v, [&](CellId c) {
             ++star;
-            for (const std::uint32_t w : store.cell(c).vertex) {
+            for (const VertexId w : store.cell(c).vertex) {
                 if (w == v || store.vertex(w).next == v) continue;
                 store.vertex(w).next = v;
                 ++degree;
@@ -83,7 +69,7 @@ template <int D> Status measure_stars(Store<D>& store, Arena& arena, StructureAn
     return Status::ok;
 }
 
-template <int D> Status measure_ply(Store<D>& store, std::uint32_t c, const double* x, StructureAnalysis* analysis) {
+template <int D> Status measure_ply(Store<D>& store, CellId c, const double* x, StructureAnalysis* analysis) {
     const std::uint32_t ply =
         flood<D>(store, c, [&](const Cell<D>& cell) { return distance2<D>(x, cell.centre) < cell.radius2; });
     if (ply == none) return Status::out_of_memory;
@@ -91,7 +77,7 @@ template <int D> Status measure_ply(Store<D>& store, std::uint32_t c, const doub
     return Status::ok;
 }
 
-template <int D> Status measure_intersections(Store<D>& store, std::uint32_t c, StructureAnalysis* analysis) {
+template <int D> Status measure_intersections(Store<D>& store, CellId c, StructureAnalysis* analysis) {
     const Cell<D>& ball = store.cell(c);
     const double radius = square_root(ball.radius2);
     const std::uint32_t met = flood<D>(store, c, [&](const Cell<D>& cell) {
@@ -103,9 +89,9 @@ template <int D> Status measure_intersections(Store<D>& store, std::uint32_t c, 
     return Status::ok;
 }
 
-template <int D> bool is_ordinary(const Store<D>& store, std::uint32_t c) {
+template <int D> bool is_ordinary(const Store<D>& store, CellId c) {
     if (!(store.cell(c).radius2 < infinity)) return false;
-    for (const std::uint32_t v : store.cell(c).vertex)
+    for (const VertexId v : store.cell(c).vertex)
         if (store.vertex(v).marker == Marker::exempt) return false;
     return true;
 }
@@ -119,10 +105,10 @@ Status analyse_structure(Store<D>& store, const double* centre, double reach, co
     recompute_balls<D>(store);
     Status status = measure_stars<D>(store, work.arena, analysis);
     const std::uint32_t cells = store.state.cell_slots;
-    for (std::uint32_t c = 0, stride = stride_of<D>(store, ply_expected<D>); c < cells && status == Status::ok;
-         c += stride) {
+    const std::uint32_t ply_stride = stride_of<D>(store, ply_expected<D>);
+    for (CellId c(0); c < cells && status == Status::ok; c = CellId(c + ply_stride)) {
         double x[D] = {};
-        for (const std::uint32_t v : store.cell(c).vertex)
+        for (const VertexId v : store.cell(c).vertex)
             for (int k = 0; k < D; ++k) x[k] += store.point(v)[k] / (D + 1);
         status = measure_ply<D>(store, c, x, analysis);
         const Cell<D>& cell = store.cell(c);
@@ -130,8 +116,8 @@ Status analyse_structure(Store<D>& store, const double* centre, double reach, co
             status = measure_ply<D>(store, c, cell.centre, analysis);
         if (status == Status::ok && work.monitor.advance(c, ply_expected<D>)) status = Status::cancelled;
     }
-    for (std::uint32_t c = 0, stride = stride_of<D>(store, intersections_expected<D>);
-         c < cells && status == Status::ok; c += stride) {
+    const std::uint32_t stride = stride_of<D>(store, intersections_expected<D>);
+    for (CellId c(0); c < cells && status == Status::ok; c = CellId(c + stride)) {
         if (is_ordinary<D>(store, c)) status = measure_intersections<D>(store, c, analysis);
         if (status == Status::ok && work.monitor.advance(c, intersections_expected<D>)) status = Status::cancelled;
     }

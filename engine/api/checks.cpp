@@ -2,6 +2,7 @@
 #include "analysis/size.hpp"
 #include "api/dispatch.hpp"
 #include "delaunay/load.hpp"
+#include "filtration/filters.hpp"
 #include "mesh/input_tree.hpp"
 
 namespace netmesh {
@@ -56,9 +57,11 @@ template <int D> Status check_ratio(Context& context, Store<D>& store, const Rat
     double* const value = context.arena.take_high<double>(store.state.vertex_count);
     Interval* const interval = context.arena.take_high<Interval>(store.state.vertex_count);
     if (value == nullptr || interval == nullptr) return Status::out_of_memory;
-    Certificate certificate;
-    const Status status = mesh_filter_values<D>(store, domain_of<D>(context), MeshFilter::complete,
-                                                FilterValues::certified, context.arena, value, &certificate, interval);
+    Evaluation complete = {value, interval};
+    Monitor unwatched;
+    const Status status =
+        evaluate<D>({store, domain_of<D>(context), context.inputs},
+                    {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {context.arena, unwatched}, &complete);
     if (status != Status::ok) return status;
     for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr; ++v) {
         const Interval& i = interval[v];

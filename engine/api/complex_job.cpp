@@ -1,5 +1,6 @@
 #include "api/complex_job.hpp"
 
+#include "filtration/filters.hpp"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {
@@ -16,12 +17,6 @@ std::uint64_t fingerprint_of(const netmesh_context* context, const PairList& pai
         f.add(pairs.pairs[i].death);
     }
     return f.value();
-}
-
-// Whether most simplices are of the highest dimension that matters.
-bool is_skeleton(const FilteredComplex& complex, std::uint32_t max_degree) {
-    const std::uint32_t top = max_degree < complex.dimension ? max_degree + 1 : complex.dimension;
-    return top > 0 && complex.of[top].count / 2 > complex.of[top - 1].count;
 }
 
 }  // namespace
@@ -51,35 +46,19 @@ bool keep_complex(netmesh_context* context, const ListedComplex& complex) {
 }
 
 std::uint32_t born_at_zero(const netmesh_context* context) {
-    switch (context->filter) {
-    case NETMESH_FILTER_COMPLETE:
-    case NETMESH_FILTER_TIGHT: return context->inputs;
-    case NETMESH_FILTER_KNN:
-    case NETMESH_FILTER_KDISTANCE: return context->k <= 1 ? context->inputs : 0;
-    default: return 0;
-    }
+    return zero_born_count(context->filter, context->k, context->inputs);
 }
 
 Status keep_diagram_of(netmesh_context* context, ListedComplex& complex, const ComplexRequest& request,
                        Monitor& monitor) {
-    Arena& arena = context->arena;
-    Status status = order_by_value(complex, arena);
+    ComplexDiagram diagram;
+    const Status status = persist_complex(complex, request, {context->arena, monitor}, &diagram);
     if (status != Status::ok) return status;
-    const FilteredComplex filtered = complex.filtered();
-    context->simplices = 0;
-    for (std::uint32_t k = 0; k <= complex.dimension && k <= request.counted; ++k)
-        context->simplices += complex.count[k];
-    PairList pairs = {};
-    if (request.representatives) {
-        if (!keep_complex(context, complex)) return Status::out_of_memory;
-        status = persist_with_cycles(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs,
-                                     &context->cycles);
-    } else {
-        status = is_skeleton(filtered, request.max_degree)
-                     ? persist_skeleton(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs)
-                     : persist_filtration(filtered, request.max_degree, request.keep_zero, {arena, monitor}, &pairs);
-    }
-    return status == Status::ok ? keep_pairs(context, pairs, request) : status;
+    context->simplices = diagram.simplices;
+    context->cycles = diagram.cycles;
+    const Status kept = keep_pairs(context, diagram.pairs, request);
+    if (kept == Status::ok && request.representatives && !keep_complex(context, complex)) return Status::out_of_memory;
+    return kept;
 }
 
 Status keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest& request) {
@@ -94,7 +73,7 @@ Status keep_pairs(netmesh_context* context, PairList pairs, const ComplexRequest
     context->has_cycles = request.representatives;
     context->pairs_offset = context->arena.offset_of(pairs.pairs);
     context->pair_count = pairs.count;
-    context->max_degree = request.max_degree;
+    context->max_degree = request.diagram.max_degree;
     context->result_fingerprint = fingerprint_of(context, pairs);
     return Status::ok;
 }

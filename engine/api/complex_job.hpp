@@ -3,15 +3,10 @@
 #include <cstdint>
 
 #include "api/dispatch.hpp"
-#include "homology/listed_complex.hpp"
+#include "complex/listed_complex.hpp"
+#include "jobs/persist_complex.hpp"
 
 namespace netmesh {
-
-struct ComplexRequest {
-    std::uint32_t max_degree;
-    bool keep_zero, representatives;
-    std::uint32_t counted = FilteredComplex::dimension_max;  // the dimension up to which simplices are counted
-};
 
 // Room for the rows and values of a complex with the given counts, at the arena's low end. False: out of memory.
 bool take_complex(Arena& arena, ListedComplex& complex);

@@ -3,8 +3,7 @@
 #include <cstdint>
 
 #include "delaunay/store.hpp"
-#include "filtration/mesh_filter.hpp"
-#include "homology/cycles.hpp"
+#include "homology/cycles/cycles.hpp"
 #include "homology/persistence.hpp"
 #include "include/netmesh.h"
 #include "memory/arena.hpp"

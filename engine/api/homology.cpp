@@ -174,7 +174,7 @@ netmesh_status netmesh_homology(netmesh_context* context, const uint32_t* vertic
         context->k = 0;
         context->filter = NETMESH_FILTER_NONE;
         const std::uint32_t degree = max_degree < complex.dimension ? max_degree : complex.dimension;
-        status = keep_diagram_of(context, complex, {degree, keep_zero_pairs != 0, representatives != 0}, monitor);
+        status = keep_diagram_of(context, complex, {{degree, keep_zero_pairs != 0}, representatives != 0}, monitor);
     }
     if (status == Status::ok) return finish(context, status, "");
     const netmesh_status result =

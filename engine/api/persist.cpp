@@ -1,8 +1,5 @@
 #include "api/dispatch.hpp"
-#include "filtration/alpha.hpp"
-#include "filtration/function_filter.hpp"
-#include "filtration/tight_filter.hpp"
-#include "vocabulary/callback.hpp"
+#include "jobs/persist_filter.hpp"
 
 namespace netmesh {
 namespace {
@@ -26,14 +23,15 @@ netmesh_status check_request(netmesh_context* context, const netmesh_filter& fil
                              std::uint64_t options_position) {
     if (!usable(options))
         return finish(context, Status::invalid_argument, "options are not initialised", options_position);
-    if (!in_range(filter, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_TIGHT))
+    const Filter* const row = find_filter(filter);
+    if (row == nullptr || (row->source != FilterSource::mesh && row->source != FilterSource::delaunay))
         return finish(context, Status::invalid_argument, "unknown filter", 2);
     if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS))
         return finish(context, Status::invalid_argument, "unknown kind of values", values_position);
     if (context->dim == 0 || !context->complete)
         return finish(context, Status::no_result, "there is no complete triangulation or mesh");
     if (context->store.cell_slots == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
-    const bool alpha = filter == NETMESH_FILTER_ALPHA;
+    const bool alpha = row->source == FilterSource::delaunay;
     if (alpha == context->is_mesh)
         return finish(context, Status::no_result,
                       alpha ? "the alpha filter needs a Delaunay triangulation of the points alone"
@@ -43,16 +41,8 @@ netmesh_status check_request(netmesh_context* context, const netmesh_filter& fil
     return NETMESH_OK;
 }
 
-// How a job ends: with a diagram, or as if it had not been asked for.
-struct Outcome {
-    PairList pairs;
-    std::uint64_t simplices;
-    Certificate certificate;
-    const double* value;  // null: none is kept
-};
-
 netmesh_status keep_diagram(netmesh_context* context, const Request& request, std::uint32_t k, Status status,
-                            const Outcome& outcome) {
+                            const FilterDiagram& outcome) {
     if (status != Status::ok) {
         clear_diagram(context);
         return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
@@ -76,56 +66,18 @@ netmesh_status keep_diagram(netmesh_context* context, const Request& request, st
     return finish(context, Status::ok, "");
 }
 
-// Diagram of the lower-star filtration of value[], which stands at the arena's low end.
 template <int D>
-Status persist_values(netmesh_context* context, const Store<D>& store, const double* value, std::uint32_t zero_born,
-                      const Request& request, Monitor& monitor, Outcome* outcome) {
-    outcome->value = value;
-    return persist_lower_star<D>(store.view(), value, zero_born, request.max_degree, request.keep_zero, {context->arena, monitor}, &outcome->pairs, &outcome->simplices);
-}
-
-template <int D>
-Status persist_mesh(netmesh_context* context, const Store<D>& store, const Request& request, std::uint32_t k,
-                    Monitor& monitor, Outcome* outcome) {
-    double* const value = context->arena.take_low<double>(context->store.vertex_count);
-    if (value == nullptr) return Status::out_of_memory;
-    const Domain<D> domain = domain_of<D>(*context);
-    const FilterValues kind = kind_of(request.values);
-    Status status;
-    std::uint32_t zero_born = 0;
-    if (k > 1) {
-        const InputDistance distance =
-            request.filter == NETMESH_FILTER_KNN ? InputDistance::kth : InputDistance::root_mean_square;
-        status = distance_filter_values<D>(store, domain, context->inputs, distance, k, kind, {context->arena, monitor},
-                                           value, &outcome->certificate);
-    } else if (request.filter == NETMESH_FILTER_TIGHT) {
-        zero_born = context->inputs;
-        monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
-        status =
-            tight_filter_values<D>(store, domain, context->inputs, kind, context->arena, value, &outcome->certificate);
-    } else {
-        const bool basic = request.filter == NETMESH_FILTER_BASIC;
-        if (!basic) zero_born = context->inputs;
-        monitor.begin(NETMESH_STAGE_CERTIFY, context->store.cell_slots);
-        status = mesh_filter_values<D>(store, domain, basic ? MeshFilter::basic : MeshFilter::complete, kind,
-                                       context->arena, value, &outcome->certificate);
-    }
-    if (status != Status::ok) return status;
-    return persist_values<D>(context, store, value, zero_born, request, monitor, outcome);
-}
-
-// value[v] = f(v); not_finite and the vertex when f is not what it has to be.
-template <int D>
-Status evaluate(const Store<D>& store, const netmesh_function& function, Monitor& monitor, double* value,
-                std::uint32_t* at) {
-    monitor.begin(NETMESH_STAGE_CERTIFY, store.state.vertex_count);
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        value[v] = value_at(function, store.point(v));
-        *at = v;
-        if (!is_finite(value[v]) || value[v] < 0) return Status::not_finite;
-        if (monitor.advance(v, 10)) return Status::cancelled;
-    }
-    return Status::ok;
+netmesh_status persist_on(netmesh_context* context, const Request& request, const FilterRequest& filter,
+                          Monitor& monitor) {
+    Store<D> store(context->arena, context->store);
+    FilterDiagram diagram;
+    const Status status = persist_filter<D>({store, domain_of<D>(*context), context->inputs},
+                                            {filter, {request.max_degree, request.keep_zero}},
+                                            {context->arena, monitor}, &diagram);
+    const netmesh_status result = keep_diagram(context, request, filter.k, status, diagram);
+    return status == Status::not_finite
+               ? finish(context, status, "the function is not finite and >= 0 at a vertex", diagram.culprit)
+               : result;
 }
 
 }  // namespace
@@ -142,7 +94,7 @@ netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, 
     if (checked != NETMESH_OK) return checked;
     if (filter == NETMESH_FILTER_FUNCTION)
         return finish(context, Status::invalid_argument, "functions go to netmesh_persist_function", 2);
-    const bool counts = filter == NETMESH_FILTER_KNN || filter == NETMESH_FILTER_KDISTANCE;
+    const bool counts = find_filter(filter)->has(filter_trait::needs_k);
     const std::uint32_t k = !counts ? 0 : options->k > 1 ? options->k : 1;
     if (k > context->inputs)
         return finish(context, Status::invalid_argument, "k is more than the number of different points", 7);
@@ -152,14 +104,7 @@ netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, 
     Monitor monitor = monitor_of(*options);
     return with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
-        const Store<D> store(context->arena, context->store);
-        Outcome outcome = {{}, 0, {1, 1, 0}, nullptr};
-        const Status status =
-            filter == NETMESH_FILTER_ALPHA
-                ? persist_alpha<D>(store.view(), store.point(0), Store<D>::vertex_stride, request.max_degree,
-                                   request.keep_zero, {context->arena, monitor}, &outcome.pairs, &outcome.simplices)
-                : persist_mesh<D>(context, store, request, k, monitor, &outcome);
-        return keep_diagram(context, request, k, status, outcome);
+        return persist_on<D>(context, request, {filter, kind_of(values), k}, monitor);
     });
 }
 
@@ -179,20 +124,7 @@ netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_
     Monitor monitor = monitor_of(*options);
     return with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
-        const Store<D> store(context->arena, context->store);
-        Outcome outcome = {{}, 0, {1, 1, 0}, nullptr};
-        double* const value = context->arena.take_low<double>(context->store.vertex_count);
-        std::uint32_t at = 0;
-        Status status = value == nullptr ? Status::out_of_memory : evaluate<D>(store, *function, monitor, value, &at);
-        const LipschitzBounds bounds = {function->lipschitz, function->distance_factor, function->cut};
-        if (status == Status::ok)
-            status = function_filter_values<D>(store, domain_of<D>(*context), bounds, kind_of(values), context->arena,
-                                               value, &outcome.certificate);
-        if (status == Status::ok) status = persist_values<D>(context, store, value, 0, request, monitor, &outcome);
-        const netmesh_status result = keep_diagram(context, request, 0, status, outcome);
-        if (status == Status::not_finite)
-            return finish(context, status, "the function is not finite and >= 0 at a vertex", at);
-        return result;
+        return persist_on<D>(context, request, {NETMESH_FILTER_FUNCTION, kind_of(values), 0, function}, monitor);
     });
 }
 

@@ -1,5 +1,5 @@
 #include "api/dispatch.hpp"
-#include "filtration/multifiltration.hpp"
+#include "jobs/k_vineyard.hpp"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {
@@ -53,8 +53,8 @@ template <int D> std::uint64_t fingerprint_of(const netmesh_context* context) {
     }
     for (std::uint32_t c = 0; c < state.cell_slots; ++c)
         for (int i = 0; i <= D; ++i) {
-            const std::uint32_t word = store.cell(c).neighbour[i];
-            f.add(static_cast<std::uint64_t>(store.cell(c).vertex[i]) << 32 | (word == none ? none : word >> 3));
+            const FacetId facet = store.cell(c).neighbour[i];
+            f.add(static_cast<std::uint64_t>(store.cell(c).vertex[i]) << 32 | (facet == none ? none : facet.cell()));
         }
     const Cage* const cages = cages_of(*context);
     for (std::uint32_t d = 0; d < context->hierarchy.cages; ++d) {

@@ -1,57 +1,23 @@
 // Cycles for the diagram of a triangulation, from its complex made explicit.
 #include "api/complex_job.hpp"
-#include "filtration/alpha.hpp"
-#include "filtration/explicit_complex.hpp"
+#include "jobs/represent.hpp"
 
 namespace netmesh {
 namespace {
 
-// Pairs of zero length and the alpha filtration: the complex is listed and reduced.
-Status represent_listed(netmesh_context* context, Monitor& monitor, PairList* pairs) {
+Status represent_bars(netmesh_context* context, const Work& work, Representation* out) {
     Arena& arena = context->arena;
-    const std::uint32_t dimension = context->max_degree + 1;
-    ListedComplex complex;
-    const bool alpha = context->filter == NETMESH_FILTER_ALPHA;
-    Status status = with_dimension(context->dim, [&](auto d) {
-        constexpr int D = decltype(d)::value;
-        Store<D> store(arena, context->store);
-        if (alpha)
-            return alpha_complex<D>(store.view(), store.point(0), Store<D>::vertex_stride, dimension, {arena, monitor},
-                                    &complex);
-        const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-        return lower_star_complex<D>(store.view(), value, born_at_zero(context), dimension, {arena, monitor}, &complex);
-    });
-    if (status == Status::ok && !keep_complex(context, complex)) status = Status::out_of_memory;
-    if (status != Status::ok) return status;
-    status = persist_with_cycles(complex.filtered(), context->max_degree, context->keeps_zero, {arena, monitor}, pairs,
-                                 &context->cycles);
-    if (status == Status::ok && alpha && !context->keeps_zero) drop_rounding(pairs);
-    return status;
-}
-
-Status represent(netmesh_context* context, Monitor& monitor, PairList* pairs) {
-    if (context->filter == NETMESH_FILTER_ALPHA || context->keeps_zero)
-        return represent_listed(context, monitor, pairs);
-    Arena& arena = context->arena;
-    context->kept_offset = 0;
+    const auto* const before = reinterpret_cast<const Pair*>(arena.at(context->pairs_offset));
+    RepresentRequest request = {{context->filter, FilterValues::certified, context->k},
+                                nullptr,
+                                {context->max_degree, context->keeps_zero},
+                                {before, context->pair_count}};
+    if (context->has_values) request.value = reinterpret_cast<const double*>(arena.at(context->values_offset));
     return with_dimension(context->dim, [&](auto d) {
         constexpr int D = decltype(d)::value;
-        const Store<D> store(arena, context->store);
-        const auto* const value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-        return lower_star_cycles<D>(store.view(), value, born_at_zero(context), context->max_degree,
-                                    context->pair_count, {arena, monitor}, pairs, &context->cycles);
+        Store<D> store(arena, context->store);
+        return represent<D>({store, domain_of<D>(*context), context->inputs}, request, work, out);
     });
-}
-
-// The bars of the diagram that was there.
-bool same_bars(const netmesh_context* context, const PairList& pairs) {
-    const auto* const before = reinterpret_cast<const Pair*>(context->arena.at(context->pairs_offset));
-    if (pairs.count != context->pair_count) return false;
-    for (std::uint64_t i = 0; i < pairs.count; ++i) {
-        const Pair &a = before[i], &b = pairs.pairs[i];
-        if (a.degree != b.degree || a.birth != b.birth || a.death != b.death) return false;
-    }
-    return true;
 }
 
 }  // namespace
@@ -68,9 +34,10 @@ extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netm
     if (context->has_cycles) return finish(context, Status::ok, "");
     const std::size_t low = context->arena.low_mark(), high = context->arena.high_mark();
     Monitor monitor = monitor_of(*options);
-    PairList pairs = {};
-    Status status = represent(context, monitor, &pairs);
-    if (status == Status::ok && !same_bars(context, pairs)) status = Status::internal;
+    Representation made = {};
+    Status status = represent_bars(context, {context->arena, monitor}, &made);
+    context->kept_offset = 0;
+    if (status == Status::ok && made.is_listed && !keep_complex(context, made.complex)) status = Status::out_of_memory;
     if (status != Status::ok) {
         context->arena.release_low(low);
         context->arena.release_high(high);
@@ -78,6 +45,7 @@ extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netm
     }
     context->has_cycles = true;
     context->cycles_high = high;
-    context->pairs_offset = context->arena.offset_of(pairs.pairs);
+    context->cycles = made.cycles;
+    context->pairs_offset = context->arena.offset_of(made.pairs.pairs);
     return finish(context, Status::ok, "");
 }

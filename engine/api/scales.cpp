@@ -1,4 +1,4 @@
-#include "filtration/scales.hpp"
+#include "jobs/persist_scales.hpp"
 #include "api/dispatch.hpp"
 #include "delaunay/triangulate.hpp"
 

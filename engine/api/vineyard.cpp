@@ -1,5 +1,5 @@
 #include "api/dispatch.hpp"
-#include "filtration/multifiltration.hpp"
+#include "jobs/k_vineyard.hpp"
 
 using namespace netmesh;
 
@@ -11,7 +11,8 @@ extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_fil
         return finish(context, Status::invalid_argument, message, position);
     };
     if (!usable(options)) return refuse("options are not initialised", 8);
-    if (!in_range(filter, NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE)) return refuse("the filter has no k", 2);
+    const Filter* const row = find_filter(filter);
+    if (row == nullptr || !row->has(filter_trait::has_vineyard)) return refuse("the filter has no k", 2);
     if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS)) return refuse("unknown kind of values", 5);
     if (context->dim == 0 || !context->complete || !context->is_mesh)
         return finish(context, Status::no_result, "there is no complete mesh");
@@ -22,14 +23,14 @@ extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, netmesh_fil
     Monitor monitor = monitor_of(*options);
     return with_dimension(context->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
-        const Store<D> store(context->arena, context->store);
+        Store<D> store(context->arena, context->store);
         const VineRequest request = {
-            filter == NETMESH_FILTER_KNN ? InputDistance::kth : InputDistance::root_mean_square, k_first, k_last,
+            filter, k_first, k_last,
             values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified,
             max_degree < D ? max_degree : static_cast<std::uint32_t>(D - 1)};
         VineList vines = {};
         const Status status =
-            k_vineyard<D>(store, domain_of<D>(*context), context->inputs, request, {context->arena, monitor}, &vines);
+            k_vineyard<D>({store, domain_of<D>(*context), context->inputs}, request, {context->arena, monitor}, &vines);
         if (status != Status::ok) {
             clear_diagram(context);
             return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));

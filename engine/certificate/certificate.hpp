@@ -1,9 +1,9 @@
 // The ratio that intervals prove for filter values, and the values that make it the best.
 //
-// Let lo <= F <= hi on the cell of each vertex and t its filter value. Where the cells (with what stands for them, see the
-// filters) form a cover, the diagrams of the filter and of F are within ln c on the log scale, c = max over the vertices of
-// max(hi / t, t / lo). The best values reach c* = max sqrt(hi / lo): any t between hi / c* and c* lo does. A filter's own
-// value clamped to these limits stays closest to it.
+// Let lo <= F <= hi on the cell of each vertex and t its filter value. Where the cells (with what stands for them, see
+// the filters) form a cover, the diagrams of the filter and of F are within ln c on the log scale, c = max over the
+// vertices of max(hi / t, t / lo). The best values reach c* = max sqrt(hi / lo): any t between hi / c* and c* lo does.
+// A filter's own value clamped to these limits stays closest to it.
 #pragma once
 #include <cstdint>
 

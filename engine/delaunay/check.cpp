@@ -4,34 +4,34 @@
 namespace netmesh {
 namespace {
 
-template <int D> int position_of(const Cell<D>& cell, std::uint32_t v) {
+template <int D> int position_of(const Cell<D>& cell, VertexId v) {
     for (int i = 0; i <= D; ++i)
         if (cell.vertex[i] == v) return i;
     return -1;
 }
 
-template <int D> void points_of(const Store<D>& store, std::uint32_t c, const double** p) {
+template <int D> void points_of(const Store<D>& store, CellId c, const double** p) {
     for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
 }
 
 // From hull facet `facet` of cell c across its ridge without vertex `ridge`: the vertex of the next hull facet that is
 // not on the ridge. Turns around the ridge through at most all cells; `none` if that does not end.
-template <int D> std::uint32_t across_ridge(const Store<D>& store, std::uint32_t c, int facet, int ridge) {
+template <int D> VertexId across_ridge(const Store<D>& store, CellId c, int facet, int ridge) {
     int enter = facet, leave = ridge;
     for (std::uint32_t steps = 0; steps <= store.state.cell_slots; ++steps) {
         const Cell<D>& cell = store.cell(c);
-        const std::uint32_t word = cell.neighbour[leave];
-        if (word == none) return cell.vertex[enter];
-        const std::uint32_t pivot = cell.vertex[enter];
-        c = word >> 3;
-        enter = static_cast<int>(word & 7u);
+        const FacetId next = cell.neighbour[leave];
+        if (next == none) return cell.vertex[enter];
+        const VertexId pivot = cell.vertex[enter];
+        c = next.cell();
+        enter = static_cast<int>(next.position());
         leave = position_of<D>(store.cell(c), pivot);
     }
     return none;
 }
 
 // Does cell c contain x, boundary included?
-template <int D> bool contains(const Store<D>& store, std::uint32_t c, const double* x, PredicateCounts& counts) {
+template <int D> bool contains(const Store<D>& store, CellId c, const double* x, PredicateCounts& counts) {
     const double* p[D + 1];
     points_of<D>(store, c, p);
     for (int i = 0; i <= D; ++i) {
@@ -46,27 +46,28 @@ template <int D> bool contains(const Store<D>& store, std::uint32_t c, const dou
 }  // namespace
 
 template <int D> CheckResult check_combinatorial(const Store<D>& store) {
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
         const Cell<D>& cell = store.cell(c);
         for (int i = 0; i <= D; ++i) {
             if (cell.vertex[i] >= store.state.vertex_count) return {"a cell has a vertex that does not exist", c};
             for (int j = 0; j < i; ++j)
                 if (cell.vertex[i] == cell.vertex[j]) return {"a cell has a vertex twice", c};
         }
-        for (int i = 0; i <= D; ++i) {
-            const std::uint32_t word = cell.neighbour[i];
-            if (word == none) continue;
-            const std::uint32_t n = word >> 3, j = word & 7u;
+        for (std::uint32_t i = 0; i <= D; ++i) {
+            const FacetId facet = cell.neighbour[i];
+            if (facet == none) continue;
+            const CellId n = facet.cell();
+            const std::uint32_t j = facet.position();
             if (n >= store.state.cell_slots || n == c || j > D) return {"a neighbour does not exist", c};
             const Cell<D>& other = store.cell(n);
-            if (other.neighbour[j] != (c << 3 | static_cast<std::uint32_t>(i))) return {"neighbours are not mutual", c};
-            for (int k = 0; k <= D; ++k)
+            if (other.neighbour[j] != FacetId(c, i)) return {"neighbours are not mutual", c};
+            for (std::uint32_t k = 0; k <= D; ++k)
                 if (k != i && position_of<D>(other, cell.vertex[k]) < 0) return {"neighbours do not share a facet", c};
             if (position_of<D>(cell, other.vertex[j]) >= 0) return {"neighbours share more than a facet", c};
         }
     }
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        const std::uint32_t c = store.vertex(v).cell;
+    for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        const CellId c = store.vertex(v).cell;
         if (c == none) continue;
         if (c >= store.state.cell_slots || position_of<D>(store.cell(c), v) < 0)
             return {"a vertex points to a cell that it does not belong to", none};
@@ -77,7 +78,7 @@ template <int D> CheckResult check_combinatorial(const Store<D>& store) {
 template <int D> CheckResult check_geometric(const Store<D>& store) {
     PredicateCounts counts = {};
     const double* p[D + 1];
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
         points_of<D>(store, c, p);
         if (orient<D>(p, counts) != Sign::positive) return {"a cell is not positively oriented", c};
         for (int i = 0; i <= D; ++i) {
@@ -85,7 +86,7 @@ template <int D> CheckResult check_geometric(const Store<D>& store) {
             const double* const kept = p[i];
             for (int j = 0; j <= D; ++j) {
                 if (j == i) continue;
-                const std::uint32_t w = across_ridge<D>(store, c, i, j);
+                const VertexId w = across_ridge<D>(store, c, i, j);
                 if (w == none) return {"the hull is not closed", c};
                 p[i] = store.point(w);
                 if (orient<D>(p, counts) == Sign::negative) return {"the hull is not convex", c};
@@ -96,13 +97,13 @@ template <int D> CheckResult check_geometric(const Store<D>& store) {
     if (store.state.cell_slots == 0) return {nullptr, none};
     // A point inside cell 0: its barycentre, pulled towards nothing else, is in no other cell.
     double x[D];
-    points_of<D>(store, 0, p);
+    points_of<D>(store, CellId(0), p);
     for (int k = 0; k < D; ++k) {
         x[k] = 0;
         for (int i = 0; i <= D; ++i) x[k] += p[i][k] * (1.0 / (D + 1));
     }
-    if (!contains<D>(store, 0, x, counts)) return {nullptr, none};  // a cell too thin for a double inside
-    for (std::uint32_t c = 1; c < store.state.cell_slots; ++c) {
+    if (!contains<D>(store, CellId(0), x, counts)) return {nullptr, none};  // a cell too thin for a double inside
+    for (CellId c(1); c < store.state.cell_slots; ++c) {
         if (!contains<D>(store, c, x, counts)) continue;
         // On a common facet is fine, inside of both is not.
         points_of<D>(store, c, p);
@@ -121,12 +122,12 @@ template <int D> CheckResult check_geometric(const Store<D>& store) {
 template <int D> CheckResult check_delaunay(const Store<D>& store) {
     PredicateCounts counts = {};
     const double* p[D + 1];
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
         points_of<D>(store, c, p);
         for (int i = 0; i <= D; ++i) {
-            const std::uint32_t word = store.cell(c).neighbour[i];
-            if (word == none || word >> 3 < c) continue;
-            const double* const q = store.point(store.cell(word >> 3).vertex[word & 7u]);
+            const FacetId facet = store.cell(c).neighbour[i];
+            if (facet == none || facet.cell() < c) continue;
+            const double* const q = store.point(store.cell(facet.cell()).vertex[facet.position()]);
             if (in_ball<D>(p, q, counts) == Sign::positive) return {"a vertex lies inside the ball of a cell", c};
         }
     }

@@ -1,4 +1,4 @@
-// Independent checkers: they read vertices, neighbour words and coordinates, nothing that was cached, and decide exactly.
+// Independent checkers: they read vertices, neighbours and coordinates, nothing that was cached, and decide exactly.
 #pragma once
 #include <cstdint>
 

@@ -1,11 +1,13 @@
 #include "delaunay/kernel.hpp"
+
+#include "delaunay/planar.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 // Position of a vertex that the cell has. A sum instead of a search, as the exit of a search is hard to predict.
-template <int D> std::uint32_t position_in(const Cell<D>& cell, std::uint32_t v) {
+template <int D> std::uint32_t position_in(const Cell<D>& cell, VertexId v) {
     std::uint32_t position = 0;
     for (std::uint32_t j = 1; j <= D; ++j) position += cell.vertex[j] == v ? j : 0;
     return position;
@@ -21,40 +23,38 @@ template <int D>
     solve_sphere<D>(p, error_max, cell);
 }
 
-// Links new cell `made` to its neighbours at the new vertex. `origin`: the old cell and facet (8 * cell + position) that it
-// was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
-template <int D>
-[[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp, std::uint32_t made, std::uint32_t origin) {
+// Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
+template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp, CellId made, FacetId origin) {
     Cell<D>& fresh = cells[made];
-    const Cell<D>* const start = &cells[origin >> 3];
-    const std::uint32_t i = origin & 7u;
+    const Cell<D>* const start = &cells[origin.cell()];
+    const std::uint32_t i = origin.position();
     for (std::uint32_t j = 0; j <= D; ++j) {
         if (j == i || fresh.neighbour[j] != none) continue;
         const Cell<D>* current = start;
-        std::uint32_t enter = i, word = current->neighbour[j];
-        const Cell<D>* next = &cells[word >> 3];
+        std::uint32_t enter = i;
+        FacetId leave = current->neighbour[j];
+        const Cell<D>* next = &cells[leave.cell()];
         while (next->mark == stamp) {
-            const std::uint32_t pivot = current->vertex[enter];
+            const VertexId pivot = current->vertex[enter];
             current = next;
-            enter = word & 7u;
-            word = current->neighbour[position_in<D>(*current, pivot)];
-            next = &cells[word >> 3];
+            enter = leave.position();
+            leave = current->neighbour[position_in<D>(*current, pivot)];
+            next = &cells[leave.cell()];
         }
-        const std::uint32_t other = word >> 3;
-        fresh.neighbour[j] = other << 3 | enter;
-        cells[other].neighbour[enter] = made << 3 | j;
+        const CellId other = leave.cell();
+        fresh.neighbour[j] = FacetId(other, enter);
+        cells[other].neighbour[enter] = FacetId(made, j);
     }
 }
 
 }  // namespace
 
-template <int D>
-[[gnu::noinline]] bool Kernel<D>::undecided_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
+template <int D> [[gnu::noinline]] bool Kernel<D>::undecided_conflict(CellId c, const double* q, VertexId id) {
     const int infinite = store_.ghost_position(c);
     return infinite < 0 ? exact_conflict(c, q, id) : ghost_in_conflict(c, infinite, q, id);
 }
 
-template <int D> bool Kernel<D>::exact_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
+template <int D> bool Kernel<D>::exact_conflict(CellId c, const double* q, VertexId id) {
     const Cell<D>& cell = store_.cell(c);
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
@@ -63,13 +63,13 @@ template <int D> bool Kernel<D>::exact_conflict(std::uint32_t c, const double* q
 
 // A point in the plane of the facet is compared with the ball of the finite cell behind it: both lifted simplices have
 // the same trace in that plane, perturbation included.
-template <int D> bool Kernel<D>::ghost_in_conflict(std::uint32_t c, int infinite, const double* q, std::uint32_t id) {
+template <int D> bool Kernel<D>::ghost_in_conflict(CellId c, int infinite, const double* q, VertexId id) {
     const Cell<D>& cell = store_.cell(c);
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = i == infinite ? q : store_.point(cell.vertex[i]);
     const Sign side = orient<D>(p, store_.state.orient_counts);
     if (side != Sign::zero) return side == Sign::positive;
-    const std::uint32_t behind = cell.neighbour[infinite] >> 3;
+    const CellId behind = cell.neighbour[infinite].cell();
     double bound;
     const double value = power<D>(store_.cell(behind), q, &bound);
     if (value > bound) return false;
@@ -77,10 +77,10 @@ template <int D> bool Kernel<D>::ghost_in_conflict(std::uint32_t c, int infinite
     return exact_conflict(behind, q, id);
 }
 
-template <int D> Status Kernel<D>::start(const std::uint32_t* ids) {
+template <int D> Status Kernel<D>::start(const VertexId* ids) {
     if (!store_.has_room(D + 2, 0, 0)) return Status::out_of_memory;
     const double* p[D + 1];
-    std::uint32_t v[D + 1];
+    VertexId v[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store_.point(v[i] = ids[i]);
     if (orient<D>(p, store_.state.orient_counts) == Sign::negative) {
         v[0] = ids[1];
@@ -90,57 +90,58 @@ template <int D> Status Kernel<D>::start(const std::uint32_t* ids) {
     }
     // Cell 0 is finite; ghost 1 + i lies behind its facet i. Seen from outside a facet turns the other way, so a ghost
     // has two of the facet's vertices exchanged.
-    for (int c = 0; c < D + 2; ++c) store_.new_cell();
-    Cell<D>& first = store_.cell(0);
-    for (int i = 0; i <= D; ++i) {
+    CellId made[D + 2];
+    for (CellId& c : made) c = store_.new_cell();
+    Cell<D>& first = store_.cell(made[0]);
+    for (std::uint32_t i = 0; i <= D; ++i) {
         first.vertex[i] = v[i];
-        first.neighbour[i] = static_cast<std::uint32_t>(1 + i) << 3 | static_cast<std::uint32_t>(i);
-        store_.vertex(v[i]).cell = 0;
+        first.neighbour[i] = FacetId(made[1 + i], i);
+        store_.vertex(v[i]).cell = made[0];
     }
     first.mark = 0;
     solve_sphere<D>(p, error_max_, first);
-    for (int i = 0; i <= D; ++i) {
-        Cell<D>& ghost = store_.cell(static_cast<std::uint32_t>(1 + i));
+    for (std::uint32_t i = 0; i <= D; ++i) {
+        Cell<D>& ghost = store_.cell(made[1 + i]);
         for (int j = 0; j <= D; ++j) ghost.vertex[j] = v[j];
         ghost.vertex[i] = none;
-        const int a = i == 0 ? 1 : 0, b = i <= 1 ? 2 : 1;
+        const std::uint32_t a = i == 0 ? 1 : 0, b = i <= 1 ? 2 : 1;
         ghost.vertex[a] = v[b];
         ghost.vertex[b] = v[a];
         // Ghost i without vertex k borders ghost k without vertex i.
-        for (int j = 0; j <= D; ++j) {
+        for (std::uint32_t j = 0; j <= D; ++j) {
             if (j == i) {
-                ghost.neighbour[j] = static_cast<std::uint32_t>(i);
+                ghost.neighbour[j] = FacetId(made[0], i);
                 continue;
             }
-            const std::uint32_t k = ghost.vertex[j];
-            int missing = 0;
+            const VertexId k = ghost.vertex[j];
+            std::uint32_t missing = 0;
             while (v[missing] != k) ++missing;
-            const int a2 = missing == 0 ? 1 : 0, b2 = missing <= 1 ? 2 : 1;
-            const int position = i == a2 ? b2 : i == b2 ? a2 : i;
-            ghost.neighbour[j] = static_cast<std::uint32_t>(1 + missing) << 3 | static_cast<std::uint32_t>(position);
+            const std::uint32_t a2 = missing == 0 ? 1 : 0, b2 = missing <= 1 ? 2 : 1;
+            const std::uint32_t position = i == a2 ? b2 : i == b2 ? a2 : i;
+            ghost.neighbour[j] = FacetId(made[1 + missing], position);
         }
         make_ghost<D>(ghost);
         ghost.mark = 0;
     }
-    store_.state.last_cell = 0;
+    store_.state.last_cell = made[0];
     return Status::ok;
 }
 
-template <int D> std::uint32_t Kernel<D>::locate(const double* q, std::uint32_t id, std::uint32_t from) {
-    std::uint32_t c = from;
+template <int D> CellId Kernel<D>::locate(const double* q, VertexId id, CellId from) {
+    CellId c = from;
     int infinite = store_.ghost_position(c);
     if (infinite >= 0) {
         if (in_conflict(c, q, id)) return c;
-        c = store_.cell(c).neighbour[infinite] >> 3;
+        c = store_.cell(c).neighbour[infinite].cell();
     }
     double bound;
     double value = power<D>(store_.cell(c), q, &bound);
     for (;;) {
         if (value < -bound) return c;
         const Cell<D>& cell = store_.cell(c);
-        std::uint32_t next = none;
+        CellId next = none;
         for (int i = 0; i <= D; ++i) {
-            const std::uint32_t n = cell.neighbour[i] >> 3;
+            const CellId n = cell.neighbour[i].cell();
             double n_bound;
             const double n_value = power<D>(store_.cell(n), q, &n_bound);
             if (n_value < value && n_value > -infinity) {
@@ -160,18 +161,18 @@ template <int D> std::uint32_t Kernel<D>::locate(const double* q, std::uint32_t 
 
 // The visibility walk with exact signs: from a cell through any facet that separates it from q. It ends on a Delaunay
 // triangulation, as the exact powers decrease.
-template <int D> std::uint32_t Kernel<D>::walk(const double* q, std::uint32_t from) {
-    std::uint32_t c = from;
+template <int D> CellId Kernel<D>::walk(const double* q, CellId from) {
+    CellId c = from;
     for (;;) {
         const Cell<D>& cell = store_.cell(c);
         if (store_.is_ghost(c)) return c;
         const double* p[D + 1];
         for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
-        std::uint32_t next = none;
+        CellId next = none;
         for (int i = 0; i <= D && next == none; ++i) {
             const double* const kept = p[i];
             p[i] = q;
-            if (orient<D>(p, store_.state.orient_counts) == Sign::negative) next = cell.neighbour[i] >> 3;
+            if (orient<D>(p, store_.state.orient_counts) == Sign::negative) next = cell.neighbour[i].cell();
             p[i] = kept;
         }
         if (next == none) return c;
@@ -183,83 +184,92 @@ template <int D> std::uint32_t Kernel<D>::walk(const double* q, std::uint32_t fr
 // The cells that the search meets when it comes to this cell's turn: by then they are in the cache.
 template <int D> inline void ask_for_neighbours(const Cell<D>* cells, const Cell<D>& cell) {
     for (int i = 0; i <= D; ++i) {
-        const Cell<D>& other = cells[cell.neighbour[i] >> 3];
+        const Cell<D>& other = cells[cell.neighbour[i].cell()];
         __builtin_prefetch(&other.centre);
         __builtin_prefetch(&other.mark);
     }
 }
 
-template <int D> bool Kernel<D>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity) {
-    const std::uint32_t stamp = store_.new_stamp();
-    const std::size_t capacity = list_capacity();
-    Line* const end = list_end();
-    if (capacity < 1) return refuse_list(1);
-    Cell<D>* const cells = &store_.cell(0);
-    end[0].cell = first;
-    cells[first].mark = stamp;
-    std::ptrdiff_t count = 1, facets = 0;
-    for (std::ptrdiff_t k = 0; k < count; ++k) {
-        // Each facet of this cell leads to one more cell or bounds the cavity.
-        const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
-        if (lines > capacity) return refuse_list(lines);
-        const std::uint32_t c = end[-k].cell;
-        for (std::uint32_t i = 0; i <= D; ++i) {
-            const std::uint32_t n = cells[c].neighbour[i] >> 3;
-            Cell<D>& other = cells[n];
-            if (other.mark == stamp) continue;
-            if (other.mark != stamp + 1) {
-                if (in_conflict(n, q, id)) {
-                    other.mark = stamp;
-                    end[-count++].cell = n;
-                    ask_for_neighbours(cells, other);
-                    continue;
+template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity) {
+    if constexpr (D == 2) {
+        return PlanarCavity<D>::find(*this, q, id, first, cavity);
+    } else {
+        const std::uint32_t stamp = store_.new_stamp();
+        const std::size_t capacity = list_capacity();
+        Line* const end = list_end();
+        if (capacity < 1) return refuse_list(1);
+        Cell<D>* const cells = &store_.cell(0);
+        end[0].cell = first;
+        cells[first].mark = stamp;
+        std::ptrdiff_t count = 1, facets = 0;
+        for (std::ptrdiff_t k = 0; k < count; ++k) {
+            // Each facet of this cell leads to one more cell or bounds the cavity.
+            const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
+            if (lines > capacity) return refuse_list(lines);
+            const CellId c = end[-k].cell;
+            for (std::uint32_t i = 0; i <= D; ++i) {
+                const CellId n = cells[c].neighbour[i].cell();
+                Cell<D>& other = cells[n];
+                if (other.mark == stamp) continue;
+                if (other.mark != stamp + 1) {
+                    if (in_conflict(n, q, id)) {
+                        other.mark = stamp;
+                        end[-count++].cell = n;
+                        ask_for_neighbours(cells, other);
+                        continue;
+                    }
+                    other.mark = stamp + 1;
                 }
-                other.mark = stamp + 1;
+                end[-facets++].facet = FacetId(c, i);
             }
-            end[-facets++].facet = c << 3 | i;
         }
+        *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
+        return true;
     }
-    *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
-    return true;
 }
 
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
-// keeps the orientation. The word towards the outside is left, in the old cell, pointing at the new cell instead.
-template <int D> void Kernel<D>::fill(const Cavity& cavity, std::uint32_t id) {
-    Cell<D>* const cells = &store_.cell(0);
-    const double* const q = store_.point(id);
-    Line* const end = list_end();
-    const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
-    CellSupply<D> supply(store_);
-    for (std::ptrdiff_t k = 0; k < facets; ++k) {
-        const std::uint32_t n = end[-k].made = supply.take(), i = end[-k].facet & 7u;
-        Cell<D>& old = cells[end[-k].facet >> 3];
-        Cell<D>& fresh = cells[n];
-        bool ghost = false;
-        for (std::uint32_t j = 0; j <= D; ++j) {
-            const std::uint32_t v = j == i ? id : old.vertex[j];
-            ghost |= v == none;
-            fresh.vertex[j] = v;
-            fresh.neighbour[j] = none;
+// keeps the orientation. The old cell's neighbour across the facet becomes the new cell.
+template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
+    if constexpr (D == 2) {
+        PlanarCavity<D>::fill(*this, cavity, id);
+    } else {
+        Cell<D>* const cells = &store_.cell(0);
+        const double* const q = store_.point(id);
+        Line* const end = list_end();
+        const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
+        CellSupply<D> supply(store_);
+        for (std::ptrdiff_t k = 0; k < facets; ++k) {
+            const CellId n = end[-k].made = supply.take();
+            const std::uint32_t i = end[-k].facet.position();
+            Cell<D>& old = cells[end[-k].facet.cell()];
+            Cell<D>& fresh = cells[n];
+            bool ghost = false;
+            for (std::uint32_t j = 0; j <= D; ++j) {
+                const VertexId v = j == i ? id : old.vertex[j];
+                ghost |= v == none;
+                fresh.vertex[j] = v;
+                fresh.neighbour[j] = none;
+            }
+            const FacetId outer = old.neighbour[i];
+            Cell<D>& beyond = cells[outer.cell()];
+            fresh.neighbour[i] = outer;
+            fresh.mark = 0;
+            if (ghost)
+                make_ghost<D>(fresh);
+            else
+                make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
+            old.neighbour[i] = FacetId(n, i);
+            beyond.neighbour[outer.position()] = FacetId(n, i);
         }
-        const std::uint32_t word = old.neighbour[i];
-        Cell<D>& beyond = cells[word >> 3];
-        fresh.neighbour[i] = word;
-        fresh.mark = 0;
-        if (ghost)
-            make_ghost<D>(fresh);
-        else
-            make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
-        old.neighbour[i] = n << 3 | i;
-        beyond.neighbour[word & 7u] = n << 3 | i;
+        for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
+        for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
+        if (stars_)
+            for (std::ptrdiff_t k = 0; k < facets; ++k)
+                for (const VertexId v : cells[end[-k].made].vertex)
+                    if (v != none) store_.vertex(v).cell = end[-k].made;
+        store_.state.last_cell = end[1 - facets].made;
     }
-    for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
-    for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
-    if (stars_)
-        for (std::ptrdiff_t k = 0; k < facets; ++k)
-            for (const std::uint32_t v : cells[end[-k].made].vertex)
-                if (v != none) store_.vertex(v).cell = end[-k].made;
-    store_.state.last_cell = end[1 - facets].made;
 }
 
 #define NETMESH_INSTANTIATE(D) template class Kernel<D>;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "delaunay/cell_list.hpp"
 #include "delaunay/sphere.hpp"
 #include "delaunay/store.hpp"
 
@@ -18,16 +19,23 @@ struct Cavity {
 
 // Line k of the list, line 0 highest in memory: columns of different lengths.
 struct CavityLine {
-    std::uint32_t cell;   // a cell in conflict
-    std::uint32_t facet;  // a bounding facet, as the word (8 * cell + position) of the cell in conflict
-    std::uint32_t made;   // the cell that fill puts behind this facet
+    CellId cell;    // a cell in conflict
+    FacetId facet;  // a bounding facet, of the cell in conflict
+    CellId made;    // the cell that fill puts behind this facet
 };
 // In the plane the facets come counterclockwise and are seen from outside.
 struct PlanarLine {
-    std::uint32_t made;     // a cell in conflict; after fill the new cell behind the facet
-    std::uint32_t beyond;   // the word of the cell outside that has the facet
-    std::uint32_t start;    // the vertex at which the facet starts
-    std::uint32_t waiting;  // stack of facets still to be crossed
+    CellId made;      // a cell in conflict; after fill the new cell behind the facet
+    FacetId beyond;   // the facet, of the cell outside
+    VertexId start;   // the vertex at which the facet starts
+    FacetId waiting;  // stack of facets still to be crossed
+};
+
+// What the kernel does in the plane, see planar.hpp. For D = 2.
+template <int D> class Kernel;
+template <int D> struct PlanarCavity {
+    static bool find(Kernel<D>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity);
+    static void fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id);
 };
 
 template <int D> class Kernel {
@@ -38,11 +46,11 @@ public:
     Kernel(Store<D>& store, double error_max, bool stars) : store_(store), error_max_(error_max), stars_(stars) {}
 
     // Makes the D+1 points with these indices, affinely independent, the first cell with its ghosts. out_of_memory.
-    Status start(const std::uint32_t* ids);
+    Status start(const VertexId* ids);
 
     // Does the open ball of cell c contain point q with index id, ties broken by index? A ghost is in conflict with what
     // lies strictly beyond its facet, or in the facet's plane and inside the ball of the cell behind it.
-    bool in_conflict(std::uint32_t c, const double* q, std::uint32_t id) {
+    bool in_conflict(CellId c, const double* q, VertexId id) {
         double bound;
         const double value = power<D>(store_.cell(c), q, &bound);
         if (!(__builtin_fabs(value) > bound)) return undecided_conflict(c, q, id);
@@ -52,15 +60,15 @@ public:
 
     // A cell in conflict with q, found by descending powers from cell `from`; the powers of adjacent balls compare as q
     // lies to the sides of their common facet, so a local minimum contains q. Expected 2-7 steps from a near start.
-    std::uint32_t locate(const double* q, std::uint32_t id, std::uint32_t from);
+    CellId locate(const double* q, VertexId id, CellId from);
     // Cells that it has gone on from, in all.
     std::uint64_t steps() const { return steps_; }
 
     // The cells in conflict with q, found from `first`, one of them. False when the gap is too small for the list;
     // nothing but marks has changed.
-    bool find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity);
+    bool find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity);
     // Its cells, k < cavity.cells, until it is filled.
-    std::uint32_t cavity_cell(std::uint32_t k) const {
+    CellId cavity_cell(std::uint32_t k) const {
         if constexpr (D == 2)
             return line(k).made;
         else
@@ -74,25 +82,27 @@ public:
 
     // Replaces the cavity by the star of vertex id. Needs can_fill. new_cell(k), k < cavity.facets, lists the new cells
     // until the next search.
-    void fill(const Cavity& cavity, std::uint32_t id);
-    std::uint32_t new_cell(std::uint32_t k) const { return line(k).made; }
+    void fill(const Cavity& cavity, VertexId id);
+    CellId new_cell(std::uint32_t k) const { return line(k).made; }
 
     // Calls visit(w) once for each neighbour w of the vertex that filled the cavity; needs stars. Filling leaves each of them
     // pointing at one of the new cells: there it is visited.
-    template <class Visit> void visit_neighbours(const Cavity& cavity, std::uint32_t v, Visit&& visit) const {
+    template <class Visit> void visit_neighbours(const Cavity& cavity, VertexId v, Visit&& visit) const {
         for (std::uint32_t k = 0; k < cavity.facets; ++k)
-            for (const std::uint32_t w : store_.cell(new_cell(k)).vertex)
+            for (const VertexId w : store_.cell(new_cell(k)).vertex)
                 if (w != v && w != none && store_.vertex(w).cell == new_cell(k)) visit(w);
     }
 
     // Calls visit(cell) for each cell at vertex v, ghosts included; stops early, returning false, when the gap is too small.
-    template <class Visit> bool visit_star(std::uint32_t v, Visit&& visit);
+    template <class Visit> bool visit_star(VertexId v, Visit&& visit);
 
 private:
-    std::uint32_t walk(const double* q, std::uint32_t from);
-    bool ghost_in_conflict(std::uint32_t c, int infinite, const double* q, std::uint32_t id);
-    bool exact_conflict(std::uint32_t c, const double* q, std::uint32_t id);
-    bool undecided_conflict(std::uint32_t c, const double* q, std::uint32_t id);
+    friend struct PlanarCavity<D>;
+
+    CellId walk(const double* q, CellId from);
+    bool ghost_in_conflict(CellId c, int infinite, const double* q, VertexId id);
+    bool exact_conflict(CellId c, const double* q, VertexId id);
+    bool undecided_conflict(CellId c, const double* q, VertexId id);
     bool refuse_list(std::size_t lines) {
         store_.arena.refuse(2 * lines * sizeof(Line));
         return false;
@@ -109,35 +119,17 @@ private:
     bool stars_;
 };
 
-template <int D> template <class Visit> bool Kernel<D>::visit_star(std::uint32_t v, Visit&& visit) {
-    const std::uint32_t stamp = store_.new_stamp();
-    const std::size_t capacity = store_.list_capacity();
-    std::uint32_t* const list = store_.list_top();
-    std::uint32_t count = 1;
-    if (capacity < 1) return false;
-    list[-1] = store_.vertex(v).cell;
-    store_.cell(list[-1]).mark = stamp;
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
+template <int D> template <class Visit> bool Kernel<D>::visit_star(VertexId v, Visit&& visit) {
+    CellList<D> star(store_);
+    if (!star.add(store_.vertex(v).cell)) return false;
+    for (std::uint32_t k = 0; k < star.size(); ++k) {
+        const CellId c = star[k];
         const Cell<D>& cell = store_.cell(c);
         visit(c);
-        for (int i = 0; i <= D; ++i) {
-            if (cell.vertex[i] == v) continue;
-            const std::uint32_t n = cell.neighbour[i] >> 3;
-            if (store_.cell(n).mark == stamp) continue;
-            if (count >= capacity) {
-                store_.arena.refuse(4);
-                return false;
-            }
-            store_.cell(n).mark = stamp;
-            list[-1 - static_cast<std::ptrdiff_t>(count++)] = n;
-        }
+        for (int i = 0; i <= D; ++i)
+            if (cell.vertex[i] != v && !star.add(cell.neighbour[i].cell())) return false;
     }
     return true;
 }
-
-// In planar.cpp.
-template <> bool Kernel<2>::find_cavity(const double* q, std::uint32_t id, std::uint32_t first, Cavity* cavity);
-template <> void Kernel<2>::fill(const Cavity& cavity, std::uint32_t id);
 
 }  // namespace netmesh

@@ -3,24 +3,25 @@
 #include "delaunay/sphere.hpp"
 #include "numerics/radix_sort.hpp"
 #include "numerics/random.hpp"
+#include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 // The same for each order of the facet's vertices.
-template <int D> std::uint64_t facet_key(const Cell<D>& cell, int facet) {
+template <int D> std::uint64_t facet_key(const Cell<D>& cell, std::uint32_t facet) {
     std::uint64_t key = 0;
-    for (int i = 0; i <= D; ++i)
+    for (std::uint32_t i = 0; i <= D; ++i)
         if (i != facet) key += mix64(cell.vertex[i]);
     return key;
 }
 
-template <int D> bool same_facet(const Cell<D>& a, int i, const Cell<D>& b, int j) {
-    for (int k = 0; k <= D; ++k) {
+template <int D> bool same_facet(const Cell<D>& a, std::uint32_t i, const Cell<D>& b, std::uint32_t j) {
+    for (std::uint32_t k = 0; k <= D; ++k) {
         if (k == i) continue;
         bool found = false;
-        for (int l = 0; l <= D; ++l) found |= l != j && b.vertex[l] == a.vertex[k];
+        for (std::uint32_t l = 0; l <= D; ++l) found |= l != j && b.vertex[l] == a.vertex[k];
         if (!found) return false;
     }
     return true;
@@ -37,26 +38,27 @@ template <int D> Status link_facets(Store<D>& store, CheckResult* why) {
     if (keys == nullptr || facets == nullptr || spare_keys == nullptr || spare_facets == nullptr)
         return Status::out_of_memory;
     std::size_t k = 0;
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
-        for (int i = 0; i <= D; ++i, ++k) {
+    for (CellId c(0); c < store.state.cell_slots; ++c)
+        for (std::uint32_t i = 0; i <= D; ++i, ++k) {
             keys[k] = facet_key<D>(store.cell(c), i);
-            facets[k] = c << 3 | static_cast<std::uint32_t>(i);
+            facets[k] = FacetId(c, i).word();
             store.cell(c).neighbour[i] = none;
         }
     radix_sort(keys, facets, spare_keys, spare_facets, count);
     // Of three equal facets the first meets the second, then the third.
     for (std::size_t a = 0; a < count; ++a)
         for (std::size_t b = a + 1; b < count && keys[b] == keys[a]; ++b) {
-            Cell<D>& first = store.cell(facets[a] >> 3);
-            Cell<D>& second = store.cell(facets[b] >> 3);
-            const int i = static_cast<int>(facets[a] & 7u), j = static_cast<int>(facets[b] & 7u);
+            const FacetId one = FacetId::from_word(facets[a]), two = FacetId::from_word(facets[b]);
+            Cell<D>& first = store.cell(one.cell());
+            Cell<D>& second = store.cell(two.cell());
+            const std::uint32_t i = one.position(), j = two.position();
             if (!same_facet<D>(first, i, second, j)) continue;
             if (first.neighbour[i] != none) {
-                *why = {"a facet belongs to more than two cells", facets[b] >> 3};
+                *why = {"a facet belongs to more than two cells", two.cell()};
                 return Status::check_failed;
             }
-            first.neighbour[i] = facets[b];
-            second.neighbour[j] = facets[a];
+            first.neighbour[i] = two;
+            second.neighbour[j] = one;
         }
     return Status::ok;
 }
@@ -71,8 +73,7 @@ template <int D> void measure_edges(Store<D>& store) {
             for (int j = 0; j < i; ++j) {
                 Vertex<D>& a = store.vertex(cell.vertex[i]);
                 Vertex<D>& b = store.vertex(cell.vertex[j]);
-                double d2 = 0;
-                for (int k = 0; k < D; ++k) d2 += (a.x[k] - b.x[k]) * (a.x[k] - b.x[k]);
+                const double d2 = distance2<D>(a.x, b.x);
                 if (d2 < a.nearest2) a.nearest2 = d2;
                 if (d2 < b.nearest2) b.nearest2 = d2;
             }
@@ -89,32 +90,33 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     for (std::uint32_t v = 0; v < vertex_count; ++v) {
         Vertex<D>& vertex = store.vertex(v);
         for (int k = 0; k < D; ++k) vertex.x[k] = coordinates[std::size_t{v} * D + k] + 0.0;
-        vertex.cell = vertex.next = none;
+        vertex.cell = none;
+        vertex.next = none;
         vertex.origin = v;
         vertex.marker = Marker::input;
         vertex.queued = 0;
         vertex.size_hint = 0;
     }
     for (std::uint32_t c = 0; c < cell_count; ++c) {
-        const std::uint32_t made = store.new_cell();
+        const CellId made = store.new_cell();
         Cell<D>& cell = store.cell(made);
         const double* p[D + 1];
         for (int i = 0; i <= D; ++i) {
-            cell.vertex[i] = cells[std::size_t{c} * (D + 1) + i];
+            cell.vertex[i] = VertexId(cells[std::size_t{c} * (D + 1) + i]);
             if (cell.vertex[i] >= vertex_count) {
-                *why = {"a cell has a vertex that does not exist", c};
+                *why = {"a cell has a vertex that does not exist", made};
                 return Status::check_failed;
             }
             for (int j = 0; j < i; ++j)
                 if (cell.vertex[j] == cell.vertex[i]) {
-                    *why = {"a cell has a vertex twice", c};
+                    *why = {"a cell has a vertex twice", made};
                     return Status::check_failed;
                 }
             p[i] = store.point(cell.vertex[i]);
             store.vertex(cell.vertex[i]).cell = made;
         }
         if (orient<D>(p, store.state.orient_counts) == Sign::negative) {
-            const std::uint32_t v = cell.vertex[0];
+            const VertexId v = cell.vertex[0];
             cell.vertex[0] = cell.vertex[1];
             cell.vertex[1] = v;
             const double* const q = p[0];

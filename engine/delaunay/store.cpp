@@ -35,17 +35,17 @@ template <int D> void Store<D>::drop_ghosts() {
     for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
         const int infinite = ghost_position(c);
         if (infinite < 0 || !is_live(c)) continue;
-        const std::uint32_t word = cells_[c].neighbour[infinite];
-        cells_[word >> 3].neighbour[word & 7u] = none;
+        const FacetId behind = cells_[c].neighbour[infinite];
+        cells_[behind.cell()].neighbour[behind.position()] = none;
         cells_[c].vertex[0] = freed;
     }
 }
 
-template <int D> void Store<D>::move_cell(std::uint32_t from, std::uint32_t to) {
+template <int D> void Store<D>::move_cell(CellId from, CellId to) {
     cells_[to] = cells_[from];
     for (std::uint32_t i = 0; i <= D; ++i) {
-        const std::uint32_t word = cells_[to].neighbour[i];
-        if (word != none) cells_[word >> 3].neighbour[word & 7u] = to << 3 | i;
+        const FacetId other = cells_[to].neighbour[i];
+        if (other != none) cells_[other.cell()].neighbour[other.position()] = FacetId(to, i);
     }
 }
 
@@ -56,17 +56,17 @@ template <int D> void Store<D>::compact(std::size_t offset) {
         while (hole < end && is_live(hole)) ++hole;
         while (hole < end && !is_live(end - 1)) --end;
         if (hole >= end) break;
-        move_cell(--end, hole);
+        move_cell(CellId(--end), CellId(hole));
     }
-    for (std::uint32_t c = 0; c < end; ++c)
-        for (const std::uint32_t v : cells_[c].vertex) vertex(v).cell = c;
+    for (CellId c(0); c < end; ++c)
+        for (const VertexId v : cells_[c].vertex) vertex(v).cell = c;
     const std::size_t bytes = end * sizeof(CellT);
     if (offset != state.cells_offset) __builtin_memmove(arena.at(offset), cells_, bytes);
     state.cells_offset = offset;
     state.cell_slots = end;
     state.cells_free = 0;
     state.free_head = none;
-    state.last_cell = end > 0 ? 0 : none;
+    state.last_cell = end > 0 ? CellId(0) : none;
     arena.release_low(offset + bytes);
     locate_arrays();
 }

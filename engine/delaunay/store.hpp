@@ -10,21 +10,21 @@
 
 #include "complex/triangulation.hpp"
 #include "memory/arena.hpp"
-#include "vocabulary/status.hpp"
 #include "numerics/real.hpp"
 #include "predicates/predicates.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 
 // A cell is positively oriented. Where the point at infinity takes the place of a vertex (`none`), it is a ghost: the
 // outer side of the hull facet formed by its other vertices, oriented as if infinity were a point beyond that facet.
 template <int D> struct Cell {
-    std::uint32_t vertex[D + 1];
-    std::uint32_t neighbour[D + 1];  // words as in TriangulationView
-    double centre[D];                // of the circumscribed ball, approximately; ghosts: unspecified
-    double radius2;                  // squared distance of `centre` to a vertex; ghosts: +infinity
-    float error;                     // |centre - true centre| <= error * radius; +infinity when unknown
-    std::uint32_t mark;              // stamp of the last search that met the cell
+    VertexId vertex[D + 1];
+    FacetId neighbour[D + 1];  // the same facet as seen from the neighbour; `none` on the hull of a compact store
+    double centre[D];          // of the circumscribed ball, approximately; ghosts: unspecified
+    double radius2;            // squared distance of `centre` to a vertex; ghosts: +infinity
+    float error;               // |centre - true centre| <= error * radius; +infinity when unknown
+    std::uint32_t mark;        // stamp of the last search that met the cell
 };
 
 enum class Marker : std::uint8_t { input = 0, steiner = 1, exempt = 2 };
@@ -32,8 +32,8 @@ enum class Marker : std::uint8_t { input = 0, steiner = 1, exempt = 2 };
 template <int D> struct Vertex {
     double x[D];
     double nearest2;       // squared distance to the nearest other vertex (meshes)
-    std::uint32_t cell;    // a cell at this vertex, `none` before its insertion
-    std::uint32_t next;    // link of the list that the vertex is in (meshes)
+    CellId cell;           // a cell at this vertex, `none` before its insertion
+    VertexId next;         // link of the list that the vertex is in (meshes)
     std::uint32_t origin;  // input: its row in the caller's array; otherwise the nearest input vertex
     Marker marker;
     std::uint8_t queued;
@@ -46,10 +46,10 @@ struct StoreState {
     std::uint64_t vertices_end;  // offset just past vertex 0
     std::uint32_t cell_slots;    // cells ever made: live and free ones
     std::uint32_t cells_free;
-    std::uint32_t free_head;  // last freed slot, linked by neighbour[0]
+    CellId free_head;  // last freed slot, linked by the words of neighbour[0]
     std::uint32_t vertex_count;
     std::uint32_t stamp;
-    std::uint32_t last_cell;  // where the next search starts
+    CellId last_cell;  // where the next search starts
     std::uint64_t cells_created;
     PredicateCounts in_ball_counts, orient_counts;
 };
@@ -58,8 +58,8 @@ template <int D> class Store {
 public:
     using CellT = Cell<D>;
     using VertexT = Vertex<D>;
-    static constexpr std::uint32_t slots_max = 0x1FFFFFFFu;  // three bits of a neighbour word hold a position
-    static constexpr std::uint32_t freed = none - 1;         // vertex[0] of a free slot
+    static constexpr std::uint32_t slots_max = FacetId::cells_max;
+    static constexpr VertexId freed{none - 1};  // vertex[0] of a free slot
 
     Store(Arena& arena, StoreState& state) : arena(arena), state(state) { locate_arrays(); }
 
@@ -73,11 +73,17 @@ public:
     // gap. Hull facets then have neighbour `none`. O(cells), needs no memory.
     void compact(std::size_t offset);
 
-    CellT& cell(std::uint32_t i) const { return cells_[i]; }
-    VertexT& vertex(std::uint32_t i) const { return vertices_end_[-1 - static_cast<std::ptrdiff_t>(i)]; }
-    const double* point(std::uint32_t i) const { return vertex(i).x; }
+    CellT& cell(std::uint32_t c) const { return cells_[c]; }
+    CellT& cell(VertexId) const = delete;
+    VertexT& vertex(std::uint32_t v) const { return vertices_end_[-1 - static_cast<std::ptrdiff_t>(v)]; }
+    VertexT& vertex(CellId) const = delete;
+    const double* point(std::uint32_t v) const { return vertex(v).x; }
+    const double* point(CellId) const = delete;
     bool is_live(std::uint32_t c) const { return cells_[c].vertex[0] != freed; }
+    bool is_live(VertexId) const = delete;
     bool is_ghost(std::uint32_t c) const { return ghost_position(c) >= 0; }
+    bool is_ghost(VertexId) const = delete;
+    // Where the cell has infinity for a vertex; -1 for a finite cell.
     int ghost_position(std::uint32_t c) const {
         for (int i = 0; i <= D; ++i)
             if (cells_[c].vertex[i] == none) return i;
@@ -88,21 +94,21 @@ public:
     // Room for that many more cells and vertices together and list_bytes of list? Remembers what was wanted if not.
     bool has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes);
     // After has_room these cannot fail. A new cell is a new slot, whatever slots are free.
-    std::uint32_t new_cell() {
+    CellId new_cell() {
         ++state.cells_created;
         arena.extend_low(sizeof(CellT));
-        return state.cell_slots++;
+        return CellId(state.cell_slots++);
     }
-    std::uint32_t new_vertex() {
+    VertexId new_vertex() {
         arena.extend_high(sizeof(VertexT));
-        return state.vertex_count++;
+        return VertexId(state.vertex_count++);
     }
 
     // A stamp that no cell carries yet, even; stamp + 1 is unused too.
     std::uint32_t new_stamp();
 
     // Lists of cells stand in the gap, entry k at list_top()[-1 - k].
-    std::uint32_t* list_top() const { return reinterpret_cast<std::uint32_t*>(arena.at(arena.high_mark())); }
+    CellId* list_top() const { return reinterpret_cast<CellId*>(arena.at(arena.high_mark())); }
     std::size_t list_capacity() const { return arena.bytes_free() / 4; }
 
     TriangulationView<D> view() const {
@@ -116,7 +122,7 @@ public:
 
 private:
     void drop_ghosts();
-    void move_cell(std::uint32_t from, std::uint32_t to);
+    void move_cell(CellId from, CellId to);
     void locate_arrays() {
         cells_ = reinterpret_cast<CellT*>(arena.at(state.cells_offset));
         vertices_end_ = reinterpret_cast<VertexT*>(arena.at(state.vertices_end));
@@ -140,16 +146,16 @@ public:
         state.free_head = head_;
         state.cell_slots = slots_;
     }
-    std::uint32_t take() {
+    CellId take() {
         ++taken_;
-        const std::uint32_t c = head_;
-        if (c == none) return slots_++;
-        head_ = cells_[c].neighbour[0];
+        const CellId c = head_;
+        if (c == none) return CellId(slots_++);
+        head_ = CellId(cells_[c].neighbour[0].word());
         return c;
     }
-    void give_back(std::uint32_t c) {
+    void give_back(CellId c) {
         cells_[c].vertex[0] = Store<D>::freed;
-        cells_[c].neighbour[0] = head_;
+        cells_[c].neighbour[0] = FacetId::from_word(head_);
         head_ = c;
         ++given_;
     }
@@ -157,7 +163,8 @@ public:
 private:
     Store<D>& store_;
     Cell<D>* const cells_;
-    std::uint32_t head_, slots_, taken_ = 0, given_ = 0;
+    CellId head_;
+    std::uint32_t slots_, taken_ = 0, given_ = 0;
 };
 
 }  // namespace netmesh

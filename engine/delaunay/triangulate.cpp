@@ -28,11 +28,11 @@ template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t*
         if (k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]), 1);
         const bool duplicate = k > 0 && equal_points<D>(store.point(first), store.point(v));
         if (!duplicate) first = v;
-        store.vertex(v).next = duplicate ? none : 0;
+        store.vertex(v).next = duplicate ? none : VertexId(0);
     }
     std::uint32_t kept = 0;
     for (std::uint32_t v = 0; v < count; ++v)
-        if (store.vertex(v).next != none) store.vertex(v).next = kept++;
+        if (store.vertex(v).next != none) store.vertex(v).next = VertexId(kept++);
     if (kept == count) return count;
     std::uint32_t out = 0;
     for (std::uint32_t k = 0; k < count; ++k)
@@ -43,42 +43,17 @@ template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t*
     return kept;
 }
 
-template <int K> Sign projected_orient(const double* const* p, const int* axes, PredicateCounts& counts) {
-    double x[K + 1][K];
-    const double* rows[K + 1];
-    for (int i = 0; i <= K; ++i) {
-        for (int j = 0; j < K; ++j) x[i][j] = p[i][axes[j]];
-        rows[i] = x[i];
-    }
-    return orient<K>(rows, counts);
-}
-
-// Orientation of K+1 points in the K given coordinates.
-template <int D> Sign orient_in(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
-    if (k == 1) return projected_orient<1>(p, axes, counts);
-    if (k == 2) return projected_orient<2>(p, axes, counts);
-    if constexpr (D >= 3)
-        if (k == 3) return projected_orient<3>(p, axes, counts);
-    if constexpr (D >= 4)
-        if (k == 4) return projected_orient<4>(p, axes, counts);
-    if constexpr (D >= 5)
-        if (k == 5) return projected_orient<5>(p, axes, counts);
-    if constexpr (D >= 6)
-        if (k == 6) return projected_orient<6>(p, axes, counts);
-    return Sign::zero;
-}
-
 }  // namespace
 
 // K+1 points span a K-flat exactly when K of the coordinates have a non-zero minor; a set of coordinates that works for
 // the first K points can be extended by one of the others, so no more than D - K of them are tried for each point.
 template <int D>
-bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, std::uint32_t* ids) {
+bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, VertexId* ids) {
     const double* p[D + 1];
     int axes[D] = {};
     PredicateCounts& counts = store.state.orient_counts;
     if (count == 0) return false;
-    ids[0] = order[0];
+    ids[0] = VertexId(order[0]);
     p[0] = store.point(ids[0]);
     int rank = 0;
     for (std::uint32_t k = 1; k < count && rank < D; ++k) {
@@ -88,8 +63,8 @@ bool independent_points(const Store<D>& store, const std::uint32_t* order, std::
             for (int j = 0; j < rank; ++j) used |= axes[j] == axis;
             if (used) continue;
             axes[rank] = axis;
-            if (orient_in<D>(rank + 1, p, axes, counts) == Sign::zero) continue;
-            ids[++rank] = order[k];
+            if (orient_projected<D>(rank + 1, p, axes, counts) == Sign::zero) continue;
+            ids[++rank] = VertexId(order[k]);
             break;
         }
     }
@@ -148,7 +123,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     Status status = take_input<D>(store, points, n, seed, monitor, input, &order);
     if (status != Status::ok) return status;
     const std::uint32_t count = store.state.vertex_count;
-    std::uint32_t ids[D + 1];
+    VertexId ids[D + 1];
     if (!independent_points<D>(store, order, count, ids)) return Status::flat;
     if (store.open_cells() != Status::ok) return Status::out_of_memory;
     Kernel<D> kernel(store, ball_error_max, false);
@@ -157,11 +132,11 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
 
     monitor.begin(NETMESH_STAGE_DELAUNAY, count);
     for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t v = order[k];
+        const VertexId v(order[k]);
         if (k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]));
         if (store.vertex(v).cell != none) continue;
         const double* const q = store.point(v);
-        const std::uint32_t hit = kernel.locate(q, v, store.state.last_cell);
+        const CellId hit = kernel.locate(q, v, store.state.last_cell);
         Cavity cavity;
         if (!kernel.find_cavity(q, v, hit, &cavity) || !kernel.can_fill(cavity, 0)) {
             status = Status::out_of_memory;
@@ -182,7 +157,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     template Status take_input<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*,        \
                                   std::uint32_t**);                                                                    \
     template Status triangulate<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*);      \
-    template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, std::uint32_t*);
+    template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, VertexId*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -32,6 +32,6 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
 
 // The first D+1 affinely independent points along order[0..count), exactly. False when there are none.
 template <int D>
-bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, std::uint32_t* ids);
+bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, VertexId* ids);
 
 }  // namespace netmesh

@@ -1,4 +1,4 @@
-// Points of a persistence diagram.
+// Points of a persistence diagram, lists of them and their canonical order.
 #pragma once
 #include <cstdint>
 
@@ -7,14 +7,22 @@ namespace netmesh {
 struct Pair {
     double birth, death;  // radii; death is +infinity for an essential class
     std::uint32_t degree;
-    std::uint32_t cycle;  // where a representative is kept (homology/cycles.hpp), 0 without one
+    std::uint32_t cycle;  // where a representative is kept (homology/cycles/cycles.hpp), 0 without one
 };
 
-// The canonical order: degree, birth, death.
-inline bool before(const Pair& a, const Pair& b) {
-    if (a.degree != b.degree) return a.degree < b.degree;
-    if (a.birth != b.birth) return a.birth < b.birth;
-    return a.death < b.death;
-}
+// By degree, birth, death; no NaN.
+struct CanonicalOrder {
+    bool operator()(const Pair& a, const Pair& b) const {
+        if (a.degree != b.degree) return a.degree < b.degree;
+        if (a.birth != b.birth) return a.birth < b.birth;
+        return a.death < b.death;
+    }
+};
+
+// Pairs in the block, in the canonical order unless something else is said.
+struct PairList {
+    Pair* pairs;  // [count]; not null, also when count is 0
+    std::uint64_t count;
+};
 
 }  // namespace netmesh

@@ -2,15 +2,13 @@
 // the least value of the cofacets met, with the sign bit set once one of them has its apex in the face's sphere.
 #include "filtration/alpha.hpp"
 
-#include "filtration/circumsphere.hpp"
-#include "numerics/value_order.hpp"
+#include "filtration/circumsphere_fast.hpp"
+#include "filtration/half_distance.hpp"
+#include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
-
-constexpr double infinity = __builtin_inf();
-constexpr double rounding = 0x1p-36;
 
 bool is_marked(double x) { return __builtin_signbit(x) != 0; }
 double unmarked(double x) { return is_marked(x) ? -x : x; }
@@ -30,14 +28,7 @@ template <int K, int D> Circumsphere circumsphere(const double* const* point) {
         if (circumsphere_fast<K, D>(point, &sphere)) return sphere;
         return circumsphere_precise(point, K, D);
     } else {
-        double squared = 0;
-        for (int d = 0; d < D; ++d) {
-            const double x = point[1][d] - point[0][d];
-            squared += x * x;
-        }
-        if (squared > 0x1p-900 && squared < 0x1p1000) return {__builtin_sqrt(squared) / 2, 0};
-        sphere = circumsphere_precise(point, 1, D);
-        return {sphere.radius, 0};
+        return {half_distance<D>(point[1], point[0]), 0};
     }
 }
 
@@ -78,117 +69,7 @@ bool settle_from(const Faces<D>& faces, const Points<D>& points, std::uint64_t d
     return true;
 }
 
-// Moves rows so that row j is what row from[j] was. Sets and then ignores the top bit of from.
-template <int W> void permute_rows(std::uint32_t* row, std::uint32_t* from, std::uint32_t count) {
-    constexpr std::uint32_t moved = 0x80000000u;
-    for (std::uint32_t start = 0; start < count; ++start) {
-        if ((from[start] & moved) != 0) continue;
-        std::uint32_t first[W];
-        for (int i = 0; i < W; ++i) first[i] = row[static_cast<std::size_t>(start) * W + i];
-        std::uint32_t at = start;
-        for (;;) {
-            const std::uint32_t next = from[at];
-            from[at] = next | moved;
-            std::uint32_t* const to = row + static_cast<std::size_t>(at) * W;
-            if (next == start) {
-                for (int i = 0; i < W; ++i) to[i] = first[i];
-                break;
-            }
-            for (int i = 0; i < W; ++i) to[i] = row[static_cast<std::size_t>(next) * W + i];
-            at = next;
-        }
-    }
-}
-
-// Puts the K-faces into the order of their values and renames them in the boundaries of the (K+1)-faces.
-template <int K, int D> Status order_faces(Faces<D>& faces, int dimension, double* const* value, Arena& arena) {
-    const ArenaScope scope(arena);
-    const std::uint32_t count = faces.count[K];
-    std::uint32_t* const from = arena.take_high<std::uint32_t>(count);
-    if (from == nullptr || !sort_values(value[K], from, count, arena)) return Status::out_of_memory;
-    if constexpr (K < D) {
-        if (K < dimension) {
-            std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
-            if (place == nullptr) return Status::out_of_memory;
-            for (std::uint32_t j = 0; j < count; ++j) place[from[j]] = j;
-            const std::size_t words = static_cast<std::size_t>(faces.count[K + 1]) * (K + 2);
-            for (std::size_t i = 0; i < words; ++i) faces.facets[K + 1][i] = place[faces.facets[K + 1][i]];
-        }
-    }
-    permute_rows<K + 1>(faces.facets[K], from, count);
-    return Status::ok;
-}
-
-template <int K, int D> Status order_from(Faces<D>& faces, int dimension, double* const* value, Arena& arena) {
-    const Status status = order_faces<K, D>(faces, dimension, value, arena);
-    if constexpr (K < D) {
-        if (status == Status::ok && K < dimension) return order_from<K + 1, D>(faces, dimension, value, arena);
-    }
-    return status;
-}
-
-// Drops the dimensions above `dimension` < D; the values move down to where the facets of the others end. False: out of memory.
-template <int D> bool keep_dimensions(Faces<D>& faces, int dimension, double** value, Arena& arena) {
-    arena.release_low(arena.offset_of(faces.facets[dimension + 1]));
-    for (int k = 0; k <= dimension; ++k) {
-        double* const moved = arena.take_low<double>(faces.count[k]);
-        if (moved == nullptr) return false;
-        __builtin_memmove(moved, value[k], sizeof(double) * faces.count[k]);
-        value[k] = moved;
-    }
-    for (int k = dimension + 1; k <= D; ++k) faces.count[k] = 0;
-    faces.dimension_max = dimension;
-    return true;
-}
-
-// Everything but giving back what was taken.
-template <int D>
-Status diagram_of(const TriangulationView<D>& complex, const Points<D>& points, std::uint32_t max_degree,
-                  bool keep_zero, const Work& work, PairList* out, std::uint64_t* simplex_count) {
-    const std::size_t high = work.arena.high_mark();
-    Faces<D> faces;
-    work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    Status status = enumerate_faces(complex, D, work, &faces);
-    if (status != Status::ok) return status;
-
-    double* value[D + 1];
-    std::uint64_t total = 0;
-    for (int k = 0; k <= D; ++k) {
-        value[k] = work.arena.take_low<double>(faces.count[k]);
-        if (value[k] == nullptr || faces.count[k] > 0x7FFFFFFFu) return Status::out_of_memory;
-        total += faces.count[k];
-    }
-    work.monitor.begin(NETMESH_STAGE_FILTER, total);
-    status = alpha_values(faces, points.coordinates, points.stride_bytes, work.monitor, value);
-    if (status != Status::ok) return status;
-    work.arena.release_high(high);
-
-    const int dimension = static_cast<int>(max_degree) + 1;
-    if (dimension < D && !keep_dimensions(faces, dimension, value, work.arena)) return Status::out_of_memory;
-    status = order_from<1, D>(faces, dimension, value, work.arena);
-    if (status != Status::ok) return status;
-    FilteredComplex filtered = {};
-    filtered.dimension = static_cast<std::uint32_t>(dimension);
-    total = 0;
-    for (int k = 0; k <= dimension; ++k) {
-        filtered.of[k] = {faces.count[k], faces.facets[k], value[k]};
-        total += faces.count[k];
-    }
-    status = persist_filtration(filtered, max_degree, keep_zero, work, out);
-    if (status == Status::ok && simplex_count != nullptr) *simplex_count = total;
-    return status;
-}
-
 }  // namespace
-
-void drop_rounding(PairList* list) {
-    std::uint64_t kept = 0;
-    for (std::uint64_t i = 0; i < list->count; ++i) {
-        const Pair pair = list->pairs[i];
-        if (pair.death == infinity || pair.death - pair.birth > rounding * pair.death) list->pairs[kept++] = pair;
-    }
-    list->count = kept;
-}
 
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, Monitor& monitor,
@@ -200,30 +81,8 @@ Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdi
     return settle_from<D, D>(faces, points, 0, monitor, value) ? Status::ok : Status::cancelled;
 }
 
-template <int D>
-Status persist_alpha(const TriangulationView<D>& complex, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out,
-                     std::uint64_t* simplex_count) {
-    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
-    const Points<D> points = {coordinates, stride_bytes};
-    const std::uint32_t degree = max_degree < D ? max_degree : static_cast<std::uint32_t>(D - 1);
-    PairList found = {};
-    const Status status = diagram_of(complex, points, degree, keep_zero, work, &found, simplex_count);
-    if (status == Status::ok && !keep_zero) drop_rounding(&found);
-    work.arena.release_low(low);
-    work.arena.release_high(high);
-    if (status != Status::ok) return status;
-    Pair* const pairs = work.arena.take_low<Pair>(static_cast<std::size_t>(found.count));  // at or below found.pairs
-    if (pairs == nullptr) return Status::out_of_memory;
-    __builtin_memmove(pairs, found.pairs, sizeof(Pair) * static_cast<std::size_t>(found.count));
-    *out = {pairs, found.count};
-    return Status::ok;
-}
-
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, Monitor&, double* const*);         \
-    template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t, bool,  \
-                                     const Work&, PairList*, std::uint64_t*);
+    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, Monitor&, double* const*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -4,14 +4,14 @@
 #include <cstdint>
 
 #include "complex/triangulation.hpp"
-#include "homology/listed_complex.hpp"
+#include "complex/listed_complex.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {
 
 // Both list the simplices of dimension 0..dimension (at most D) at the arena's low end, linked and in order of value; a
-// vertex's label is its number in the triangulation. Scratch as enumerate_faces, and for lower stars a copy of the cells'
-// vertices. out_of_memory, cancelled.
+// vertex's label is its number in the triangulation. Scratch as enumerate_faces, and for lower stars a copy of the
+// cells' vertices. out_of_memory, cancelled.
 
 // A simplex of more than one vertex enters at the largest of its vertices' values, a vertex v < zero_born_count at 0.
 template <int D>

@@ -24,14 +24,32 @@
 // from cut on are contractible. Then F = min(f, cut), and cells outside the domain have the value cut. Where f(v) <= L
 // R_v and no c is known the mesh proves no ratio: it is infinite.
 #pragma once
-#include <cstdint>
-
-#include "filtration/mesh_filter.hpp"
-#include "vocabulary/monitor.hpp"
+#include "filtration/filter.hpp"
 #include "mesh/input_tree.hpp"
-#include "memory/work.hpp"
 
 namespace netmesh {
+
+enum class InputDistance { kth, root_mean_square };
+struct NeighbourDistance {
+    InputDistance kind;
+    std::uint32_t k;  // 2 <= k <= number of inputs
+};
+
+// d_k or D_k at x, 1 <= k <= number of inputs. scratch[k].
+template <int D>
+double input_distance(const InputTree<D>& tree, NeighbourDistance distance, const double* x, Neighbour* scratch);
+
+// value[v]: d_k or D_k at v, clamped for certified values, cut at rho. Scratch: 8 bytes a vertex, 5 an input, 16 k.
+// out_of_memory, cancelled.
+template <int D>
+Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, FilterValues values, const Work& work,
+                       Evaluation* out);
+
+// value[v]: f(v), cut and clamped. Scratch: 8 bytes a vertex. out_of_memory, cancelled, not_finite (culprit: a vertex
+// with f(v) < 0 or not finite).
+template <int D>
+Status function_filter(const FilteredMesh<D>& mesh, const netmesh_function& function, FilterValues values,
+                       const Work& work, Evaluation* out);
 
 struct LipschitzBounds {
     double lipschitz;        // L
@@ -39,25 +57,9 @@ struct LipschitzBounds {
     double cut;
 };
 
-enum class InputDistance { kth, root_mean_square };
-
-// d_k or D_k at x, 1 <= k <= number of inputs. scratch[k].
+// The same for values f(v) >= 0 that are there already.
 template <int D>
-double input_distance(const InputTree<D>& tree, InputDistance kind, const double* x, std::uint32_t k,
-                      Neighbour* scratch);
-
-// value[v] for every vertex of a compact, complete mesh: d_k or D_k at v, clamped for certified values, cut at rho.
-// 2 <= k <= number of inputs. intervals[v], when asked for: lo_v and hi_v. Scratch: 8 bytes a vertex, 5 an input, 16 k.
-// out_of_memory, cancelled.
-template <int D>
-Status distance_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, InputDistance kind,
-                              std::uint32_t k, FilterValues values, const Work& work, double* value,
-                              Certificate* certificate, Interval* intervals = nullptr);
-
-// The same for any function with such bounds. value[v]: f(v) >= 0 at first, the filter's value then.
-// Scratch: 8 bytes a vertex. out_of_memory.
-template <int D>
-Status function_filter_values(const Store<D>& store, const Domain<D>& domain, const LipschitzBounds& bounds,
-                              FilterValues values, Arena& arena, double* value, Certificate* certificate);
+Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds, FilterValues values, Arena& arena,
+                      Evaluation* out);
 
 }  // namespace netmesh

@@ -4,17 +4,13 @@
 #include <cstdint>
 
 #include "filtration/circumsphere.hpp"
-#include "numerics/real.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 
 // Half the distance of two points.
 template <int D> double half_distance(const double* a, const double* b) {
-    double squared = 0;
-    for (int d = 0; d < D; ++d) {
-        const double x = a[d] - b[d];
-        squared += x * x;
-    }
+    const double squared = distance2<D>(a, b);
     if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
     const double* const point[] = {a, b};
     return circumsphere_precise(point, 1, D).radius;

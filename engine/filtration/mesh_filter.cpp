@@ -30,27 +30,24 @@ template <int D> struct CellBounds {
     }
 };
 
-}  // namespace
-
+// The basic filter's inputs are there from the start: no ratio relates their value 0 to what their cells reach.
 template <int D>
-Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFilter filter, FilterValues values,
-                          Arena& arena, double* value, Certificate* certificate, Interval* intervals) {
-    ArenaScope scope(arena);
-    const std::uint32_t count = store.state.vertex_count;
-    const CellBounds<D> bounds{store, domain.enclosing_radius * up, arena.take_high<double>(count),
-                               arena.take_high<double>(count)};
+Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values, const Work& work, Evaluation* out) {
+    const ArenaScope scope(work.arena);
+    const Store<D>& store = mesh.store;
+    const std::uint32_t count = mesh.vertices();
+    work.monitor.begin(NETMESH_STAGE_CERTIFY, store.state.cell_slots);
+    const CellBounds<D> bounds{store, mesh.cut(), work.arena.take_high<double>(count),
+                               work.arena.take_high<double>(count)};
     if (bounds.out_radius == nullptr || bounds.reach == nullptr) return Status::out_of_memory;
     measure_cells<D>(store, bounds.out_radius, bounds.reach);
 
-    // The basic filter's inputs are there from the start: no ratio relates their value 0 to what their cells reach.
-    const auto enters_at_once = [&](std::uint32_t v) {
-        return filter == MeshFilter::basic && store.vertex(v).marker == Marker::input;
-    };
+    const auto is_zero = [&](std::uint32_t v) { return basic && store.vertex(v).marker == Marker::input; };
     double from = 0;
     Clamp clamp(values);
     for (std::uint32_t v = 0; v < count; ++v) {
         const Interval i = bounds.interval(v);
-        if (!enters_at_once(v)) {
+        if (!is_zero(v)) {
             clamp.show(i);
         } else if (i.hi > from) {
             from = i.hi;
@@ -59,17 +56,29 @@ Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFi
     clamp.fix_ratio();
     for (std::uint32_t v = 0; v < count; ++v) {
         const Interval i = bounds.interval(v);
-        if (intervals != nullptr) intervals[v] = i;
-        value[v] = enters_at_once(v) ? 0 : clamp.value(bounds.own_value(v), i);
+        if (out->interval != nullptr) out->interval[v] = i;
+        out->value[v] = is_zero(v) ? 0 : clamp.value(bounds.own_value(v), i);
     }
-    *certificate = clamp.certificate();
-    certificate->from = from;
+    out->certificate = clamp.certificate();
+    out->certificate.from = from;
     return Status::ok;
 }
 
+}  // namespace
+
+template <int D>
+Status complete_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out) {
+    return mesh_filter<D>(mesh, false, values, work, out);
+}
+
+template <int D>
+Status basic_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out) {
+    return mesh_filter<D>(mesh, true, values, work, out);
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_filter_values<D>(const Store<D>&, const Domain<D>&, MeshFilter, FilterValues, Arena&,         \
-                                          double*, Certificate*, Interval*);
+    template Status complete_filter<D>(const FilteredMesh<D>&, FilterValues, const Work&, Evaluation*);                \
+    template Status basic_filter<D>(const FilteredMesh<D>&, FilterValues, const Work&, Evaluation*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -10,34 +10,23 @@
 // any t between hi / c* and c* lo does, and the filter's own value clamped to that interval stays closest to the
 // thesis.
 //
-// Bounds: an input has lo = r_v = half its nearest-neighbour distance and hi = R_v. A Steiner vertex with nearest input
-// n has hi = max |corner - n| and lo = max(d/2, d - R_v), d = |v - n|: a point of the cell is no farther from v than
-// from any input, so its distance s to v and to the inputs satisfy d_P >= max(d - s, s). A frame cell is unbounded: hi
-// = rho. What is computed is rounded outwards, the centres' own error bounds included.
+// The bounds are those of certificate/interval.hpp, rounded outwards, the corners' own error bounds included. An
+// unbounded cell has hi = rho.
 //
-// A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi <= (2 + tau) lo and hi <= tau s, s the thesis's value: for a
-// Steiner vertex R_v <= (tau/2) d, so hi <= d + R_v <= tau d, and lo >= d/2; for an input hi <= tau lo, s = lo. Refinement with
-// `certify` (mesh/refine.hpp) brings every other cell there too. So c* <= sqrt(2 + tau), and with the thesis's values c <= tau.
-//
-// Neither narrower bounds (sharp_bounds.hpp) nor clumps (tight_filter.hpp) make c* smaller on such meshes. Its worst cells stand next
-// to an input whose lo = d/2 they reach. A clump of an input and its Steiner vertices, at the best of seven radii, had the smaller
-// ratio for up to 4 inputs of 10, but for none of those that decide: over tau 2.05 to 3.08 and 29 meshes in the plane and in space
-// c* went from 2.0064 to 2.0049 and from 2.0491 to 2.0484 in two cases, and stayed in 27.
+// A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi <= (2 + tau) lo and hi <= tau s, s the thesis's
+// value: for a Steiner vertex R_v <= (tau/2) d, so hi <= d + R_v <= tau d, and lo >= d/2; for an input hi <= tau lo, s
+// = lo. Refinement with `certify` (mesh/refine.hpp) brings every other cell there too. So c* <= sqrt(2 + tau), and with
+// the thesis's values c <= tau.
 #pragma once
-#include <cstdint>
-
-#include "certificate/certificate.hpp"
-#include "mesh/domain.hpp"
+#include "filtration/filter.hpp"
 
 namespace netmesh {
 
-enum class MeshFilter { complete, basic };
-
-// value[v] for every vertex: t(v), cut at rho; the basic filter gives inputs 0. intervals[v], when asked for: lo_v and hi_v. Needs a
-// compact, complete mesh.
-// O(cells). Scratch: 16 bytes a vertex. out_of_memory.
+// value[v]: t(v), cut at rho; the basic filter gives inputs 0 and says from which scale its ratio holds, the largest
+// out-radius of an input. O(cells). Scratch: 16 bytes a vertex. out_of_memory.
 template <int D>
-Status mesh_filter_values(const Store<D>& store, const Domain<D>& domain, MeshFilter filter, FilterValues values,
-                          Arena& arena, double* value, Certificate* certificate, Interval* intervals = nullptr);
+Status complete_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out);
+template <int D>
+Status basic_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out);
 
 }  // namespace netmesh

@@ -15,8 +15,8 @@ template <int D> struct HalfSpace {
 // The point of conv Y nearest to q by Wolfe's algorithm: at most D + 1 of the points, affinely independent, carry it.
 template <int D> class NearestInHull {
 public:
-    // y[count][D], count >= 1. *best: the half-space that bounds the distance of q best of all met on the way; w = 0 where q
-    // seems to be inside. O(count D) a step, a few steps.
+    // y[count][D], count >= 1. *best: the half-space that bounds the distance of q best of all met on the way; w = 0
+    // where q seems to be inside. O(count D) a step, a few steps.
     void run(const double* y, std::uint32_t count, const double* q, HalfSpace<D>* best) {
         start(y, count, q);
         *best = HalfSpace<D>{};

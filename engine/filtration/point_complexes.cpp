@@ -90,7 +90,8 @@ private:
 };
 
 template <int D>
-Status list_cliques(const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit, const Work& work, ListedComplex* out) {
+Status list_cliques(const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit, const Work& work,
+                    ListedComplex* out) {
     Cliques<D> cliques(coordinates, n, limit, work, out);
     const Status status = cliques.list(dimension);
     ComplexFault fault;
@@ -135,9 +136,9 @@ double enclosing_radius(const double* coordinates, const FilteredComplex& comple
 }
 
 // The chains of nested sets that end in one set, from the top down: a chain of length m is a path of m - 1 steps.
-class Chains {
+class NestedSets {
 public:
-    Chains(const ListedComplex& complex, std::uint32_t k) : complex_(complex), least_(k - 1) {
+    NestedSets(const ListedComplex& complex, std::uint32_t k) : complex_(complex), least_(k - 1) {
         std::uint32_t first = 0;
         for (std::uint32_t d = least_; d <= complex.dimension; ++d) {
             first_[d] = first;
@@ -194,7 +195,8 @@ Status rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
 }
 
 template <int D>
-Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work, ListedComplex* out) {
+Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
+                         ListedComplex* out) {
     return list_cliques<D>(coordinates, n, dimension, infinity, work, out);
 }
 
@@ -213,23 +215,25 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
     return Status::ok;
 }
 
-Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, const Work& work, ListedComplex* out) {
+Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, const Work& work,
+                           ListedComplex* out) {
     *out = {};
     if (k > complex.dimension + 1) return Status::invalid_argument;
-    const Chains chains(complex, k);
+    const NestedSets nested(complex, k);
     if (dimension > complex.dimension + 1 - k) dimension = complex.dimension + 1 - k;
     out->dimension = dimension;
     for (std::uint32_t m = 0; m <= dimension; ++m) {
-        std::uint64_t count = chains.sets();
+        std::uint64_t count = nested.sets();
         if (m > 0) {
             count = 0;
             for (std::uint32_t i = 0; i < out->count[m - 1]; ++i) {
                 if (work.monitor.advance(i, 4)) return Status::cancelled;
-                chains.subsets(out->rows[m - 1][std::size_t{i} * m], [&count](std::uint32_t) { ++count; });
+                nested.subsets(out->rows[m - 1][std::size_t{i} * m], [&count](std::uint32_t) { ++count; });
             }
         }
         if (count > count_max) {
-            work.arena.refuse(count > SIZE_MAX / 64 ? SIZE_MAX / 2 : static_cast<std::size_t>(count * (4 * (m + 1) + 8)));
+            work.arena.refuse(count > SIZE_MAX / 64 ? SIZE_MAX / 2
+                                                    : static_cast<std::size_t>(count * (4 * (m + 1) + 8)));
             return Status::out_of_memory;
         }
         out->count[m] = static_cast<std::uint32_t>(count);
@@ -240,13 +244,13 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
         double* value = out->value[m];
         for (std::uint32_t i = 0; m == 0 && i < out->count[0]; ++i) {
             *row++ = i;
-            *value++ = chains.value(i);
+            *value++ = nested.value(i);
         }
         for (std::uint32_t i = 0; m > 0 && i < out->count[m - 1]; ++i) {
             if (work.monitor.advance(i, 4)) return Status::cancelled;
             const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
             const double enters = out->value[m - 1][i];
-            chains.subsets(chain[0], [&](std::uint32_t subset) {
+            nested.subsets(chain[0], [&](std::uint32_t subset) {
                 *row++ = subset;
                 for (std::uint32_t c = 0; c < m; ++c) *row++ = chain[c];
                 *value++ = enters;

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include "homology/listed_complex.hpp"
+#include "complex/listed_complex.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {
@@ -21,7 +21,8 @@ Status rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
 
 // The same without an end: all simplices of up to dimension + 1 points.
 template <int D>
-Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work, ListedComplex* out);
+Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
+                         ListedComplex* out);
 
 // All simplices of up to dimension + 1 points. The value of a simplex is the radius of its smallest circumsphere if
 // that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball, never decreasing from
@@ -33,7 +34,8 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
 // The barycentric decomposition of `complex` (linked) on its simplices of at least k vertices, up to simplices of
 // `dimension`, each a chain of nested sets that enters with its largest set. Homology of degree p needs the sets of k
 // to k + p + 1 vertices and chains of dimension p + 1. The result lies behind `complex`, which must stay.
-Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, const Work& work, ListedComplex* out);
+Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, const Work& work,
+                           ListedComplex* out);
 
 // Simplices that the complexes have at most, of each dimension 0..dimension (numbers that do not fit are infinite).
 double skeleton_count(std::uint64_t n, std::uint32_t dimension);

@@ -34,10 +34,11 @@ Status rips_graph(const double* coordinates, std::uint32_t n, const Work& work, 
     std::uint32_t* const ends = work.arena.take_low<std::uint32_t>(count);
     if (value == nullptr || ends == nullptr) return Status::out_of_memory;
     std::uint32_t at = 0;
-    const bool going = each_edge<D>(coordinates, n, limit, work.monitor, [&](std::uint32_t i, std::uint32_t j, double half) {
-        value[at] = half;
-        ends[at++] = RipsGraph::edge(i, j);
-    });
+    const bool going =
+        each_edge<D>(coordinates, n, limit, work.monitor, [&](std::uint32_t i, std::uint32_t j, double half) {
+            value[at] = half;
+            ends[at++] = RipsGraph::edge(i, j);
+        });
     *out = {n, count, value, ends};
     return going ? Status::ok : Status::cancelled;
 }

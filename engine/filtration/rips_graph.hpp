@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "homology/rips.hpp"
+#include "homology/rips/rips.hpp"
 #include "memory/arena.hpp"
 #include "vocabulary/monitor.hpp"
 #include "vocabulary/status.hpp"

@@ -105,22 +105,21 @@ template <int D> void Clumps<D>::look_outside() {
 }  // namespace
 
 template <int D>
-Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, FilterValues values,
-                           Arena& arena, double* value, Certificate* certificate, Interval* intervals) {
-    ArenaScope scope(arena);
-    const double rho = domain.enclosing_radius * up;
-    Clumps<D> clumps(store, rho, inputs);
-    const Status status = clumps.open(arena);
+Status tight_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out) {
+    const ArenaScope scope(work.arena);
+    work.monitor.begin(NETMESH_STAGE_CERTIFY, mesh.store.state.cell_slots);
+    const double rho = mesh.cut();
+    Clumps<D> clumps(mesh.store, rho, mesh.inputs);
+    const Status status = clumps.open(work.arena);
     if (status != Status::ok) return status;
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) value[v] = clumps.own_value(v);
-    *certificate = clamp_values(
-        store.state.vertex_count, rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, value, intervals);
+    for (std::uint32_t v = 0; v < mesh.vertices(); ++v) out->value[v] = clumps.own_value(v);
+    out->certificate = clamp_values(
+        mesh.vertices(), rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, out->value, out->interval);
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status tight_filter_values<D>(const Store<D>&, const Domain<D>&, std::uint32_t, FilterValues, Arena&,     \
-                                           double*, Certificate*, Interval*);
+    template Status tight_filter<D>(const FilteredMesh<D>&, FilterValues, const Work&, Evaluation*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

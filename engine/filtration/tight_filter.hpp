@@ -21,9 +21,7 @@
 // mesh of refine.hpp with that size rule in a domain of tight_domain_factor(eps) enclosing radii is such: a cell that
 // reaches out of that domain has its vertex beyond 3 rho from the centre, all of it rho or more from the inputs.
 #pragma once
-#include <cstdint>
-
-#include "filtration/mesh_filter.hpp"
+#include "filtration/filter.hpp"
 
 namespace netmesh {
 
@@ -31,11 +29,9 @@ namespace netmesh {
 inline double tight_size(double eps) { return eps / (3 * (1 + eps)); }
 inline double tight_domain_factor(double eps) { return 3.0625 + 4 * tight_size(eps); }
 
-// value[v] for every vertex: t(v), cut at rho, clamped for certified values; inputs are vertices 0..inputs-1.
-// intervals[v], when asked for: lo and hi, r_p and hi(W) in clumps. Needs a compact, complete mesh, over-refined or
+// value[v]: t(v), cut at rho; interval[v]: r_p and hi(W) for the vertices of clumps. The mesh may be over-refined or
 // not. O(cells + vertices log n). Scratch: 20 bytes a vertex, 29 an input. out_of_memory.
 template <int D>
-Status tight_filter_values(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, FilterValues values,
-                           Arena& arena, double* value, Certificate* certificate, Interval* intervals = nullptr);
+Status tight_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out);
 
 }  // namespace netmesh

@@ -3,18 +3,18 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "diagram/pair.hpp"
-#include "diagram/sort.hpp"
 #include "homology/persistence.hpp"
 #include "memory/arena.hpp"
+#include "numerics/sort.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 
 class PairWriter {
 public:
-    PairWriter(Arena& arena, std::uint32_t max_degree, bool keep_zero)
+    PairWriter(Arena& arena, DiagramRequest request)
         : arena_(arena), begin_((arena.low_mark() + Arena::alignment - 1) & ~(Arena::alignment - 1)),
-          max_degree_(max_degree), keep_zero_(keep_zero) {}
+          request_(request) {}
 
     // Room for this many pairs and no more, so that others may take memory at the low end. False: out of memory.
     bool reserve(std::uint64_t pairs) {
@@ -31,12 +31,12 @@ public:
     bool add_essential(double birth, std::uint32_t degree) { return add(birth, __builtin_inf(), degree); }
     // Whether add() would note such a pair.
     bool keeps(double birth, double death, std::uint32_t degree) const {
-        return degree <= max_degree_ && (birth != death || keep_zero_);
+        return degree <= request_.max_degree && (birth != death || request_.keep_zero);
     }
-    bool keeps_zero() const { return keep_zero_; }
+    bool keeps_zero() const { return request_.keep_zero; }
 
     PairList finish() {
-        sort_pairs(pairs(), count_);
+        sort(pairs(), count_, CanonicalOrder{});
         return PairList{pairs(), count_};
     }
 
@@ -50,9 +50,18 @@ private:
 
     Arena& arena_;
     std::size_t begin_;
-    std::uint32_t max_degree_;
-    bool keep_zero_;
+    DiagramRequest request_;
     std::uint64_t count_ = 0, reserved_ = 0;
 };
+
+// Runs a reduction, which has finish() for its pairs at the arena's low end; what it took besides is given back.
+template <class Reduction> Status write_diagram(Reduction& reduction, Arena& arena, PairList* out) {
+    ArenaScope scope(arena);
+    const Status status = reduction.run();
+    if (status != Status::ok) return status;
+    *out = reduction.finish();
+    scope.keep_low_from_now();
+    return Status::ok;
+}
 
 }  // namespace netmesh

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 
+#include "vocabulary/status.hpp"
+
 namespace netmesh {
 
 // Root of the set of i; parent[root] == root. Halves the path: O(log n) amortised.
@@ -11,6 +13,51 @@ inline std::uint32_t find_root(std::uint32_t* parent, std::uint32_t i) {
         i = parent[i];
     }
     return i;
+}
+
+// Joins the sets of a and b, which become the roots of the two: of the older one and of the younger one that it takes in.
+// is_older(x, y): whether root x is older than root y. False when a and b were in one set.
+template <class IsOlder>
+bool unite(std::uint32_t* parent, std::uint32_t& a, std::uint32_t& b, IsOlder is_older) {
+    a = find_root(parent, a);
+    b = find_root(parent, b);
+    if (a == b) return false;
+    if (is_older(b, a)) {
+        const std::uint32_t t = a;
+        a = b;
+        b = t;
+    }
+    parent[b] = a;
+    return true;
+}
+
+struct EdgeEnds {
+    std::uint32_t a, b;
+};
+
+// Degree 0 of a complex whose vertices and edges are numbered in the order in which they enter: an edge that joins two
+// components ends the younger one. parent: [vertices], filled here. Graph:
+//   Status visit(e)                    before edge e
+//   EdgeEnds ends(e)
+//   Status merge(e, older, younger)    edge e joins two components, whose oldest vertices are these
+//   Status keep(v)                     at the end: v is the oldest vertex of a component
+template <class Graph>
+Status unite_edges(std::uint32_t* parent, std::uint32_t vertices, std::uint32_t edges, Graph graph) {
+    const auto is_older = [](std::uint32_t x, std::uint32_t y) { return x < y; };
+    for (std::uint32_t v = 0; v < vertices; ++v) parent[v] = v;
+    for (std::uint32_t e = 0; e < edges; ++e) {
+        Status status = graph.visit(e);
+        if (status != Status::ok) return status;
+        EdgeEnds roots = graph.ends(e);
+        if (!unite(parent, roots.a, roots.b, is_older)) continue;
+        status = graph.merge(e, roots.a, roots.b);
+        if (status != Status::ok) return status;
+    }
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+        const Status status = parent[v] == v ? graph.keep(v) : Status::ok;
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
 }
 
 }  // namespace netmesh

@@ -53,7 +53,7 @@ template <int D> bool BallLists<D>::store(std::uint32_t cell, std::uint32_t inpu
 // Stores the input in the cell's ball if that contains it.
 template <int D> bool BallLists<D>::consider(Kernel<D>& kernel, std::uint32_t cell, std::uint32_t input) {
     ++tests_;
-    return !kernel.in_conflict(cell, store_->point(input), input) || store(cell, input);
+    return !kernel.in_conflict(CellId(cell), store_->point(input), VertexId(input)) || store(cell, input);
 }
 
 // A new cell, with nothing in its ball yet.
@@ -127,7 +127,7 @@ template <int D> bool BallLists<D>::attach(Kernel<D>& kernel, const Cavity& cavi
             if (!consider(kernel, c, p)) return false;
         int i = 0;
         while (cell.vertex[i] != v) ++i;
-        const std::uint32_t outer = cell.neighbour[i] >> 3;
+        const CellId outer = cell.neighbour[i].cell();
         if (store_->is_ghost(outer)) continue;
         for (std::uint32_t e = first_of_cell_[outer]; e != none; e = entries_[e].next_of_cell) {
             const std::uint32_t p = entries_[e].input;

@@ -35,7 +35,7 @@ public:
         if (bucket.tail == none)
             bucket.head = v;
         else
-            store_->vertex(bucket.tail).next = v;
+            store_->vertex(bucket.tail).next = VertexId(v);
         bucket.tail = v;
         filled_[b / 64] |= std::uint64_t{1} << (b % 64);
     }

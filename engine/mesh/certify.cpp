@@ -116,7 +116,7 @@ template <int D> double Certification<D>::least_bad2(const Vertex<D>& vertex) co
 // A cell may have become bad by a new corner, an input's also because its nearest neighbour came nearer.
 template <int D> void Certification<D>::update_star(const Cavity& cavity, std::uint32_t v) {
     Vertex<D>& centre = store_.vertex(v);
-    kernel_.visit_neighbours(cavity, v, [&](std::uint32_t w) {
+    kernel_.visit_neighbours(cavity, VertexId(v), [&](std::uint32_t w) {
         Vertex<D>& other = store_.vertex(w);
         const double d2 = distance2<D>(centre.x, other.x);
         if (centre.marker == Marker::input && d2 < centre.nearest2) centre.nearest2 = d2;
@@ -139,7 +139,7 @@ template <int D> bool Certification<D>::look(std::uint32_t v, CellView* view) {
     *view = CellView{};
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
-    return kernel_.visit_star(v, [&](std::uint32_t c) {
+    return kernel_.visit_star(VertexId(v), [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) return;  // a ghost
         view->farthest.offer(cell.centre, distance2<D>(cell.centre, p), c);

@@ -29,7 +29,7 @@ void offer_crossings(const Store<D>& store, const Domain<D>& ball, std::uint32_t
     const Cell<D>& cell = store.cell(c);
     for (int i = 0; i <= D; ++i) {
         if (cell.vertex[i] == v) continue;
-        const std::uint32_t n = cell.neighbour[i] >> 3;
+        const CellId n = cell.neighbour[i].cell();
         const Cell<D>& other = store.cell(n);
         if (!(other.radius2 < infinity)) continue;
         // A crossing is no farther from v than the farther end.

@@ -25,8 +25,8 @@ private:
     bool is_finite(std::uint32_t c) const { return store_.is_live(c) && !store_.is_ghost(c); }
     // The cell behind facet i; none outside, where a store in use has a ghost.
     std::uint32_t neighbour(std::uint32_t c, int i) const {
-        const std::uint32_t word = store_.cell(c).neighbour[i];
-        return word == none || store_.is_ghost(word >> 3) ? none : word >> 3;
+        const FacetId facet = store_.cell(c).neighbour[i];
+        return facet == none || store_.is_ghost(facet.cell()) ? none : facet.cell();
     }
     bool corner(std::uint32_t c, Cell<D>* scratch) const;
     double ratio(std::uint32_t v) const {
@@ -215,7 +215,7 @@ template <int D> void Measurement<D>::raise_cages(std::uint32_t c, const Cell<D>
                 }
             clip(domain_ball<D>(store_, cages_, cages_[d].parent, outermost_), c, here,
                  [&](const double* x, int facet) {
-                     if (facet >= 0 && !is_on_boundary<D>(store_, cages_[d], cell.neighbour[facet] >> 3)) return;
+                     if (facet >= 0 && !is_on_boundary<D>(store_, cages_[d], cell.neighbour[facet].cell())) return;
                      const double d2 = distance2<D>(x, centre);
                      if (d2 > cage_out2_[d]) cage_out2_[d] = d2;
                  });

@@ -42,9 +42,10 @@ protected:
     }
 
     // Inserts vertex v, whose record is complete, near cell `from`. Nothing has changed when memory runs out.
-    Status insert(std::uint32_t v, std::uint32_t from) {
+    Status insert(std::uint32_t index, std::uint32_t from) {
+        const VertexId v(index);
         const double* const q = store_.point(v);
-        const std::uint32_t hit = kernel_.locate(q, v, from);
+        const CellId hit = kernel_.locate(q, v, CellId(from));
         Cavity cavity;
         if (!kernel_.find_cavity(q, v, hit, &cavity) || !kernel_.can_fill(cavity, 0)) return Status::out_of_memory;
         kernel_.fill(cavity, v);

@@ -14,7 +14,7 @@ template <int D>
 void update_nearest(Store<D>& store, const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v,
                     BucketQueue<D>& queue) {
     Vertex<D>& centre = store.vertex(v);
-    kernel.visit_neighbours(cavity, v, [&](std::uint32_t w) {
+    kernel.visit_neighbours(cavity, VertexId(v), [&](std::uint32_t w) {
         Vertex<D>& other = store.vertex(w);
         const double d2 = distance2<D>(centre.x, other.x);
         if (d2 < centre.nearest2) centre.nearest2 = d2;

@@ -151,7 +151,8 @@ template <int D> Status NetMesh<D>::open(InputReport* input) {
 template <int D> Status NetMesh<D>::insert(std::uint32_t v, std::uint32_t from) {
     const double* const q = store_.point(v);
     Cavity cavity;
-    return kernel_.find_cavity(q, v, kernel_.locate(q, v, from), &cavity) ? fill(v, cavity) : Status::out_of_memory;
+    const VertexId id(v);
+    return kernel_.find_cavity(q, id, kernel_.locate(q, id, CellId(from)), &cavity) ? fill(v, cavity) : Status::out_of_memory;
 }
 
 template <int D> Status NetMesh<D>::fill(std::uint32_t v, const Cavity& cavity) {
@@ -161,7 +162,7 @@ template <int D> Status NetMesh<D>::fill(std::uint32_t v, const Cavity& cavity) 
         if (is_input && !lists_.agrees(kernel_, cavity, v)) return Status::internal;
         lists_.detach(kernel_, cavity, v);
     }
-    kernel_.fill(cavity, v);
+    kernel_.fill(cavity, VertexId(v));
     if (is_input) ++inserted_;
     update_star(cavity, v);
     // The mesh is whole, only the lists are not: the job stops as if it had been asked to.
@@ -179,7 +180,7 @@ template <int D> void NetMesh<D>::update_star(const Cavity& cavity, std::uint32_
     const Vertex<D>& centre = store_.vertex(v);
     if (hierarchy_.live() > 0) {
         const std::uint32_t within = centre.marker == Marker::steiner ? hierarchy_.of(v) : none;
-        kernel_.visit_neighbours(cavity, v,
+        kernel_.visit_neighbours(cavity, VertexId(v),
                                  [&](std::uint32_t w) { meet(w, centre.x, centre.marker != Marker::exempt, within); });
     }
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
@@ -264,7 +265,7 @@ template <int D> void NetMesh<D>::queue_bad_crossings(const Domain<D>& ball, std
     for (int i = 0; i <= D; ++i) {
         const unsigned others = positions & ~(1u << i);
         if (others == 0) continue;
-        const std::uint32_t n = cell.neighbour[i] >> 3;
+        const CellId n = cell.neighbour[i].cell();
         if (!(store_.cell(n).radius2 < infinity)) continue;
         double z[2][D];
         const int crossings = sphere_crossings<D>(ball, cell.centre, store_.cell(n).centre, z);
@@ -322,7 +323,7 @@ template <int D> Status NetMesh<D>::approach(std::uint32_t p, const Cavity& cavi
 template <int D> Status NetMesh<D>::insert_input(std::uint32_t p, std::uint32_t from, Path* path) {
     const double* const q = store_.point(p);
     Cavity cavity;
-    if (!kernel_.find_cavity(q, p, kernel_.locate(q, p, from), &cavity)) return Status::out_of_memory;
+    if (!kernel_.find_cavity(q, VertexId(p), kernel_.locate(q, VertexId(p), CellId(from)), &cavity)) return Status::out_of_memory;
     const std::uint32_t before = store_.state.vertex_count;
     Status status = approach(p, cavity, path);
     if (status != Status::ok || (path != nullptr && path->top() != p)) return status;
@@ -413,7 +414,7 @@ template <int D> Status NetMesh<D>::release_cage(std::uint32_t d) {
     // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are pushed. None
     // is infinity, as the frame is around them.
     for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) {
-        const bool fits = kernel_.visit_star(v, [&](std::uint32_t c) {
+        const bool fits = kernel_.visit_star(VertexId(v), [&](CellId c) {
             for (const std::uint32_t w : store_.cell(c).vertex)
                 if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
         });
@@ -446,7 +447,7 @@ template <int D> Status NetMesh<D>::clean_vertex(std::uint32_t v) {
     const std::uint32_t d = hierarchy_.of(v);
     const Domain<D> ball = ball_of(d);
     Corner<D> corner;
-    const bool fits = kernel_.visit_star(v, [&](std::uint32_t c) {
+    const bool fits = kernel_.visit_star(VertexId(v), [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) return;
         if (ball.contains(cell.centre))
@@ -472,7 +473,7 @@ template <int D> bool NetMesh<D>::find_cage_corner(std::uint32_t d, Corner<D>* c
     const Cage& cage = hierarchy_.cage(d);
     const double* const centre = store_.point(cage.centre);
     std::uint32_t first = none;
-    if (!kernel_.visit_star(cage.shell, [&](std::uint32_t c) {
+    if (!kernel_.visit_star(VertexId(cage.shell), [&](CellId c) {
             if (first == none && is_on_boundary<D>(store_, cage, c)) first = c;
         }))
         return false;
@@ -480,9 +481,9 @@ template <int D> bool NetMesh<D>::find_cage_corner(std::uint32_t d, Corner<D>* c
     const Domain<D> ball = ball_of(hierarchy_.parent(d));
     const std::uint32_t stamp = store_.new_stamp();
     const std::size_t capacity = store_.list_capacity();
-    std::uint32_t* const list = store_.list_top();
+    CellId* const list = store_.list_top();
     std::uint32_t count = 1;
-    list[-1] = first;
+    list[-1] = CellId(first);
     store_.cell(first).mark = stamp;
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::uint32_t c = list[-1 - static_cast<std::ptrdiff_t>(k)];
@@ -490,7 +491,7 @@ template <int D> bool NetMesh<D>::find_cage_corner(std::uint32_t d, Corner<D>* c
         const bool known = cell.radius2 < infinity, contained = known && ball.contains(cell.centre);
         if (contained) corner->offer(cell.centre, distance2<D>(cell.centre, centre), c);
         for (int i = 0; i <= D; ++i) {
-            const std::uint32_t n = cell.neighbour[i] >> 3;
+            const CellId n = cell.neighbour[i].cell();
             if (!is_on_boundary<D>(store_, cage, n)) continue;
             const Cell<D>& other = store_.cell(n);
             if (known && !contained && other.radius2 < infinity) {

@@ -46,18 +46,19 @@ Status open_frame(Store<D>& store, Kernel<D>& kernel, const InputTree<D>& tree, 
             const double d2 = distance2<D>(store.point(frame[i]), store.point(frame[j]));
             if (i != j && d2 < store.vertex(frame[i]).nearest2) store.vertex(frame[i]).nearest2 = d2;
         }
-    std::uint32_t ids[D + 1];
+    VertexId ids[D + 1];
     if (!independent_points<D>(store, frame, 2 * D, ids)) return Status::internal;
     const Status status = kernel.start(ids);
     if (status != Status::ok) return status;
     for (int i = 0; i < 2 * D; ++i) {
         if (store.vertex(frame[i]).cell != none) continue;
-        const double* const q = store.point(frame[i]);
+        const VertexId v(frame[i]);
+        const double* const q = store.point(v);
         Cavity cavity;
-        if (!kernel.find_cavity(q, frame[i], kernel.locate(q, frame[i], store.state.last_cell), &cavity) ||
+        if (!kernel.find_cavity(q, v, kernel.locate(q, v, store.state.last_cell), &cavity) ||
             !kernel.can_fill(cavity, 0))
             return Status::out_of_memory;
-        kernel.fill(cavity, frame[i]);
+        kernel.fill(cavity, v);
     }
     return Status::ok;
 }

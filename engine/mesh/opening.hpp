@@ -21,12 +21,13 @@ Status check_separation(const Store<D>& store, const InputTree<D>& tree, double 
 
 // A new vertex at x, not inserted yet. Room for it must be there.
 template <int D>
-inline std::uint32_t make_vertex(Store<D>& store, const double* x, std::uint32_t origin, Marker marker) {
-    const std::uint32_t made = store.new_vertex();
+inline VertexId make_vertex(Store<D>& store, const double* x, std::uint32_t origin, Marker marker) {
+    const VertexId made = store.new_vertex();
     Vertex<D>& v = store.vertex(made);
     for (int k = 0; k < D; ++k) v.x[k] = x[k];
     v.nearest2 = infinity;
-    v.cell = v.next = none;
+    v.cell = none;
+    v.next = none;
     v.origin = origin;
     v.marker = marker;
     v.queued = 0;

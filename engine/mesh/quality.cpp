@@ -41,7 +41,7 @@ void measure_out_radii(const Store<D>& store, const Domain<D>& domain, CornerOf&
         }
         for (int i = 0; i <= D; ++i) {
             if (cell.neighbour[i] == none) continue;
-            const std::uint32_t n = cell.neighbour[i] >> 3;
+            const CellId n = cell.neighbour[i].cell();
             const double* const other = corner_of(n, there);
             if (other == nullptr) continue;
             if (n < c && !domain.contains(other)) continue;

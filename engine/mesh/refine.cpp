@@ -136,7 +136,7 @@ template <int D> void Refinement<D>::queue_bad_vertices(std::uint32_t c) {
     for (int i = 0; i <= D; ++i) {
         const unsigned others = far & ~(1u << i);
         if (others == 0) continue;
-        const std::uint32_t n = cell.neighbour[i] >> 3;
+        const CellId n = cell.neighbour[i].cell();
         if (!(store_.cell(n).radius2 < infinity)) continue;
         double z[2][D];
         const int crossings = sphere_crossings<D>(domain_, cell.centre, store_.cell(n).centre, z);
@@ -167,7 +167,7 @@ template <int D> bool Refinement<D>::look(std::uint32_t v, CellView* view) {
         least2 = value_of_size_hint(store_.vertex(v).size_hint);
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
-    return kernel_.visit_star(v, [&](std::uint32_t c) {
+    return kernel_.visit_star(VertexId(v), [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) return;  // a ghost, or so flat that its corner is not known
         const double d2 = distance2<D>(cell.centre, p);
@@ -264,7 +264,7 @@ template <int D> bool Refinement<D>::is_oversize(std::uint32_t v, double corner2
 // The farthest point of a clipped cell without corners; no Voronoi edge meets the domain there.
 template <int D> bool Refinement<D>::look_at_poles(std::uint32_t v, CellView* view) {
     std::uint32_t count = 0;
-    if (!kernel_.visit_star(v, [&](std::uint32_t) { ++count; })) return false;
+    if (!kernel_.visit_star(VertexId(v), [&](CellId) { ++count; })) return false;
     Corner<D>& corner = view->clipped;
     corner.distance2 = farthest_pole<D>(store_, domain_, v, store_.list_top(), count, corner.x, &corner.cell);
     return true;

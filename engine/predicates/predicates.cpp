@@ -16,6 +16,27 @@ template <int D> Sign orient(const double* const* p, PredicateCounts& counts) {
     }
 }
 
+namespace {
+
+// orient_projected for k >= K.
+template <int K, int D> Sign orient_from(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
+    if constexpr (K < D)
+        if (k > K) return orient_from<K + 1, D>(k, p, axes, counts);
+    double x[K + 1][K];
+    const double* rows[K + 1];
+    for (int i = 0; i <= K; ++i) {
+        for (int j = 0; j < K; ++j) x[i][j] = p[i][axes[j]];
+        rows[i] = x[i];
+    }
+    return orient<K>(rows, counts);
+}
+
+}  // namespace
+
+template <int D> Sign orient_projected(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
+    return orient_from<1, D>(k, p, axes, counts);
+}
+
 // A question about one cell and one point, and what the float stage found out on the way.
 template <int D> struct InBall {
     const double* points[D + 2];
@@ -54,12 +75,12 @@ template <int D> Sign in_ball(const double* const* cell, const double* q, Predic
 // coefficient -1, so at the latest q decides. lambda_k has the sign of orient of the cell with q in the place of p_k.
 // As a weight depends on nothing but the index, all answers belong to one lifted point set; as the paraboloid is
 // strictly convex, weights this small hide no point.
-template <int D> Sign break_tie(InBall<D>& question, const std::uint32_t* ids, std::uint32_t q_id) {
+template <int D> Sign break_tie(InBall<D>& question, const VertexId* ids, VertexId q_id) {
     std::uint32_t bound = 0;
     bool bounded = false;
     for (;;) {
         int next = -1;  // the highest index below bound; -1: that of q
-        std::uint32_t highest = q_id;
+        VertexId highest = q_id;
         for (int i = 0; i <= D; ++i)
             if (ids[i] > highest && (!bounded || ids[i] < bound)) {
                 highest = ids[i];
@@ -74,7 +95,7 @@ template <int D> Sign break_tie(InBall<D>& question, const std::uint32_t* ids, s
 }
 
 template <int D>
-Sign in_ball_perturbed(const double* const* cell, const std::uint32_t* ids, const double* q, std::uint32_t q_id,
+Sign in_ball_perturbed(const double* const* cell, const VertexId* ids, const double* q, VertexId q_id,
                        PredicateCounts& counts) {
     InBall<D> question(cell, q);
     const Decision d = question.decision;
@@ -88,8 +109,9 @@ Sign in_ball_perturbed(const double* const* cell, const std::uint32_t* ids, cons
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Sign orient<D>(const double* const*, PredicateCounts&);                                                   \
+    template Sign orient_projected<D>(int, const double* const*, const int*, PredicateCounts&);                        \
     template Sign in_ball<D>(const double* const*, const double*, PredicateCounts&);                                   \
-    template Sign in_ball_perturbed<D>(const double* const*, const std::uint32_t*, const double*, std::uint32_t,       \
+    template Sign in_ball_perturbed<D>(const double* const*, const VertexId*, const double*, VertexId,                 \
                                        PredicateCounts&);
 
 template Sign orient<1>(const double* const*, PredicateCounts&);

@@ -1,25 +1,30 @@
 // Identifiers of vertices, cells and facets. A vertex or cell id converts to its index, so that it can be compared and
-// used as a subscript. Nothing converts to an id by itself, so a cell is never taken for a vertex.
+// used as a subscript. Nothing but `none` converts to an id by itself, so a cell is never taken for a vertex.
 #pragma once
 #include <cstdint>
 
 namespace netmesh {
 
-constexpr std::uint32_t none = 0xFFFFFFFFu;  // no vertex, no cell, no facet, no index
-
-struct VertexId {
-    std::uint32_t index;
-    VertexId() = default;
-    constexpr explicit VertexId(std::uint32_t i) : index(i) {}
-    constexpr operator std::uint32_t() const { return index; }
+// No vertex, no cell, no facet, no index. As an index it is 0xFFFFFFFF.
+struct None {
+    constexpr operator std::uint32_t() const { return 0xFFFFFFFFu; }
 };
+constexpr None none{};
 
-struct CellId {
+template <class Kind> struct Id {
     std::uint32_t index;
-    CellId() = default;
-    constexpr explicit CellId(std::uint32_t i) : index(i) {}
+
+    Id() = default;
+    constexpr explicit Id(std::uint32_t i) : index(i) {}
+    constexpr Id(None) : index(none) {}
     constexpr operator std::uint32_t() const { return index; }
+    constexpr Id& operator++() {
+        ++index;
+        return *this;
+    }
 };
+using VertexId = Id<struct VertexKind>;
+using CellId = Id<struct CellKind>;
 
 // A facet of a cell: the cell, and the position in it of the vertex opposite the facet. Only this class knows how both fit
 // into one word: 8 * cell + position. That is why there are at most cells_max cells.
@@ -28,17 +33,20 @@ public:
     static constexpr std::uint32_t cells_max = 0x1FFFFFFFu;
 
     FacetId() = default;
-    constexpr FacetId(std::uint32_t cell, std::uint32_t position) : word_(cell << 3 | position) {}
-    static constexpr FacetId absent() { return from_word(none); }
-    static constexpr FacetId from_word(std::uint32_t word) {
-        FacetId f(0, 0);
-        f.word_ = word;
-        return f;
-    }
+    constexpr FacetId(CellId cell, std::uint32_t position) : word_(cell.index << 3 | position) {}
+    constexpr FacetId(None) : word_(none) {}
     constexpr CellId cell() const { return CellId(word_ >> 3); }
     constexpr std::uint32_t position() const { return word_ & 7u; }
-    constexpr bool is_absent() const { return word_ == none; }
+    friend constexpr bool operator==(FacetId a, FacetId b) { return a.word_ == b.word_; }
+    friend constexpr bool operator!=(FacetId a, FacetId b) { return a.word_ != b.word_; }
+
+    // For sorting facets as plain numbers and for what else is kept in place of a facet.
     constexpr std::uint32_t word() const { return word_; }
+    static constexpr FacetId from_word(std::uint32_t word) {
+        FacetId facet = none;
+        facet.word_ = word;
+        return facet;
+    }
 
 private:
     std::uint32_t word_;

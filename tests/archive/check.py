@@ -138,11 +138,14 @@ SEES = {
     "certificate": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "mesh": {"certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
     "complex": {"memory", "vocabulary", "numerics"},
-    "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp", "diagram/sort.hpp"},
+    "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp"},
     "diagram": {"homology", "complex", "memory", "vocabulary", "numerics", "include"},
-    "filtration": {"mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics", "memory", "vocabulary", "include"},
+    "filtration": {"mesh", "certificate", "delaunay", "predicates", "complex", "numerics", "memory", "vocabulary", "include",
+                   "homology/rips/rips.hpp", "homology/rank.hpp"},
+    "jobs": {"filtration", "mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
+             "memory", "vocabulary", "include"},
     "analysis": {"mesh", "certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "api": {"analysis", "filtration", "mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
+    "api": {"analysis", "jobs", "filtration", "mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
             "memory", "vocabulary", "include"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)

@@ -16,7 +16,7 @@
 #include <random>
 #include <vector>
 
-#include "homology/persistence.hpp"
+#include "homology/lower_star/lower_star.hpp"
 
 namespace {
 
@@ -150,18 +150,18 @@ template <int D> int measure(std::uint32_t cubes, std::uint32_t sample, double j
     std::vector<unsigned char> block(std::size_t{24} * 8 * g.cell_count + (1 << 20));
     const std::size_t skip = (16 - reinterpret_cast<std::uintptr_t>(block.data()) % 16) % 16;
     std::memset(block.data(), 1, block.size());  // the pages are there before the clock runs
-    std::uint64_t simplices = 0;
     double best[2] = {1e300, 1e300};
     std::size_t peak[2] = {0, 0};
-    netmesh::PairList out = {};
+    netmesh::CountedPairs out = {};
     std::uint64_t pairs[D] = {};
     for (int round = 0; round < 6; ++round) {
         netmesh::Arena arena;
         arena.adopt(block.data() + skip, block.size() - 16);
         netmesh::Monitor monitor;
         const std::clock_t begin = std::clock();
-        const auto status = netmesh::persist_lower_star<D>(view, g.value.data(), 0, round % 2 == 0 ? D - 1 : 0, false,
-                                                           {arena, monitor}, &out, &simplices);
+        const std::uint32_t max_degree = round % 2 == 0 ? D - 1 : 0;
+        const auto status =
+            netmesh::persist_lower_star<D>({view, g.value.data(), 0}, {max_degree}, {arena, monitor}, &out);
         const double took = double(std::clock() - begin) / CLOCKS_PER_SEC;
         if (status != netmesh::Status::ok) {
             std::printf("status %d\n", int(status));
@@ -170,8 +170,9 @@ template <int D> int measure(std::uint32_t cubes, std::uint32_t sample, double j
         best[round % 2] = std::min(best[round % 2], took);
         peak[round % 2] = arena.bytes_peak();
         if (round > 0) continue;
-        for (std::uint64_t i = 0; i < out.count; ++i) ++pairs[out.pairs[i].degree];
+        for (std::uint64_t i = 0; i < out.pairs.count; ++i) ++pairs[out.pairs.pairs[i].degree];
     }
+    const std::uint64_t simplices = out.simplices;
     std::printf("%u vertices, %u cells, %llu simplices; pairs by degree", g.vertex_count, g.cell_count,
                 static_cast<unsigned long long>(simplices));
     for (const std::uint64_t n : pairs) std::printf(" %llu", static_cast<unsigned long long>(n));

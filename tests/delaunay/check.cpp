@@ -34,11 +34,11 @@ template <int D> struct Patient {
     static std::string said(const CheckResult& r) { return r.violation == nullptr ? "nothing" : r.violation; }
 
     // A cell and a position with a neighbour.
-    std::pair<std::uint32_t, int> inner_facet() const {
-        for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+    std::pair<CellId, int> inner_facet() const {
+        for (CellId c(0); c < state.cell_slots; ++c)
             for (int i = 0; i <= D; ++i)
                 if (store.cell(c).neighbour[i] != none) return {c, i};
-        return {0, 0};
+        return {none, 0};
     }
     Block block;
     StoreState state = {};
@@ -61,32 +61,33 @@ template <int D> void damage_cells() {
     const auto [c, i] = p.inner_facet();
     Cell<D>& cell = p.store.cell(c);
     {
-        const Changed<std::uint32_t> change(cell.vertex[0], p.state.vertex_count);
+        const Changed<VertexId> change(cell.vertex[0], VertexId(p.state.vertex_count));
         CHECK(p.combinatorial() == "a cell has a vertex that does not exist");
     }
     {
-        const Changed<std::uint32_t> change(cell.vertex[0], cell.vertex[1]);
+        const Changed<VertexId> change(cell.vertex[0], cell.vertex[1]);
         CHECK(p.combinatorial() == "a cell has a vertex twice");
     }
-    for (const std::uint32_t word : {p.state.cell_slots << 3, c << 3, (c == 0 ? 8u : 0u) | 7u}) {
-        const Changed<std::uint32_t> change(cell.neighbour[i], word);
+    for (const FacetId facet : {FacetId(CellId(p.state.cell_slots), 0), FacetId(c, 0), FacetId(CellId(c == 0), 7)}) {
+        const Changed<FacetId> change(cell.neighbour[i], facet);
         CHECK(p.combinatorial() == "a neighbour does not exist");
     }
     {
-        const std::uint32_t word = cell.neighbour[i];
-        const Changed<std::uint32_t> change(cell.neighbour[i], word ^ ((word & 7u) < 2 ? 1u : 2u));
+        const FacetId facet = cell.neighbour[i];
+        const std::uint32_t other = facet.position() ^ (facet.position() < 2 ? 1u : 2u);
+        const Changed<FacetId> change(cell.neighbour[i], FacetId(facet.cell(), other));
         const std::string said = p.combinatorial();
         CHECK((said == "neighbours are not mutual" || said == "a neighbour does not exist"));
     }
     {
-        const std::uint32_t word = cell.neighbour[i];
-        const Changed<std::uint32_t> change(p.store.cell(word >> 3).neighbour[word & 7u], none);
+        const FacetId facet = cell.neighbour[i];
+        const Changed<FacetId> change(p.store.cell(facet.cell()).neighbour[facet.position()], none);
         CHECK(p.combinatorial() == "neighbours are not mutual");
     }
     {  // a facet that the neighbour does not have
-        const std::uint32_t word = cell.neighbour[i];
-        Cell<D>& other = p.store.cell(word >> 3);
-        const int j = static_cast<int>(word & 7u) == 0 ? 1 : 0;
+        const FacetId facet = cell.neighbour[i];
+        Cell<D>& other = p.store.cell(facet.cell());
+        const int j = facet.position() == 0 ? 1 : 0;
         std::uint32_t stranger = 0;
         const auto has = [&](const Cell<D>& of, std::uint32_t v) {
             for (const std::uint32_t u : of.vertex)
@@ -94,19 +95,19 @@ template <int D> void damage_cells() {
             return false;
         };
         while (has(cell, stranger) || has(other, stranger)) ++stranger;
-        const Changed<std::uint32_t> change(other.vertex[j], stranger);
+        const Changed<VertexId> change(other.vertex[j], VertexId(stranger));
         CHECK(p.combinatorial() == "neighbours do not share a facet");
     }
     {  // all of the cell's vertices
-        const std::uint32_t word = cell.neighbour[i];
-        Cell<D>& other = p.store.cell(word >> 3);
-        const Changed<std::uint32_t> change(other.vertex[word & 7u], cell.vertex[i]);
+        const FacetId facet = cell.neighbour[i];
+        Cell<D>& other = p.store.cell(facet.cell());
+        const Changed<VertexId> change(other.vertex[facet.position()], cell.vertex[i]);
         CHECK(p.combinatorial() == "neighbours share more than a facet");
     }
     {
         std::uint32_t v = 0;
         while (p.store.vertex(v).cell == none) ++v;
-        const Changed<std::uint32_t> nowhere(p.store.vertex(v).cell, p.state.cell_slots);
+        const Changed<CellId> nowhere(p.store.vertex(v).cell, CellId(p.state.cell_slots));
         CHECK(p.combinatorial() == "a vertex points to a cell that it does not belong to");
     }
     {
@@ -118,7 +119,7 @@ template <int D> void damage_cells() {
             if (!there) break;
         }
         REQUIRE(elsewhere < p.state.cell_slots);
-        const Changed<std::uint32_t> change(p.store.vertex(v).cell, elsewhere);
+        const Changed<CellId> change(p.store.vertex(v).cell, CellId(elsewhere));
         CHECK(p.combinatorial() == "a vertex points to a cell that it does not belong to");
     }
     CHECK(p.combinatorial() == "nothing");

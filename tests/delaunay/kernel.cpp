@@ -104,7 +104,7 @@ TEST_CASE("each planted fault is found by a checker") {
         CHECK(check_combinatorial<3>(t.store).violation != nullptr);
     }
     SUBCASE("a vertex replaced") {
-        t.store.cell(7).vertex[0] = (t.store.cell(7).vertex[0] + 1) % 100;
+        t.store.cell(7).vertex[0] = VertexId((t.store.cell(7).vertex[0] + 1) % 100);
         CHECK(violation<3>(t.store) != nullptr);
     }
     SUBCASE("orientation turned") {
@@ -219,11 +219,11 @@ TEST_CASE_TEMPLATE_DEFINE("a star that the gap is too small for is refused, and 
     REQUIRE(take_input<D>(store, points.data(), 4 * D, 1, monitor, &input, &order) == Status::ok);
     REQUIRE(store.open_cells() == Status::ok);
     Kernel<D> kernel(store, corner_error_max, true);
-    std::uint32_t ids[D + 1];
+    VertexId ids[D + 1];
     REQUIRE(independent_points<D>(store, order, 4 * D, ids));
     REQUIRE(kernel.start(ids) == Status::ok);
     for (std::uint32_t k = 0; k < 4 * D; ++k) {
-        const std::uint32_t v = order[k];
+        const VertexId v(order[k]);
         if (store.vertex(v).cell != none) continue;
         Cavity cavity;
         REQUIRE(kernel.find_cavity(store.point(v), v, kernel.locate(store.point(v), v, state.last_cell), &cavity));
@@ -237,7 +237,7 @@ TEST_CASE_TEMPLATE_DEFINE("a star that the gap is too small for is refused, and 
     const auto visited = [&](std::size_t words, std::uint32_t* count) {
         block.arena.release_low(block.arena.high_mark() - 4 * words);
         *count = 0;
-        const bool fits = kernel.visit_star(0, [&](std::uint32_t) { ++*count; });
+        const bool fits = kernel.visit_star(VertexId(0), [&](CellId) { ++*count; });
         block.arena.release_low(low);
         return fits;
     };
@@ -266,12 +266,12 @@ TEST_CASE_TEMPLATE_DEFINE("stamps that run out begin anew, and the triangulation
         REQUIRE(take_input<D>(store, points.data(), 6 * D, 1, monitor, &input, &order) == Status::ok);
         REQUIRE(store.open_cells() == Status::ok);
         Kernel<D> kernel(store, corner_error_max, false);
-        std::uint32_t ids[D + 1];
+        VertexId ids[D + 1];
         REQUIRE(independent_points<D>(store, order, 6 * D, ids));
         REQUIRE(kernel.start(ids) == Status::ok);
         state.stamp = first_stamp;
         for (std::uint32_t k = 0; k < 6 * D; ++k) {
-            const std::uint32_t v = order[k];
+            const VertexId v(order[k]);
             if (std::count(ids, ids + D + 1, v) == 1) continue;
             Cavity cavity;
             CHECK(store.new_stamp() % 2 == 0);

@@ -1,4 +1,5 @@
 #include "filtration/function_filter.hpp"
+#include "filtration/filters.hpp"
 
 #include <doctest/doctest.h>
 
@@ -32,6 +33,10 @@ double brute(const inputs::Points& points, int dim, const double* x, std::uint32
     return std::sqrt(sum / k);
 }
 
+netmesh_filter filter_of(InputDistance kind) {
+    return kind == InputDistance::kth ? NETMESH_FILTER_KNN : NETMESH_FILTER_KDISTANCE;
+}
+
 template <int D> struct Mesh {
     Mesh(const inputs::Points& points, double tau, double factor = 1, double eps = 0)
         : block(std::size_t{1} << 27), store(block.arena, state) {
@@ -42,6 +47,7 @@ template <int D> struct Mesh {
         REQUIRE(refine<D>(store, points.data(), points.size() / D, options, monitor, &input, &domain) == Status::ok);
         inputs = static_cast<std::uint32_t>(input.rows - input.duplicates);
     }
+    FilteredMesh<D> filtered() { return {store, domain, inputs}; }
     // The vertex whose cell contains x.
     std::uint32_t cell_of(const double* x) const {
         std::uint32_t best = 0;
@@ -64,11 +70,13 @@ template <int D> void sample_distances(const inputs::Points& points, double tau,
     for (const InputDistance kind : {InputDistance::kth, InputDistance::root_mean_square})
         for (const std::uint32_t k : {2u, 3u, 7u, mesh.inputs})
             for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
-                Certificate certificate;
                 Monitor monitor;
+                Evaluation evaluation = {value.data()};
                 const std::size_t used = mesh.block.arena.bytes_used();
-                REQUIRE(distance_filter_values<D>(mesh.store, mesh.domain, mesh.inputs, kind, k, values,
-                                                  {mesh.block.arena, monitor}, value.data(), &certificate) == Status::ok);
+                REQUIRE(evaluate<D>(mesh.filtered(), {filter_of(kind), values, k}, {mesh.block.arena, monitor},
+                                    &evaluation) == Status::ok);
+                CHECK(evaluation.zero_born == 0);
+                const Certificate certificate = evaluation.certificate;
                 CHECK(mesh.block.arena.bytes_used() == used);
                 const double c = certificate.ratio;
                 CAPTURE(k);
@@ -131,23 +139,21 @@ TEST_CASE("d_k and the k-distance stay within their certificate") {
     sample_distances<6>(inputs::clusters(6, 8), 3, 20);
 }
 
-// Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 - sqrt(2) eps). The domain
-// is so large that cells which reach out of it are beyond the cut.
+// Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 -
+// sqrt(2) eps). The domain is so large that cells which reach out of it are beyond the cut.
 TEST_CASE("eps-refined meshes keep the bound of 8.6.4") {
     for (const double eps : {0.25, 0.125}) {
         Mesh<2> mesh(inputs::uniform(2, 30), 2.5, 3.0625 + 4 * eps, eps);
         std::vector<double> value(mesh.state.vertex_count);
         for (const std::uint32_t k : {2u, 5u}) {
-            Certificate certificate;
             Monitor monitor;
-            REQUIRE(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::kth, k,
-                                              FilterValues::thesis, {mesh.block.arena, monitor}, value.data(),
-                                              &certificate) == Status::ok);
-            CHECK(certificate.ratio <= 1 / (1 - eps) * (1 + 1e-9));
-            REQUIRE(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::root_mean_square, k,
-                                              FilterValues::thesis, {mesh.block.arena, monitor}, value.data(),
-                                              &certificate) == Status::ok);
-            CHECK(certificate.ratio <= 1 / (1 - std::sqrt(2.0) * eps) * (1 + 1e-9));
+            Evaluation evaluation = {value.data()};
+            REQUIRE(evaluate<2>(mesh.filtered(), {NETMESH_FILTER_KNN, FilterValues::thesis, k},
+                                {mesh.block.arena, monitor}, &evaluation) == Status::ok);
+            CHECK(evaluation.certificate.ratio <= 1 / (1 - eps) * (1 + 1e-9));
+            REQUIRE(evaluate<2>(mesh.filtered(), {NETMESH_FILTER_KDISTANCE, FilterValues::thesis, k},
+                                {mesh.block.arena, monitor}, &evaluation) == Status::ok);
+            CHECK(evaluation.certificate.ratio <= 1 / (1 - std::sqrt(2.0) * eps) * (1 + 1e-9));
         }
     }
 }
@@ -164,10 +170,9 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     std::vector<double> value(mesh.state.vertex_count);
     for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
-        Certificate certificate;
-        REQUIRE(function_filter_values<2>(mesh.store, mesh.domain, {5, 0.5, cut}, values, mesh.block.arena,
-                                          value.data(), &certificate) == Status::ok);
-        const double c = certificate.ratio;
+        Evaluation evaluation = {value.data()};
+        REQUIRE(clamp_function<2>(mesh.filtered(), {5, 0.5, cut}, values, mesh.block.arena, &evaluation) == Status::ok);
+        const double c = evaluation.certificate.ratio;
         CHECK(c < 4);
         inputs::Random random(9);
         for (int s = 0; s < 500; ++s) {
@@ -181,10 +186,10 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     }
     // A function that is 0 somewhere has no ratio.
     for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = 0;
-    Certificate certificate;
-    REQUIRE(function_filter_values<2>(mesh.store, mesh.domain, {1, 0, 1}, FilterValues::certified, mesh.block.arena,
-                                      value.data(), &certificate) == Status::ok);
-    CHECK(certificate.ratio == infinity);
+    Evaluation zero = {value.data()};
+    REQUIRE(clamp_function<2>(mesh.filtered(), {1, 0, 1}, FilterValues::certified, mesh.block.arena, &zero) ==
+            Status::ok);
+    CHECK(zero.certificate.ratio == infinity);
 }
 
 TEST_CASE_TEMPLATE("a function on cells that leave the domain, or of which nothing is known", T,
@@ -204,10 +209,10 @@ TEST_CASE_TEMPLATE("a function on cells that leave the domain, or of which nothi
     std::vector<double> value(mesh.state.vertex_count);
     const auto filter = [&] {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
-        Certificate certificate;
-        REQUIRE(function_filter_values<D>(mesh.store, inner, {5, 0.5, cut}, FilterValues::certified, mesh.block.arena,
-                                          value.data(), &certificate) == Status::ok);
-        return certificate.ratio;
+        Evaluation evaluation = {value.data()};
+        REQUIRE(clamp_function<D>({mesh.store, inner, mesh.inputs}, {5, 0.5, cut}, FilterValues::certified,
+                                  mesh.block.arena, &evaluation) == Status::ok);
+        return evaluation.certificate.ratio;
     };
     const double c = filter();
     CHECK(c < 10);
@@ -231,11 +236,11 @@ TEST_CASE("too little memory is said") {
     const inputs::Points points = inputs::uniform(2, 50);
     Mesh<2> mesh(points, 2.5);
     std::vector<double> value(mesh.state.vertex_count);
-    Certificate certificate;
+    Evaluation evaluation = {value.data()};
     Monitor monitor;
     const std::size_t high = mesh.block.arena.high_mark();
     REQUIRE(mesh.block.arena.take_low<unsigned char>(mesh.block.arena.bytes_free() - 512) != nullptr);
-    CHECK(distance_filter_values<2>(mesh.store, mesh.domain, mesh.inputs, InputDistance::kth, 3, FilterValues::thesis,
-                                    {mesh.block.arena, monitor}, value.data(), &certificate) == Status::out_of_memory);
+    CHECK(evaluate<2>(mesh.filtered(), {NETMESH_FILTER_KNN, FilterValues::thesis, 3}, {mesh.block.arena, monitor},
+                      &evaluation) == Status::out_of_memory);
     CHECK(mesh.block.arena.high_mark() == high);
 }

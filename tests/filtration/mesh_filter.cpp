@@ -1,4 +1,4 @@
-#include "filtration/mesh_filter.hpp"
+#include "filtration/filters.hpp"
 
 #include <doctest/doctest.h>
 
@@ -34,9 +34,11 @@ template <int D> void sample_inclusions(const inputs::Points& points, double tau
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     for (const FilterValues kind : {FilterValues::certified, FilterValues::thesis}) {
-        Certificate certificate;
-        REQUIRE(mesh_filter_values<D>(store, domain, MeshFilter::complete, kind, block.arena, value.data(),
-                                      &certificate) == Status::ok);
+        Evaluation complete = {value.data()};
+        REQUIRE(evaluate<D>({store, domain, inputs}, {NETMESH_FILTER_COMPLETE, kind}, {block.arena, monitor},
+                            &complete) == Status::ok);
+        CHECK(complete.zero_born == inputs);
+        const Certificate certificate = complete.certificate;
         const double c = certificate.ratio, rho = domain.enclosing_radius;
         if (kind == FilterValues::certified) {
             CHECK(c <= std::sqrt(2 + tau));
@@ -104,9 +106,11 @@ TEST_CASE("the basic filter gives inputs zero and says from where its ratio hold
     const inputs::Points points = inputs::uniform(2, 100);
     REQUIRE(refine<2>(store, points.data(), 100, {2.5, 1, true, 1}, monitor, &input, &domain) == Status::ok);
     std::vector<double> value(state.vertex_count);
-    Certificate certificate;
-    REQUIRE(mesh_filter_values<2>(store, domain, MeshFilter::basic, FilterValues::thesis, block.arena, value.data(),
-                                  &certificate) == Status::ok);
+    Evaluation basic = {value.data()};
+    REQUIRE(evaluate<2>({store, domain, 100}, {NETMESH_FILTER_BASIC, FilterValues::thesis}, {block.arena, monitor},
+                        &basic) == Status::ok);
+    CHECK(basic.zero_born == 0);
+    const Certificate certificate = basic.certificate;
     for (std::uint32_t v = 0; v < 100; ++v) CHECK(value[v] == 0);
     for (std::uint32_t v = 100; v < state.vertex_count; ++v) {
         double d = infinity;

@@ -302,7 +302,8 @@ template <int D> void check_graph() {
         Block block(std::size_t{1} << 12);
         netmesh::Monitor monitor;
         netmesh::ListedComplex complex;
-        REQUIRE(netmesh::full_rips_complex<D>(two.data(), 2, 3, {block.arena, monitor}, &complex) == netmesh::Status::ok);
+        REQUIRE(netmesh::full_rips_complex<D>(two.data(), 2, 3, {block.arena, monitor}, &complex) ==
+                netmesh::Status::ok);
         CHECK(complex.dimension == 1);
         CHECK(complex.count[1] == 1);
     }
@@ -345,7 +346,8 @@ TEST_CASE("barycentric complexes of more than there is") {
     netmesh::ListedComplex complex, out;
     const double three[] = {0, 0, 1, 0, 0, 1};
     REQUIRE(netmesh::cech_complex<2>(three, 3, 2, {block.arena, monitor}, &complex) == netmesh::Status::ok);
-    CHECK(netmesh::barycentric_complex(complex, 4, 1, {block.arena, monitor}, &out) == netmesh::Status::invalid_argument);
+    CHECK(netmesh::barycentric_complex(complex, 4, 1, {block.arena, monitor}, &out) ==
+          netmesh::Status::invalid_argument);
     CHECK(netmesh::barycentric_complex(complex, 3, 1, {block.arena, monitor}, &out) == netmesh::Status::ok);
     CHECK(out.count[0] == 1);
     CHECK(netmesh::barycentric_count(5, 2, 100, 1) == netmesh::barycentric_count(5, 2, 5, 1));

@@ -20,10 +20,10 @@ std::vector<std::uint32_t> betti(const std::vector<Simplex>& maximal) {
     Block block(1 << 20);
     Monitor monitor;
     PairList out;
-    REQUIRE(persist_filtration(e.complex, e.complex.dimension, true, {block.arena, monitor}, &out) == Status::ok);
+    REQUIRE(persist_homology(e.complex, {e.complex.dimension, true}, {block.arena, monitor}, &out) == Status::ok);
     CHECK(oracle::same(oracle::diagram(f, e.complex.dimension, true), out));
     block.arena.release_low(0);
-    REQUIRE(persist_skeleton(e.complex, e.complex.dimension, true, {block.arena, monitor}, &out) == Status::ok);
+    REQUIRE(persist_cohomology(e.complex, {e.complex.dimension, true}, {block.arena, monitor}, &out) == Status::ok);
     CHECK(oracle::same(oracle::diagram(f, e.complex.dimension, true), out));
     std::vector<std::uint32_t> b(e.complex.dimension + 1);
     for (std::uint64_t i = 0; i < out.count; ++i) {
@@ -60,7 +60,7 @@ TEST_CASE("a diagram by hand: a square that closes, then fills") {
     Block block(1 << 16);
     Monitor monitor;
     PairList out;
-    REQUIRE(persist_filtration(e.complex, 2, false, {block.arena, monitor}, &out) == Status::ok);
+    REQUIRE(persist_homology(e.complex, {2, false}, {block.arena, monitor}, &out) == Status::ok);
     const std::vector<Pair> expected = {{0, 1, 0, 0}, {0, infinity, 0, 0}, {1, 2, 0, 0},
                                         {1, 3, 0, 0}, {4, 7, 1, 0},        {5, 6, 1, 0}};
     CHECK(oracle::same(expected, out));
@@ -78,13 +78,13 @@ TEST_CASE("random filtrations equal the textbook reduction") {
                 const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
                 Monitor monitor;
                 PairList out;
-                REQUIRE(persist_filtration(e.complex, degree, keep, {block.arena, monitor}, &out) == Status::ok);
+                REQUIRE(persist_homology(e.complex, {degree, keep}, {block.arena, monitor}, &out) == Status::ok);
                 CHECK(oracle::same(oracle::diagram(f, degree, keep), out));
                 CHECK(block.arena.high_mark() == high);
                 CHECK(out.count > 0);
                 CHECK(block.arena.low_mark() == block.arena.offset_of(out.pairs + out.count));
                 block.arena.release_low(low);
-                REQUIRE(persist_skeleton(e.complex, degree, keep, {block.arena, monitor}, &out) == Status::ok);
+                REQUIRE(persist_cohomology(e.complex, {degree, keep}, {block.arena, monitor}, &out) == Status::ok);
                 CHECK(oracle::same(oracle::diagram(f, degree, keep), out));
                 CHECK(block.arena.high_mark() == high);
                 block.arena.release_low(low);
@@ -103,7 +103,7 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
         Block block(bytes);
         Monitor monitor;
         PairList out;
-        const Status status = persist_filtration(e.complex, 4, false, {block.arena, monitor}, &out);
+        const Status status = persist_homology(e.complex, {4, false}, {block.arena, monitor}, &out);
         if (status == Status::ok) {
             fitted = true;
             REQUIRE(oracle::same(expected, out));

@@ -24,10 +24,11 @@ void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
             }
             const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
             Monitor monitor;
-            PairList out;
-            std::uint64_t count = 0;
-            REQUIRE(persist_lower_star<D>(ball.view(), value.data(), zero_born_count, degree, keep, {block.arena, monitor}, &out, &count) == Status::ok);
-            CHECK(count == simplices.size());
+            CountedPairs diagram;
+            REQUIRE(persist_lower_star<D>({ball.view(), value.data(), zero_born_count}, {degree, keep},
+                                          {block.arena, monitor}, &diagram) == Status::ok);
+            const PairList& out = diagram.pairs;
+            CHECK(diagram.simplices == simplices.size());
             REQUIRE(oracle::same(expected, out));
             CHECK(block.arena.high_mark() == high);
             CHECK(out.count > 0);
@@ -122,12 +123,12 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
     for (std::size_t bytes = 0; bytes < 300000; bytes += fitted ? 1024 : 16) {
         Block block(bytes);
         Monitor monitor;
-        PairList out;
+        CountedPairs out;
         const Status status =
-            persist_lower_star<4>(ball.view(), value.data(), 20, 3, false, {block.arena, monitor}, &out, nullptr);
+            persist_lower_star<4>({ball.view(), value.data(), 20}, {3}, {block.arena, monitor}, &out);
         if (status == Status::ok) {
             fitted = true;
-            REQUIRE(oracle::same(expected, out));
+            REQUIRE(oracle::same(expected, out.pairs));
         } else {
             REQUIRE(status == Status::out_of_memory);
             REQUIRE(!fitted);
@@ -157,9 +158,9 @@ TEST_CASE("stopping at any poll leaves the arena as it was") {
     for (bool finished = false; !finished; ++polls) {
         Countdown countdown = {polls};
         Monitor monitor(poll, &countdown);
-        PairList out;
+        CountedPairs out;
         const Status status =
-            persist_lower_star<4>(ball.view(), value.data(), 0, 3, false, {block.arena, monitor}, &out, nullptr);
+            persist_lower_star<4>({ball.view(), value.data(), 0}, {3}, {block.arena, monitor}, &out);
         finished = status == Status::ok;
         if (finished) break;
         REQUIRE(status == Status::cancelled);

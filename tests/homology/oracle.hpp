@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "diagram/pair.hpp"
-#include "homology/persistence.hpp"
+#include "homology/lower_star/lower_star.hpp"
+#include "homology/matrix/matrix.hpp"
 
 namespace oracle {
 
@@ -97,7 +98,7 @@ inline std::vector<netmesh::Pair> diagram(const Filtered& f, std::uint32_t max_d
     for (std::uint32_t i = 0; i < f.simplices.size(); ++i) {
         if (!paired[i]) add(f.values[i], std::numeric_limits<double>::infinity(), f.simplices[i].size() - 1);
     }
-    std::sort(pairs.begin(), pairs.end(), netmesh::before);
+    std::sort(pairs.begin(), pairs.end(), netmesh::CanonicalOrder{});
     return pairs;
 }
 

@@ -49,7 +49,7 @@ std::vector<Pair> phat_diagram(const oracle::Filtered& f, std::uint32_t max_degr
             pairs.push_back({f.values[i], std::numeric_limits<double>::infinity(), degree, 0});
         }
     }
-    std::sort(pairs.begin(), pairs.end(), before);
+    std::sort(pairs.begin(), pairs.end(), CanonicalOrder{});
     return pairs;
 }
 
@@ -65,15 +65,16 @@ template <int D> void check(const std::array<std::uint32_t, D>& cubes, std::uint
         const auto f = oracle::lower_star(simplices, value, zero_born_count);
         const auto expected = phat_diagram(f, D - 1);
         Monitor monitor;
-        PairList out;
+        CountedPairs diagram;
         const std::size_t low = block.arena.low_mark();
-        REQUIRE(persist_lower_star<D>(ball.view(), value.data(), zero_born_count, D - 1, false, {block.arena, monitor},
-                                      &out, nullptr) == Status::ok);
-        CHECK(out.count > 10);
-        CHECK(oracle::same(expected, out));
+        REQUIRE(persist_lower_star<D>({ball.view(), value.data(), zero_born_count}, {D - 1}, {block.arena, monitor},
+                                      &diagram) == Status::ok);
+        CHECK(diagram.pairs.count > 10);
+        CHECK(oracle::same(expected, diagram.pairs));
         block.arena.release_low(low);
         const oracle::Explicit e(f);
-        REQUIRE(persist_filtration(e.complex, D - 1, false, {block.arena, monitor}, &out) == Status::ok);
+        PairList out;
+        REQUIRE(persist_homology(e.complex, {D - 1}, {block.arena, monitor}, &out) == Status::ok);
         CHECK(oracle::same(expected, out));
         block.arena.release_low(low);
     }

@@ -3,7 +3,7 @@
 
 #include "complexes.hpp"
 #include "disturbed.hpp"
-#include "homology/cycles.hpp"
+#include "homology/cycles/cycles.hpp"
 
 using namespace netmesh;
 
@@ -24,25 +24,25 @@ struct Reductions {
 
     Status filtration(const Work& work) const {
         PairList out;
-        const Status status = persist_filtration(complex, degree, keep_zero, work, &out);
+        const Status status = persist_homology(complex, {degree, keep_zero}, work, &out);
         if (status == Status::ok) REQUIRE(oracle::same(expected, out));
         return status;
     }
     Status skeleton(const Work& work) const {
         PairList out;
-        const Status status = persist_skeleton(complex, degree, keep_zero, work, &out);
+        const Status status = persist_cohomology(complex, {degree, keep_zero}, work, &out);
         if (status == Status::ok) REQUIRE(oracle::same(expected, out));
         return status;
     }
     Status with_cycles(const Work& work) {
-        PairList out;
-        CycleStore store;
-        const Status status = persist_with_cycles(complex, degree, keep_zero, work, &out, &store);
+        Representatives found;
+        const Status status = persist_with_cycles(complex, {degree, keep_zero}, work, &found);
         if (status != Status::ok) return status;
+        const PairList& out = found.pairs;
         REQUIRE(oracle::same(expected, out));
         Cycles cycles;
         for (std::uint64_t i = 0; i < out.count; ++i) {
-            const Cycle cycle = cycle_of(complex, store, work.arena, out.pairs[i]);
+            const Cycle cycle = cycle_of(complex, found.store, work.arena, out.pairs[i]);
             cycles.emplace_back(cycle.simplices, cycle.simplices + cycle.count);
         }
         if (seen.empty()) seen = cycles;
@@ -128,7 +128,7 @@ TEST_CASE("reductions stopped at any poll") {
         std::vector<Pair> expected;
         const auto first = [&](const Work& work) {
             PairList out;
-            const Status status = persist_filtration(dense.complex, 2, false, work, &out);
+            const Status status = persist_homology(dense.complex, {2, false}, work, &out);
             if (status == Status::ok) expected.assign(out.pairs, out.pairs + out.count);
             return status;
         };

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "disturbed.hpp"
-#include "homology/rips.hpp"
+#include "homology/rips/rips.hpp"
 #include "oracle.hpp"
 
 using namespace netmesh;
@@ -60,11 +60,10 @@ oracle::Filtered flag_complex(const Graph& g, std::uint32_t most) {
     });
 }
 
-Status run(Graph g, std::uint32_t degree, bool keep, const Work& work, PairList* out,
-           std::uint64_t* simplices) {
+Status run(Graph g, DiagramRequest request, const Work& work, CountedPairs* out) {
     RipsGraph graph = {g.vertices, static_cast<std::uint32_t>(g.value.size()), g.value.data(), g.ends.data()};
-    REQUIRE(rips_has_numbers(graph, degree));
-    return persist_rips(graph, degree, keep, work, out, simplices);
+    REQUIRE(rips_has_numbers(graph, request.max_degree));
+    return persist_rips(graph, request, work, out);
 }
 
 void check(const Graph& g, std::uint32_t degree_most) {
@@ -82,11 +81,10 @@ void check(const Graph& g, std::uint32_t degree_most) {
             expected.erase(std::remove_if(expected.begin(), expected.end(), zero), expected.end());
             const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
             Monitor monitor;
-            PairList out;
-            std::uint64_t simplices = 0;
-            REQUIRE(run(g, degree, keep, {block.arena, monitor}, &out, &simplices) == Status::ok);
-            REQUIRE(oracle::same(expected, out));
-            CHECK(simplices == static_cast<std::uint64_t>(counted));
+            CountedPairs out = {};
+            REQUIRE(run(g, {degree, keep}, {block.arena, monitor}, &out) == Status::ok);
+            REQUIRE(oracle::same(expected, out.pairs));
+            CHECK(out.simplices == static_cast<std::uint64_t>(counted));
             CHECK(block.arena.high_mark() == high);
             block.arena.release_low(low);
         }
@@ -128,12 +126,11 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
     for (; !enough; bytes += 256) {
         Block block(bytes);
         Monitor monitor;
-        PairList out;
-        std::uint64_t simplices;
-        const Status status = run(g, 2, false, {block.arena, monitor}, &out, &simplices);
+        CountedPairs out;
+        const Status status = run(g, {2}, {block.arena, monitor}, &out);
         enough = status == Status::ok;
         if (enough) {
-            CHECK(oracle::same(expected, out));
+            CHECK(oracle::same(expected, out.pairs));
         } else {
             REQUIRE(status == Status::out_of_memory);
             CHECK(block.arena.bytes_used() == 0);
@@ -149,9 +146,8 @@ TEST_CASE("simplices that have no numbers are refused") {
     CHECK(rips_has_numbers(graph, 10));
     CHECK(!rips_has_numbers(graph, 30));
     CHECK(!rips_has_numbers(graph, 31));
-    PairList out;
-    std::uint64_t simplices;
-    CHECK(persist_rips(graph, 30, false, {block.arena, monitor}, &out, &simplices) == Status::invalid_argument);
+    CountedPairs out;
+    CHECK(persist_rips(graph, {30}, {block.arena, monitor}, &out) == Status::invalid_argument);
     graph.vertices = RipsGraph::vertices_max + 1;
     CHECK(!rips_has_numbers(graph, 1));
 }
@@ -168,10 +164,9 @@ TEST_CASE("graphs of several kinds in blocks of all sizes") {
             for (const bool keep : {false, true}) {
                 const auto expected = oracle::diagram(f, degree, keep);
                 disturbed::by_size(std::size_t{4} << 20, 1000, [&](const Work& work) {
-                    PairList out;
-                    std::uint64_t simplices;
-                    const Status status = run(g, degree, keep, work, &out, &simplices);
-                    if (status == Status::ok) REQUIRE(oracle::same(expected, out));
+                    CountedPairs out;
+                    const Status status = run(g, {degree, keep}, work, &out);
+                    if (status == Status::ok) REQUIRE(oracle::same(expected, out.pairs));
                     return status;
                 });
             }
@@ -186,10 +181,10 @@ TEST_CASE("stopped at any poll, then the diagram of an undisturbed run") {
     const auto check = [](const Graph& g, std::uint32_t degree) {
         std::vector<Pair> expected;
         const auto once = [&](const Work& work) {
-            PairList out;
-            std::uint64_t simplices;
-            const Status status = run(g, degree, false, work, &out, &simplices);
+            CountedPairs diagram;
+            const Status status = run(g, {degree}, work, &diagram);
             if (status != Status::ok) return status;
+            const PairList& out = diagram.pairs;
             if (expected.empty()) expected.assign(out.pairs, out.pairs + out.count);
             REQUIRE(oracle::same(expected, out));
             return status;

@@ -5,7 +5,7 @@
 #include "block.hpp"
 #include "boundaries.hpp"
 #include "grid.hpp"
-#include "homology/cycles.hpp"
+#include "homology/cycles/cycles.hpp"
 
 using namespace netmesh;
 
@@ -15,9 +15,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <int D>
 Status run(const grid::Ball<D>& ball, const std::vector<double>& value, std::uint32_t zero_born, std::uint32_t degree,
-           std::uint64_t pairs, Block& block, PairList* out, CycleStore* store) {
+           std::uint64_t pairs, Block& block, Representatives* out) {
     Monitor monitor;
-    return lower_star_cycles<D>(ball.view(), value.data(), zero_born, degree, pairs, {block.arena, monitor}, out, store);
+    return lower_star_cycles<D>({ball.view(), value.data(), zero_born}, degree, pairs, {block.arena, monitor}, out);
 }
 
 // The simplices of a cycle as positions in the filtration, ascending.
@@ -42,15 +42,15 @@ void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
         CAPTURE(degree);
         const auto expected = oracle::diagram(f, std::min<std::uint32_t>(degree, D - 1), false);
         const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-        PairList out;
-        CycleStore store = {};
-        REQUIRE(run(ball, value, zero_born, degree, expected.size(), block, &out, &store) == Status::ok);
+        Representatives found = {};
+        REQUIRE(run(ball, value, zero_born, degree, expected.size(), block, &found) == Status::ok);
+        const PairList& out = found.pairs;
         REQUIRE(oracle::same(expected, out));
         CHECK(block.arena.high_mark() == high);
         for (std::uint64_t i = 0; i < out.count; ++i) {
             CAPTURE(i);
             const Pair& pair = out.pairs[i];
-            const auto chain = chain_of(boundaries, lower_star_cycle(store, block.arena, pair), pair.degree);
+            const auto chain = chain_of(boundaries, lower_star_cycle(found.store, block.arena, pair), pair.degree);
             REQUIRE(!chain.empty());
             if (pair.degree == 0) CHECK(chain.size() == (pair.death == infinity ? 1 : 2));
             if (pair.degree > 0) CHECK(boundaries.boundary(chain).empty());
@@ -103,12 +103,11 @@ TEST_CASE("every arena size gives the cycles or out_of_memory") {
     std::size_t bytes = 0;
     for (; !enough; bytes += 1 << 12) {
         Block block(bytes);
-        PairList out;
-        CycleStore store;
-        const Status status = run(ball, value, 0, 3, expected.size(), block, &out, &store);
+        Representatives found;
+        const Status status = run(ball, value, 0, 3, expected.size(), block, &found);
         enough = status == Status::ok;
         if (enough) {
-            CHECK(oracle::same(expected, out));
+            CHECK(oracle::same(expected, found.pairs));
         } else {
             REQUIRE(status == Status::out_of_memory);
             CHECK(block.arena.bytes_used() == 0);

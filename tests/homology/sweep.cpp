@@ -4,7 +4,7 @@
 
 #include "disturbed.hpp"
 #include "grid.hpp"
-#include "homology/cycles.hpp"
+#include "homology/cycles/cycles.hpp"
 
 using namespace netmesh;
 
@@ -28,18 +28,18 @@ std::vector<Pair> general(const oracle::Explicit& listed, std::uint32_t degree, 
     Block block(std::size_t{64} << 20);
     Monitor monitor;
     PairList out;
-    REQUIRE(persist_filtration(listed.complex, degree, keep_zero, {block.arena, monitor}, &out) == Status::ok);
+    REQUIRE(persist_homology(listed.complex, {degree, keep_zero}, {block.arena, monitor}, &out) == Status::ok);
     return {out.pairs, out.pairs + out.count};
 }
 
 template <int D>
 Status pairs(const Input<D>& input, std::uint32_t degree, bool keep_zero, const std::vector<Pair>& expected,
              const Work& work) {
-    PairList out;
-    const Status status = persist_lower_star<D>(input.ball.view(), input.value.data(), input.zero_born, degree,
-                                                keep_zero, work, &out, nullptr);
+    CountedPairs out;
+    const Status status = persist_lower_star<D>({input.ball.view(), input.value.data(), input.zero_born},
+                                                {degree, keep_zero}, work, &out);
     if (status == Status::ok) {
-        REQUIRE(oracle::same(expected, out));
+        REQUIRE(oracle::same(expected, out.pairs));
         work.arena.release_low(0);
     }
     return status;
@@ -49,15 +49,15 @@ Status pairs(const Input<D>& input, std::uint32_t degree, bool keep_zero, const 
 template <int D>
 Status cycles(const Input<D>& input, const std::vector<Pair>& expected, std::vector<std::vector<std::uint32_t>>* seen,
               const Work& work) {
-    PairList out;
-    CycleStore store;
-    const Status status = lower_star_cycles<D>(input.ball.view(), input.value.data(), input.zero_born, D,
-                                               expected.size(), work, &out, &store);
+    Representatives found;
+    const Status status = lower_star_cycles<D>({input.ball.view(), input.value.data(), input.zero_born}, D,
+                                               expected.size(), work, &found);
     if (status != Status::ok) return status;
+    const PairList& out = found.pairs;
     REQUIRE(oracle::same(expected, out));
     const bool first = seen->empty();
     for (std::uint64_t i = 0; i < out.count; ++i) {
-        const Cycle cycle = lower_star_cycle(store, work.arena, out.pairs[i]);
+        const Cycle cycle = lower_star_cycle(found.store, work.arena, out.pairs[i]);
         const std::vector<std::uint32_t> now(cycle.simplices,
                                              cycle.simplices + std::size_t{cycle.count} * (out.pairs[i].degree + 1));
         if (first) seen->push_back(now);

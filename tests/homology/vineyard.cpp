@@ -1,5 +1,5 @@
 // Vineyards: each diagram against the textbook reduction, vines against what continuity says.
-#include "homology/vineyard.hpp"
+#include "homology/vineyard/vineyard.hpp"
 
 #include <doctest/doctest.h>
 
@@ -93,7 +93,7 @@ std::vector<Vine> vines_of(const Vineyard& vineyard, const Values& v) {
 bool same(const std::vector<Vine>& vines, const std::vector<Pair>& pairs) {
     std::vector<Pair> ours;
     for (const Vine& v : vines) ours.push_back(v.pair);
-    std::sort(ours.begin(), ours.end(), before);
+    std::sort(ours.begin(), ours.end(), CanonicalOrder{});
     if (ours.size() != pairs.size()) return false;
     for (std::size_t i = 0; i < ours.size(); ++i)
         if (ours[i].degree != pairs[i].degree || ours[i].birth != pairs[i].birth || ours[i].death != pairs[i].death)

@@ -35,12 +35,12 @@ template <int D> struct Stored {
         REQUIRE(lists.start(kernel));
         CHECK(lists.load() == count);
     }
-    Cavity find(std::uint32_t v) {
+    Cavity find(VertexId v) {
         Cavity cavity;
         REQUIRE(kernel.find_cavity(store.point(v), v, kernel.locate(store.point(v), v, state.last_cell), &cavity));
         return cavity;
     }
-    void insert(std::uint32_t v) {
+    void insert(VertexId v) {
         const Cavity cavity = find(v);
         REQUIRE(lists.agrees(kernel, cavity, v));
         lists.detach(kernel, cavity, v);
@@ -48,9 +48,9 @@ template <int D> struct Stored {
         REQUIRE(lists.attach(kernel, cavity, v));
     }
     // Inputs from `first` on that a cell's ball contains.
-    std::vector<std::uint32_t> in_ball(std::uint32_t c, std::uint32_t first) {
+    std::vector<std::uint32_t> in_ball(CellId c, std::uint32_t first) {
         std::vector<std::uint32_t> inside;
-        for (std::uint32_t v = first; v < count; ++v)
+        for (VertexId v(first); v < count; ++v)
             if (kernel.in_conflict(c, store.point(v), v)) inside.push_back(v);
         return inside;
     }
@@ -114,11 +114,11 @@ TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls"
     constexpr int D = T::value;
     constexpr std::uint32_t n = D < 4 ? 200 : D < 6 ? 60 : 80, half = n / 2;
     Stored<D> s(inputs::uniform(D, n), std::size_t{1} << 24);
-    for (std::uint32_t v = 0; v < half; ++v) s.insert(v);
+    for (VertexId v(0); v < half; ++v) s.insert(v);
     // One input's lists are not another's, though as many.
     std::uint32_t as_many = 0;
-    for (std::uint32_t v = half; v < n; ++v)
-        for (std::uint32_t w = half; w < n; ++w) {
+    for (VertexId v(half); v < n; ++v)
+        for (VertexId w(half); w < n; ++w) {
             const std::uint32_t own = s.find(v).cells;
             const Cavity other = s.find(w);
             if (v == w) CHECK(s.lists.agrees(s.kernel, other, v));
@@ -126,9 +126,9 @@ TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls"
             as_many += own == other.cells && !s.lists.agrees(s.kernel, other, v);
         }
     CHECK(as_many > 2);
-    for (std::uint32_t v = half; v < half + 10; ++v) s.kernel.fill(s.find(v), v);
+    for (VertexId v(half); v < half + 10; ++v) s.kernel.fill(s.find(v), v);
     std::uint32_t disagree = 0;
-    for (std::uint32_t v = half + 10; v < n; ++v) disagree += !s.lists.agrees(s.kernel, s.find(v), v);
+    for (VertexId v(half + 10); v < n; ++v) disagree += !s.lists.agrees(s.kernel, s.find(v), v);
     CHECK(disagree > 5);
     CHECK(disagree < (D < 4 ? half - 10 : half));
 }
@@ -146,13 +146,13 @@ TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball i
     CHECK(std::adjacent_find(chosen.begin(), chosen.begin() + 4 * D) == chosen.begin() + 4 * D);
     CHECK(s.lists.draw_nets(n, 1, chosen.data()) == 0);
     // After some insertions each ball has as many in the net as are asked for, or all it holds.
-    for (std::uint32_t v = 0; v < first; ++v) s.insert(v);
+    for (VertexId v(0); v < first; ++v) s.insert(v);
     for (const std::uint32_t most : {s.lists.load() / 2, std::uint32_t{4}, std::uint32_t{0}}) {
         const std::uint32_t drawn = s.lists.draw_nets(most, 7, chosen.data());
         std::sort(chosen.begin(), chosen.begin() + drawn);
         CHECK(std::adjacent_find(chosen.begin(), chosen.begin() + drawn) == chosen.begin() + drawn);
         std::size_t lacking = 0, load = 0;
-        for (std::uint32_t c = 0; c < s.state.cell_slots; ++c) {
+        for (CellId c(0); c < s.state.cell_slots; ++c) {
             if (!s.store.is_live(c) || s.store.is_ghost(c)) continue;
             const std::vector<std::uint32_t> inside = s.in_ball(c, first);
             load = std::max(load, inside.size());

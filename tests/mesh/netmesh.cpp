@@ -226,7 +226,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
     const auto is_centre = [&](std::uint32_t v) {
         return std::any_of(m.cages, m.cages + m.report.cages, [v](const Cage& c) { return c.centre == v; });
     };
-    const auto next_to_shell = [&](const Cage& c) {
+    const auto next_to_shell = [&](const Cage& c) -> std::uint32_t {
         for (std::uint32_t k = 0; k < m.state.cell_slots; ++k) {
             const Cell<D>& cell = m.store.cell(k);
             if (std::count(cell.vertex, cell.vertex + D + 1, c.shell) == 0) continue;

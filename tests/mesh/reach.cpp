@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE_DEFINE("the farthest pole of a half ball, wherever the domain
     REQUIRE(triangulate<D>(store, points.data(), n, 1, monitor, &input) == Status::ok);
     std::uint32_t v = 0, count = 0;
     while (store.point(v)[0] != 0 || std::fabs(store.point(v)[D - 1]) > 1) ++v;
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+    for (CellId c(0); c < state.cell_slots; ++c)
         if (std::count(store.cell(c).vertex, store.cell(c).vertex + D + 1, v) == 1)
             store.list_top()[-1 - static_cast<std::ptrdiff_t>(count++)] = c;
     REQUIRE(count > 1);

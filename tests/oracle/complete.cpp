@@ -1,5 +1,5 @@
-// The complete filter against the exact diagram: on every set the log-bottleneck distance, by GUDHI's exact algorithm, is
-// at most the logarithm of the ratio that the mesh certifies, for both kinds of values and in every degree.
+// The complete filter against the exact diagram: on every set the log-bottleneck distance, by GUDHI's exact algorithm,
+// is at most the logarithm of the ratio that the mesh certifies, for both kinds of values and in every degree.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -80,7 +80,8 @@ struct Claim {
     netmesh_bar_bounds bounds;
 };
 
-// Can the claims be matched to true bars within their bounds, all of them at once? The truth is known to within the factor slack.
+// Can the claims be matched to true bars within their bounds, all of them at once? The truth is known to within the
+// factor slack.
 inline bool all_real(const std::vector<Claim>& claims, const Diagram& truth, double slack) {
     // Augmenting paths. The alpha complex's values are exact to about 1e-12.
     std::map<std::uint32_t, std::vector<std::size_t>> taken;
@@ -120,8 +121,8 @@ inline bool all_real(const std::vector<Claim>& claims, const Diagram& truth, dou
     return true;
 }
 
-// Do the bounds of the session's bars hold? *certain: how many are said to be real. slack: the truth is known to within this factor,
-// and bars so short may be missing from it.
+// Do the bounds of the session's bars hold? *certain: how many are said to be real. slack: the truth is known to within
+// this factor, and bars so short may be missing from it.
 inline bool bounds_hold(Session& session, const Diagram& truth, std::size_t* certain, double slack = 1 + 1e-9) {
     REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
     *certain = 0;

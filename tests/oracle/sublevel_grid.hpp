@@ -34,8 +34,8 @@ struct KDistance {
     }
 };
 
-// The diagram of min(f, cut) on cubes with `side` of them along each edge of the box centre +- 2.1 cut, outside of which f >= cut;
-// *doubt: how far f may be from its value in the middle of a cube.
+// The diagram of min(f, cut) on cubes with `side` of them along each edge of the box centre +- 2.1 cut, outside of
+// which f >= cut; *doubt: how far f may be from its value in the middle of a cube.
 inline std::map<std::uint32_t, std::vector<std::pair<double, double>>>
 on_grid(const KDistance& f, const double* centre, double cut, unsigned side, double* least, double* doubt) {
     using Complex =

@@ -1,5 +1,5 @@
-// The tight filter (7.5) against the exact diagram: the log-bottleneck distance is at most eps, and at most the logarithm of the
-// ratio that the mesh certifies, which is at most 1 + eps.
+// The tight filter (7.5) against the exact diagram: the log-bottleneck distance is at most eps, and at most the
+// logarithm of the ratio that the mesh certifies, which is at most 1 + eps.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -18,7 +18,7 @@ namespace {
 
 // The weight of the point of rank r among the indices is 2^(r b), in lifts times 2^((D + 3) b). No orient of the
 // integer points reaches 2^(b - 4), so that a weight outdoes all lower ones together and all weights together no lift.
-int oracle_perturbed(const std::vector<Point>& points, const std::vector<std::uint32_t>& ids) {
+int oracle_perturbed(const std::vector<Point>& points, const std::vector<VertexId>& ids) {
     const oracle::Matrix x = oracle::integers(points);
     std::size_t width = 0;
     for (const auto& row : x)
@@ -27,7 +27,7 @@ int oracle_perturbed(const std::vector<Point>& points, const std::vector<std::ui
     const auto b = static_cast<int>((width + 1) * dim + 20);
     std::vector<mpz_class> weights(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const auto rank = std::count_if(ids.begin(), ids.end(), [&](std::uint32_t id) { return id < ids[i]; });
+        const auto rank = std::count_if(ids.begin(), ids.end(), [&](VertexId id) { return id < ids[i]; });
         weights[i] = mpz_class(1) << static_cast<unsigned>(rank * b);
     }
     return oracle::in_ball(points, weights, static_cast<int>(dim + 3) * b);
@@ -35,7 +35,7 @@ int oracle_perturbed(const std::vector<Point>& points, const std::vector<std::ui
 
 template <int D> struct Query {
     std::vector<Point> points;  // the last one is the query
-    std::vector<std::uint32_t> ids;
+    std::vector<VertexId> ids;
 
     Sign ask(PredicateCounts& counts) const {
         const double* p[D + 2];
@@ -55,10 +55,10 @@ template <int D> void check_weights(Kind kind, int cases) {
     PredicateCounts counts{};
     int asked = 0, zero = 0, other_than_weights = 0, changed_by_rotation = 0;
     for (int t = 0; t < cases; ++t) {
-        Query<D> query{source.points(kind, D), std::vector<std::uint32_t>(D + 2)};
-        std::iota(query.ids.begin(), query.ids.end(), static_cast<std::uint32_t>(source.below(5)));
+        Query<D> query{source.points(kind, D), std::vector<VertexId>(D + 2)};
+        std::iota(query.ids.begin(), query.ids.end(), VertexId(static_cast<std::uint32_t>(source.below(5))));
         for (std::size_t i = D + 1; i > 0; --i) std::swap(query.ids[i], query.ids[source.below(i + 1)]);
-        if (source.coin()) query.ids[source.below(D + 2)] = UINT32_MAX;
+        if (source.coin()) query.ids[source.below(D + 2)] = none;
         const int o = oracle::orient({query.points.begin(), query.points.end() - 1});
         if (o == 0) continue;
         if (o < 0) query.exchange(0, 1);
@@ -98,8 +98,8 @@ long cell_volume(const std::vector<Point>& corners) {
 template <int D> void check_fills(const std::vector<Point>& points, long volume, std::uint64_t seed) {
     CAPTURE(D);
     const std::size_t n = points.size();
-    std::vector<std::uint32_t> ids(n);
-    std::iota(ids.begin(), ids.end(), 0u);
+    std::vector<VertexId> ids(n);
+    for (std::size_t i = 0; i < n; ++i) ids[i] = VertexId(static_cast<std::uint32_t>(i));
     inputs::Source source(seed);
     for (std::size_t i = n - 1; i > 0; --i) std::swap(ids[i], ids[source.below(i + 1)]);
 
@@ -110,7 +110,7 @@ template <int D> void check_fills(const std::vector<Point>& points, long volume,
     for (;;) {
         std::vector<Point> corners;
         std::array<const double*, D + 1> cell;
-        std::array<std::uint32_t, D + 1> cell_ids;
+        std::array<VertexId, D + 1> cell_ids;
         for (std::size_t i = 0; i <= D; ++i) {
             corners.push_back(points[pick[i]]);
             cell[i] = points[pick[i]].data();

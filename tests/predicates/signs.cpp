@@ -88,9 +88,9 @@ template <int D> void check_stages() {
     CHECK(in_ball<D>(pointers<D>(p).data(), p[D + 1].data(), counts) == Sign::zero);
     CHECK(counts.calls[3] == 1);
 
-    std::vector<std::uint32_t> ids(D + 1);
-    for (std::size_t i = 0; i <= D; ++i) ids[i] = static_cast<std::uint32_t>(i);
-    CHECK(in_ball_perturbed<D>(pointers<D>(unit_corner).data(), ids.data(), opposite.data(), 99, counts) ==
+    std::vector<VertexId> ids(D + 1);
+    for (std::size_t i = 0; i <= D; ++i) ids[i] = VertexId(static_cast<std::uint32_t>(i));
+    CHECK(in_ball_perturbed<D>(pointers<D>(unit_corner).data(), ids.data(), opposite.data(), VertexId(99), counts) ==
           Sign::negative);
     CHECK(counts.calls[4] == 1);
     CHECK(counts.calls[0] + counts.calls[1] + counts.calls[2] + counts.calls[3] == 4);

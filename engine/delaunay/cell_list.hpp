@@ -1,0 +1,41 @@
+// A list of distinct cells for searches that go from neighbour to neighbour.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "delaunay/store.hpp"
+
+namespace netmesh {
+
+// It stands in the store's gap and marks the cells that it holds. There is one at a time: the next list, and the kernel's
+// next search, are written to the same place.
+template <int D> class CellList {
+public:
+    explicit CellList(Store<D>& store)
+        : store_(store), end_(store.list_top()), capacity_(store.list_capacity()), stamp_(store.new_stamp()) {}
+
+    // Lists c unless it is listed already. False when the gap has no room for it.
+    bool add(CellId c) {
+        Cell<D>& cell = store_.cell(c);
+        if (cell.mark == stamp_) return true;
+        if (size_ >= capacity_) {
+            store_.arena.refuse(sizeof(CellId));
+            return false;
+        }
+        cell.mark = stamp_;
+        end_[-1 - static_cast<std::ptrdiff_t>(size_++)] = c;
+        return true;
+    }
+    bool has(CellId c) const { return store_.cell(c).mark == stamp_; }
+    std::uint32_t size() const { return size_; }
+    CellId operator[](std::uint32_t k) const { return end_[-1 - static_cast<std::ptrdiff_t>(k)]; }
+
+private:
+    Store<D>& store_;
+    CellId* const end_;
+    const std::size_t capacity_;
+    const std::uint32_t stamp_;
+    std::uint32_t size_ = 0;
+};
+
+}  // namespace netmesh

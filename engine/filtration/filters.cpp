@@ -1,0 +1,93 @@
+#include "filtration/filters.hpp"
+
+#include "filtration/function_filter.hpp"
+#include "filtration/mesh_filter.hpp"
+#include "filtration/tight_filter.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+using namespace filter_trait;
+
+constexpr const char *offsets = "closed offsets of the points in R^{D}", *kth = "sublevel sets of d_{k} in R^{D}";
+
+constexpr Filter table[] = {
+    {NETMESH_FILTER_COMPLETE, FilterSource::mesh, FilterPurpose::persist,
+     has_values | has_goal | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale | has_tighter_cells,
+     "complete", offsets},
+    {NETMESH_FILTER_BASIC, FilterSource::mesh, FilterPurpose::persist,
+     has_values | has_cycles | zero_at_inputs | bounds_by_scale | has_tighter_cells, "basic", offsets},
+    {NETMESH_FILTER_ALPHA, FilterSource::delaunay, FilterPurpose::persist, has_cycles, "alpha", offsets},
+    {NETMESH_FILTER_KNN, FilterSource::mesh, FilterPurpose::persist,
+     needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale, "knn", kth},
+    {NETMESH_FILTER_KDISTANCE, FilterSource::mesh, FilterPurpose::persist,
+     needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale, "kdistance",
+     "sublevel sets of the k-distance, k = {k}, in R^{D}"},
+    {NETMESH_FILTER_FUNCTION, FilterSource::mesh, FilterPurpose::persist, needs_function | has_values | has_cycles,
+     "function", "sublevel sets of the function in R^{D}"},
+    {NETMESH_FILTER_TIGHT, FilterSource::mesh, FilterPurpose::tight,
+     has_eps | has_values | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale, "tight", offsets},
+    {NETMESH_FILTER_SCALES, FilterSource::scales, FilterPurpose::mesh, has_eps | has_theta | has_values, "scales",
+     offsets},
+    {NETMESH_FILTER_RIPS, FilterSource::points, FilterPurpose::mesh, has_cycles, "rips",
+     "Vietoris-Rips complex of the points, edges at half their length"},
+    {NETMESH_FILTER_CECH, FilterSource::points, FilterPurpose::mesh, has_cycles, "cech", offsets},
+    {NETMESH_FILTER_BARYCENTRIC_CECH, FilterSource::points, FilterPurpose::mesh, needs_k, "barycentric-cech", kth},
+    {NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, FilterPurpose::mesh, needs_k | has_values,
+     "barycentric-rips", kth},
+};
+static_assert(sizeof table / sizeof table[0] == filter_count, "as many rows as are announced");
+
+constexpr bool rows_are_in_order() {
+    for (std::uint32_t i = 0; i < filter_count; ++i)
+        if (static_cast<std::uint32_t>(table[i].id) != i + 1) return false;
+    return true;
+}
+static_assert(rows_are_in_order(), "row i is that of filter i + 1");
+
+}  // namespace
+
+const Filter& filter_row(std::uint32_t index) { return table[index]; }
+
+const Filter* find_filter(const netmesh_filter& filter) {
+    std::uint32_t number;  // C++ must not read an enumeration that holds a value of none of its names
+    static_assert(sizeof number == sizeof filter, "an enumeration of C is an int");
+    __builtin_memcpy(&number, &filter, sizeof number);
+    return number - 1 < filter_count ? &table[number - 1] : nullptr;
+}
+
+const Filter& evaluated_filter(netmesh_filter filter, std::uint32_t k) {
+    const Filter& row = table[filter - 1];
+    return row.source == FilterSource::mesh && row.has(needs_k) && k <= 1 ? table[NETMESH_FILTER_COMPLETE - 1] : row;
+}
+
+std::uint32_t zero_born_count(netmesh_filter filter, std::uint32_t k, std::uint32_t inputs) {
+    return evaluated_filter(filter, k).has(inputs_enter_first) ? inputs : 0;
+}
+
+template <int D>
+Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+    const Filter& filter = evaluated_filter(request.filter, request.k);
+    out->zero_born = filter.has(inputs_enter_first) ? mesh.inputs : 0;
+    switch (filter.id) {
+    case NETMESH_FILTER_COMPLETE: return complete_filter<D>(mesh, request.values, work, out);
+    case NETMESH_FILTER_BASIC: return basic_filter<D>(mesh, request.values, work, out);
+    case NETMESH_FILTER_TIGHT: return tight_filter<D>(mesh, request.values, work, out);
+    case NETMESH_FILTER_KNN:
+        return distance_filter<D>(mesh, {InputDistance::kth, request.k}, request.values, work, out);
+    case NETMESH_FILTER_KDISTANCE:
+        return distance_filter<D>(mesh, {InputDistance::root_mean_square, request.k}, request.values, work, out);
+    case NETMESH_FILTER_FUNCTION:
+        return request.function == nullptr ? Status::invalid_argument
+                                           : function_filter<D>(mesh, *request.function, request.values, work, out);
+    default: return Status::invalid_argument;
+    }
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status evaluate<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, Evaluation*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,31 @@
+// The table of filters, and the one way to evaluate a filter on a mesh. Nothing else in the engine lists filters.
+//
+// A new filter on meshes is a row of the table and a case of evaluate, both in filters.cpp, and its function: lower and
+// upper bounds of what is filtered on each Voronoi cell, and own values, which a Clamp (certificate/certificate.hpp)
+// turns into filter values and a certificate.
+#pragma once
+#include "filtration/filter.hpp"
+
+namespace netmesh {
+
+// Rows in the order of netmesh_filter, without NONE.
+constexpr std::uint32_t filter_count = 12;
+const Filter& filter_row(std::uint32_t index);
+
+// The row of a filter; null when there is none. The value may be any that came from outside.
+const Filter* find_filter(const netmesh_filter& filter);
+
+// The filter that is evaluated for a request: with one neighbour, filters by neighbours are the complete filter
+// (7.4.2).
+const Filter& evaluated_filter(netmesh_filter filter, std::uint32_t k);
+
+// How many of the inputs, the first vertices of a mesh, enter at 0 before their stars.
+std::uint32_t zero_born_count(netmesh_filter filter, std::uint32_t k, std::uint32_t inputs);
+
+// Values, certificate and, when asked for, intervals of the filter on each cell. Costs and scratch: see
+// mesh_filter.hpp, tight_filter.hpp, function_filter.hpp. out_of_memory, cancelled, not_finite (culprit),
+// invalid_argument (a filter that is not one on meshes).
+template <int D>
+Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out);
+
+}  // namespace netmesh

@@ -1,0 +1,106 @@
+#include "filtration/scale_partition.hpp"
+
+#include "certificate/rounding.hpp"
+#include "numerics/sort.hpp"
+#include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+
+template <int D>
+Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, double theta, Arena& arena) {
+    store_ = &store;
+    theta_ = theta;
+    total_ = count - 1;
+    done_ = clusters_ = chosen_count_ = 0;
+    separation_ = infinity;
+    left_ = arena.take_low<Left>(total_);
+    chosen_ = arena.take_low<std::uint32_t>(count);
+    if (left_ == nullptr || chosen_ == nullptr) return Status::out_of_memory;
+    for (std::uint32_t i = 0; i < total_; ++i) left_[i] = {0, 0, i + 1, 0};
+    return Status::ok;
+}
+
+template <int D> double ScalePartition<D>::distance(std::uint32_t a, std::uint32_t b) const {
+    return netmesh::distance<D>(store_->point(a), store_->point(b));
+}
+
+// The position of the medial point farthest from the chosen ones, `end` if there is none.
+template <int D> std::uint32_t ScalePartition<D>::farthest(std::uint32_t begin, std::uint32_t end) const {
+    std::uint32_t best = end;
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const Left& left = left_[i];
+        if (chosen_count_ > 1 && !(left.near >= theta_ * left.second)) continue;
+        if (best == end || left.near > left_[best].near ||
+            (left.near == left_[best].near && left.point < left_[best].point))
+            best = i;
+    }
+    return best;
+}
+
+template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32_t begin, std::uint32_t end) {
+    const std::uint32_t place = chosen_count_++;
+    chosen_[place] = point;
+    for (std::uint32_t i = begin; i < end; ++i) {
+        Left& left = left_[i];
+        const double d = distance(point, left.point);
+        if (place == 0 || d < left.near) {
+            left.second = place == 0 ? infinity : left.near;
+            left.near = d;
+            left.owner = place;
+        } else if (d < left.second) {
+            left.second = d;
+        }
+    }
+}
+
+// Makes clusters of what is left.
+template <int D> void ScalePartition<D>::group(std::uint32_t begin, std::uint32_t end) {
+    sort(left_ + begin, end - begin,
+         [](const Left& a, const Left& b) { return a.owner != b.owner ? a.owner < b.owner : a.point < b.point; });
+    for (std::uint32_t i = begin; i < end;) {
+        const std::uint32_t place = left_[i].owner, representative = chosen_[place];
+        double gap = infinity, radius = 0;
+        for (std::uint32_t j = 0; j < chosen_count_; ++j) {
+            const double d = j == place ? infinity : distance(representative, chosen_[j]);
+            if (d < gap) gap = d;
+        }
+        for (; i < end && left_[i].owner == place; ++i) {
+            if (left_[i].near > radius) radius = left_[i].near;
+            left_[i].owner = representative;
+        }
+        const double e = gap * down / (2 * radius * up);
+        if (e < separation_) separation_ = e;
+    }
+}
+
+template <int D> bool ScalePartition<D>::next(Monitor& monitor, bool* stopped) {
+    *stopped = false;
+    if (done_ == total_ && clusters_ > 0) return false;
+    ++clusters_;
+    chosen_count_ = 0;
+    const std::uint32_t representative = total_ == 0 ? 0 : left_[done_].owner;
+    std::uint32_t end = done_;
+    while (end < total_ && left_[end].owner == representative) ++end;
+    choose(representative, done_, end);
+    for (;;) {
+        const std::uint32_t i = farthest(done_, end);
+        if (i == end) break;
+        const Left taken = left_[i];
+        left_[i] = left_[done_];
+        left_[done_++] = taken;
+        choose(taken.point, done_, end);
+        if (monitor.advance(done_, 1 + (end - done_) / 8)) {
+            *stopped = true;
+            return false;
+        }
+    }
+    group(done_, end);
+    return true;
+}
+
+#define NETMESH_INSTANTIATE(D) template class ScalePartition<D>;
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

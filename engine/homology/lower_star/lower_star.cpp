@@ -1,0 +1,216 @@
+// Lower-star persistence for D >= 3 (surfaces have a shorter way): a quick look at every link finds degree 0 and the
+// stars where more can happen; a sweep over those finds the rest.
+#include <type_traits>
+
+#include "homology/cycles/cycles.hpp"
+#include "homology/lower_star/link.hpp"
+#include "homology/lower_star/merge_tree.hpp"
+#include "homology/lower_star/lower_star.hpp"
+#include "homology/rank.hpp"
+#include "homology/lower_star/surface.hpp"
+#include "homology/lower_star/sweep.hpp"
+#include "memory/arena.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> class LowerStars {
+public:
+    LowerStars(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work)
+        : arena_(work.arena), monitor_(work.monitor), writer_(work.arena, request),
+          zero_born_count_(filtration.zero_born_count), sweeps_(request.max_degree > 0) {
+        ball_.complex = filtration.complex;
+        ball_.value = filtration.value;
+        ball_.vertex_count = ball_.outside = filtration.complex.vertex_count;
+    }
+    Status run(CycleWriter* cycles = nullptr);
+    Status run_with_cycles(std::uint64_t pair_count, CycleStore* store);
+    PairList finish() { return writer_.finish(); }
+    std::uint64_t simplex_count() const { return simplex_count_; }
+
+private:
+    bool reserve();
+    bool reserve_star() {
+        if constexpr (Link<D>::tells_all) {
+            if (!sweeps_ && !any_large_) return true;
+        }
+        return star_.reserve(ball_, star_bound_, arena_);
+    }
+    Status look_at_links(JoinList& joins);
+    bool finish_small(Link<D>& link, std::uint32_t v, JoinList& joins);
+    Status look_at_stars(JoinList& joins);
+    bool note_star(std::uint32_t v, const std::uint32_t* counts, bool regular);
+
+    Arena& arena_;
+    Monitor& monitor_;
+    PairWriter writer_;
+    TriangulatedBall<D> ball_;
+    Star<D> star_;
+    std::uint32_t zero_born_count_;
+    bool sweeps_;
+    std::uint32_t *below_ = nullptr, *above_ = nullptr, *labels_ = nullptr;
+    std::uint64_t star_bound_ = 1, simplex_count_ = 0;
+    bool any_large_ = false;
+};
+
+template <int D> bool LowerStars<D>::reserve() {
+    const std::uint32_t n = ball_.vertex_count;
+    ball_.order = arena_.take_high<std::uint32_t>(n);
+    ball_.rank = arena_.take_high<std::uint32_t>(n);
+    if (ball_.order == nullptr || ball_.rank == nullptr ||
+        !rank_vertices(ball_.value, n, arena_, ball_.order, ball_.rank) || !ball_.list_incidences(arena_)) {
+        return false;
+    }
+    below_ = arena_.take_high<std::uint32_t>(n);
+    above_ = arena_.take_high<std::uint32_t>(std::size_t{n} + 1);
+    labels_ = arena_.take_high<std::uint32_t>(Link<D>::labels_max(ball_));
+    return below_ != nullptr && above_ != nullptr && labels_ != nullptr;
+}
+
+// Counts a star; the pairs within a regular one are known from its counts: simplices pair with the next dimension, up
+// from the vertex with one edge.
+template <int D> bool LowerStars<D>::note_star(std::uint32_t v, const std::uint32_t* counts, bool regular) {
+    for (int k = 0; k <= D; ++k) simplex_count_ += counts[k];
+    if (!regular) {
+        ball_.flags[v] |= TriangulatedBall<D>::irregular;
+        return true;
+    }
+    if constexpr (D > 2) {  // surfaces come here for their cycles alone, which such pairs have none of
+        std::uint32_t paired = 1;
+        for (std::uint32_t k = 1; k < D && writer_.keeps_zero(); ++k) {
+            paired = counts[k] - paired;
+            for (std::uint32_t i = 0; i < paired; ++i) {
+                if (!writer_.add(ball_.value[v], ball_.value[v], k)) return false;
+            }
+        }
+    }
+    return true;
+}
+
+template <int D> bool LowerStars<D>::finish_small(Link<D>& link, std::uint32_t v, JoinList& joins) {
+    const std::uint32_t pieces = link.lower_pieces();
+    if (pieces > 1) {
+        std::uint64_t left = link.lower_set();
+        while (left != 0) {
+            const std::uint32_t u = link.next_piece(ball_, labels_, &left);
+            if (u != link.lowest() && !joins.add(ball_.rank[v], u)) return false;
+        }
+    }
+    std::uint32_t counts[D + 1];
+    link.count_simplices(counts);
+    bool regular = pieces == 1 && link.upper_pieces() == 1;
+    if constexpr (D == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
+    return note_star(v, counts, regular);
+}
+
+template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
+    Link<D> link;
+    monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
+    for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
+        if (ball_.begin[v] == ball_.begin[v + 1]) return Status::invalid_argument;
+        if (!link.read(ball_, v, labels_)) return Status::internal;
+        below_[v] = link.lowest();
+        above_[v] = link.highest() == none ? v : link.highest();
+        if (link.bound() > star_bound_) star_bound_ = link.bound();
+        if constexpr (Link<D>::tells_all) {
+            if (!link.small()) {
+                ball_.flags[v] |= TriangulatedBall<D>::large;
+                any_large_ = true;
+            } else if (!finish_small(link, v, joins)) {
+                return Status::out_of_memory;
+            }
+        }
+        if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 8)) return Status::cancelled;
+    }
+    above_[ball_.outside] = ball_.outside;
+    return Status::ok;
+}
+
+// Links that the quick look does not settle: their lower stars in full.
+template <int D> Status LowerStars<D>::look_at_stars(JoinList& joins) {
+    for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
+        if constexpr (Link<D>::tells_all) {
+            if ((ball_.flags[v] & TriangulatedBall<D>::large) == 0) continue;
+        }
+        if (!star_.open(ball_, v)) return Status::internal;
+        const std::uint32_t first = below_[v] == none ? 0 : star_.piece(ball_.slot[below_[v]]);
+        for (std::uint32_t i = 1; i < star_.count(); ++i) {
+            if (star_.dimension(i) != 1 || star_.piece(i) != i || i == first) continue;
+            if (!joins.add(ball_.rank[v], star_.vertex(i))) return Status::out_of_memory;
+        }
+        std::uint32_t counts[D + 1] = {};
+        for (std::uint32_t i = 0; i < star_.count(); ++i) ++counts[star_.dimension(i)];
+        const bool regular = sweeps_ && star_.match() == 0;
+        star_.close(ball_);
+        if (!note_star(v, counts, regular)) return Status::out_of_memory;
+        if (monitor_.advance(v, 1 + star_.count() / 2)) return Status::cancelled;
+    }
+    return Status::ok;
+}
+
+template <int D> Status LowerStars<D>::run(CycleWriter* cycles) {
+    if (!reserve()) return Status::out_of_memory;
+    JoinList joins(arena_);
+    Status status = look_at_links(joins);
+    if (status != Status::ok) return status;
+    if (!reserve_star()) return Status::out_of_memory;
+    {
+        const HighScope scope(arena_);
+        JoinList large_joins(arena_);
+        status = look_at_stars(large_joins);
+        if (status != Status::ok) return status;
+        joins.sort_by_rank();
+        large_joins.sort_by_rank();
+        const JoinList* const lists[] = {&joins, &large_joins};
+        const VertexOrder vertices = {ball_.value, ball_.order, ball_.vertex_count, zero_born_count_};
+        if (!join_sublevel(vertices, below_, lists, 2, ball_.rank, writer_, cycles)) return Status::out_of_memory;
+    }
+    if (!sweeps_) return Status::ok;
+    Sweep<D> sweep(ball_, star_, above_, writer_, cycles, monitor_);
+    return sweep.run(arena_);
+}
+
+template <int D> Status LowerStars<D>::run_with_cycles(std::uint64_t pair_count, CycleStore* store) {
+    if (!writer_.reserve(pair_count)) return Status::out_of_memory;
+    CycleWriter cycles(arena_);
+    store->begin = cycles.begin();
+    return run(&cycles);
+}
+
+}  // namespace
+
+template <int D>
+Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work,
+                          CountedPairs* out) {
+    if (filtration.complex.vertex_count == 0 || filtration.complex.cell_count == 0) return Status::invalid_argument;
+    if (request.max_degree > D - 1) request.max_degree = D - 1;
+    using Stars = std::conditional_t<D == 2, Surface, LowerStars<D == 2 ? 3 : D>>;
+    Stars stars(filtration, request, work);
+    const Status status = write_diagram(stars, work.arena, &out->pairs);
+    out->simplices = stars.simplex_count();
+    return status;
+}
+
+template <int D>
+Status lower_star_cycles(const LowerStarFiltration<D>& filtration, std::uint32_t max_degree, std::uint64_t pair_count,
+                         const Work& work, Representatives* out) {
+    if (filtration.complex.vertex_count == 0 || filtration.complex.cell_count == 0) return Status::invalid_argument;
+    if (max_degree > D - 1) max_degree = D - 1;
+    ArenaScope scope(work.arena);
+    LowerStars<D> stars(filtration, {max_degree}, work);
+    const Status status = stars.run_with_cycles(pair_count, &out->store);
+    if (status != Status::ok) return status;
+    out->pairs = stars.finish();
+    scope.keep_low_from_now();
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status persist_lower_star<D>(const LowerStarFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);       \
+    template Status lower_star_cycles<D>(const LowerStarFiltration<D>&, std::uint32_t, std::uint64_t, const Work&,     \
+                                         Representatives*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,29 @@
+// Diagrams of lower-star filtrations of triangulated balls; the complex is never stored.
+#pragma once
+#include <cstdint>
+
+#include "complex/triangulation.hpp"
+#include "homology/persistence.hpp"
+#include "memory/work.hpp"
+#include "vocabulary/status.hpp"
+
+namespace netmesh {
+
+// A simplex of more than one vertex enters at the largest value[v] of its vertices; a vertex v < zero_born_count enters
+// at 0 (input points of the complete filter, 7.4.2; all values must then be >= 0), any other vertex v at value[v].
+template <int D> struct LowerStarFiltration {
+    TriangulationView<D> complex;
+    const double* value;  // [complex.vertex_count], no NaN; may contain ties of any number
+    std::uint32_t zero_born_count;
+};
+
+// The diagram in degrees 0..max_degree (larger counts as D-1); all simplices are counted.
+//
+// Requires: the cells triangulate a ball whose vertex links are spheres or balls (any Delaunay triangulation or mesh),
+// every vertex is in a cell. The only essential class is then one of degree 0.
+// O(simplices) plus the reduction of the critical simplices. out_of_memory, cancelled, internal (not a ball).
+template <int D>
+Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work,
+                          CountedPairs* out);
+
+}  // namespace netmesh

@@ -1,0 +1,140 @@
+#include "homology/lower_star/surface.hpp"
+
+#include "homology/rank.hpp"
+
+namespace netmesh {
+
+// To the next cell around v. False at the hull.
+bool Surface::advance(std::uint32_t v, Corner* corner) const {
+    const std::uint32_t next = complex_.neighbour(corner->cell, corner->from);
+    if (next == none) return false;
+    const int to = complex_.mirror(corner->cell, corner->from);
+    const std::uint32_t* p = complex_.vertices(next);
+    const int other = to == 0 ? 1 : 0;
+    corner->from = p[other] == v ? 3 - to - other : other;
+    corner->to = to;
+    corner->cell = next;
+    return true;
+}
+
+// A piece of the link ends: unless its best vertex is that of the whole circle, which is joined anyway, it gets a join.
+bool Surface::end_run(const Circle& circle, JoinList* joins) const {
+    if (joins == nullptr || circle.run_best == circle.lowest || circle.run_best == circle.highest) return true;
+    if (!circle.last_lower && !with_loops_) return true;
+    return joins->add(circle.rank, circle.run_best);
+}
+
+bool Surface::see(Circle* circle, std::uint32_t u, JoinList* joins) const {
+    const bool lower = u != outside() && rank_[u] < circle->rank;
+    if (circle->seen++ == 0) {
+        circle->first_lower = circle->last_lower = lower;
+        circle->run_best = u;
+    }
+    if (lower) ++circle->lower_vertices;
+    if (lower && circle->last_lower && circle->seen > 1) ++circle->lower_edges;
+    if (lower != circle->last_lower) {
+        if (!end_run(*circle, joins)) return false;
+        ++circle->changes;
+        circle->run_best = u;
+        circle->last_lower = lower;
+    }
+    if (lower ? is_after(circle->run_best, u) : is_after(u, circle->run_best)) circle->run_best = u;
+    if (joins != nullptr) return true;  // the second walk knows the best of all
+    if (lower && (circle->lowest == none || is_after(circle->lowest, u))) circle->lowest = u;
+    if (!lower && (circle->highest == none || is_after(u, circle->highest))) circle->highest = u;
+    return true;
+}
+
+// Around the circle's vertex from *corner, which becomes the last one. `open`: from one end of the hull to the other,
+// else *closed says whether the walk came back or ended at the hull. The first walk has no joins. False: out of memory.
+bool Surface::walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const {
+    const std::uint32_t first = corner->cell;
+    if (open) {  // takes no memory: the piece of `outside` gets no join
+        see(circle, outside(), joins);
+        see(circle, complex_.vertices(first)[corner->from], joins);
+    }
+    for (*closed = false; !*closed;) {
+        if (!see(circle, complex_.vertices(corner->cell)[corner->to], joins)) return false;
+        if (!advance(circle->vertex, corner)) break;
+        *closed = corner->cell == first;
+    }
+    if (!end_run(*circle, joins)) return false;
+    if (circle->first_lower != circle->last_lower) ++circle->changes;
+    if (circle->first_lower && circle->last_lower) ++circle->lower_edges;
+    return true;
+}
+
+bool Surface::look_at(std::uint32_t v, std::uint32_t cell, JoinList& joins) {
+    const std::uint32_t* p = complex_.vertices(cell);
+    const int at = p[0] == v ? 0 : p[1] == v ? 1 : 2;
+    Corner start = {cell, at == 0 ? 1 : 0, at == 2 ? 1 : 2};
+    const Circle unseen = {v, rank_[v], 0, 0, 0, 0, none, none, none, false, false};
+    Circle circle = unseen;
+    Corner corner = start;
+    bool closed;
+    walk(&circle, &corner, false, nullptr, &closed);
+    const bool open = !closed;
+    if (open) {
+        start = {corner.cell, corner.to, corner.from};
+        corner = start;
+        circle = unseen;
+        walk(&circle, &corner, true, nullptr, &closed);
+    }
+    below_[v] = circle.lowest;
+    above_[v] = circle.highest == none ? v : circle.highest;
+    if (circle.changes > 2) {
+        Circle again = unseen;
+        again.lowest = circle.lowest;
+        again.highest = circle.highest;
+        if (!walk(&again, &start, open, &joins, &closed)) return false;
+    }
+    return note_star(circle);
+}
+
+// Counts the lower star; its edges are one with the vertex, a critical one for each further piece, and one for each
+// triangle but the last of a maximum.
+bool Surface::note_star(const Circle& circle) {
+    simplex_count_ += std::uint64_t{1} + circle.lower_vertices + circle.lower_edges;
+    if (!writer_.keeps_zero() || circle.lower_vertices == 0) return true;
+    const double value = value_[circle.vertex];
+    const std::uint32_t critical = circle.changes > 2 ? circle.changes / 2 - 1 : 0;
+    for (std::uint32_t i = 1 + critical; i < circle.lower_vertices; ++i) {
+        if (!writer_.add(value, value, 1)) return false;
+    }
+    return true;
+}
+
+bool Surface::reserve() {
+    const std::uint32_t n = complex_.vertex_count;
+    order_ = arena_.take_high<std::uint32_t>(n);
+    rank_ = arena_.take_high<std::uint32_t>(n);
+    if (order_ == nullptr || rank_ == nullptr || !rank_vertices(value_, n, arena_, order_, rank_)) return false;
+    below_ = arena_.take_high<std::uint32_t>(n);
+    above_ = arena_.take_high<std::uint32_t>(std::size_t{n} + 1);
+    return below_ != nullptr && above_ != nullptr;
+}
+
+Status Surface::run() {
+    if (!reserve()) return Status::out_of_memory;
+    const std::uint32_t n = complex_.vertex_count;
+    for (std::uint32_t v = 0; v < n; ++v) below_[v] = none;
+    for (std::uint32_t c = 0; c < complex_.cell_count; ++c) {
+        for (int i = 0; i < 3; ++i) below_[complex_.vertices(c)[i]] = c;
+    }
+    monitor_.begin(NETMESH_STAGE_GRADIENT, n);
+    JoinList joins(arena_);
+    for (std::uint32_t v = 0; v < n; ++v) {
+        if (below_[v] == none) return Status::invalid_argument;
+        if (!look_at(v, below_[v], joins)) return Status::out_of_memory;
+        if (monitor_.advance(v)) return Status::cancelled;
+    }
+    above_[outside()] = outside();
+    joins.sort_by_rank();
+    const VertexOrder vertices = {value_, order_, n, zero_born_count_};
+    const JoinList* const lists[] = {&joins};
+    if (!join_sublevel(vertices, below_, lists, 1, rank_, writer_)) return Status::out_of_memory;
+    if (with_loops_ && !join_superlevel(vertices, rank_, above_, joins, 1, writer_)) return Status::out_of_memory;
+    return Status::ok;
+}
+
+}  // namespace netmesh

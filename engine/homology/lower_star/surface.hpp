@@ -1,0 +1,60 @@
+// Lower-star persistence of a triangulated disc: the link of a vertex is a circle, walked through the neighbours;
+// degrees 0 and 1 are merge trees. Nothing but four words a vertex is kept.
+#pragma once
+#include "homology/lower_star/triangulated_ball.hpp"
+#include "homology/lower_star/lower_star.hpp"
+#include "homology/lower_star/merge_tree.hpp"
+#include "homology/pair_writer.hpp"
+#include "vocabulary/monitor.hpp"
+#include "memory/work.hpp"
+
+namespace netmesh {
+
+class Surface {
+public:
+    Surface(const LowerStarFiltration<2>& filtration, DiagramRequest request, const Work& work)
+        : complex_(filtration.complex), value_(filtration.value), arena_(work.arena), monitor_(work.monitor),
+          writer_(work.arena, request), zero_born_count_(filtration.zero_born_count),
+          with_loops_(request.max_degree > 0) {}
+
+    Status run();
+    PairList finish() { return writer_.finish(); }
+    std::uint64_t simplex_count() const { return simplex_count_; }
+
+private:
+    // What a walk around a vertex has seen.
+    struct Circle {
+        std::uint32_t vertex, rank;   // walked around
+        std::uint32_t seen, changes;  // link vertices; changes between lower and upper
+        std::uint32_t lower_vertices, lower_edges;
+        std::uint32_t lowest, highest;  // of the lower, of the upper link vertices, by rank
+        std::uint32_t run_best;         // the same of the run of lower or upper ones at work
+        bool first_lower, last_lower;
+    };
+    struct Corner {
+        std::uint32_t cell;
+        int from, to;  // positions of the two link vertices in the cell, in the direction of the walk
+    };
+    // u is not `outside`: that is what a walk that meets it begins with.
+    bool is_after(std::uint32_t u, std::uint32_t w) const { return w != outside() && rank_[u] > rank_[w]; }
+    std::uint32_t outside() const { return complex_.vertex_count; }
+    bool reserve();
+    bool look_at(std::uint32_t v, std::uint32_t cell, JoinList& joins);
+    bool note_star(const Circle& circle);
+    bool advance(std::uint32_t v, Corner* corner) const;
+    bool walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const;
+    bool see(Circle* circle, std::uint32_t u, JoinList* joins) const;
+    bool end_run(const Circle& circle, JoinList* joins) const;
+
+    TriangulationView<2> complex_;
+    const double* value_;
+    Arena& arena_;
+    Monitor& monitor_;
+    PairWriter writer_;
+    std::uint32_t zero_born_count_;
+    bool with_loops_;
+    std::uint32_t *order_ = nullptr, *rank_ = nullptr, *below_ = nullptr, *above_ = nullptr;
+    std::uint64_t simplex_count_ = 0;
+};
+
+}  // namespace netmesh

@@ -1,0 +1,423 @@
+// Degrees 1 to D-1 by one sweep over lower stars from the last to the first. Only stars where something can happen are
+// visited: irregular ones, and those that a column at work has reached.
+//
+// In a star the columns are reduced from the top dimension down. A critical k-simplex that no (k+1)-column has taken as
+// its pivot by then never will be one: it ends a class and starts a column. A column adds gradient pairs and the
+// columns of pivots taken before it, older columns first, and stays at work until it takes a pivot. Whatever it still
+// holds is dropped then, since no younger column can need it in another star. For k = D columns are components of the
+// dual graph: the superlevel sets of the closed sphere, joined at critical facets.
+//
+// Simplices that end a class are no pivots, and a column leaves them out. When cycles are wanted it does not: then it is
+// a boundary at all times, whose last simplex always gives birth, and a cycle of its pair when it takes its pivot.
+#pragma once
+#include "homology/lower_star/triangulated_ball.hpp"
+#include "homology/lower_star/front.hpp"
+#include "homology/pair_writer.hpp"
+#include "homology/lower_star/star.hpp"
+#include "homology/lower_star/star_cycles.hpp"
+#include "homology/union_find.hpp"
+#include "vocabulary/monitor.hpp"
+#include "numerics/sort.hpp"
+
+namespace netmesh {
+
+template <int D> class Sweep {
+public:
+    // above[vertex_count + 1]: for each vertex a higher vertex of its link or `outside`, itself if there is none.
+    // cycles: null when none are wanted.
+    Sweep(const TriangulatedBall<D>& ball, Star<D>& star, std::uint32_t* above, PairWriter& writer, CycleWriter* cycles,
+          Monitor& monitor)
+        : ball_(ball), star_(star), above_(above), writer_(writer), monitor_(monitor), cycles_(cycles) {}
+
+    // Needs the ball's `irregular` flags. ok, out_of_memory, cancelled, internal.
+    Status run(Arena& arena);
+
+private:
+    Status visit(std::uint32_t r);
+    void prefetch_star(std::uint32_t r);
+    Status unite_critical_facets(std::uint32_t v);
+    std::uint32_t side(std::uint32_t cell, std::uint32_t v);
+    std::uint32_t cell_of(std::uint32_t facet, std::uint32_t v) const;
+    std::uint32_t across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const;
+    // Of the oldest of a component: `outside`, or its vertex of the highest rank.
+    std::uint32_t age_of(std::uint32_t root) const { return root == ball_.outside ? none : ball_.rank[root]; }
+
+    bool reserve_columns(Arena& arena);
+    bool add_zero_pairs(double value);
+    Status reduce_columns(std::uint32_t r);
+    std::uint32_t sorted(std::uint32_t columns);
+    bool start_columns(std::uint32_t k, std::uint32_t v);
+    bool gather(std::uint32_t c, std::uint32_t r);
+    std::uint32_t simplex_of(std::uint32_t* labels, std::uint32_t n) const;
+    bool reduce(std::uint32_t c, std::uint32_t v);
+    void add_outer_facet(std::uint32_t i);
+    template <std::uint32_t N> bool add_outer_facets(std::uint32_t c);
+    bool flush(std::uint32_t c);
+    bool take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v);
+    bool note_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v);
+    bool before(std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t ka = front_.dimension(a), kb = front_.dimension(b);
+        return ka != kb ? ka > kb : front_.age(a) > front_.age(b);
+    }
+    std::uint32_t merge(std::uint32_t a, std::uint32_t b);
+
+    const TriangulatedBall<D>& ball_;
+    Star<D>& star_;
+    std::uint32_t* above_;
+    PairWriter& writer_;
+    Monitor& monitor_;
+    Front<D> front_;
+    CycleWriter* cycles_;
+    StarCycles<D>* star_cycles_ = nullptr;
+    BitTree column_;  // of the star at work, by position
+    std::uint64_t* column_words_ = nullptr;
+    std::uint32_t* outer_ = nullptr;  // ranks of facets in other stars, for the column at work
+    std::uint32_t outer_count_ = 0;
+    std::uint32_t done_columns_ = none;  // took a pivot in the star at work
+    std::uint32_t next_age_ = 0;
+    std::uint32_t critical_ = 0;  // simplices of the star at work
+    bool irregular_ = false;      // it
+    std::uint32_t work_ = 0;
+};
+
+template <int D> Status Sweep<D>::run(Arena& arena) {
+    StarCycles<D> star_cycles(ball_, star_, front_, cycles_, monitor_);
+    if (cycles_ != nullptr) {
+        if (!star_cycles.reserve(arena)) return Status::out_of_memory;
+        star_cycles_ = &star_cycles;
+    }
+    if constexpr (D > 2) {
+        if (!reserve_columns(arena)) return Status::out_of_memory;
+    }
+    if (!front_.reserve(ball_.vertex_count, arena)) return Status::out_of_memory;
+    for (std::uint32_t r = 0; r < ball_.vertex_count; ++r) {
+        if ((ball_.flags[ball_.order[r]] & TriangulatedBall<D>::irregular) != 0) front_.waiting().insert(r);
+    }
+    monitor_.begin(NETMESH_STAGE_REDUCE, ball_.vertex_count);
+    for (std::uint32_t r = front_.waiting().top(); r != none; r = front_.waiting().top()) {
+        front_.waiting().toggle(r);
+        work_ = 1;
+        const Status status = visit(r);
+        if (status != Status::ok) return status;
+        if (monitor_.advance(ball_.vertex_count - r, work_)) return Status::cancelled;
+    }
+    if constexpr (D > 2) {
+        if (front_.column_count() != 0) return Status::internal;
+    }
+    return Status::ok;
+}
+
+template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {
+    column_words_ = arena.take_high<std::uint64_t>(BitTree::words_needed(star_.capacity()));
+    outer_ = arena.take_high<std::uint32_t>(std::size_t{star_.capacity()} * (D - 1));
+    return column_words_ != nullptr && outer_ != nullptr;
+}
+
+// A star is visited because it is irregular or because a column waits there. In the plane there are no columns, and it is
+// swept for cycles alone, which pairs of length zero have none of.
+template <int D> Status Sweep<D>::visit(std::uint32_t r) {
+    const std::uint32_t v = ball_.order[r];
+    irregular_ = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
+    if (!star_.open(ball_, v)) return Status::internal;
+    prefetch_star(front_.waiting().top());
+    critical_ = star_.match();
+    work_ += star_.count() / 2;
+    for (std::uint32_t i = 0; i < star_.count(); ++i) star_.note(i) = none;
+    Status status = critical_ > 0 ? unite_critical_facets(v) : Status::ok;
+    if constexpr (D > 2) {
+        if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
+        if (status == Status::ok) status = reduce_columns(r);
+    }
+    star_.close(ball_);
+    return status;
+}
+
+// From the top dimension down: the columns of the star's own critical simplices, then those that have arrived.
+template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
+    const std::uint32_t v = ball_.order[r];
+    column_.adopt(column_words_, star_.count());
+    std::uint32_t c = sorted(front_.arrive(r));
+    for (std::uint32_t k = D - 1; k >= 2; --k) {
+        if (critical_ > 0 && !start_columns(k, v)) return Status::out_of_memory;
+        while (c != none && front_.dimension(c) == k) {
+            const std::uint32_t following = front_.next(c);
+            if (!gather(c, r)) return Status::internal;
+            if (!reduce(c, v)) return Status::out_of_memory;
+            c = following;
+        }
+        while (done_columns_ != none) {
+            const std::uint32_t done = done_columns_;
+            done_columns_ = front_.next(done);
+            front_.drop(done);
+        }
+    }
+    return Status::ok;
+}
+
+// Stars next to each other in rank are far apart in memory: the cells of what is likely the next one come while this
+// one is worked on.
+template <int D> void Sweep<D>::prefetch_star(std::uint32_t r) {
+    if (r == none) return;
+    const std::uint32_t v = ball_.order[r];
+    for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
+    if constexpr (D > 2) front_.prefetch(r);
+}
+
+// Pairs of the gradient in an irregular star; those of regular ones are counted elsewhere, and so is degree 0.
+template <int D> bool Sweep<D>::add_zero_pairs(double value) {
+    if (!writer_.keeps_zero() || !irregular_) return true;
+    for (std::uint32_t i = 1; i < star_.count(); ++i) {
+        if (star_.pairs_up(i) && !writer_.add(value, value, star_.dimension(i))) return false;
+    }
+    return true;
+}
+
+// The list of columns by dimension of their creators, larger ones first, then older columns first.
+template <int D> std::uint32_t Sweep<D>::sorted(std::uint32_t columns) {
+    std::uint32_t runs[32];  // sorted lists of 2^i columns
+    int run_count = 0;
+    std::uint32_t taken = 0;
+    while (columns != none) {
+        std::uint32_t run = columns;
+        columns = front_.next(run);
+        front_.next(run) = none;
+        ++taken;
+        for (std::uint32_t bit = 1; (taken & bit) == 0; bit <<= 1) run = merge(runs[--run_count], run);
+        runs[run_count++] = run;
+    }
+    for (std::uint32_t all = none;;) {
+        if (run_count == 0) return all;
+        all = merge(runs[--run_count], all);
+    }
+}
+
+template <int D> std::uint32_t Sweep<D>::merge(std::uint32_t a, std::uint32_t b) {
+    std::uint32_t first = none, last = none;
+    while (a != none || b != none) {
+        const bool from_a = b == none || (a != none && before(a, b));
+        std::uint32_t& from = from_a ? a : b;
+        const std::uint32_t c = from;
+        from = front_.next(c);
+        (last == none ? first : front_.next(last)) = c;
+        last = c;  // the last of all is the last of its list
+    }
+    return first;
+}
+
+// Moves what a column has in the star of rank r into column_, where equal simplices cancel. False: not in the star.
+template <int D> bool Sweep<D>::gather(std::uint32_t c, std::uint32_t r) {
+    const std::uint32_t n = front_.dimension(c) - 1;
+    std::uint32_t ranks[D] = {};
+    while (front_.take_entry(c, r, ranks)) {
+        for (std::uint32_t j = 0; j < n; ++j) ranks[j] = ball_.slot[ball_.order[ranks[j + 1]]];
+        const std::uint32_t i = simplex_of(ranks, n);
+        if (i == none) return false;
+        column_.toggle(star_.position(i));
+    }
+    return true;
+}
+
+// The simplex of these labels in any order, which is lost; none if the star has none such.
+template <int D> std::uint32_t Sweep<D>::simplex_of(std::uint32_t* labels, std::uint32_t n) const {
+    insertion_sort(labels, n, [](std::uint32_t a, std::uint32_t b) { return a < b; });
+    if (labels[0] == 0) return none;
+    return star_.simplex_of(labels, n);
+}
+
+template <int D> bool Sweep<D>::start_columns(std::uint32_t k, std::uint32_t v) {
+    std::uint32_t left = 0;
+    for (std::uint32_t i = 0; i < star_.count(); ++i) {
+        left += star_.dimension(i) == k && star_.partner(i) == none && star_.note(i) == none ? 1 : 0;
+    }
+    next_age_ += left;
+    for (std::uint32_t p = 0, age = next_age_; left > 0; ++p) {
+        const std::uint32_t i = star_.at(p);
+        if (star_.dimension(i) != k || star_.partner(i) != none || star_.note(i) != none) continue;
+        --left;
+        const std::uint32_t c = front_.new_column(age--, ball_.rank[v], k);
+        if (c == none) return false;
+        add_outer_facet(i);
+        for (std::uint32_t f = 0; f < k; ++f) column_.toggle(star_.position(star_.facets(i)[f]));
+        if (!reduce(c, v)) return false;
+    }
+    return true;
+}
+
+// Notes the facet of i opposite the vertex of the star for the column at work.
+template <int D> void Sweep<D>::add_outer_facet(std::uint32_t i) {
+    const std::uint32_t n = star_.dimension(i);
+    std::uint32_t* ranks = outer_ + std::size_t{outer_count_++} * n;
+    for (std::uint32_t j = 0; j < n; ++j, i = star_.parent(i)) ranks[j] = ball_.rank[star_.vertex(star_.label(i))];
+    insertion_sort(ranks, n, [](std::uint32_t a, std::uint32_t b) { return a > b; });
+}
+
+// Adds the facets noted to column c, whose entries have N ranks.
+template <int D> template <std::uint32_t N> bool Sweep<D>::add_outer_facets(std::uint32_t c) {
+    struct Ranks {
+        std::uint32_t rank[N];
+    };
+    Ranks* const outer = reinterpret_cast<Ranks*>(outer_);
+    sort(outer, outer_count_, [](const Ranks& a, const Ranks& b) {
+        for (std::uint32_t j = 0; j + 1 < N; ++j) {
+            if (a.rank[j] != b.rank[j]) return a.rank[j] > b.rank[j];
+        }
+        return a.rank[N - 1] > b.rank[N - 1];
+    });
+    Run run = no_run;
+    for (std::uint32_t i = 0; i < outer_count_; ++i) {
+        if (!front_.append(&run, outer[i].rank, N)) return false;
+    }
+    outer_count_ = 0;
+    return front_.add_run(c, run);
+}
+
+template <int D> bool Sweep<D>::flush(std::uint32_t c) {
+    const std::uint32_t n = front_.dimension(c);  // 2..D-1
+    if constexpr (D > 5) {
+        if (n == 5) return add_outer_facets<5>(c);
+    }
+    if constexpr (D > 4) {
+        if (n == 4) return add_outer_facets<4>(c);
+    }
+    if constexpr (D > 3) {
+        if (n == 3) return add_outer_facets<3>(c);
+    }
+    return add_outer_facets<2>(c);
+}
+
+// Reduces column_, the part of column c in this star, until it takes a pivot or nothing is left here.
+template <int D> bool Sweep<D>::reduce(std::uint32_t c, std::uint32_t v) {
+    for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
+        ++work_;
+        const std::uint32_t i = star_.at(p);
+        if (star_.pairs_up(i)) {
+            const std::uint32_t coface = star_.partner(i);
+            for (std::uint32_t f = 0; f < star_.dimension(coface); ++f) {
+                column_.toggle(star_.position(star_.facets(coface)[f]));
+            }
+            add_outer_facet(coface);
+        } else if (star_.partner(i) != none) {
+            column_.toggle(p);  // it ends a class, so it is no pivot
+        } else if (star_.note(i) == none) {
+            return take_pivot(c, i, v);
+        } else {
+            const std::uint32_t older = star_.note(i);
+            const Run positions = front_.local(older);
+            work_ += positions.count / 64;
+            for (auto at = front_.begin(positions); at.left > 0; front_.advance(&at)) {
+                column_.toggle(*front_.entry(at, 1));
+            }
+            if (!front_.add_column(c, older)) return false;
+        }
+    }
+    if (!flush(c)) return false;
+    front_.wait(c);
+    return true;
+}
+
+template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v) {
+    if (!flush(c) || !front_.unite_runs(c)) return false;
+    star_.note(i) = c;
+    front_.next(c) = done_columns_;
+    done_columns_ = c;
+    Run positions = no_run;
+    for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
+        column_.toggle(p);
+        // No row left pairs up: when i became critical the dimension of their partners was gone from the star.
+        if (cycles_ == nullptr && star_.partner(star_.at(p)) != none) continue;
+        if (!front_.append(&positions, &p, 1)) return false;
+    }
+    front_.put_local(c, positions);
+    return note_pair(c, star_.dimension(i), v);
+}
+
+template <int D> bool Sweep<D>::note_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v) {
+    const std::uint32_t r = front_.creator_rank(c);
+    // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3, where
+    // every lower link collapses as far as it can. Its pairs are counted already.
+    if constexpr (D == 4) {
+        if (r == ball_.rank[v] && !irregular_) return true;
+    }
+    const double birth = ball_.value[v], death = ball_.value[ball_.order[r]];
+    std::uint32_t cycle = 0;
+    if (cycles_ != nullptr && writer_.keeps(birth, death, degree) && !star_cycles_->write_column(c, v, &cycle))
+        return false;
+    return writer_.add(birth, death, degree, cycle);
+}
+
+// The component on this side of a critical facet, from which the gradient leads to an upper vertex, outside, or to a
+// critical cell. A cell is critical only when no facet is free: then the lower cells around v are closed, so they are
+// all, there is one, and v stands for its component.
+template <int D> std::uint32_t Sweep<D>::side(std::uint32_t cell, std::uint32_t v) {
+    while (cell != none) {
+        const std::uint32_t* p = ball_.complex.vertices(cell);
+        std::uint32_t labels[D + 1] = {};
+        std::uint32_t k = 0;
+        for (std::uint32_t j = 0; j <= D; ++j) {
+            if (ball_.rank[p[j]] > ball_.rank[v]) return find_root(above_, p[j]);
+            if (p[j] != v) labels[k++] = ball_.slot[p[j]];
+        }
+        const std::uint32_t facet = star_.partner(simplex_of(labels, D));  // a cell around v, and all lower
+        if (facet == none) return find_root(above_, v);
+        cell = across(cell, facet, v);
+    }
+    return ball_.outside;
+}
+
+// A cell at `facet` of the star.
+template <int D> std::uint32_t Sweep<D>::cell_of(std::uint32_t facet, std::uint32_t v) const {
+    std::uint32_t cell = star_.origin(facet) >> 3;
+    if constexpr (D == 2) {  // edges know their vertex instead
+        for (std::uint32_t t = ball_.begin[v + 1]; t-- > ball_.begin[v];) {
+            const std::uint32_t* const p = ball_.complex.vertices(ball_.incidence[t] >> 3);
+            for (int j = 0; j <= D; ++j) {
+                if (p[j] == star_.vertex(facet)) cell = ball_.incidence[t] >> 3;
+            }
+        }
+    }
+    return cell;
+}
+
+// The cell on the other side of `facet` of the star, `none` outside.
+template <int D> std::uint32_t Sweep<D>::across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const {
+    const std::uint32_t* p = ball_.complex.vertices(cell);
+    int opposite = 0;
+    for (int j = 0; j <= D; ++j) {
+        const std::uint32_t label = ball_.slot[p[j]];
+        std::uint32_t i = facet;
+        while (i != 0 && star_.label(i) != label) i = star_.parent(i);
+        if (i == 0 && p[j] != v) opposite = j;
+    }
+    return ball_.complex.neighbour(cell, opposite);
+}
+
+// Components of the superlevel sets. Takes the critical facets of the star from the last to the first: one that joins two components is
+// the pivot of the younger one's creator.
+template <int D> Status Sweep<D>::unite_critical_facets(std::uint32_t v) {
+    for (std::uint32_t p = star_.count(); p-- > 0;) {
+        const std::uint32_t i = star_.at(p);
+        if (star_.partner(i) != none || star_.dimension(i) != D - 1) continue;
+        std::uint32_t cell = cell_of(i, v);
+        const std::uint32_t beyond = across(cell, i, v);
+        std::uint32_t a = side(beyond, v), b = side(cell, v);
+        if (a == b) continue;
+        if (age_of(a) < age_of(b)) {
+            const std::uint32_t t = a;
+            a = b;
+            b = t;
+            cell = beyond;
+        }
+        above_[b] = a;
+        star_.note(i) = 0;
+        const double birth = ball_.value[v], death = ball_.value[b];
+        std::uint32_t cycle = 0;
+        if (cycles_ != nullptr && writer_.keeps(birth, death, D - 1)) {
+            const Status status = star_cycles_->write_piece(cell, i, v, &cycle);
+            if (status != Status::ok) return status;
+        }
+        if (!writer_.add(birth, death, D - 1, cycle)) return Status::out_of_memory;
+    }
+    return Status::ok;
+}
+
+}  // namespace netmesh

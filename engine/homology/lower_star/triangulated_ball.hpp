@@ -1,0 +1,93 @@
+// What every stage of a lower-star computation reads: the triangulated ball, the order of its vertices, and the cells
+// around each vertex.
+//
+// The ball is thought of as closed to a sphere by a vertex `outside`, later than all others, which is joined to the
+// hull. Every link is then a (D-1)-sphere, and by Alexander duality the part of it above a vertex knows the homology of
+// the part below.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "complex/triangulation.hpp"
+#include "memory/arena.hpp"
+
+namespace netmesh {
+
+// At least as many simplices as a lower star has whose vertex has `lower` lower neighbours and whose link sphere has
+// with_lower[k] cells with k lower vertices: a face of n vertices is in at least D+1-n cells of the sphere.
+template <int D> std::uint64_t simplices_bound(std::uint32_t lower, const std::uint32_t* with_lower) {
+    std::uint64_t bound = 1 + std::uint64_t{lower};
+    for (std::uint32_t n = 2; n <= D; ++n) {
+        std::uint64_t occurrences = 0;
+        for (std::uint32_t k = n; k <= D; ++k) {
+            std::uint64_t choose = 1;
+            for (std::uint32_t i = 0; i < n; ++i) choose = choose * (k - i) / (i + 1);
+            occurrences += choose * with_lower[k];
+        }
+        bound += occurrences / (D + 1 - n);
+    }
+    return bound;
+}
+
+template <int D> struct TriangulatedBall {
+    static constexpr std::uint8_t on_hull = 1, irregular = 2, large = 4;
+
+    TriangulationView<D> complex;
+    const double* value;  // [vertex_count]
+    std::uint32_t vertex_count;
+    std::uint32_t outside;     // == vertex_count
+    std::uint32_t degree_max;  // most cells around a vertex
+    std::uint32_t* order;      // [vertex_count] vertices by rank
+    std::uint32_t* rank;       // [vertex_count]
+    std::uint32_t* begin;      // [vertex_count + 1] into incidence
+    std::uint32_t* incidence;  // [(D+1) * cells]: 8 * cell + position of the vertex in it
+    std::uint8_t* flags;       // [vertex_count]
+    std::uint32_t* slot;       // [vertex_count] labels in the star at work; all 0 between stars
+
+    // Asks for the vertices of the cell of incidence t, or of the last one.
+    void prefetch(std::uint32_t t) const {
+        const std::uint32_t last = begin[vertex_count] - 1;
+        __builtin_prefetch(complex.vertices(incidence[t < last ? t : last] >> 3));
+    }
+    // Lists the incidences; the arrays taken stay at the arena's high end. False: out of memory.
+    bool list_incidences(Arena& arena) {
+        const std::size_t n = vertex_count;
+        const std::size_t m = std::size_t{complex.cell_count} * (D + 1);
+        begin = arena.take_high<std::uint32_t>(n + 1);
+        incidence = arena.take_high<std::uint32_t>(m);
+        flags = arena.take_high<std::uint8_t>(n);
+        slot = arena.take_high<std::uint32_t>(n);
+        if (begin == nullptr || incidence == nullptr || flags == nullptr || slot == nullptr || m >= none) return false;
+        for (std::size_t v = 0; v < n; ++v) begin[v] = flags[v] = 0, slot[v] = 0;
+        begin[n] = 0;
+        for (std::uint32_t c = 0; c < complex.cell_count; ++c) {
+            const std::uint32_t* p = complex.vertices(c);
+            for (int i = 0; i <= D; ++i) ++begin[p[i] + 1];
+        }
+        degree_max = 0;
+        std::uint32_t sum = 0;
+        for (std::size_t v = 1; v <= n; ++v) {
+            const std::uint32_t count = begin[v];
+            if (count > degree_max) degree_max = count;
+            begin[v] = sum;  // moves to the end of v-1's list while that is filled
+            sum += count;
+        }
+        for (std::uint32_t c = 0; c < complex.cell_count; ++c) place(c);
+        return true;
+    }
+
+private:
+    void place(std::uint32_t c) {
+        const std::uint32_t* p = complex.vertices(c);
+        const std::uint32_t* across = complex.neighbour_words(c);
+        for (std::uint32_t i = 0; i <= D; ++i) {
+            incidence[begin[p[i] + 1]++] = 8 * c + i;
+            if (across[i] != none) continue;
+            for (std::uint32_t j = 0; j <= D; ++j) {
+                if (j != i) flags[p[j]] |= on_hull;
+            }
+        }
+    }
+};
+
+}  // namespace netmesh

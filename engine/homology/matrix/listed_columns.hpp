@@ -1,0 +1,194 @@
+// Columns of a listed matrix under reduction: the column at work as a set of rows, the others as they are in the matrix
+// or, where additions have changed them, in a store.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "complex/filtered_complex.hpp"
+#include "homology/bit_set.hpp"
+#include "homology/bit_tree.hpp"
+#include "homology/matrix/column_store.hpp"
+#include "homology/progress.hpp"
+#include "vocabulary/status.hpp"
+
+namespace netmesh {
+
+// A set of rows or columns that knows its size.
+class CountedColumn {
+public:
+    void adopt(std::uint64_t* words, std::uint32_t size) {
+        tree_.adopt(words, size);
+        members_ = 0;
+    }
+    void toggle(std::uint32_t i) {
+        members_ += tree_.has(i) ? ~std::uint64_t{0} : 1;
+        tree_.toggle(i);
+    }
+    std::uint32_t top() const { return members_ == 0 ? none : tree_.top(); }
+    std::uint64_t members() const { return members_; }
+    // Moves the members, from the largest down, to rows[members()].
+    void take(std::uint32_t* rows) {
+        while (members_ > 0) {
+            *rows = tree_.top();
+            toggle(*rows++);
+        }
+    }
+    void clear() {
+        while (members_ > 0) toggle(tree_.top());
+    }
+
+private:
+    BitTree tree_;
+    std::uint64_t members_ = 0;
+};
+
+// Boundaries of k-simplices; rows that are `dropped` (null: none) count as absent.
+struct BoundaryMatrix {
+    FilteredComplex::Simplices simplices;
+    std::uint32_t k;
+    const BitSet* dropped;
+
+    bool is_dropped(std::uint32_t row) const { return dropped != nullptr && dropped->has(row); }
+    std::uint32_t pivot_of(std::uint32_t j) const {
+        const std::uint32_t* const faces = simplices.faces + std::size_t{j} * (k + 1);
+        std::uint32_t pivot = none;
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            if ((pivot == none || faces[i] > pivot) && !is_dropped(faces[i])) pivot = faces[i];
+        }
+        return pivot;
+    }
+    // Adds column j. Returns the cost in the monitor's units.
+    template <class Column> std::uint32_t add(std::uint32_t j, Column& to) const {
+        const std::uint32_t* const faces = simplices.faces + std::size_t{j} * (k + 1);
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            if (!is_dropped(faces[i])) to.toggle(faces[i]);
+        }
+        return 1;
+    }
+};
+
+// Cofaces of k-simplices. Rows are numbered from the last (k+1)-simplex to the first, so that the pivot is the first.
+struct CoboundaryMatrix {
+    const std::uint32_t* start;   // [columns + 1]
+    const std::uint32_t* coface;  // rows of column j, the pivot first: coface[start[j] .. start[j+1])
+
+    std::uint32_t pivot_of(std::uint32_t j) const { return start[j] < start[j + 1] ? coface[start[j]] : none; }
+    template <class Column> std::uint32_t add(std::uint32_t j, Column& to) const {
+        for (std::uint32_t i = start[j]; i < start[j + 1]; ++i) to.toggle(coface[i]);
+        return 1 + (start[j + 1] - start[j]) / 16;
+    }
+};
+
+// A changed column is kept as what it has become.
+struct KeptSums {
+    using Column = CountedColumn;
+    ColumnStore* store;
+
+    template <class Matrix> std::uint32_t add(const Matrix& matrix, std::uint32_t owner, Column& to) {
+        if (owner < ColumnStore::stored) return matrix.add(owner, to);
+        const std::uint32_t* const column = store->column(owner);
+        for (std::uint32_t i = 0; i < column[1]; ++i) to.toggle(column[2 + i]);
+        return 1 + column[1] / 16;
+    }
+    // Keeps column j, which is reduced, and empties it. *owner becomes its name. False: out of memory.
+    bool keep(std::uint32_t j, Column& column, std::uint32_t* owner) {
+        *owner = j;
+        if (column.members() == 0) return true;
+        std::uint32_t* const rows = store->append(column.members(), j, owner);
+        if (rows == nullptr) return false;
+        column.take(rows);
+        return true;
+    }
+    void forget() {}
+};
+
+// A changed column is kept as the columns that were added to it, of which there are fewer where columns are long.
+struct KeptSources {
+    using Column = BitTree;
+    ColumnStore* store;
+    CountedColumn sources;  // of the column at work
+
+    template <class Matrix> std::uint32_t add(const Matrix& matrix, std::uint32_t owner, Column& to) {
+        if (owner < ColumnStore::stored) return add_source(matrix, owner, to);
+        const std::uint32_t* const column = store->column(owner);
+        std::uint32_t work = add_source(matrix, column[0], to);
+        for (std::uint32_t i = 0; i < column[1]; ++i) work += add_source(matrix, column[2 + i], to);
+        return work;
+    }
+    bool keep(std::uint32_t j, Column& column, std::uint32_t* owner) {
+        *owner = j;
+        while (!column.empty()) column.toggle(column.top());
+        if (sources.members() == 0) return true;
+        std::uint32_t* const list = store->append(sources.members(), j, owner);
+        if (list == nullptr) return false;
+        sources.take(list);
+        return true;
+    }
+    void forget() { sources.clear(); }
+
+private:
+    template <class Matrix> std::uint32_t add_source(const Matrix& matrix, std::uint32_t j, Column& to) {
+        sources.toggle(j);
+        return matrix.add(j, to);
+    }
+};
+
+// Columns for reduce_columns().
+template <class Matrix, class Kept> class ListedColumns {
+public:
+    using Column = typename Kept::Column;
+
+    // owner: [rows], words: [BitTree::words_needed(rows)]. Nobody owns a row yet.
+    ListedColumns(const Matrix& matrix, const Kept& kept, std::uint32_t rows, std::uint32_t* owner,
+                  std::uint64_t* words, Progress& progress)
+        : matrix_(matrix), kept_(kept), owner_(owner), progress_(progress) {
+        column_.adopt(words, rows);
+        for (std::uint32_t i = 0; i < rows; ++i) owner_[i] = none;
+    }
+
+    // A column is copied into the set of rows when something has to be added to it.
+    Status open(std::uint32_t j) {
+        if (progress_.stop(1)) return Status::cancelled;
+        pivot_ = matrix_.pivot_of(j);
+        if (has_owner()) matrix_.add(j, column_);
+        return Status::ok;
+    }
+    bool has_owner() const { return pivot_ != none && owner_[pivot_] != none; }
+    Status add_owner() {
+        if (progress_.stop(kept_.add(matrix_, owner_[pivot_], column_))) return Status::cancelled;
+        pivot_ = column_.top();
+        return Status::ok;
+    }
+    bool is_zero() const { return pivot_ == none; }
+    std::uint32_t pivot() const { return pivot_; }
+    std::uint32_t owner() const { return owner_[pivot_]; }
+
+    // Keeps column j, reduced, as the owner of its pivot. False: out of memory.
+    bool own_pivot(std::uint32_t j) { return kept_.keep(j, column_, &owner_[pivot_]); }
+    // The column at work was zero.
+    void forget() { kept_.forget(); }
+
+    // The sum of columns that a boundary is: column j as it is in the matrix becomes the one at work, even if its pivot
+    // is its own.
+    void load(std::uint32_t j) {
+        matrix_.add(j, column_);
+        pivot_ = column_.top();
+    }
+    void clear() { column_.clear(); }
+    // The column that owns the pivot, by its number.
+    std::uint32_t owner_number() const {
+        return owner() < ColumnStore::stored ? owner() : kept_.store->column(owner())[0];
+    }
+    // Whether column j was never changed and owns its pivot.
+    bool is_given(std::uint32_t j) const { return owner_[matrix_.pivot_of(j)] == j; }
+
+private:
+    Matrix matrix_;
+    Kept kept_;
+    Column column_;
+    std::uint32_t* owner_;
+    Progress& progress_;
+    std::uint32_t pivot_ = none;
+};
+
+}  // namespace netmesh

@@ -1,0 +1,223 @@
+// Cohomology of a Rips complex from the lowest degree up. The simplices of a dimension are met from the last to the
+// first, by their last edge and cliques among the vertices that it is joined to by earlier edges; most are in apparent
+// pairs, which the same walk sees. The others are columns, but for those that end a class (clearing).
+#include "homology/rips/rips.hpp"
+
+#include "homology/bit_set.hpp"
+#include "homology/matrix/reduction.hpp"
+#include "homology/pair_writer.hpp"
+#include "homology/rips/rips_columns.hpp"
+#include "homology/union_find.hpp"
+
+namespace netmesh {
+namespace {
+
+class Rips {
+public:
+    Rips(RipsGraph& graph, DiagramRequest request, const Work& work)
+        : graph_(graph), max_degree_(request.max_degree), arena_(work.arena), progress_{work.monitor},
+          writer_(work.arena, request), columns_(simplices_of_, work.arena, progress_) {}
+
+    Status run();
+    PairList finish() { return writer_.finish(); }
+    std::uint64_t simplices() const { return simplices_; }
+
+private:
+    struct Components;
+    struct Recorder;
+
+    Status join_components();
+    Status collect(std::uint32_t p);
+    Status collect_edges();
+    Status walk_cliques(std::uint32_t p, std::uint32_t edge);
+    bool visit_simplex(std::uint32_t p, std::uint32_t edge, const std::uint32_t* candidates, std::uint32_t i);
+    bool list_column(std::uint64_t key);
+    std::uint32_t lune(std::uint32_t edge, std::uint32_t* out, std::uint32_t most) const;
+    Status reduce(std::uint32_t p);
+    double value_of(std::uint64_t key) const { return graph_.value[simplices_of_.edge_of(key)]; }
+
+    RipsGraph& graph_;
+    std::uint32_t max_degree_;
+    Arena& arena_;
+    Progress progress_;
+    PairWriter writer_;
+    RipsSimplices simplices_of_;
+    RipsColumns columns_;
+    BitSet joining_;                       // edges that join two components
+    std::uint32_t* candidates_ = nullptr;  // [max_degree][vertices], of the walk
+    std::uint32_t chosen_[RipsSimplex::vertices_max] = {};
+    PivotTable pivots_below_;         // of the degree below: p-simplices that end a class
+    std::uint64_t* list_ = nullptr;   // the end of the list of columns, which grows downwards
+    std::uint32_t list_count_ = 0;
+    std::uint64_t simplices_ = 0;
+};
+
+// Degree 0; all vertices enter at 0.
+struct Rips::Components {
+    Rips& rips;
+
+    Status visit(std::uint32_t) { return rips.progress_.stop(1) ? Status::cancelled : Status::ok; }
+    EdgeEnds ends(std::uint32_t e) const {
+        return {rips.simplices_of_.smaller_end(e), rips.simplices_of_.larger_end(e)};
+    }
+    Status merge(std::uint32_t e, std::uint32_t, std::uint32_t) {
+        rips.joining_.insert(e);
+        return rips.writer_.add(0, rips.graph_.value[e], 0) ? Status::ok : Status::out_of_memory;
+    }
+    Status keep(std::uint32_t) { return rips.writer_.add_essential(0, 0) ? Status::ok : Status::out_of_memory; }
+};
+
+Status Rips::join_components() {
+    std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(graph_.edge_count));
+    const HighScope scope(arena_);
+    std::uint32_t* const parent = arena_.take_high<std::uint32_t>(graph_.vertices);
+    if (words == nullptr || parent == nullptr) return Status::out_of_memory;
+    joining_.adopt(words, graph_.edge_count);
+    simplices_ = std::uint64_t{graph_.vertices} + graph_.edge_count;
+    return unite_edges(parent, graph_.vertices, graph_.edge_count, Components{*this});
+}
+
+// The first vertices, `most` at most, that both ends of an edge are joined to by earlier edges.
+std::uint32_t Rips::lune(std::uint32_t edge, std::uint32_t* out, std::uint32_t most) const {
+    const std::uint32_t* const a = simplices_of_.row(simplices_of_.smaller_end(edge));
+    const std::uint32_t* const b = simplices_of_.row(simplices_of_.larger_end(edge));
+    std::uint32_t count = 0;
+    for (std::uint32_t w = 0; w < graph_.vertices && count < most; ++w) {
+        out[count] = w;
+        count += a[w] < edge && b[w] < edge ? 1 : 0;
+    }
+    return count;
+}
+
+bool Rips::list_column(std::uint64_t key) {
+    if (list_count_ == none - 1 || !arena_.extend_high(sizeof key)) return false;
+    list_[-1 - static_cast<std::ptrdiff_t>(list_count_++)] = key;
+    return true;
+}
+
+// An edge that has a coface of its own value makes an apparent pair with the first one.
+Status Rips::collect_edges() {
+    for (std::uint32_t e = graph_.edge_count; e-- > 0;) {
+        if (progress_.stop(1)) return Status::cancelled;
+        if (joining_.has(e)) continue;
+        std::uint32_t first;
+        const bool fits = lune(e, &first, 1) > 0 ? writer_.add(graph_.value[e], graph_.value[e], 1)
+                                                 : list_column(simplices_of_.key_of(e, nullptr, 0));
+        if (!fits) return Status::out_of_memory;
+    }
+    return Status::ok;
+}
+
+// The p-simplex of the chosen vertices and the i-th candidate. All candidates are joined to the chosen ones, so with
+// the first of them it is the first coface of what was chosen; with a later one it is not.
+bool Rips::visit_simplex(std::uint32_t p, std::uint32_t edge, const std::uint32_t* candidates, std::uint32_t i) {
+    ++simplices_;
+    if (i == 0) return true;  // ends a class at once
+    const std::uint32_t* const row = simplices_of_.row(candidates[i]);
+    for (std::uint32_t c = 0; c < i; ++c) {
+        if (row[candidates[c]] < edge) return writer_.add(graph_.value[edge], graph_.value[edge], p);
+    }
+    chosen_[0] = candidates[i];
+    const std::uint64_t key = simplices_of_.key_of(edge, chosen_, p - 1);
+    return pivots_below_.has(key) || list_column(key);
+}
+
+// The p-simplices, p >= 2, with this last edge: from the largest vertex down, each time the last candidate first.
+Status Rips::walk_cliques(std::uint32_t p, std::uint32_t edge) {
+    const std::uint32_t n = graph_.vertices;
+    std::uint32_t left[RipsSimplex::vertices_max];
+    left[0] = lune(edge, candidates_, n);
+    if (progress_.stop(n / 64 + left[0] / 16)) return Status::cancelled;
+    for (std::uint32_t depth = 0;;) {
+        std::uint32_t* const candidates = candidates_ + std::size_t{depth} * n;
+        if (depth == p - 2) {
+            for (std::uint32_t i = left[depth]; i-- > 0;) {
+                if (!visit_simplex(p, edge, candidates, i)) return Status::out_of_memory;
+            }
+            left[depth] = 0;
+        }
+        if (left[depth] == 0) {
+            if (depth-- == 0) return Status::ok;
+            continue;
+        }
+        const std::uint32_t i = --left[depth];
+        chosen_[p - 2 - depth] = candidates[i];
+        const std::uint32_t* const row = simplices_of_.row(candidates[i]);
+        std::uint32_t* const next = candidates + n;
+        std::uint32_t count = 0;
+        for (std::uint32_t c = 0; c < i; ++c) {
+            next[count] = candidates[c];
+            count += row[candidates[c]] < edge ? 1 : 0;
+        }
+        left[++depth] = count;
+        if (progress_.stop(1 + i / 16)) return Status::cancelled;
+    }
+}
+
+Status Rips::collect(std::uint32_t p) {
+    list_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));
+    list_count_ = 0;
+    if (p == 1) return collect_edges();
+    for (std::uint32_t e = graph_.edge_count; e-- > 0;) {
+        const Status status = walk_cliques(p, e);
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+// Columns in the order of their list.
+struct Rips::Recorder {
+    Rips& rips;
+    std::uint32_t p, next_column;
+
+    bool next(std::uint32_t* j) {
+        if (next_column == rips.list_count_) return false;
+        ++rips.progress_.done;
+        *j = next_column++;
+        return true;
+    }
+    Status pair(std::uint32_t j) {
+        const double birth = rips.value_of(rips.columns_.column(j)), death = rips.value_of(rips.columns_.pivot());
+        return rips.columns_.own_pivot(j) && rips.writer_.add(birth, death, p) ? Status::ok : Status::out_of_memory;
+    }
+    Status zero(std::uint32_t j) {
+        rips.columns_.forget();
+        const double birth = rips.value_of(rips.columns_.column(j));
+        return rips.writer_.add_essential(birth, p) ? Status::ok : Status::out_of_memory;
+    }
+};
+
+Status Rips::reduce(std::uint32_t p) {
+    if (!columns_.begin(p, list_, list_count_)) return Status::out_of_memory;
+    Recorder recorder = {*this, p, 0};
+    return reduce_columns(columns_, recorder);
+}
+
+Status Rips::run() {
+    progress_.monitor.begin(NETMESH_STAGE_REDUCE, 0);
+    if (!simplices_of_.open(graph_, max_degree_, arena_)) return Status::out_of_memory;
+    Status status = join_components();
+    if (max_degree_ >= 2) candidates_ = arena_.take_high<std::uint32_t>(std::size_t{max_degree_} * graph_.vertices);
+    if (max_degree_ >= 2 && candidates_ == nullptr) return Status::out_of_memory;
+    const std::size_t high = arena_.high_mark();
+    for (std::uint32_t p = 1; p <= max_degree_ && p < graph_.vertices && status == Status::ok; ++p) {
+        status = collect(p);
+        if (status == Status::ok) status = reduce(p);
+        if (status != Status::ok) return status;
+        arena_.release_high(columns_.pivots().keep_keys(arena_, high));
+        pivots_below_ = columns_.pivots();
+    }
+    return status;
+}
+
+}  // namespace
+
+Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out) {
+    if (!rips_has_numbers(graph, request.max_degree)) return Status::invalid_argument;
+    Rips rips(graph, request, work);
+    const Status status = write_diagram(rips, work.arena, &out->pairs);
+    out->simplices = rips.simplices();
+    return status;
+}
+
+}  // namespace netmesh

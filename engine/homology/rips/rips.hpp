@@ -1,0 +1,32 @@
+// Persistence of Vietoris-Rips filtrations of which nothing but the edges is stored. Thesis 6.4.
+#pragma once
+#include <cstdint>
+
+#include "homology/persistence.hpp"
+#include "memory/work.hpp"
+#include "vocabulary/status.hpp"
+
+namespace netmesh {
+
+// The edges of a Rips complex as far as it is wanted. They are put in order of value, ties as they come.
+struct RipsGraph {
+    static constexpr std::uint32_t vertices_max = 0x10000;
+    std::uint32_t vertices;    // >= 1
+    std::uint32_t edge_count;  // < 2^31
+    double* value;             // [edge_count], when the edge enters: >= 0, no NaN; vertices enter at 0
+    std::uint32_t* ends;       // [edge_count], larger vertex << 16 | smaller one
+
+    static std::uint32_t edge(std::uint32_t larger, std::uint32_t smaller) { return larger << 16 | smaller; }
+};
+
+// Whether persist_rips can number the simplices that it meets.
+bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree);
+
+// The diagram of the flag complex of the graph in degrees 0..max_degree (<= 30), at the arena's low end; a simplex
+// enters with its last edge. Counted are the simplices of dimension up to max(1, max_degree). Columns of cofaces from the
+// lowest degree up, neither they nor the complex being stored: a pair of a simplex with its first coface is found from
+// the edges alone. Takes 4 bytes for each two vertices, 12 for each edge in passing, and about 40 for each simplex that
+// needs a column, plus fill. out_of_memory, cancelled.
+Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out);
+
+}  // namespace netmesh

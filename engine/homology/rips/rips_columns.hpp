@@ -1,0 +1,142 @@
+// Columns of a Rips complex of one dimension p under reduction: the cofaces of p-simplices, made from the edges whenever
+// they are needed. The column at work is a heap of cofaces; a column that additions have changed is kept as the simplices
+// whose cofaces were added.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "homology/progress.hpp"
+#include "homology/rips/key_heap.hpp"
+#include "homology/rips/pivot_table.hpp"
+#include "homology/rips/rips_simplices.hpp"
+#include "numerics/sort.hpp"
+#include "vocabulary/status.hpp"
+
+namespace netmesh {
+
+// For reduce_columns(). A pivot is owned by a column, or by the facet that it makes an apparent pair with, which is no
+// column.
+class RipsColumns {
+public:
+    RipsColumns(const RipsSimplices& simplices, Arena& arena, Progress& progress)
+        : simplices_(simplices), arena_(arena), progress_(progress), heap_(arena) {}
+
+    // Columns `end`[-1], end[-2], .., end[-count] of p-simplices. From then on the arena's high end belongs to the
+    // reduction. False: out of memory.
+    bool begin(std::uint32_t p, const std::uint64_t* end, std::uint32_t count) {
+        p_ = p;
+        columns_ = end;
+        if (!pivots_.open(count, arena_)) return false;
+        added_at_ = arena_.take_high<std::uint32_t>(count);
+        added_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));
+        added_words_ = 0;
+        return added_at_ != nullptr;
+    }
+    std::uint64_t column(std::uint32_t j) const { return columns_[-1 - static_cast<std::ptrdiff_t>(j)]; }
+    PivotTable& pivots() { return pivots_; }
+
+    Status open(std::uint32_t j) {
+        adding_ = 0;
+        heap_.open();
+        RipsSimplex s;
+        simplices_.read(column(j), p_, &s);
+        const std::uint64_t first = simplices_.first_coface(s);
+        if (first != no_key) {  // an emergent pair if nobody owns it: no coface comes before
+            look_at(first);
+            if (!has_owner()) return Status::ok;
+        }
+        const bool fits = simplices_.each_coface(s, [this](std::uint64_t coface) { return heap_.push(coface); });
+        return fits ? take_pivot() : Status::out_of_memory;
+    }
+    bool has_owner() const { return pivot_.key != no_key && (owner_ != none || facet_ != no_key); }
+    Status add_owner() { return heap_.push(pivot_.key) && add_owning_column() ? take_pivot() : Status::out_of_memory; }
+    bool is_zero() const { return pivot_.key == no_key; }
+    std::uint64_t pivot() const { return pivot_.key; }
+
+    // Column j, reduced, becomes the owner of its pivot. False: out of memory.
+    bool own_pivot(std::uint32_t j) {
+        heap_.close();
+        pivots_.insert(pivot_.key, j);
+        return keep_added(j);
+    }
+    // The column at work was zero.
+    void forget() {
+        heap_.close();
+        arena_.release_high(arena_.high_mark() + sizeof *added_ * static_cast<std::size_t>(adding_));
+    }
+
+private:
+    // Makes `key` the pivot and finds its owner.
+    void look_at(std::uint64_t key) {
+        simplices_.read(key, p_ + 1, &pivot_);
+        owner_ = pivots_.find(key);
+        facet_ = owner_ == none ? simplices_.apparent_facet(pivot_) : no_key;
+    }
+    // The pivot is taken out of the heap.
+    Status take_pivot() {
+        if (progress_.stop(1 + work_)) return Status::cancelled;
+        work_ = 0;
+        const std::uint64_t key = heap_.pop_pivot();
+        pivot_.key = key;
+        if (key != no_key) look_at(key);
+        return Status::ok;
+    }
+    // Adds the cofaces of a p-simplex to the column at work and notes it. False: out of memory.
+    bool add(std::uint64_t key) {
+        if (!arena_.extend_high(sizeof key)) return false;
+        added_[-1 - static_cast<std::ptrdiff_t>(added_words_ + adding_++)] = key;
+        RipsSimplex s;
+        simplices_.read(key, p_, &s);
+        work_ += 1 + simplices_.vertices() / 32;
+        return simplices_.each_coface(s, [this](std::uint64_t coface) { return heap_.push(coface); });
+    }
+    bool add_owning_column() {
+        if (owner_ == none) return add(facet_);
+        if (!add(column(owner_))) return false;
+        const std::uint32_t at = added_at_[owner_];
+        const std::uint64_t count = at == 0 ? 0 : added_[-static_cast<std::ptrdiff_t>(at)];
+        for (std::uint64_t i = 1; i <= count; ++i) {
+            if (!add(added_[-static_cast<std::ptrdiff_t>(at) + static_cast<std::ptrdiff_t>(i)])) return false;
+        }
+        return true;
+    }
+    // The list of what was added to column j, without what was added twice. False: out of memory.
+    bool keep_added(std::uint32_t j) {
+        std::uint64_t* const list = added_ - added_words_ - adding_;
+        sort(list, adding_, [](std::uint64_t a, std::uint64_t b) { return a < b; });
+        std::uint64_t kept = 0;
+        for (std::uint64_t i = 0; i < adding_; ++i) {
+            if (kept > 0 && list[kept - 1] == list[i]) {
+                --kept;
+            } else {
+                list[kept++] = list[i];
+            }
+        }
+        __builtin_memmove(list + (adding_ - kept), list, sizeof *list * static_cast<std::size_t>(kept));
+        arena_.release_high(arena_.high_mark() + sizeof *list * static_cast<std::size_t>(adding_ - kept));
+        added_at_[j] = 0;
+        if (kept == 0) return true;
+        if (added_words_ + kept + 1 >= none || !arena_.extend_high(sizeof *list)) return false;
+        added_words_ += kept + 1;
+        added_[-static_cast<std::ptrdiff_t>(added_words_)] = kept;
+        added_at_[j] = static_cast<std::uint32_t>(added_words_);
+        return true;
+    }
+
+    const RipsSimplices& simplices_;
+    Arena& arena_;
+    Progress& progress_;
+    KeyHeap heap_;
+    PivotTable pivots_;
+    std::uint32_t p_ = 0;
+    const std::uint64_t* columns_ = nullptr;
+    std::uint32_t* added_at_ = nullptr;           // [column] where the list of what was added to it is, 0: nothing
+    std::uint64_t* added_ = nullptr;              // the end of these lists, which grow downwards: count, then keys
+    std::uint64_t added_words_ = 0, adding_ = 0;  // in them; in the list of the column at work
+    RipsSimplex pivot_;                           // of the column at work; its key is no_key: zero
+    std::uint32_t owner_ = none;                  // of the pivot: a column or
+    std::uint64_t facet_ = no_key;                // a simplex that is none
+    std::uint32_t work_ = 0;
+};
+
+}  // namespace netmesh

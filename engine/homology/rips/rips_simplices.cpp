@@ -1,0 +1,130 @@
+#include "homology/rips/rips_simplices.hpp"
+
+#include "memory/arena.hpp"
+#include "numerics/radix_sort.hpp"
+
+namespace netmesh {
+namespace {
+
+std::uint32_t bits_of(std::uint64_t x) {
+    std::uint32_t bits = 0;
+    for (; x != 0; x >>= 1) ++bits;
+    return bits;
+}
+
+// BitSet of the largest index of so many vertices or fewer; 64 when they are too many.
+std::uint32_t index_bits(std::uint32_t n, std::uint32_t others) {
+    std::uint64_t choose = 1, most = 1;
+    for (std::uint32_t k = 1; k <= others && k <= n; ++k) {
+        if (choose > (std::uint64_t{1} << 46)) return 64;
+        choose = choose * (n - k + 1) / k;
+        if (choose > most) most = choose;
+    }
+    return bits_of(most);
+}
+
+// In order of value, ties as they are; values are not negative, so their bits are in their order.
+bool sort_edges(RipsGraph& graph, Arena& arena) {
+    const HighScope scope(arena);
+    std::uint64_t* const keys = arena.take_high<std::uint64_t>(graph.edge_count);
+    std::uint64_t* const spare = arena.take_high<std::uint64_t>(graph.edge_count);
+    std::uint32_t* const spare_ends = arena.take_high<std::uint32_t>(graph.edge_count);
+    if (keys == nullptr || spare == nullptr || spare_ends == nullptr) return false;
+    __builtin_memcpy(keys, graph.value, sizeof(double) * std::size_t{graph.edge_count});
+    radix_sort(keys, graph.ends, spare, spare_ends, graph.edge_count);
+    __builtin_memcpy(graph.value, keys, sizeof(double) * std::size_t{graph.edge_count});
+    return true;
+}
+
+}  // namespace
+
+bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree) {
+    return graph.vertices <= RipsGraph::vertices_max && max_degree + 2 <= RipsSimplex::vertices_max &&
+           bits_of(graph.edge_count) + index_bits(graph.vertices, max_degree) <= 63;
+}
+
+// The numbers C(a, k), a < n, k <= others.
+void RipsSimplices::choose_all(std::uint32_t others) {
+    for (std::uint32_t a = 0; a < n_; ++a) choose_[a] = 1;
+    for (std::uint32_t k = 1; k <= others; ++k) {
+        std::uint64_t* const row = choose_ + std::size_t{k} * n_;
+        const std::uint64_t* const before = row - n_;
+        row[0] = 0;
+        for (std::uint32_t a = 1; a < n_; ++a) row[a] = row[a - 1] + before[a - 1];
+    }
+}
+
+bool RipsSimplices::open(RipsGraph& graph, std::uint32_t others, Arena& arena) {
+    n_ = graph.vertices;
+    shift_ = index_bits(n_, others);
+    if (!sort_edges(graph, arena)) return false;
+    ends_ = graph.ends;
+    rank_ = arena.take_high<std::uint32_t>(std::size_t{n_} * n_);
+    choose_ = arena.take_high<std::uint64_t>((std::size_t{others} + 1) * n_);
+    if (rank_ == nullptr || choose_ == nullptr) return false;
+    for (std::size_t i = 0; i < std::size_t{n_} * n_; ++i) rank_[i] = none;
+    for (std::uint32_t e = 0; e < graph.edge_count; ++e) {
+        rank_[std::size_t{larger_end(e)} * n_ + smaller_end(e)] = e;
+        rank_[std::size_t{smaller_end(e)} * n_ + larger_end(e)] = e;
+    }
+    choose_all(others);
+    return true;
+}
+
+void RipsSimplices::read(std::uint64_t key, std::uint32_t dimension, RipsSimplex* s) const {
+    s->key = key;
+    s->last_edge = edge_of(key);
+    s->count = dimension + 1;
+    std::uint64_t index = key & ((std::uint64_t{1} << shift_) - 1);
+    std::uint32_t before = n_;
+    for (std::uint32_t k = dimension - 1; k >= 1; --k) {  // the largest a < before with C(a, k) <= index
+        std::uint32_t low = 0, high = before;
+        while (high - low > 1) {
+            const std::uint32_t middle = low + (high - low) / 2;
+            (choose(middle, k) <= index ? low : high) = middle;
+        }
+        s->other[k - 1] = before = low;
+        index -= choose(low, k);
+    }
+    const std::uint32_t ends[2] = {smaller_end(s->last_edge), larger_end(s->last_edge)};
+    for (std::uint32_t i = 0, a = 0, b = 0; i <= dimension; ++i) {
+        const bool from_ends = b < 2 && (a == dimension - 1 || ends[b] < s->other[a]);
+        s->vertex[i] = from_ends ? ends[b++] : s->other[a++];
+        s->row[i] = row(s->vertex[i]);
+    }
+}
+
+// The first vertex before `end` that is joined to all rows by edges before `edge`; `none` if there is none.
+std::uint32_t RipsSimplices::first_joined(const std::uint32_t* const* rows, std::uint32_t count, std::uint32_t edge,
+                                          std::uint32_t end) const {
+    std::uint32_t rank[block];
+    for (std::uint32_t begin = 0; begin < end; begin += block) {
+        latest(rows, count, begin, rank);
+        for (std::uint32_t w = begin; w < end && w < begin + block; ++w) {
+            if (rank[w - begin] < edge) return w;
+        }
+    }
+    return none;
+}
+
+std::uint64_t RipsSimplices::apparent_facet(const RipsSimplex& s) const {
+    const std::uint32_t* rows[RipsSimplex::vertices_max] = {};
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < s.count; ++i) {
+        if (s.vertex[i] != s.other[0]) rows[count++] = s.row[i];
+    }
+    if (first_joined(rows, count, s.last_edge, s.other[0]) != none) return no_key;
+    return key_of(s.last_edge, s.other + 1, s.count - 3);
+}
+
+std::uint64_t RipsSimplices::first_coface(const RipsSimplex& s) const {
+    const std::uint32_t w = first_joined(s.row, s.count, s.last_edge, n_);
+    if (w == none) return no_key;
+    std::uint32_t other[RipsSimplex::vertices_max], count = 0, i = 0;
+    for (; i < s.count - 2 && s.other[i] < w; ++i) other[count++] = s.other[i];
+    other[count++] = w;
+    for (; i < s.count - 2; ++i) other[count++] = s.other[i];
+    return key_of(s.last_edge, other, count);
+}
+
+}  // namespace netmesh

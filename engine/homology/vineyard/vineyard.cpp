@@ -1,0 +1,280 @@
+#include "homology/vineyard/vineyard.hpp"
+
+#include "homology/rank.hpp"
+#include "memory/arena.hpp"
+#include "numerics/real.hpp"
+
+namespace netmesh {
+
+Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, const Work& work) {
+    complex_ = complex;
+    arena_ = &work.arena;
+    max_degree_ = max_degree < complex.dimension ? max_degree : complex.dimension;
+    top_ = max_degree_ + 1 < complex.dimension ? max_degree_ + 1 : complex.dimension;
+    std::uint32_t longest = 1;
+    slots_ = 0;
+    for (std::uint32_t k = 0; k <= top_; ++k) {
+        const std::uint32_t n = complex.count[k];
+        if (n > longest) longest = n;
+        Dimension& d = of_[k];
+        d.order = work.arena.take_high<std::uint32_t>(n);
+        d.vine = work.arena.take_high<std::uint32_t>(n);
+        d.at = work.arena.take_high<Record>(n);
+        if (d.order == nullptr || d.vine == nullptr || d.at == nullptr) return Status::out_of_memory;
+        d.slot = slots_;
+        slots_ += n > 0 ? n - 1 : 0;
+    }
+    time_ = work.arena.take_high<double>(std::size_t{slots_} + 1);
+    winner_ = work.arena.take_high<std::uint32_t>(std::size_t{slots_} + 1);
+    if (time_ == nullptr || winner_ == nullptr) return Status::out_of_memory;
+    for (std::uint32_t k = 0; k <= top_; ++k) {
+        const HighScope scope(work.arena);
+        std::uint32_t* const position = work.arena.take_high<std::uint32_t>(complex.count[k]);
+        if (position == nullptr || !rank_vertices(value[k], complex.count[k], work.arena, of_[k].order, position))
+            return Status::out_of_memory;
+        for (std::uint32_t s = 0; s < complex.count[k]; ++s) {
+            of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, 0, 0};
+            of_[k].vine[s] = none;
+        }
+    }
+    Status status = pool_.open(work.arena, longest);
+    std::uint64_t total = 0;
+    for (std::uint32_t k = 1; k <= top_; ++k) total += complex.count[k];
+    work.monitor.begin(NETMESH_STAGE_REDUCE, total);
+    work_ = 0;
+    for (std::uint32_t k = top_; k >= 1 && status == Status::ok; --k) status = reduce(k, work.monitor);
+    vine_count_ = 0;
+    for (std::uint32_t k = 0; k <= max_degree_; ++k)
+        for (std::uint32_t s = 0; s < complex.count[k]; ++s)
+            if (is_positive(k, s)) of_[k].vine[s] = vine_count_++;
+    return status;
+}
+
+// The row that comes last in the filtration.
+std::uint32_t Vineyard::pivot_of(std::uint32_t k, const SparseColumn& column) const {
+    const std::uint32_t* const rows = pool_.rows(column);
+    const Record* const at = of_[k - 1].at;
+    std::uint32_t pivot = none, last = 0;
+    for (std::uint32_t i = 0; i < column.length; ++i)
+        if (pivot == none || at[rows[i]].position > last) {
+            pivot = rows[i];
+            last = at[pivot].position;
+        }
+    return pivot;
+}
+
+// The columns of the k-simplices. Where the dimension above has found that one gives birth, the column that it is the
+// pivot of is a cycle that it completes: R = 0 and V that cycle.
+Status Vineyard::reduce(std::uint32_t k, Monitor& monitor) {
+    Dimension& d = of_[k];
+    for (std::uint32_t i = 0; i < complex_.count[k]; ++i) {
+        const std::uint32_t s = d.order[i];
+        std::uint64_t cost = 1;
+        if (k < top_ && d.at[s].owner != none) {
+            const SparseColumn& cycle = of_[k + 1].at[d.at[s].owner].r;
+            if (!pool_.assign(d.at[s].v, pool_.rows(cycle), cycle.length)) return Status::out_of_memory;
+        } else {
+            std::uint32_t faces[ComplexView::dimension_max + 1];
+            for (std::uint32_t j = 0; j <= k; ++j) {
+                const std::uint32_t face = complex_.facets[k][std::size_t{k + 1} * s + j];
+                std::uint32_t hole = j;
+                for (; hole > 0 && faces[hole - 1] > face; --hole) faces[hole] = faces[hole - 1];
+                faces[hole] = face;
+            }
+            if (!pool_.assign(d.at[s].r, faces, k + 1)) return Status::out_of_memory;
+            pool_.assign(d.at[s].v, &s, 1);  // a single row takes no memory
+            std::uint32_t pivot = pivot_of(k, d.at[s].r);
+            while (pivot != none && of_[k - 1].at[pivot].owner != none) {
+                const std::uint32_t other = of_[k - 1].at[pivot].owner;
+                if (!pool_.add(d.at[s].r, d.at[other].r) || !pool_.add(d.at[s].v, d.at[other].v))
+                    return Status::out_of_memory;
+                pivot = pivot_of(k, d.at[s].r);
+                cost += (d.at[s].r.length + d.at[s].v.length) / 16;
+            }
+            d.at[s].low = pivot;
+            if (pivot != none) of_[k - 1].at[pivot].owner = s;
+        }
+        if (monitor.advance(++work_, cost < 1000 ? static_cast<std::uint32_t>(cost) : 1000)) return Status::cancelled;
+    }
+    return Status::ok;
+}
+
+std::uint32_t Vineyard::dimension_of(std::uint32_t slot) const {
+    std::uint32_t k = top_;
+    while (slot < of_[k].slot) --k;
+    return k;
+}
+
+// When the simplices at positions i and i + 1 meet; infinity when they stay in this order.
+double Vineyard::time_of(std::uint32_t k, std::uint32_t i) const {
+    const Record &a = of_[k].at[of_[k].order[i]], &b = of_[k].at[of_[k].order[i + 1]];
+    if (a.target < b.target) return infinity;
+    const double before = b.from - a.from, after = a.to - b.to;
+    return before + after > 0 ? before / (before + after) : 0;
+}
+
+void Vineyard::play(std::uint32_t node) {
+    const std::uint32_t a = slot_at(2 * node), b = slot_at(2 * node + 1);
+    const bool later = time_[b] < time_[a] || (time_[b] == time_[a] && b < a);
+    winner_[node] = later ? b : a;
+}
+
+// The times of positions first..last of dimension k have changed: all nodes above them are played again, level by level.
+void Vineyard::update(std::uint32_t k, std::uint32_t first, std::uint32_t last) {
+    const std::uint32_t shift = slots_ + of_[k].slot;
+    std::uint32_t low = shift + first, high = shift + last;
+    while (high > 1) {  // leaves may lie at two depths, so that the lower end can arrive at the root first
+        low = low > 1 ? low / 2 : 1;
+        high /= 2;
+        for (std::uint32_t node = high; node >= low; --node) play(node);
+    }
+}
+
+Status Vineyard::advance(const double* const* from, const double* const* to, Monitor& monitor) {
+    for (std::uint32_t k = 0; k <= top_; ++k) {
+        const HighScope scope(*arena_);
+        std::uint32_t* const order = arena_->take_high<std::uint32_t>(complex_.count[k]);
+        std::uint32_t* const target = arena_->take_high<std::uint32_t>(complex_.count[k]);
+        if (order == nullptr || target == nullptr || !rank_vertices(to[k], complex_.count[k], *arena_, order, target))
+            return Status::out_of_memory;
+        for (std::uint32_t s = 0; s < complex_.count[k]; ++s) {
+            of_[k].at[s].target = target[s];
+            of_[k].at[s].from = from[k][s];
+            of_[k].at[s].to = to[k][s];
+        }
+        for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) time_[of_[k].slot + i] = time_of(k, i);
+    }
+    if (slots_ == 0) return Status::ok;
+    for (std::uint32_t node = slots_ - 1; node >= 1; --node) play(node);
+    monitor.begin(NETMESH_STAGE_REDUCE, 0);
+    for (std::uint32_t slot; time_[slot = slot_at(1)] < infinity;) {
+        const std::uint32_t k = dimension_of(slot);
+        const Status status = play_out(k, slot - of_[k].slot, monitor);
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+// From the meeting at position i, the first of all, on: as long as the next one is among the positions that have changed
+// the tournament is not asked, and it is told of all of them in the end. Simplices that share their values, as those of a
+// lower star do, meet others all at once. That the order is the tournament's: when this begins, positions before i have
+// later times; those that have not changed since are not earlier, nor are they first where times are equal.
+Status Vineyard::play_out(std::uint32_t k, std::uint32_t i, Monitor& monitor) {
+    constexpr std::uint32_t span_max = 256;
+    Dimension& d = of_[k];
+    double* const time = time_ + d.slot;
+    const std::uint32_t last = complex_.count[k] - 2;
+    std::uint32_t low = i, high = i;
+    Status status = Status::ok;
+    for (double now = time[i]; status == Status::ok;) {
+        const std::uint32_t a = d.order[i], b = d.order[i + 1];
+        if (!transpose(k, a, b)) return Status::out_of_memory;
+        d.order[i] = b;
+        d.order[i + 1] = a;
+        d.at[a].position = i + 1;
+        d.at[b].position = i;
+        time[i] = infinity;
+        std::uint32_t next = i;
+        if (i < last) {
+            time[i + 1] = time_of(k, i + 1);
+            if (i + 1 > high) high = i + 1;
+            if (time[i + 1] <= now) next = i + 1;
+        }
+        if (i > 0) {
+            time[i - 1] = time_of(k, i - 1);
+            if (i - 1 < low) low = i - 1;
+            if (time[i - 1] <= now && time[i - 1] <= time[next]) next = i - 1;
+        }
+        ++transpositions_;
+        if (monitor.advance(transpositions_)) status = Status::cancelled;
+        if (high - low > span_max) break;
+        for (std::uint32_t j = low, seen = next; seen == i && j <= high; ++j) {
+            if (time[j] <= now && time[j] < time[next]) next = j;
+        }
+        if (next == i) break;
+        i = next;
+        now = time[i];
+    }
+    update(k, low, high);
+    return status;
+}
+
+// a stands just before b, both of dimension k. R and V become those of the order in which they are exchanged. False:
+// out of memory.
+bool Vineyard::transpose(std::uint32_t k, std::uint32_t a, std::uint32_t b) {
+    const bool a_positive = is_positive(k, a), b_positive = is_positive(k, b);
+    if (a_positive && b_positive) return transpose_positive(k, a, b);
+    if (!a_positive && !b_positive) return transpose_negative(k, a, b);
+    Dimension& d = of_[k];
+    if (!pool_.has(d.at[b].v, a)) return true;
+    if (a_positive) return pool_.add(d.at[b].v, d.at[a].v);
+    return exchange(k, a, b);
+}
+
+// Both give birth.
+bool Vineyard::transpose_positive(std::uint32_t k, std::uint32_t a, std::uint32_t b) {
+    Dimension& d = of_[k];
+    if (k > 0 && pool_.has(d.at[b].v, a) && !pool_.add(d.at[b].v, d.at[a].v)) return false;
+    if (k == top_ || d.at[b].owner == none) return true;
+    Dimension& above = of_[k + 1];
+    const std::uint32_t later = d.at[b].owner, earlier = d.at[a].owner;
+    if (!pool_.has(above.at[later].r, a)) return true;
+    if (earlier != none && above.at[earlier].position < above.at[later].position)
+        return pool_.add(above.at[later].r, above.at[earlier].r) && pool_.add(above.at[later].v, above.at[earlier].v);
+    if (earlier != none) {
+        if (!pool_.add(above.at[earlier].r, above.at[later].r) || !pool_.add(above.at[earlier].v, above.at[later].v))
+            return false;
+        above.at[earlier].low = b;
+    }
+    above.at[later].low = a;
+    d.at[a].owner = later;
+    d.at[b].owner = earlier;
+    const std::uint32_t vine = d.vine[a];
+    d.vine[a] = d.vine[b];
+    d.vine[b] = vine;
+    return true;
+}
+
+// Both end a class.
+bool Vineyard::transpose_negative(std::uint32_t k, std::uint32_t a, std::uint32_t b) {
+    Dimension& d = of_[k];
+    if (!pool_.has(d.at[b].v, a)) return true;
+    const std::uint32_t low_a = d.at[a].low, low_b = d.at[b].low;
+    const bool switches = of_[k - 1].at[low_a].position > of_[k - 1].at[low_b].position;
+    if (!switches) return pool_.add(d.at[b].r, d.at[a].r) && pool_.add(d.at[b].v, d.at[a].v);
+    // b takes the sum, which has a's pivot, and a what b was.
+    if (!pool_.add(d.at[a].r, d.at[b].r) || !pool_.add(d.at[a].v, d.at[b].v)) return false;
+    const SparseColumn r = d.at[a].r, v = d.at[a].v;
+    d.at[a].r = d.at[b].r;
+    d.at[a].v = d.at[b].v;
+    d.at[b].r = r;
+    d.at[b].v = v;
+    d.at[a].low = low_b;
+    d.at[b].low = low_a;
+    of_[k - 1].at[low_a].owner = b;
+    of_[k - 1].at[low_b].owner = a;
+    return true;
+}
+
+// a ends a class, b gives birth to a cycle that contains a: the roles are exchanged.
+bool Vineyard::exchange(std::uint32_t k, std::uint32_t a, std::uint32_t b) {
+    Dimension& d = of_[k];
+    if (!pool_.add(d.at[a].v, d.at[b].v)) return false;
+    const SparseColumn v = d.at[a].v;
+    d.at[a].v = d.at[b].v;
+    d.at[b].v = v;
+    d.at[b].r = d.at[a].r;
+    d.at[a].r = {none, 0};
+    d.at[b].low = d.at[a].low;
+    d.at[a].low = none;
+    of_[k - 1].at[d.at[b].low].owner = b;
+    d.vine[a] = d.vine[b];
+    d.vine[b] = none;
+    if (k == top_) return true;
+    d.at[a].owner = d.at[b].owner;
+    d.at[b].owner = none;
+    if (d.at[a].owner != none) of_[k + 1].at[d.at[a].owner].low = a;
+    return true;
+}
+
+}  // namespace netmesh

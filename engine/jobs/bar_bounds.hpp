@@ -1,0 +1,64 @@
+// For each bar of a filter on a mesh, where the true bar surely is, and the ratio near each scale: interleaving by
+// scale instead of by one ratio.
+//
+// With lo_v <= F <= hi_v on the cell (or clump) of v and t_v the filter's value, the cover at scale b lies in the
+// sublevel set of F at phi(b) = max(b, hi_v over t_v <= b), and the sublevel set at a in the cover at psi(a) = max(a,
+// t_v over lo_v <= a): the arguments of mesh_filter.hpp, function_filter.hpp and tight_filter.hpp with each cell's own
+// bounds. Hence the true birth is in [psi^-(b), phi(b)], psi^-(b) = min(b, lo_v over t_v >= b), the true death
+// likewise, and a bar of the filter stands for a class of F when its death is after psi(phi(birth)). A bad cell spoils
+// only the scales from its value to its hi.
+//
+// The basic filter's inputs are there from the start, t_v = 0 <= hi_v = R_v, and the same holds: phi(b) is never below
+// the largest R_v of an input, and a true bar that dies before need not be in the diagram.
+#pragma once
+#include <cstdint>
+
+#include "diagram/pair.hpp"
+#include "certificate/interval.hpp"
+#include "memory/arena.hpp"
+#include "vocabulary/status.hpp"
+
+namespace netmesh {
+
+struct BarBounds {
+    double birth_low, birth_high, death_low, death_high;
+    double certain_after;   // the bar is surely real when its death is after this
+    std::uint32_t certain;  // or for another reason: 1
+    std::uint32_t unused;
+};
+
+// A filter's values and intervals, [count] each.
+struct FilterBounds {
+    const double* value;
+    const Interval* interval;
+    std::uint32_t count;
+};
+
+struct BarList {
+    const Pair* pairs;  // [count]
+    std::uint64_t count;
+};
+
+// From scale `from` to the next step's, psi(phi(a)) <= max(reach, a). Before the first step it is a.
+struct ScaleStep {
+    double from, reach;
+};
+
+struct ScaleCurve {
+    ScaleStep* steps;  // [count], ascending in both, at the arena's low end
+    std::uint64_t count;
+};
+
+// bounds[i] of bar i, and the curve. Deaths at infinity are exact. A step comes where psi(phi(a)) has grown by a 16th;
+// their number is bounded by the logarithm of the spread of scales. O((vertices + bars + steps) log vertices). Scratch:
+// 48 bytes a vertex. out_of_memory.
+Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
+                      ScaleCurve* curve);
+
+// The same from one ratio, which holds at every scale. Deaths at infinity are exact. out_of_memory.
+Status bound_by_ratio(double ratio, const BarList& bars, Arena& arena, BarBounds* bounds, ScaleCurve* curve);
+
+// The certified ratio of a step: the largest that the curve allows in it, and no more than the diagram's.
+double step_ratio(const ScaleStep& step, double certified_ratio);
+
+}  // namespace netmesh

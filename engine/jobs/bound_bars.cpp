@@ -1,0 +1,56 @@
+#include "jobs/bound_bars.hpp"
+
+#include "filtration/tighten_cell_bounds.hpp"
+#include "jobs/certified_bars.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+// The filter's values and the narrowest intervals that there are for it.
+template <int D>
+Status measure(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+    out->value = work.arena.take_high<double>(mesh.vertices());
+    out->interval = work.arena.take_high<Interval>(mesh.vertices());
+    if (out->value == nullptr || out->interval == nullptr) return Status::out_of_memory;
+    const Status status = evaluate<D>(mesh, request, work, out);
+    const Filter& filter = evaluated_filter(request.filter, request.k);
+    return status == Status::ok && filter.has(filter_trait::has_tighter_cells)
+               ? tighten_cell_bounds<D>(mesh, work, out->interval)
+               : status;
+}
+
+}  // namespace
+
+template <int D>
+Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, const Work& work, BoundedBars* out) {
+    ArenaScope scope(work.arena);
+    *out = {work.arena.take_low<BarBounds>(static_cast<std::size_t>(request.bars.count)), {}};
+    if (out->bounds == nullptr) return Status::out_of_memory;
+    Evaluation evaluation = {};
+    Status status = measure<D>(mesh, request.filter, work, &evaluation);
+    const FilterBounds bounds = {evaluation.value, evaluation.interval, mesh.vertices()};
+    if (status == Status::ok) status = bound_by_scale(bounds, request.bars, work.arena, out->bounds, &out->curve);
+    if (status != Status::ok) return status;
+    const Filter& filter = evaluated_filter(request.filter.filter, request.filter.k);
+    const std::uint32_t zero_born = filter.has(filter_trait::zero_at_inputs) ? mesh.inputs : 0;
+    status = find_certified_bars<D>({mesh.store.view(), bounds, zero_born, request.bars}, work, out->bounds);
+    if (status == Status::ok) scope.keep_low_from_now();
+    return status;
+}
+
+Status bound_bars_by_ratio(double ratio, const BarList& bars, const Work& work, BoundedBars* out) {
+    ArenaScope scope(work.arena);
+    *out = {work.arena.take_low<BarBounds>(static_cast<std::size_t>(bars.count)), {}};
+    if (out->bounds == nullptr) return Status::out_of_memory;
+    const Status status = bound_by_ratio(ratio, bars, work.arena, out->bounds, &out->curve);
+    if (status == Status::ok) scope.keep_low_from_now();
+    return status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status bound_bars<D>(const FilteredMesh<D>&, const BoundBarsRequest&, const Work&, BoundedBars*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

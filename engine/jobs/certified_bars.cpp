@@ -1,0 +1,264 @@
+#include "jobs/certified_bars.hpp"
+
+#include "homology/lower_star/lower_star.hpp"
+#include "jobs/value_table.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr int sequences_max = 8;
+constexpr double shortest = 1.25;  // death over birth of a bar worth a sequence
+constexpr double stride = 1.25;    // between scales of a sequence where no cell lies across
+
+// The scales b_0 < b_1 < ... of a sequence of covers.
+class CoverSequence {
+public:
+    static constexpr int scales_max = 96;
+
+    Status open(const FilterBounds& filter, Arena& arena);
+    // A sequence through scale s > 0.
+    void go_through(double s);
+    int scales() const { return scales_; }
+    double scale(int i) const { return scale_[i]; }
+    // 2 i: in X_i, 2 i + 1: in Y_i, and in nothing before.
+    int level(const Interval& cell) const {
+        int y = 0;
+        while (y < scales_ && scale_[y] < cell.lo) ++y;
+        return y < scales_ && cell.hi <= scale_[y] ? 2 * y : y < scales_ ? 2 * y + 1 : 2 * scales_;
+    }
+
+private:
+    ValueTable by_low_, by_high_;  // largest hi up to a lo, least lo from a hi on
+    double scale_[scales_max];
+    int scales_ = 0;
+};
+
+Status CoverSequence::open(const FilterBounds& filter, Arena& arena) {
+    const auto lo = [&](std::uint32_t v) { return filter.interval[v].lo; };
+    const auto hi = [&](std::uint32_t v) { return filter.interval[v].hi; };
+    const bool room =
+        by_low_.open_largest(filter.count, lo, hi, arena) && by_high_.open_least(filter.count, hi, lo, arena);
+    return room ? Status::ok : Status::out_of_memory;
+}
+
+void CoverSequence::go_through(double s) {
+    constexpr int half = scales_max / 2;
+    double below[half];
+    int count = 0;
+    for (double b = s; count < half && b >= by_high_.first();) {
+        below[count++] = b;
+        // The largest scale whose Y is in the X of this one.
+        const double least = by_high_.least_after(b) * down;
+        b = least < b / stride ? least : b / stride;
+    }
+    scales_ = 0;
+    while (count > 0) scale_[scales_++] = below[--count];
+    if (scales_ == 0) scale_[scales_++] = s;
+    const double top = by_high_.last();
+    while (scales_ < scales_max && scale_[scales_ - 1] < top) {
+        const double b = scale_[scales_ - 1] * stride, most = by_low_.largest_up_to(scale_[scales_ - 1]);
+        const double next = most > b ? most : b;
+        scale_[scales_++] = next < top ? next : top;
+    }
+}
+
+// What a bar of a sequence says about a true bar.
+struct Claim {
+    double birth_low, birth_high, death_low, death_high;
+    int sequence;  // 0: none, 1: by interleaving
+
+    bool disjoint(const Claim& o) const {
+        return birth_high < o.birth_low || o.birth_high < birth_low || death_high < o.death_low ||
+               o.death_high < death_low;
+    }
+    bool contains(const Pair& bar) const {
+        return birth_low <= bar.birth && bar.birth <= birth_high && death_low <= bar.death && bar.death <= death_high;
+    }
+};
+
+// False: the bar is alive at no P_i for sure.
+bool claim_of(const CoverSequence& covers, const Pair& bar, int number, Claim* claim) {
+    if (!(bar.death < infinity)) return false;
+    const int born = static_cast<int>(bar.birth), dies = static_cast<int>(bar.death);
+    const int first = (born + 1) / 2, last = dies / 2 - 1;
+    if (first > last) return false;
+    const int before = born / 2 - 1, after = (dies + 1) / 2;
+    *claim = {before >= 0 ? covers.scale(before) : 0, covers.scale(first), covers.scale(last),
+              after < covers.scales() ? covers.scale(after) : infinity, number};
+    return true;
+}
+
+// The claims about the bars of a diagram.
+class Ledger {
+public:
+    Status open(const BarList& bars, const BarBounds* bounds, Arena& arena);
+    // Takes up what a sequence says about one degree if there are more claims then.
+    void consider(const CoverSequence& covers, const PairList& list, std::uint32_t degree, int number);
+    bool claims(std::uint64_t bar) const { return now_[bar].sequence != 0; }
+    void conclude(BarBounds* bounds) const;
+
+private:
+    void clear(Claim* to) const {
+        for (std::uint64_t i = begin_; i < end_; ++i) to[i].sequence = 0;
+    }
+    std::uint64_t keep_old(Claim* to, int number) const;
+    std::uint64_t add_new(Claim* to, const CoverSequence& covers, const PairList& list, int number) const;
+    bool excludes(const Claim* set, const Claim& claim, bool of_this_sequence, int number) const;
+
+    const Pair* pairs_ = nullptr;
+    std::uint64_t count_ = 0, begin_ = 0, end_ = 0;  // the degree's bars
+    Claim *now_ = nullptr, *first_ = nullptr, *second_ = nullptr;
+};
+
+Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) {
+    const std::uint64_t count = bars.count;
+    pairs_ = bars.pairs;
+    count_ = count;
+    now_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
+    first_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
+    second_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
+    if (now_ == nullptr || first_ == nullptr || second_ == nullptr) return Status::out_of_memory;
+    for (std::uint64_t i = 0; i < count; ++i)
+        now_[i] = {bounds[i].birth_low, bounds[i].birth_high, bounds[i].death_low, bounds[i].death_high,
+                   bounds[i].certain ? 1 : 0};
+    return Status::ok;
+}
+
+// Is the claim about another true bar than all claims of this sequence (of the others) in the set?
+bool Ledger::excludes(const Claim* set, const Claim& claim, bool of_this_sequence, int number) const {
+    for (std::uint64_t i = begin_; i < end_; ++i)
+        if (set[i].sequence != 0 && (set[i].sequence == number) == of_this_sequence && !claim.disjoint(set[i]))
+            return false;
+    return true;
+}
+
+std::uint64_t Ledger::keep_old(Claim* to, int number) const {
+    std::uint64_t kept = 0;
+    for (std::uint64_t i = begin_; i < end_; ++i) {
+        if (now_[i].sequence == 0 || to[i].sequence != 0 || !excludes(to, now_[i], true, number)) continue;
+        to[i] = now_[i];
+        ++kept;
+    }
+    return kept;
+}
+
+std::uint64_t Ledger::add_new(Claim* to, const CoverSequence& covers, const PairList& list, int number) const {
+    std::uint64_t added = 0;
+    for (std::uint64_t i = 0; i < list.count; ++i) {
+        Claim claim;
+        if (list.pairs[i].degree != pairs_[begin_].degree || !claim_of(covers, list.pairs[i], number, &claim)) continue;
+        if (!excludes(to, claim, false, number)) continue;
+        std::uint64_t best = end_;
+        for (std::uint64_t j = begin_; j < end_; ++j)
+            if (to[j].sequence == 0 && claim.contains(pairs_[j]) &&
+                (best == end_ || pairs_[j].death - pairs_[j].birth > pairs_[best].death - pairs_[best].birth))
+                best = j;
+        if (best == end_) continue;
+        to[best] = claim;
+        ++added;
+    }
+    return added;
+}
+
+void Ledger::consider(const CoverSequence& covers, const PairList& list, std::uint32_t degree, int number) {
+    begin_ = 0;
+    while (begin_ < count_ && pairs_[begin_].degree < degree) ++begin_;
+    end_ = begin_;
+    while (end_ < count_ && pairs_[end_].degree == degree) ++end_;
+    if (begin_ == end_) return;
+    std::uint64_t now = 0;
+    for (std::uint64_t i = begin_; i < end_; ++i) now += now_[i].sequence != 0;
+    // What is there and what goes with it, or the other way round.
+    clear(first_);
+    std::uint64_t first = keep_old(first_, number);
+    first += add_new(first_, covers, list, number);
+    clear(second_);
+    std::uint64_t second = add_new(second_, covers, list, number);
+    second += keep_old(second_, number);
+    if (first <= now && second <= now) return;
+    const Claim* const better = second > first ? second_ : first_;
+    for (std::uint64_t i = begin_; i < end_; ++i) now_[i] = better[i];
+}
+
+void Ledger::conclude(BarBounds* bounds) const {
+    for (std::uint64_t i = 0; i < count_; ++i) {
+        BarBounds& b = bounds[i];
+        b.certain = claims(i);
+        if (now_[i].sequence < 2) continue;
+        b.birth_low = now_[i].birth_low;
+        b.birth_high = now_[i].birth_high;
+        b.death_low = now_[i].death_low;
+        b.death_high = now_[i].death_high;
+    }
+}
+
+// Where the next sequence goes through: the middle, then the quarters, of the longest bar worth it that has no claim,
+// as far as no sequence went near there; 0 for nowhere.
+double next_scale(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree,
+                  const double* gone, int sequences) {
+    double best = shortest, scale = 0;
+    for (std::uint64_t i = 0; i < bars.count; ++i) {
+        const Pair& bar = bars.pairs[i];
+        if (bar.degree < least_degree || ledger.claims(i) || !(bar.birth > 0) || !(bar.death < infinity)) continue;
+        const double ratio = bar.death / bar.birth;
+        if (!(ratio > best)) continue;
+        const double from = square_root(bar.birth), to = square_root(bar.death), middle = from * to;
+        const double tries[] = {middle, square_root(middle) * to, from * square_root(middle)};
+        for (const double s : tries) {
+            bool near = false;
+            for (int k = 0; k < sequences; ++k) near = near || (s < gone[k] * 1.05 && gone[k] < s * 1.05);
+            if (near) continue;
+            best = ratio;
+            scale = s;
+            break;
+        }
+    }
+    return scale;
+}
+
+}  // namespace
+
+template <int D>
+Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& work, BarBounds* bounds) {
+    const FilterBounds& filter = request.filter;
+    const BarList& bars = request.bars;
+    if (bars.count == 0) return Status::ok;
+    const ArenaScope scope(work.arena);
+    CoverSequence covers;
+    Ledger ledger;
+    Status status = covers.open(filter, work.arena);
+    if (status == Status::ok) status = ledger.open(bars, bounds, work.arena);
+    double* const level = work.arena.take_low<double>(filter.count);
+    if (status == Status::ok && level == nullptr) status = Status::out_of_memory;
+    if (status != Status::ok) return status;
+    double largest = 0;
+    for (std::uint32_t v = 0; v < filter.count; ++v)
+        if (filter.value[v] > largest) largest = filter.value[v];
+    const std::uint32_t top_degree = bars.pairs[bars.count - 1].degree, least_degree = request.zero_born > 0 ? 1 : 0;
+    double gone[sequences_max];
+    for (int number = 0; number < sequences_max; ++number) {
+        const double s = next_scale(ledger, bars, least_degree, gone, number);
+        if (!(s > 0)) break;
+        gone[number] = s;
+        covers.go_through(s);
+        // The filter's values order the simplices of a level, which keeps the reduction short.
+        for (std::uint32_t v = 0; v < filter.count; ++v)
+            level[v] = covers.level(filter.interval[v]) + (largest > 0 ? 0.5 * (filter.value[v] / largest) : 0);
+        const ArenaScope run(work.arena);
+        CountedPairs found = {};
+        status = persist_lower_star<D>({request.complex, level, request.zero_born}, {top_degree}, work, &found);
+        if (status != Status::ok) return status;
+        for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)
+            ledger.consider(covers, found.pairs, degree, number + 2);
+    }
+    ledger.conclude(bounds);
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status find_certified_bars<D>(const CertifiedBarsRequest<D>&, const Work&, BarBounds*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

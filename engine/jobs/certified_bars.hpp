@@ -1,0 +1,43 @@
+// Certified bars: bars that surely are real though the bounds of all cells of their scales together do not tell:
+// classes that a cover within the offsets has and a cover around them keeps.
+//
+// With lo_v <= F <= hi_v on each cell let X_a be the union of the cells with hi_v <= a and Y_a that of the cells with
+// lo_v <= a, inputs' balls before as in mesh_filter.hpp. Then X_a, F's sublevel set P_a and Y_a contain each other in
+// this order: where x in P_a has its cell's (clump's) lo_v > a, the cell is an input's and x in the ball of radius a.
+// Both are filtrations of the same Delaunay triangulation. Now let scales b_0 < b_1 < ... be such that no cell has lo_v
+// <= b_i and hi_v > b_{i+1}:
+//
+//     X_0 c P_0 c Y_0 c X_1 c P_1 c Y_1 c ...            (X_i for X_{b_i}, ...)
+//
+// is one filtration of spaces. Its bars restricted to the X and Y are those of one lower-star filtration with 2 n + 1
+// levels; restricted to the P they are the true bars, as far as these scales see them. A bar that is alive at X_i and
+// Y_j, i <= j, belongs to a true bar that is born at b_i or before and dies after b_j; when it is not alive at Y_m and
+// X_q, m < i, q > j, the true birth is after b_m and the true death at b_q or before. All bars of one such sequence of
+// covers belong to different true bars.
+//
+// A bar of the filter's diagram whose birth and death are within these bounds is certified with them. Claims that come
+// from different sequences, or from the interleaving of bar_bounds.hpp, could be about the same true bar; they stand
+// together only where their bounds exclude that.
+#pragma once
+#include <cstdint>
+
+#include "complex/triangulation.hpp"
+#include "jobs/bar_bounds.hpp"
+#include "memory/work.hpp"
+
+namespace netmesh {
+
+template <int D> struct CertifiedBarsRequest {
+    TriangulationView<D> complex;
+    FilterBounds filter;      // of the vertices; values serve to order simplices within a level
+    std::uint32_t zero_born;  // as in homology/lower_star/lower_star.hpp: inputs of covers that begin with balls
+    BarList bars;
+};
+
+// Marks more of the bars as certain, with bounds[i] as proven, in degrees that have no zero-born classes. Sequences of
+// covers go through the middles and quarters of the longest bars not yet marked: at most eight, each the cost of a
+// diagram. Scratch: 36 bytes a vertex, 144 a bar, and what persist_lower_star needs. out_of_memory, cancelled.
+template <int D>
+Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& work, BarBounds* bounds);
+
+}  // namespace netmesh

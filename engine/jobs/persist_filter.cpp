@@ -1,0 +1,40 @@
+#include "jobs/persist_filter.hpp"
+
+#include "homology/lower_star/lower_star.hpp"
+#include "jobs/persist_alpha.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+
+template <int D>
+Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request, const Work& work,
+                      FilterDiagram* out) {
+    *out = FilterDiagram{};
+    const Store<D>& store = mesh.store;
+    if (request.filter.filter == NETMESH_FILTER_ALPHA)
+        return persist_alpha<D>(store.view(), store.point(0), Store<D>::vertex_stride, request.diagram.max_degree,
+                                request.diagram.keep_zero, work, &out->pairs, &out->simplices);
+    ArenaScope scope(work.arena);
+    Evaluation evaluation = {work.arena.take_low<double>(mesh.vertices())};
+    if (evaluation.value == nullptr) return Status::out_of_memory;
+    Status status = evaluate<D>(mesh, request.filter, work, &evaluation);
+    out->culprit = evaluation.culprit;
+    CountedPairs found = {};
+    if (status == Status::ok)
+        status = persist_lower_star<D>({store.view(), evaluation.value, evaluation.zero_born}, request.diagram, work,
+                                       &found);
+    if (status != Status::ok) return status;
+    out->pairs = found.pairs;
+    out->simplices = found.simplices;
+    out->certificate = evaluation.certificate;
+    out->value = evaluation.value;
+    scope.keep_low_from_now();
+    return Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status persist_filter<D>(const FilteredMesh<D>&, const PersistRequest&, const Work&, FilterDiagram*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,27 @@
+// From a mesh or a Delaunay triangulation to the diagram of a filter on it.
+#pragma once
+#include "filtration/filters.hpp"
+#include "homology/persistence.hpp"
+
+namespace netmesh {
+
+struct PersistRequest {
+    FilterRequest filter;  // of source mesh or delaunay
+    DiagramRequest diagram;
+};
+
+struct FilterDiagram {
+    PairList pairs = {};
+    std::uint64_t simplices = 0;  // of the filtered complex
+    Certificate certificate = {};
+    const double* value = nullptr;  // [vertices] of a filter on meshes; null: alpha
+    std::uint32_t culprit = 0;      // as of Evaluation
+};
+
+// Diagram of the request's filter in degrees 0..max_degree (at most D-1). The filter's values, then the pairs are put
+// at the arena's low end; without ok nothing stays but the culprit. What evaluate, persist_lower_star and persist_alpha
+// say. A triangulation for the alpha filter needs no domain.
+template <int D>
+Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request, const Work& work, FilterDiagram* out);
+
+}  // namespace netmesh

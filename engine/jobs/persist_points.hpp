@@ -1,0 +1,47 @@
+// Filtrations on the points themselves: from points to a complex (filtration/point_complexes.hpp), from the complex to
+// a diagram.
+#pragma once
+#include <cstdint>
+
+#include "certificate/certificate.hpp"
+#include "include/netmesh.h"
+#include "jobs/persist_complex.hpp"
+
+namespace netmesh {
+
+// Degrees up to this one, and k + max_degree of barycentric filters.
+constexpr std::uint32_t points_degree_max = ListedComplex::dimension_max - 1;
+
+struct PointsFilter {
+    netmesh_filter filter;  // of source points
+    FilterValues values;
+    std::uint32_t k;           // of filters that need it, >= 1
+    std::uint32_t max_degree;  // with k, where it is needed, at most points_degree_max
+};
+
+struct PointsRequest {
+    PointsFilter filter;
+    const double* points;  // [count][dim]
+    std::uint32_t count, dim;
+    bool keep_zero, representatives;  // representatives: of filters that have cycles
+};
+
+struct PointsDiagram {
+    ComplexDiagram diagram;
+    double ratio;  // of the diagram, and the best
+    std::uint32_t distinct;
+    std::uint64_t input_fingerprint;
+    std::uint64_t culprit;  // after not_finite: the row
+    bool is_listed;         // representatives are asked for: the complex stays for cycle_of
+    ListedComplex complex;
+};
+
+// Exact duplicates are merged into the first occurrence. The pairs are put at the arena's low end, with representatives
+// behind the points and the complex, whose cycles stay at the high end; without ok nothing stays. Memory: points_bytes.
+// invalid_argument (k above the number of distinct points), not_finite, out_of_memory, cancelled, internal.
+Status persist_points(const PointsRequest& request, const Work& work, PointsDiagram* out);
+
+// Bytes that n points in any position take at most, but for the fill of the reduction.
+double points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t dim);
+
+}  // namespace netmesh

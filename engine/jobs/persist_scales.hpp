@@ -1,0 +1,38 @@
+// The tight diagrams of the scales of a set of points (filtration/scale_partition.hpp), joined.
+#pragma once
+#include <cstdint>
+
+#include "certificate/certificate.hpp"
+#include "delaunay/store.hpp"
+#include "homology/persistence.hpp"
+#include "memory/work.hpp"
+
+namespace netmesh {
+
+struct ScalesRequest {
+    double theta, eps;  // in (0, 1/9], in (0, 1/2]
+    double tau;
+    std::uint64_t seed;
+    FilterValues values;
+    std::uint32_t max_degree;  // 0..D-1
+    bool keep_zero;
+};
+
+struct ScalesResult {
+    PairList pairs;  // at the arena's low end
+    double ratio, ratio_best;
+    double separation;
+    std::uint64_t simplices, vertices;  // of all meshes
+    std::uint32_t clusters, most_points, most_vertices;
+    std::uint64_t row_a, row_b;  // culprits of out_of_range, too_close, invalid_argument
+};
+
+// The joined diagram of the distinct points that are the vertices 0..count-1 of `points`: one mesh after the other in
+// the same memory, each with the tight filter, in coordinates from its representative where these are exact. Everything
+// but the pairs is given back. out_of_memory, cancelled, out_of_range, too_close, invalid_argument (coordinates do not
+// resolve the size asked for).
+template <int D>
+Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
+                      ScalesResult* result);
+
+}  // namespace netmesh

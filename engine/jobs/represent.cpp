@@ -1,0 +1,72 @@
+#include "jobs/represent.hpp"
+
+#include "filtration/explicit_complex.hpp"
+#include "jobs/persist_alpha.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+// The complex is listed simplex by simplex and reduced.
+template <int D>
+Status represent_listed(const FilteredMesh<D>& mesh, const RepresentRequest& request, std::uint32_t zero_born,
+                        const Work& work, Representation* out) {
+    const Store<D>& store = mesh.store;
+    const std::uint32_t dimension = request.diagram.max_degree + 1;
+    const bool alpha = request.filter.filter == NETMESH_FILTER_ALPHA;
+    Status status = alpha ? alpha_complex<D>(store.view(), store.point(0), Store<D>::vertex_stride, dimension, work,
+                                             &out->complex)
+                          : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, work,
+                                                  &out->complex);
+    if (status != Status::ok) return status;
+    Representatives found = {};
+    status = persist_with_cycles(out->complex.filtered(), request.diagram, work, &found);
+    if (status == Status::ok && alpha && !request.diagram.keep_zero) drop_rounding(&found.pairs);
+    out->pairs = found.pairs;
+    out->cycles = found.store;
+    return status;
+}
+
+// The cycles are found without the complex.
+template <int D>
+Status represent_lower_star(const FilteredMesh<D>& mesh, const RepresentRequest& request, std::uint32_t zero_born,
+                            const Work& work, Representation* out) {
+    Representatives found = {};
+    const Status status = lower_star_cycles<D>({mesh.store.view(), request.value, zero_born},
+                                               request.diagram.max_degree, request.bars.count, work, &found);
+    out->pairs = found.pairs;
+    out->cycles = found.store;
+    return status;
+}
+
+bool same_bars(const BarList& bars, const PairList& pairs) {
+    if (pairs.count != bars.count) return false;
+    for (std::uint64_t i = 0; i < pairs.count; ++i) {
+        const Pair &a = bars.pairs[i], &b = pairs.pairs[i];
+        if (a.degree != b.degree || a.birth != b.birth || a.death != b.death) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+template <int D>
+Status represent(const FilteredMesh<D>& mesh, const RepresentRequest& request, const Work& work, Representation* out) {
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    const std::uint32_t zero_born = zero_born_count(request.filter.filter, request.filter.k, mesh.inputs);
+    out->is_listed = request.filter.filter == NETMESH_FILTER_ALPHA || request.diagram.keep_zero;
+    Status status = out->is_listed ? represent_listed<D>(mesh, request, zero_born, work, out)
+                                   : represent_lower_star<D>(mesh, request, zero_born, work, out);
+    if (status == Status::ok && !same_bars(request.bars, out->pairs)) status = Status::internal;
+    if (status == Status::ok) return status;
+    work.arena.release_low(low);
+    work.arena.release_high(high);
+    return status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status represent<D>(const FilteredMesh<D>&, const RepresentRequest&, const Work&, Representation*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

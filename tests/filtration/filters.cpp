@@ -1,0 +1,110 @@
+// The table of filters, and what evaluate promises of every filter on meshes.
+#include "filtration/filters.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+#include "mesh/refine.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+// A function that every mesh can certify: never smaller than its change across the cells of the inputs below.
+double far_from_zero(void*, const double* x) { return 20 + x[0]; }
+
+netmesh_function function_row() {
+    netmesh_function function = {};
+    function.evaluate = far_from_zero;
+    function.lipschitz = 1;
+    function.cut = 19;
+    return function;
+}
+
+}  // namespace
+
+TEST_CASE("rows have names of their own and are found by their filter, numbers of no filter by none") {
+    std::set<std::string> names;
+    for (std::uint32_t i = 0; i < filter_count; ++i) {
+        const Filter& filter = filter_row(i);
+        CHECK(find_filter(filter.id) == &filter);
+        CHECK(names.insert(filter.name).second);
+        CHECK(std::string(filter.name).find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos);
+        CHECK(std::string(filter.reference).size() > 10);
+        // The number of neighbours is in the name of the function exactly where it matters.
+        CHECK((std::string(filter.reference).find("{k}") != std::string::npos) == filter.has(filter_trait::needs_k));
+        if (filter.has(filter_trait::inputs_enter_first)) CHECK(filter.has(filter_trait::zero_at_inputs));
+        if (filter.source != FilterSource::mesh) {
+            CHECK(!filter.has(filter_trait::bounds_by_scale | filter_trait::has_tighter_cells));
+            CHECK(!filter.has(filter_trait::has_vineyard | filter_trait::has_goal));
+        }
+    }
+    for (const std::uint32_t number : {0u, filter_count + 1, 0x7FFFFFFFu, 0xFFFFFFFFu}) {
+        netmesh_filter filter;
+        std::memcpy(&filter, &number, sizeof filter);
+        CHECK(find_filter(filter) == nullptr);
+    }
+}
+
+TEST_CASE("with one neighbour filters by neighbours are the complete filter") {
+    for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
+        CHECK(evaluated_filter(filter, 0).id == NETMESH_FILTER_COMPLETE);
+        CHECK(evaluated_filter(filter, 1).id == NETMESH_FILTER_COMPLETE);
+        CHECK(evaluated_filter(filter, 2).id == filter);
+        CHECK(zero_born_count(filter, 1, 7) == 7);
+        CHECK(zero_born_count(filter, 2, 7) == 0);
+    }
+    CHECK(evaluated_filter(NETMESH_FILTER_BARYCENTRIC_CECH, 1).id == NETMESH_FILTER_BARYCENTRIC_CECH);
+    CHECK(zero_born_count(NETMESH_FILTER_BASIC, 0, 7) == 0);
+}
+
+TEST_CASE("every filter on meshes gives values within its ratio of its intervals, and refuses others") {
+    Block block(std::size_t{1} << 24);
+    StoreState state = {};
+    Store<2> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    Domain<2> domain = {};
+    const inputs::Points points = inputs::uniform(2, 40);
+    REQUIRE(refine<2>(store, points.data(), 40, {2.5, 1, true, 1}, monitor, &input, &domain) == Status::ok);
+    const FilteredMesh<2> mesh = {store, domain, 40};
+    const netmesh_function function = function_row();
+    const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
+    for (std::uint32_t i = 0; i < filter_count; ++i)
+        for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
+            const Filter& filter = filter_row(i);
+            CAPTURE(filter.name);
+            std::vector<double> value(state.vertex_count);
+            std::vector<Interval> interval(state.vertex_count);
+            Evaluation out = {value.data(), interval.data()};
+            const Status status = evaluate<2>(mesh, {filter.id, values, 3, &function}, {block.arena, monitor}, &out);
+            CHECK(status == (filter.source == FilterSource::mesh ? Status::ok : Status::invalid_argument));
+            CHECK(block.arena.low_mark() == low);
+            CHECK(block.arena.high_mark() == high);
+            if (status != Status::ok) continue;
+            CHECK(out.zero_born == zero_born_count(filter.id, 3, mesh.inputs));
+            const double c = out.certificate.ratio;
+            CHECK(is_finite(c));
+            CHECK(c >= out.certificate.ratio_best * (1 - 1e-9));
+            if (values == FilterValues::certified) CHECK(c == doctest::Approx(out.certificate.ratio_best));
+            for (std::uint32_t v = 0; v < state.vertex_count; ++v) {
+                CHECK(interval[v].lo <= interval[v].hi);
+                if (filter.id == NETMESH_FILTER_BASIC && v < mesh.inputs) {
+                    CHECK(value[v] == 0);
+                    CHECK(interval[v].hi <= out.certificate.from);
+                    continue;
+                }
+                CHECK(interval[v].hi <= value[v] * c * (1 + 1e-12));
+                CHECK(value[v] <= interval[v].lo * c * (1 + 1e-12));
+            }
+        }
+    Evaluation out = {nullptr};
+    CHECK(evaluate<2>(mesh, {NETMESH_FILTER_FUNCTION, FilterValues::thesis}, {block.arena, monitor}, &out) ==
+          Status::invalid_argument);
+}

@@ -1,0 +1,151 @@
+// Certified bars: a function given up to intervals, the sequences of covers between, and its own diagram as the truth.
+#include "jobs/certified_bars.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+#include "delaunay/triangulate.hpp"
+#include "homology/lower_star/lower_star.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+using Pairs = std::vector<Pair>;
+
+template <int D> struct Cells {
+    explicit Cells(std::size_t points) : vertex_count(static_cast<std::uint32_t>(points)) {
+        const inputs::Points x = inputs::uniform(D, points);
+        Monitor monitor;
+        InputReport input;
+        REQUIRE(triangulate<D>(store, x.data(), points, 1, monitor, &input) == Status::ok);
+    }
+    TriangulationView<D> view() const { return store.view(); }
+    Block block{std::size_t{1} << 22};
+    StoreState state = {};
+    Store<D> store{block.arena, state};
+    std::uint32_t vertex_count;
+};
+
+template <int D> Pairs diagram(const Cells<D>& cells, const std::vector<double>& value) {
+    Block block(std::size_t{1} << 22);
+    Monitor monitor;
+    CountedPairs diagram;
+    REQUIRE(persist_lower_star<D>({cells.view(), value.data(), 0}, {D - 1}, {block.arena, monitor}, &diagram) ==
+            Status::ok);
+    return Pairs(diagram.pairs.pairs, diagram.pairs.pairs + diagram.pairs.count);
+}
+
+template <int D>
+std::vector<BarBounds> bounded(const Cells<D>& cells, const std::vector<double>& value,
+                               const std::vector<Interval>& interval, const Pairs& pairs) {
+    Block block(std::size_t{1} << 24);
+    Monitor monitor;
+    std::vector<BarBounds> bounds(pairs.size());
+    ScaleCurve curve;
+    const FilterBounds filter = {value.data(), interval.data(), cells.vertex_count};
+    const BarList bars = {pairs.data(), pairs.size()};
+    REQUIRE(bound_by_scale(filter, bars, block.arena, bounds.data(), &curve) == Status::ok);
+    const std::size_t used = block.arena.bytes_used();
+    REQUIRE(find_certified_bars<D>({cells.view(), filter, 0, bars}, {block.arena, monitor}, bounds.data()) ==
+            Status::ok);
+    CHECK(block.arena.bytes_used() == used);
+    return bounds;
+}
+
+// Can each certified bar be given a true one of its own within its bounds?
+bool have_true_ones(const Pairs& pairs, const std::vector<BarBounds>& bounds, const Pairs& truth) {
+    std::vector<std::size_t> holder(truth.size(), pairs.size());
+    std::vector<char> seen;
+    const auto fits = [&](std::size_t i, std::size_t t) {
+        const BarBounds& b = bounds[i];
+        return truth[t].degree == pairs[i].degree && b.birth_low <= truth[t].birth && truth[t].birth <= b.birth_high &&
+               b.death_low <= truth[t].death && truth[t].death <= b.death_high;
+    };
+    const auto place = [&](const auto& self, std::size_t i) -> bool {
+        for (std::size_t t = 0; t < truth.size(); ++t) {
+            if (seen[t] || !fits(i, t)) continue;
+            seen[t] = 1;
+            if (holder[t] == pairs.size() || self(self, holder[t])) {
+                holder[t] = i;
+                return true;
+            }
+        }
+        return false;
+    };
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (bounds[i].certain == 0) continue;
+        seen.assign(truth.size(), 0);
+        if (!place(place, i)) return false;
+    }
+    return true;
+}
+
+// A function on points whose values spread over `spread`; a filter and intervals that know it up to `doubt`.
+template <int D> std::size_t certified_bars(std::size_t points, double spread, double doubt, std::uint64_t seed) {
+    CAPTURE(D);
+    CAPTURE(spread);
+    CAPTURE(doubt);
+    CAPTURE(seed);
+    const Cells<D> cells(points);
+    inputs::Random random(seed);
+    std::vector<double> truth, value;
+    std::vector<Interval> interval;
+    for (std::uint32_t v = 0; v < cells.vertex_count; ++v) {
+        const double f = std::exp(random.uniform() * std::log(spread));
+        // Most vertices are known well, some as badly as doubt allows.
+        const double by = 1 + (doubt - 1) * (random.below(3) == 0 ? 1 : 0.1);
+        const double lo = f / (1 + (by - 1) * random.uniform()), hi = f * (1 + (by - 1) * random.uniform());
+        truth.push_back(f);
+        interval.push_back({lo, hi});
+        value.push_back(lo + (hi - lo) * random.uniform());
+    }
+    const Pairs pairs = diagram<D>(cells, value), exact = diagram<D>(cells, truth);
+    const std::vector<BarBounds> bounds = bounded<D>(cells, value, interval, pairs);
+    CHECK(have_true_ones(pairs, bounds, exact));
+    std::size_t certified = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        certified += bounds[i].certain;
+        CHECK(bounds[i].birth_low <= bounds[i].birth_high);
+        CHECK(bounds[i].death_low <= bounds[i].death_high);
+    }
+    return certified;
+}
+
+template <int D> void no_bars() {
+    Block block(64);
+    Monitor monitor;
+    const Cells<D> cells(D + 1);
+    CHECK(find_certified_bars<D>({cells.view(), {nullptr, nullptr, D + 1}, 0, {nullptr, 0}}, {block.arena, monitor},
+                                 nullptr) == Status::ok);
+    CHECK(block.arena.bytes_used() == 0);
+}
+
+}  // namespace
+
+TEST_CASE("certified bars stand for different true ones") {
+    std::size_t certified = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+        for (const double doubt : {1.01, 1.3, 2.5}) {
+            certified += certified_bars<2>(80, 30, doubt, seed);
+            certified += certified_bars<2>(40, 1e15, doubt, seed);
+            certified += certified_bars<3>(60, 100, doubt, seed);
+        }
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        certified += certified_bars<4>(30, 20, 1.6, seed);
+        certified += certified_bars<5>(20, 20, 1.6, seed);
+        certified += certified_bars<5>(24, 1e4, 3, seed);
+        certified += certified_bars<6>(14, 20, 1.6, seed);
+        certified += certified_bars<6>(18, 1e4, 3, seed);
+    }
+    CHECK(certified > 300);
+    no_bars<2>();
+    no_bars<3>();
+    no_bars<4>();
+    no_bars<5>();
+    no_bars<6>();
+}

@@ -1,0 +1,481 @@
+#include "jobs/persist_alpha.hpp"
+
+#include "filtration/alpha.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+
+#include "complex/triangulations.hpp"
+
+using namespace netmesh;
+using namespace netmesh_test;
+
+namespace {
+
+using Simplex = std::vector<std::uint32_t>;
+using Values = std::map<Simplex, double>;
+
+template <int D> struct Cloud {
+    Cells<D> cells;
+    std::vector<double> x;
+    const double* point(std::uint32_t v) const { return x.data() + v * std::size_t{D}; }
+};
+
+template <int D> Cloud<D> cloud(std::vector<double> x, std::vector<std::array<std::uint32_t, D + 1>> cells) {
+    Cloud<D> c;
+    c.x = std::move(x);
+    c.cells.list = std::move(cells);
+    c.cells.vertex_count = static_cast<std::uint32_t>(c.x.size() / D);
+    return c;
+}
+
+template <int D> Values alpha(const Cloud<D>& c) {
+    Block block(std::size_t{1} << 22);
+    Monitor monitor;
+    Faces<D> faces;
+    REQUIRE(enumerate_faces<D>(c.cells.view(), D, {block.arena, monitor}, &faces) == Status::ok);
+    double* value[D + 1];
+    for (int k = 0; k <= D; ++k) value[k] = block.arena.template take_low<double>(faces.count[k]);
+    REQUIRE(alpha_values<D>(faces, c.x.data(), D * sizeof(double), monitor, value) == Status::ok);
+    Values all;
+    for (int k = 0; k <= D; ++k)
+        for (std::uint32_t i = 0; i < faces.count[k]; ++i) {
+            Simplex s(static_cast<std::size_t>(k + 1));
+            faces.vertices(k, i, s.data());
+            all[s] = value[k][i];
+        }
+    return all;
+}
+
+struct Diagram {
+    std::vector<std::vector<std::pair<double, double>>> degree;
+    std::uint64_t simplices;
+};
+
+template <int D>
+Diagram diagram(const Cloud<D>& c, std::uint32_t max_degree = D, bool keep_zero = false, std::size_t stride = 0) {
+    Block block(std::size_t{1} << 22);
+    Monitor monitor;
+    PairList list;
+    Diagram out;
+    const Status status = persist_alpha<D>(c.cells.view(), c.x.data(), stride == 0 ? D * sizeof(double) : stride,
+                                           max_degree, keep_zero, {block.arena, monitor}, &list, &out.simplices);
+    REQUIRE(status == Status::ok);
+    CHECK(block.arena.offset_of(list.pairs) == 0);
+    CHECK(block.arena.bytes_used() == list.count * sizeof(Pair));
+    for (std::uint64_t i = 0; i < list.count; ++i) {
+        if (i > 0) CHECK(!CanonicalOrder{}(list.pairs[i], list.pairs[i - 1]));
+        if (out.degree.size() <= list.pairs[i].degree) out.degree.resize(list.pairs[i].degree + 1);
+        out.degree[list.pairs[i].degree].push_back({list.pairs[i].birth, list.pairs[i].death});
+    }
+    return out;
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// An independent way to the values, in long double: centres from the normal equations, emptiness against all points.
+template <int D> struct Oracle {
+    const Cloud<D>& c;
+    struct Ball {
+        std::array<long double, D> centre;
+        long double squared;
+    };
+    Ball ball(const Simplex& s) const {
+        const std::size_t k = s.size() - 1;
+        std::vector<std::vector<long double>> m(k, std::vector<long double>(k + 1));
+        const auto edge = [&](std::size_t i, int d) {
+            return static_cast<long double>(c.point(s[i + 1])[d]) - c.point(s[0])[d];
+        };
+        for (std::size_t i = 0; i < k; ++i)
+            for (std::size_t j = 0; j < k; ++j)
+                for (int d = 0; d < D; ++d) m[i][j] += edge(i, d) * edge(j, d);
+        for (std::size_t i = 0; i < k; ++i) m[i][k] = m[i][i] / 2;
+        for (std::size_t i = 0; i < k; ++i) {
+            std::size_t pivot = i;
+            for (std::size_t r = i; r < k; ++r)
+                if (std::fabs(m[r][i]) > std::fabs(m[pivot][i])) pivot = r;
+            std::swap(m[i], m[pivot]);
+            for (std::size_t r = 0; r < k; ++r) {
+                if (r == i) continue;
+                const long double f = m[r][i] / m[i][i];
+                for (std::size_t j = i; j <= k; ++j) m[r][j] -= f * m[i][j];
+            }
+        }
+        Ball b{};
+        for (int d = 0; d < D; ++d) {
+            for (std::size_t i = 0; i < k; ++i) b.centre[d] += m[i][k] / m[i][i] * edge(i, d);
+            b.squared += b.centre[d] * b.centre[d];
+            b.centre[d] += c.point(s[0])[d];
+        }
+        return b;
+    }
+    long double power(const Ball& b, std::uint32_t v) const {
+        long double s = -b.squared;
+        for (int d = 0; d < D; ++d) s += (c.point(v)[d] - b.centre[d]) * (c.point(v)[d] - b.centre[d]);
+        return s;
+    }
+    bool empty(const Simplex& s, const Ball& b) const {
+        for (std::uint32_t v = 0; v < c.cells.vertex_count; ++v)
+            if (std::find(s.begin(), s.end(), v) == s.end() && power(b, v) < -1e-14L * b.squared) return false;
+        return true;
+    }
+};
+
+// Delaunay triangulation of few points in general position, by definition.
+template <int D> void triangulate(Cloud<D>& c) {
+    c.cells.vertex_count = static_cast<std::uint32_t>(c.x.size() / D);
+    const Oracle<D> oracle{c};
+    Simplex s(D + 1);
+    std::iota(s.begin(), s.end(), 0u);
+    for (;;) {
+        if (oracle.empty(s, oracle.ball(s))) {
+            std::array<std::uint32_t, D + 1> cell;
+            std::copy(s.begin(), s.end(), cell.begin());
+            c.cells.list.push_back(cell);
+        }
+        std::size_t i = D + 1;
+        while (i > 0 && s[i - 1] == c.cells.vertex_count - (D + 2 - i)) --i;
+        if (i == 0) return;
+        ++s[i - 1];
+        for (; i <= D; ++i) s[i] = s[i - 1] + 1;
+    }
+}
+
+template <int D> Values expected(const Cloud<D>& c, const Values& simplices) {
+    const Oracle<D> oracle{c};
+    Values values;
+    for (std::size_t size = D + 1; size >= 1; --size)
+        for (const auto& entry : simplices) {
+            const Simplex& s = entry.first;
+            if (s.size() != size) continue;
+            const auto ball = oracle.ball(s);
+            double value = static_cast<double>(std::sqrt(ball.squared));
+            if (!oracle.empty(s, ball)) {
+                value = infinity;
+                for (std::uint32_t v = 0; v < c.cells.vertex_count; ++v) {
+                    Simplex bigger = s;
+                    bigger.insert(std::lower_bound(bigger.begin(), bigger.end(), v), v);
+                    const auto it = values.find(bigger);
+                    if (it != values.end() && it->second < value) value = it->second;
+                }
+            }
+            values[s] = value;
+        }
+    return values;
+}
+
+void check_monotone(const Values& values) {
+    std::size_t wrong = 0;
+    for (const auto& entry : values)
+        for (std::size_t i = 0; i < entry.first.size() && entry.first.size() > 1; ++i) {
+            Simplex facet = entry.first;
+            facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(i));
+            wrong += !(values.at(facet) <= entry.second);
+        }
+    CHECK(wrong == 0);
+}
+
+template <int D> void compare_with_definition(std::uint32_t points, double flatten, std::uint64_t seed) {
+    CAPTURE(D);
+    CAPTURE(flatten);
+    CAPTURE(seed);
+    Cloud<D> c;
+    Random random{seed};
+    for (std::uint32_t i = 0; i < points * D; ++i) c.x.push_back(random.unit() * (i % D == 0 ? flatten : 1));
+    triangulate(c);
+    const Values values = alpha(c);
+    check_monotone(values);
+    for (const auto& entry : expected(c, values))
+        CHECK(values.at(entry.first) == doctest::Approx(entry.second).epsilon(1e-9));
+}
+
+}  // namespace
+
+TEST_CASE("an acute triangle: edges at half their length, its H1 class lives until the circumradius") {
+    const auto c = cloud<2>({0, 0, 4, 0, 2, 3}, {{0, 1, 2}});
+    const double side = std::sqrt(13.0) / 2;
+    const Values v = alpha(c);
+    CHECK(v.at({0}) == 0);
+    CHECK(v.at({0, 1}) == 2);
+    CHECK(v.at({0, 2}) == side);
+    CHECK(v.at({1, 2}) == side);
+    CHECK(v.at({0, 1, 2}) == doctest::Approx(13.0 / 6).epsilon(1e-15));
+    const Diagram d = diagram(c);
+    REQUIRE(d.degree.size() == 2);
+    CHECK(d.degree[0] == std::vector<std::pair<double, double>>{{0, side}, {0, side}, {0, infinity}});
+    REQUIRE(d.degree[1].size() == 1);
+    CHECK(d.degree[1][0].first == 2);
+    CHECK(d.degree[1][0].second == v.at({0, 1, 2}));
+    CHECK(d.simplices == 7);
+}
+
+TEST_CASE("an obtuse triangle: the longest edge enters with the triangle, at the circumradius") {
+    const auto c = cloud<2>({0, 0, 4, 0, 2, 1}, {{0, 1, 2}});
+    const Values v = alpha(c);
+    CHECK(v.at({0, 1, 2}) == 2.5);
+    CHECK(v.at({0, 1}) == 2.5);
+    CHECK(v.at({0, 2}) == std::sqrt(5.0) / 2);
+    const Diagram d = diagram(c);
+    REQUIRE(d.degree.size() == 1);
+    CHECK(d.degree[0].size() == 3);
+}
+
+TEST_CASE("a right triangle is both") {
+    const Values v = alpha(cloud<2>({0, 0, 3, 0, 0, 4}, {{0, 1, 2}}));
+    CHECK(v.at({0, 1, 2}) == 2.5);
+    CHECK(v.at({1, 2}) == 2.5);
+}
+
+TEST_CASE("a square, either way of cutting it") {
+    for (int cut = 0; cut < 2; ++cut) {
+        const auto c = cut == 0 ? cloud<2>({0, 0, 1, 0, 1, 1, 0, 1}, {{0, 1, 2}, {0, 2, 3}})
+                                : cloud<2>({0, 0, 1, 0, 1, 1, 0, 1}, {{0, 1, 3}, {1, 2, 3}});
+        const Diagram d = diagram(c);
+        REQUIRE(d.degree.size() == 2);
+        CHECK(d.degree[0] == std::vector<std::pair<double, double>>{{0, .5}, {0, .5}, {0, .5}, {0, infinity}});
+        CHECK(d.degree[1] == std::vector<std::pair<double, double>>{{.5, std::sqrt(.5)}});
+    }
+}
+
+TEST_CASE("a regular hexagon has one hole, whose triangles all enter together") {
+    const double h = std::sqrt(3.0) / 2;
+    const auto c =
+        cloud<2>({1, 0, .5, h, -.5, h, -1, 0, -.5, -h, .5, -h}, {{0, 2, 4}, {0, 1, 2}, {2, 3, 4}, {4, 5, 0}});
+    const Diagram d = diagram(c);
+    REQUIRE(d.degree.size() == 2);
+    REQUIRE(d.degree[1].size() == 1);
+    CHECK(d.degree[1][0].first == doctest::Approx(.5).epsilon(1e-15));
+    CHECK(d.degree[1][0].second == doctest::Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE("a regular tetrahedron: a class in each degree") {
+    const auto c = cloud<3>({1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1}, {{0, 1, 2, 3}});
+    const Diagram d = diagram(c);
+    REQUIRE(d.degree.size() == 3);
+    const double edge = std::sqrt(2.0), face = std::sqrt(8.0 / 3), cell = std::sqrt(3.0);
+    CHECK(d.degree[0].size() == 4);
+    REQUIRE(d.degree[1].size() == 3);
+    for (const auto& pair : d.degree[1]) {
+        CHECK(pair.first == doctest::Approx(edge).epsilon(1e-15));
+        CHECK(pair.second == doctest::Approx(face).epsilon(1e-15));
+    }
+    REQUIRE(d.degree[2].size() == 1);
+    CHECK(d.degree[2][0].first == doctest::Approx(face).epsilon(1e-15));
+    CHECK(d.degree[2][0].second == doctest::Approx(cell).epsilon(1e-15));
+}
+
+template <int D> void check_cubes(std::uint32_t side, double step) {
+    CAPTURE(D);
+    CAPTURE(step);
+    Cloud<D> c;
+    c.cells = freudenthal<D>(side);
+    c.x = freudenthal_points<D>(side, step);
+    check_monotone(alpha(c));
+    // The cubical complex in disguise: all k-faces of cubes at sqrt(k)/2 steps. H_k lives from there to sqrt(k+1)/2.
+    const Diagram d = diagram(c);
+    REQUIRE(d.degree.size() == D);
+    std::int64_t rank = 0;  // of the boundary map from k-faces of the cubes: what is killed in degree k-1
+    for (int k = 0; k < D; ++k) {
+        std::int64_t faces = 0, choose = 1;
+        for (int s = 0; s < k; ++s) choose = choose * (D - s) / (s + 1);
+        faces = choose;
+        for (int a = 0; a < D; ++a) faces *= a < k ? side : side + 1;
+        const std::int64_t cycles = faces - rank;
+        const auto& pairs = d.degree[static_cast<std::size_t>(k)];
+        CHECK(pairs.size() == static_cast<std::size_t>(cycles));
+        for (const auto& pair : pairs) {
+            CHECK(pair.first == doctest::Approx(std::sqrt(k) / 2 * step).epsilon(1e-12));
+            if (pair.second < infinity) {
+                CHECK(pair.second == doctest::Approx(std::sqrt(k + 1.0) / 2 * step).epsilon(1e-12));
+            } else {
+                CHECK(k == 0);
+            }
+        }
+        rank = cycles - (k == 0 ? 1 : 0);
+    }
+}
+
+TEST_CASE("grids: every tie there is") {
+    for (double step : {1.0, 0.1}) {
+        check_cubes<2>(7, step);
+        check_cubes<3>(4, step);
+        check_cubes<4>(2, step);
+        check_cubes<5>(1, step);
+        check_cubes<6>(1, step);
+    }
+}
+
+TEST_CASE("values are those of the definition") {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        for (double flatten : {1.0, 1e-2, 1e-3}) {
+            compare_with_definition<2>(16, flatten, seed);
+            compare_with_definition<3>(13, flatten, seed);
+            if (flatten > 1e-3) compare_with_definition<4>(11, flatten, seed);  // all that long double can do
+        }
+        compare_with_definition<5>(10, 1, seed);
+        compare_with_definition<6>(10, 1, seed);
+    }
+}
+
+TEST_CASE_TEMPLATE("the diagram in low degrees is that part of the whole", T, std::integral_constant<int, 2>,
+                   std::integral_constant<int, 3>, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                   std::integral_constant<int, 6>) {
+    constexpr int D = T::value;
+    Cloud<D> c;
+    Random random{7};
+    for (int i = 0; i < 10 * D; ++i) c.x.push_back(random.unit());
+    triangulate(c);
+    const Diagram whole = diagram(c);
+    for (std::uint32_t p = 0; p < D; ++p) {
+        const Diagram part = diagram(c, p);
+        REQUIRE(part.degree.size() <= p + 1);
+        for (std::size_t k = 0; k < part.degree.size(); ++k) CHECK(part.degree[k] == whole.degree[k]);
+        CHECK((part.simplices < whole.simplices) == (p + 1 < D));
+    }
+    // The number of simplices need not be asked for.
+    Block block(std::size_t{1} << 22);
+    Monitor monitor;
+    PairList list;
+    REQUIRE(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, {block.arena, monitor}, &list,
+                             nullptr) == Status::ok);
+    std::size_t pairs = 0;
+    for (const auto& degree : whole.degree) pairs += degree.size();
+    CHECK(list.count == pairs);
+}
+
+TEST_CASE_TEMPLATE("values can be stopped at the cells", T, std::integral_constant<int, 2>,
+                   std::integral_constant<int, 3>, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
+                   std::integral_constant<int, 6>) {
+    constexpr int D = T::value;
+    constexpr std::uint32_t side[] = {0, 0, 170, 19, 6, 3, 2};
+    Cloud<D> c;
+    c.cells = freudenthal<D>(side[D]);
+    c.x = freudenthal_points<D>(side[D]);
+    Block block(std::size_t{1} << 28);
+    // Once the number of simplices is known.
+    Monitor stopping([](void*, const netmesh_progress* progress) { return static_cast<int>(progress->total > 0); },
+                     nullptr);
+    PairList list;
+    CHECK(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, {block.arena, stopping}, &list,
+                           nullptr) == Status::cancelled);
+    CHECK(block.arena.bytes_used() == 0);
+}
+
+TEST_CASE("values of edges can be stopped, and may be as long as squares overflow") {
+    Cloud<2> c;
+    c.cells = freudenthal<2>(190);
+    c.x = freudenthal_points<2>(190);
+    Block block(std::size_t{1} << 25);
+    int polls = 0;
+    Monitor second(
+        [](void* user, const netmesh_progress* progress) {
+            return static_cast<int>(progress->total > 0 && ++*static_cast<int*>(user) == 2);
+        },
+        &polls);
+    PairList list;
+    CHECK(persist_alpha<2>(c.cells.view(), c.x.data(), 2 * sizeof(double), 2, false, {block.arena, second}, &list,
+                           nullptr) == Status::cancelled);
+    CHECK(polls == 2);
+    const double huge = 0x1p600;
+    const auto far = cloud<2>({0, 0, 6 * huge, 0, 0, 8 * huge}, {{0, 1, 2}});
+    const Values values = alpha(far);
+    CHECK(values.at({0, 1}) == 3 * huge);
+    CHECK(values.at({0, 2}) == 4 * huge);
+    CHECK(values.at({1, 2}) == 5 * huge);
+}
+
+TEST_CASE("the diagram has no memory of the order of cells, of spare bytes in the records, or of higher degrees") {
+    Cloud<3> c;
+    Random random{5};
+    for (int i = 0; i < 3 * 14; ++i) c.x.push_back(random.unit());
+    triangulate(c);
+    const Diagram whole = diagram(c);
+    Cloud<3> mixed = c;
+    std::reverse(mixed.cells.list.begin(), mixed.cells.list.end());
+    for (auto& cell : mixed.cells.list) std::swap(cell[0], cell[2]);
+    CHECK(diagram(mixed).degree == whole.degree);
+    Cloud<3> wide = c;
+    wide.x.clear();
+    for (std::uint32_t v = 0; v < c.cells.vertex_count; ++v) {
+        wide.x.insert(wide.x.end(), c.point(v), c.point(v) + 3);
+        wide.x.insert(wide.x.end(), 2, std::nan(""));
+    }
+    CHECK(diagram(wide, 3, false, 5 * sizeof(double)).degree == whole.degree);
+    for (std::uint32_t p = 0; p < 3; ++p) {
+        const Diagram part = diagram(c, p);
+        REQUIRE(part.degree.size() <= p + 1);
+        for (std::size_t k = 0; k < part.degree.size(); ++k) CHECK(part.degree[k] == whole.degree[k]);
+    }
+}
+
+TEST_CASE("with zero-length pairs every simplex is in exactly one pair") {
+    Cloud<3> c;
+    c.cells = freudenthal<3>(3);
+    c.x = freudenthal_points<3>(3, 0.3);
+    const Diagram d = diagram(c, 2, true);
+    std::size_t simplices = 0;
+    for (const auto& degree : d.degree)
+        for (const auto& pair : degree) simplices += pair.second < infinity ? 2 : 1;
+    CHECK(simplices == d.simplices);
+}
+
+TEST_CASE("any amount of memory gives the diagram or says that it is too little; the caller can stop it anywhere") {
+    Cloud<3> c;
+    c.cells = freudenthal<3>(2);
+    c.x = freudenthal_points<3>(2);
+    const auto run = [&](Block& block, Monitor monitor, std::vector<double>& deaths) {
+        PairList list;
+        const Status status =
+            persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, monitor}, &list, nullptr);
+        deaths.clear();
+        for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) deaths.push_back(list.pairs[i].death);
+        if (status != Status::ok) CHECK(block.arena.bytes_used() == 0);
+        return status;
+    };
+    Block whole(1 << 20);
+    std::vector<double> expected_deaths, deaths;
+    REQUIRE(run(whole, Monitor(), expected_deaths) == Status::ok);
+    bool succeeded = false;
+    for (std::size_t bytes = 0; bytes <= whole.arena.bytes_peak() + 80; bytes += 80) {
+        Block block(bytes);
+        if (run(block, Monitor(), deaths) == Status::ok) {
+            succeeded = true;
+            CHECK(deaths == expected_deaths);
+        } else {
+            CHECK(!succeeded);
+            CHECK(block.arena.bytes_wanted() > block.arena.bytes());
+        }
+    }
+    CHECK(succeeded);
+}
+
+TEST_CASE("a caller that wants to stop stops it at each of its polls") {
+    Cloud<3> c;
+    c.cells = freudenthal<3>(18);
+    c.x = freudenthal_points<3>(18);
+    struct Countdown {
+        int left, polls;
+    };
+    const auto poll = [](void* user, const netmesh_progress*) {
+        auto* countdown = static_cast<Countdown*>(user);
+        ++countdown->polls;
+        return countdown->left-- == 0 ? 1 : 0;
+    };
+    Block block(std::size_t{1} << 25);
+    Countdown none_stopped{-1, 0};
+    PairList list;
+    Monitor monitor(poll, &none_stopped);
+    REQUIRE(persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, monitor}, &list, nullptr) ==
+            Status::ok);
+    REQUIRE(none_stopped.polls > 3);
+    for (int stop = 0; stop < none_stopped.polls; ++stop) {
+        Countdown countdown{stop, 0};
+        Monitor stopping(poll, &countdown);
+        block.arena.release_low(0);
+        CHECK(persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, stopping}, &list, nullptr) ==
+              Status::cancelled);
+        CHECK(block.arena.bytes_used() == 0);
+    }
+}
