@@ -230,7 +230,8 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cage* 
     if (context->dim == 0 || !context->is_mesh)
         return finish(context, Status::no_result, "there is no mesh with a domain");
     clear_diagram(context);
-    context->hierarchy = HierarchyReport{};
+    context->hierarchy = HierarchyCounts{};
+    context->mesh_audit = MeshAudit{};
     Cage* const kept = context->arena.take_low<Cage>(count);
     if (kept == nullptr) return finish(context, Status::out_of_memory, netmesh_status_text(NETMESH_OUT_OF_MEMORY));
     for (size_t d = 0; d < count; ++d) kept[d] = {cages[d].centre, none, none, none, cages[d].radius, infinity};

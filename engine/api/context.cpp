@@ -59,7 +59,8 @@ void clear(netmesh_context* context) {
     context->is_mesh = context->complete = context->is_complex = context->has_cycles = context->is_loaded = false;
     context->method = NETMESH_METHOD_SVR;
     context->cages_offset = 0;
-    context->hierarchy = HierarchyReport{};
+    context->hierarchy = HierarchyCounts{};
+    context->mesh_audit = MeshAudit{};
     context->arena.adopt(context, context->arena.bytes());
     context->arena.release_low(context->start);
 }

@@ -7,9 +7,8 @@
 #include "homology/persistence.hpp"
 #include "include/netmesh.h"
 #include "memory/arena.hpp"
-#include "mesh/certify.hpp"
 #include "mesh/domain.hpp"
-#include "mesh/netmesh.hpp"
+#include "mesh/mesh_request.hpp"
 
 namespace netmesh {
 
@@ -56,7 +55,8 @@ struct Context {
     netmesh_method method;
     std::uint32_t audit;  // what was audited
     std::uint64_t cages_offset;
-    HierarchyReport hierarchy;
+    HierarchyCounts hierarchy;
+    MeshAudit mesh_audit;
 
     std::uint64_t mesh_mark;  // low end of the mesh alone
     std::uint64_t values_offset, pairs_offset, pair_count, simplices;

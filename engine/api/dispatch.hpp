@@ -5,7 +5,6 @@
 
 #include "vocabulary/dimension.hpp"
 #include "api/context.hpp"
-#include "mesh/certify.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/sizing.hpp"

@@ -1,6 +1,6 @@
 #include "api/dispatch.hpp"
 #include "filtration/tight_filter.hpp"
-#include "mesh/certify.hpp"
+#include "mesh/mesh_points.hpp"
 
 namespace netmesh {
 namespace {
@@ -41,30 +41,13 @@ netmesh_status check_arguments(netmesh_context* context, const double* points, s
     return NETMESH_OK;
 }
 
-// Meshes by the method asked for; cages, if there are any, are noted in the context.
-template <int D>
-Status mesh_by_method(netmesh_context* context, Store<D>& store, const double* points, std::size_t n, double tau,
-                      double factor, bool certify, const SizeRule& rule, const netmesh_options& options,
-                      Monitor& monitor, InputReport* input, Domain<D>* domain) {
-    context->method = options.method;
-    context->audit = options.audit;
-    if (options.ratio > 0)
-        return netmesh::certify<D>(store, points, n, {goal_of(options), options.seed}, monitor, input, domain);
-    if (options.method != NETMESH_METHOD_NETMESH && options.audit == 0)
-        return refine<D>(store, points, n,
-                         {tau, factor, certify, options.seed, rule, options.method == NETMESH_METHOD_REFINE}, monitor,
-                         input, domain);
-    Cage* cages;
-    const HierarchyOptions hierarchy = {tau,
-                                        factor,
-                                        options.finish != 0,
-                                        options.seed,
-                                        options.method == NETMESH_METHOD_NETMESH,
-                                        (options.audit & NETMESH_AUDIT_LOCATION) != 0,
-                                        (options.audit & NETMESH_AUDIT_QUALITY) != 0};
-    const Status status = netmesh<D>(store, points, n, hierarchy, monitor, input, domain, &cages, &context->hierarchy);
-    if (cages != nullptr) context->cages_offset = context->arena.offset_of(cages);
-    return status;
+MeshMethod method_of(const netmesh_options& options) {
+    if (options.ratio > 0) return MeshMethod::certificate;
+    switch (options.method) {
+    case NETMESH_METHOD_NETMESH: return MeshMethod::hierarchy;
+    case NETMESH_METHOD_REFINE: return MeshMethod::reference;
+    default: return MeshMethod::quality;
+    }
 }
 
 // Why refinement by the certificate cannot be done as asked for; null when it can, or is not asked for.
@@ -144,16 +127,32 @@ netmesh_status netmesh_mesh(netmesh_context* context, const double* points, size
     const char* const complaint = complaint_about_ratio(*options, for_job);
     if (complaint != nullptr) return finish(context, Status::invalid_argument, complaint, 5);
     clear(context);
+    MeshRequest request;
+    request.method = method_of(*options);
+    request.tau = tau;
+    request.domain_factor = factor;
+    request.certify_filter = for_job == NETMESH_JOB_PERSIST;
+    request.size = rule;
+    request.goal = goal_of(*options);
+    request.finish = options->finish != 0;
+    request.audit_location = (options->audit & NETMESH_AUDIT_LOCATION) != 0;
+    request.audit_quality = (options->audit & NETMESH_AUDIT_QUALITY) != 0;
+    request.seed = options->seed;
     Monitor monitor = monitor_of(*options);
     return with_dimension(options->dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
-        InputReport input;
         Store<D> store(context->arena, context->store);
         context->store = StoreState{};
-        Domain<D> domain = {};
-        Status status = mesh_by_method<D>(context, store, points, n, tau, factor, for_job == NETMESH_JOB_PERSIST, rule,
-                                          *options, monitor, &input, &domain);
+        MeshResult<D> result = {};
+        Status status = mesh_points<D>(store, points, n, request, {context->arena, monitor}, &result);
+        const InputReport& input = result.input;
+        const Domain<D>& domain = result.domain;
         keep_store<D>(context, input, status);
+        context->method = options->method;
+        context->audit = options->audit;
+        context->hierarchy = result.hierarchy;
+        context->mesh_audit = result.audit;
+        if (result.cages != nullptr) context->cages_offset = context->arena.offset_of(result.cages);
         context->is_mesh = true;
         context->tau = options->ratio > 0 ? 0 : tau;
         context->goal = goal_of(*options);

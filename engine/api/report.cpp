@@ -102,8 +102,8 @@ void report_diagram(const netmesh_context* context, netmesh_report* report) {
 
 void report_audit(const netmesh_context* context, netmesh_audit* audit) {
     static_assert(LocationAudit::rounds_max == NETMESH_ROUNDS_MAX);
-    const LocationAudit& location = context->hierarchy.location;
-    const QualityAudit& quality = context->hierarchy.quality;
+    const LocationAudit& location = context->mesh_audit.location;
+    const QualityAudit& quality = context->mesh_audit.quality;
     audit->what = context->audit;
     audit->rounds = location.rounds;
     audit->nets = location.nets;

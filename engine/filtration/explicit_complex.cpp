@@ -113,12 +113,12 @@ Status lower_star_complex(const TriangulationView<D>& triangulation, const doubl
 }
 
 template <int D>
-Status alpha_complex(const TriangulationView<D>& triangulation, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t dimension, const Work& work, ListedComplex* out) {
+Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimension, const Work& work,
+                     ListedComplex* out) {
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
-    Status status = take_faces<D>(triangulation, D, work, &faces, out);
-    if (status == Status::ok) status = alpha_values<D>(faces, coordinates, stride_bytes, work.monitor, out->value);
+    Status status = take_faces<D>(filtration.complex, D, work, &faces, out);
+    if (status == Status::ok) status = alpha_values<D>(faces, filtration.coordinates, filtration.stride_bytes, work.monitor, out->value);
     work.arena.release_high(high);
     out->dimension = dimension;
     return status == Status::ok ? order_by_value(*out, work.arena) : status;
@@ -127,8 +127,7 @@ Status alpha_complex(const TriangulationView<D>& triangulation, const double* co
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status lower_star_complex<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,    \
                                           const Work&, ListedComplex*);                                           \
-    template Status alpha_complex<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t,        \
-                                     const Work&, ListedComplex*);
+    template Status alpha_complex<D>(const AlphaFiltration<D>&, std::uint32_t, const Work&, ListedComplex*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

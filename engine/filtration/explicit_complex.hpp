@@ -1,9 +1,8 @@
 // The filtrations of a triangulation as complexes whose simplices are stored: what representatives are made from.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 
-#include "complex/triangulation.hpp"
+#include "filtration/alpha.hpp"
 #include "complex/listed_complex.hpp"
 #include "memory/work.hpp"
 
@@ -20,7 +19,7 @@ Status lower_star_complex(const TriangulationView<D>& triangulation, const doubl
 
 // The alpha filtration (alpha.hpp), for which all dimensions are listed for a while.
 template <int D>
-Status alpha_complex(const TriangulationView<D>& triangulation, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t dimension, const Work& work, ListedComplex* out);
+Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimension, const Work& work,
+                     ListedComplex* out);
 
 }  // namespace netmesh

@@ -37,10 +37,10 @@ constexpr Filter table[] = {
     {NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, FilterPurpose::mesh, needs_k | has_values,
      "barycentric-rips", kth},
 };
-static_assert(sizeof table / sizeof table[0] == filter_count, "as many rows as are announced");
+constexpr std::uint32_t rows = sizeof table / sizeof table[0];
 
 constexpr bool rows_are_in_order() {
-    for (std::uint32_t i = 0; i < filter_count; ++i)
+    for (std::uint32_t i = 0; i < rows; ++i)
         if (static_cast<std::uint32_t>(table[i].id) != i + 1) return false;
     return true;
 }
@@ -48,13 +48,15 @@ static_assert(rows_are_in_order(), "row i is that of filter i + 1");
 
 }  // namespace
 
+const std::uint32_t filter_count = rows;
+
 const Filter& filter_row(std::uint32_t index) { return table[index]; }
 
 const Filter* find_filter(const netmesh_filter& filter) {
     std::uint32_t number;  // C++ must not read an enumeration that holds a value of none of its names
     static_assert(sizeof number == sizeof filter, "an enumeration of C is an int");
     __builtin_memcpy(&number, &filter, sizeof number);
-    return number - 1 < filter_count ? &table[number - 1] : nullptr;
+    return number - 1 < rows ? &table[number - 1] : nullptr;
 }
 
 const Filter& evaluated_filter(netmesh_filter filter, std::uint32_t k) {

@@ -9,7 +9,7 @@
 namespace netmesh {
 
 // Rows in the order of netmesh_filter, without NONE.
-constexpr std::uint32_t filter_count = 12;
+extern const std::uint32_t filter_count;
 const Filter& filter_row(std::uint32_t index);
 
 // The row of a filter; null when there is none. The value may be any that came from outside.

@@ -1,6 +1,5 @@
 #include "jobs/persist_alpha.hpp"
 
-#include "filtration/alpha.hpp"
 #include "homology/matrix/matrix.hpp"
 #include "numerics/real.hpp"
 #include "numerics/value_order.hpp"
@@ -75,20 +74,13 @@ template <int D> bool keep_dimensions(Faces<D>& faces, int dimension, double** v
     return true;
 }
 
-// Where the points of a triangulation are, see alpha.hpp.
-struct Coordinates {
-    const double* first;
-    std::ptrdiff_t stride_bytes;
-};
-
 // Leaves the pairs somewhere above the arena's low mark, with what was taken on the way.
 template <int D>
-Status diagram_of(const TriangulationView<D>& complex, const Coordinates& points, std::uint32_t max_degree,
-                  bool keep_zero, const Work& work, PairList* out, std::uint64_t* simplex_count) {
+Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out) {
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    Status status = enumerate_faces(complex, D, work, &faces);
+    Status status = enumerate_faces(filtration.complex, D, work, &faces);
     if (status != Status::ok) return status;
 
     double* value[D + 1];
@@ -99,24 +91,22 @@ Status diagram_of(const TriangulationView<D>& complex, const Coordinates& points
         total += faces.count[k];
     }
     work.monitor.begin(NETMESH_STAGE_FILTER, total);
-    status = alpha_values(faces, points.first, points.stride_bytes, work.monitor, value);
+    status = alpha_values(faces, filtration.coordinates, filtration.stride_bytes, work.monitor, value);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
 
-    const int dimension = static_cast<int>(max_degree) + 1;
+    const int dimension = static_cast<int>(request.max_degree) + 1;
     if (dimension < D && !keep_dimensions(faces, dimension, value, work.arena)) return Status::out_of_memory;
     status = order_from<1, D>(faces, dimension, value, work.arena);
     if (status != Status::ok) return status;
     FilteredComplex filtered = {};
     filtered.dimension = static_cast<std::uint32_t>(dimension);
-    total = 0;
+    out->simplices = 0;
     for (int k = 0; k <= dimension; ++k) {
         filtered.of[k] = {faces.count[k], faces.facets[k], value[k]};
-        total += faces.count[k];
+        out->simplices += faces.count[k];
     }
-    status = persist_homology(filtered, {max_degree, keep_zero}, work, out);
-    if (status == Status::ok && simplex_count != nullptr) *simplex_count = total;
-    return status;
+    return persist_homology(filtered, request, work, &out->pairs);
 }
 
 }  // namespace
@@ -131,28 +121,25 @@ void drop_rounding(PairList* list) {
 }
 
 template <int D>
-Status persist_alpha(const TriangulationView<D>& complex, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out,
-                     std::uint64_t* simplex_count) {
+Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
-    const Coordinates points = {coordinates, stride_bytes};
-    const std::uint32_t degree = max_degree < D ? max_degree : static_cast<std::uint32_t>(D - 1);
-    PairList found = {};
-    const Status status = diagram_of(complex, points, degree, keep_zero, work, &found, simplex_count);
-    if (status == Status::ok && !keep_zero) drop_rounding(&found);
+    if (request.max_degree >= D) request.max_degree = D - 1;
+    PairList& found = out->pairs;
+    const Status status = diagram_of(filtration, request, work, out);
+    if (status == Status::ok && !request.keep_zero) drop_rounding(&found);
     work.arena.release_low(low);
     work.arena.release_high(high);
     if (status != Status::ok) return status;
-    Pair* const pairs = work.arena.take_low<Pair>(static_cast<std::size_t>(found.count));  // at or below found.pairs
+    const std::size_t count = static_cast<std::size_t>(found.count);
+    Pair* const pairs = work.arena.take_low<Pair>(count);  // at or below found.pairs
     if (pairs == nullptr) return Status::out_of_memory;
-    __builtin_memmove(pairs, found.pairs, sizeof(Pair) * static_cast<std::size_t>(found.count));
-    *out = {pairs, found.count};
+    __builtin_memmove(pairs, found.pairs, sizeof(Pair) * count);
+    found.pairs = pairs;
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_alpha<D>(const TriangulationView<D>&, const double*, std::ptrdiff_t, std::uint32_t, bool,  \
-                                     const Work&, PairList*, std::uint64_t*);
+    template Status persist_alpha<D>(const AlphaFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -1,18 +1,14 @@
 // From a Delaunay triangulation to the diagram of its alpha complex.
 #pragma once
-#include <cstddef>
-#include <cstdint>
-
-#include "complex/triangulation.hpp"
+#include "filtration/alpha.hpp"
 #include "homology/persistence.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {
 
-// Persistent homology of the alpha filtration (filtration/alpha.hpp) in degrees 0..max_degree (at most D-1; larger is
-// clamped). Neighbour words of the complex are not read. keep_zero: list pairs whose birth and death are equal too;
-// otherwise also pairs shorter than the rounding errors of their values (2^-36 relative) are left out, which no input
-// can be known to have. simplex_count: of dimensions 0..max_degree+1, which are what is filtered; may be null.
+// Persistent homology of an alpha filtration in degrees 0..max_degree (at most D-1; larger is clamped). Without keep_zero
+// also pairs shorter than the rounding errors of their values (2^-36 relative) are left out, which no input can be known to
+// have. Counted are the simplices of dimensions 0..max_degree+1, which are what is filtered.
 //
 // The diagram is put at the arena's low end in the canonical order (diagram/pair.hpp), everything else is given back;
 // without Status::ok nothing stays. It does not depend on the order in which cells are stored.
@@ -20,9 +16,7 @@ namespace netmesh {
 // 25, 28 and what persist_homology takes. Peaks seen: 30, 27, 27, 29, 32.
 // out_of_memory, cancelled.
 template <int D>
-Status persist_alpha(const TriangulationView<D>& complex, const double* coordinates, std::ptrdiff_t stride_bytes,
-                     std::uint32_t max_degree, bool keep_zero, const Work& work, PairList* out,
-                     std::uint64_t* simplex_count);
+Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out);
 
 // Leaves out the pairs of such a diagram that are shorter than rounding errors, which persist_alpha does by itself.
 void drop_rounding(PairList* pairs);

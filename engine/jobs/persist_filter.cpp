@@ -11,15 +11,19 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
                       FilterDiagram* out) {
     *out = FilterDiagram{};
     const Store<D>& store = mesh.store;
-    if (request.filter.filter == NETMESH_FILTER_ALPHA)
-        return persist_alpha<D>(store.view(), store.point(0), Store<D>::vertex_stride, request.diagram.max_degree,
-                                request.diagram.keep_zero, work, &out->pairs, &out->simplices);
+    CountedPairs found = {};
+    if (request.filter.filter == NETMESH_FILTER_ALPHA) {
+        const Status status = persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram,
+                                               work, &found);
+        out->pairs = found.pairs;
+        out->simplices = found.simplices;
+        return status;
+    }
     ArenaScope scope(work.arena);
     Evaluation evaluation = {work.arena.take_low<double>(mesh.vertices())};
     if (evaluation.value == nullptr) return Status::out_of_memory;
     Status status = evaluate<D>(mesh, request.filter, work, &evaluation);
     out->culprit = evaluation.culprit;
-    CountedPairs found = {};
     if (status == Status::ok)
         status = persist_lower_star<D>({store.view(), evaluation.value, evaluation.zero_born}, request.diagram, work,
                                        &found);

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "mesh/refine.hpp"
+#include "common/meshed.hpp"
 
 using namespace netmesh;
 
@@ -69,11 +67,11 @@ TEST_CASE("every filter on meshes gives values within its ratio of its intervals
     StoreState state = {};
     Store<2> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<2> domain = {};
     const inputs::Points points = inputs::uniform(2, 40);
-    REQUIRE(refine<2>(store, points.data(), 40, {2.5, 1, true, 1}, monitor, &input, &domain) == Status::ok);
-    const FilteredMesh<2> mesh = {store, domain, 40};
+    MeshResult<2> meshed;
+    REQUIRE(mesh_points<2>(store, points.data(), 40, by_quality(2.5, 1, true), {block.arena, monitor}, &meshed) ==
+            Status::ok);
+    const FilteredMesh<2> mesh = {store, meshed.domain, 40};
     const netmesh_function function = function_row();
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
     for (std::uint32_t i = 0; i < filter_count; ++i)

@@ -58,11 +58,13 @@ template <int D>
 Diagram diagram(const Cloud<D>& c, std::uint32_t max_degree = D, bool keep_zero = false, std::size_t stride = 0) {
     Block block(std::size_t{1} << 22);
     Monitor monitor;
-    PairList list;
+    CountedPairs counted;
     Diagram out;
-    const Status status = persist_alpha<D>(c.cells.view(), c.x.data(), stride == 0 ? D * sizeof(double) : stride,
-                                           max_degree, keep_zero, {block.arena, monitor}, &list, &out.simplices);
-    REQUIRE(status == Status::ok);
+    const std::ptrdiff_t stride_bytes = stride == 0 ? static_cast<std::ptrdiff_t>(D * sizeof(double)) : stride;
+    const AlphaFiltration<D> filtration = {c.cells.view(), c.x.data(), stride_bytes};
+    REQUIRE(persist_alpha<D>(filtration, {max_degree, keep_zero}, {block.arena, monitor}, &counted) == Status::ok);
+    const PairList& list = counted.pairs;
+    out.simplices = counted.simplices;
     CHECK(block.arena.offset_of(list.pairs) == 0);
     CHECK(block.arena.bytes_used() == list.count * sizeof(Pair));
     for (std::uint64_t i = 0; i < list.count; ++i) {
@@ -334,15 +336,14 @@ TEST_CASE_TEMPLATE("the diagram in low degrees is that part of the whole", T, st
         for (std::size_t k = 0; k < part.degree.size(); ++k) CHECK(part.degree[k] == whole.degree[k]);
         CHECK((part.simplices < whole.simplices) == (p + 1 < D));
     }
-    // The number of simplices need not be asked for.
     Block block(std::size_t{1} << 22);
     Monitor monitor;
-    PairList list;
-    REQUIRE(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, {block.arena, monitor}, &list,
-                             nullptr) == Status::ok);
+    CountedPairs counted;
+    REQUIRE(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, monitor}, &counted) ==
+          Status::ok);
     std::size_t pairs = 0;
     for (const auto& degree : whole.degree) pairs += degree.size();
-    CHECK(list.count == pairs);
+    CHECK(counted.pairs.count == pairs);
 }
 
 TEST_CASE_TEMPLATE("values can be stopped at the cells", T, std::integral_constant<int, 2>,
@@ -357,9 +358,9 @@ TEST_CASE_TEMPLATE("values can be stopped at the cells", T, std::integral_consta
     // Once the number of simplices is known.
     Monitor stopping([](void*, const netmesh_progress* progress) { return static_cast<int>(progress->total > 0); },
                      nullptr);
-    PairList list;
-    CHECK(persist_alpha<D>(c.cells.view(), c.x.data(), D * sizeof(double), D, false, {block.arena, stopping}, &list,
-                           nullptr) == Status::cancelled);
+    CountedPairs counted;
+    CHECK(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, stopping}, &counted) ==
+          Status::cancelled);
     CHECK(block.arena.bytes_used() == 0);
 }
 
@@ -374,9 +375,9 @@ TEST_CASE("values of edges can be stopped, and may be as long as squares overflo
             return static_cast<int>(progress->total > 0 && ++*static_cast<int*>(user) == 2);
         },
         &polls);
-    PairList list;
-    CHECK(persist_alpha<2>(c.cells.view(), c.x.data(), 2 * sizeof(double), 2, false, {block.arena, second}, &list,
-                           nullptr) == Status::cancelled);
+    CountedPairs counted;
+    CHECK(persist_alpha<2>({c.cells.view(), c.x.data(), 2 * sizeof(double)}, {2}, {block.arena, second}, &counted) ==
+          Status::cancelled);
     CHECK(polls == 2);
     const double huge = 0x1p600;
     const auto far = cloud<2>({0, 0, 6 * huge, 0, 0, 8 * huge}, {{0, 1, 2}});
@@ -426,9 +427,10 @@ TEST_CASE("any amount of memory gives the diagram or says that it is too little;
     c.cells = freudenthal<3>(2);
     c.x = freudenthal_points<3>(2);
     const auto run = [&](Block& block, Monitor monitor, std::vector<double>& deaths) {
-        PairList list;
+        CountedPairs counted;
         const Status status =
-            persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, monitor}, &list, nullptr);
+            persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted);
+        const PairList& list = counted.pairs;
         deaths.clear();
         for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) deaths.push_back(list.pairs[i].death);
         if (status != Status::ok) CHECK(block.arena.bytes_used() == 0);
@@ -465,16 +467,16 @@ TEST_CASE("a caller that wants to stop stops it at each of its polls") {
     };
     Block block(std::size_t{1} << 25);
     Countdown none_stopped{-1, 0};
-    PairList list;
+    CountedPairs counted;
     Monitor monitor(poll, &none_stopped);
-    REQUIRE(persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, monitor}, &list, nullptr) ==
+    REQUIRE(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted) ==
             Status::ok);
     REQUIRE(none_stopped.polls > 3);
     for (int stop = 0; stop < none_stopped.polls; ++stop) {
         Countdown countdown{stop, 0};
         Monitor stopping(poll, &countdown);
         block.arena.release_low(0);
-        CHECK(persist_alpha<3>(c.cells.view(), c.x.data(), 24, 2, false, {block.arena, stopping}, &list, nullptr) ==
+        CHECK(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, stopping}, &counted) ==
               Status::cancelled);
         CHECK(block.arena.bytes_used() == 0);
     }

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/block.hpp"
 #include "common/inputs.hpp"
+#include "common/meshed.hpp"
 #include "common/session.hpp"
-#include "mesh/refine.hpp"
 
 using namespace netmesh;
 
@@ -97,18 +96,13 @@ TEST_CASE("hints are below the value by less than a thirty-second") {
 
 TEST_CASE("feature sizes are the distances to the second nearest input") {
     const inputs::Points points = inputs::clusters(3, 150);
-    Block block(std::size_t{1} << 26);
-    StoreState state = {};
-    Store<3> store(block.arena, state);
-    Monitor monitor;
-    InputReport input;
-    Domain<3> domain = {};
-    REQUIRE(refine<3>(store, points.data(), 150, {3, 1, false, 1}, monitor, &input, &domain) == Status::ok);
+    Meshed<3> m(points, by_quality(3));
+    REQUIRE(m.status == Status::ok);
     InputTree<3> tree;
-    REQUIRE(tree.build(store, block.arena, 150) == Status::ok);
-    for (std::uint32_t v = 0; v < state.vertex_count; v += 3)
-        CHECK(feature_size<3>(store, tree, v) ==
-              doctest::Approx(feature_size_by_scan(points, 3, store.point(v))).epsilon(1e-12));
+    REQUIRE(tree.build(m.store, m.block.arena, 150) == Status::ok);
+    for (std::uint32_t v = 0; v < m.state.vertex_count; v += 3)
+        CHECK(feature_size<3>(m.store, tree, v) ==
+              doctest::Approx(feature_size_by_scan(points, 3, m.store.point(v))).epsilon(1e-12));
 }
 
 TEST_CASE("meshes over-refined to eps f_P") {

@@ -6,12 +6,11 @@
 
 #include <string>
 
-#include "common/block.hpp"
+#include "common/meshed.hpp"
 #include "common/session.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/tighten_cell_bounds.hpp"
 #include "homology/lower_star/lower_star.hpp"
-#include "mesh/refine.hpp"
 #include "oracle/log_distance.hpp"
 
 using namespace netmesh;
@@ -27,10 +26,10 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> meshed;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
+                           &meshed) == Status::ok);
+    const Domain<D>& domain = meshed.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "common/block.hpp"
+#include "common/meshed.hpp"
 #include "common/session.hpp"
-#include "mesh/certify.hpp"
 
 namespace {
 
@@ -161,18 +160,9 @@ TEST_CASE("scales of interest in every dimension: early, late, all and none") {
     }
 }
 
-template <int D> struct Certified {
+template <int D> struct Certified : Meshed<D> {
     Certified(const inputs::Points& points, const netmesh::RatioGoal& goal)
-        : block(std::size_t{1} << 23), store(block.arena, state) {
-        status = netmesh::certify<D>(store, points.data(), points.size() / D, {goal, 1}, monitor, &input, &domain);
-    }
-    Block block;
-    netmesh::StoreState state = {};
-    netmesh::Store<D> store;
-    netmesh::Monitor monitor;
-    netmesh::InputReport input;
-    netmesh::Domain<D> domain;
-    netmesh::Status status;
+        : Meshed<D>(points, by_certificate(goal), std::size_t{1} << 23) {}
 };
 
 TEST_CASE_TEMPLATE_DEFINE(
@@ -194,7 +184,7 @@ TEST_CASE_TEMPLATE_DEFINE(
     CHECK(Certified<D>(two, {1.5, 0, 0, 0}).status == netmesh::Status::too_close);
     CHECK(Certified<D>(two, {4, 0, 0, 0}).status == netmesh::Status::ok);
     // Large scales alone are refined, and those about the inputs left as they are.
-    const Certified<D> late(points, {4, D < 5 ? 1.35 : 1.7, 0.9 * plain.domain.radius, plain.domain.radius});
+    const Certified<D> late(points, {4, D < 5 ? 1.35 : 1.7, 0.9 * plain.result.domain.radius, plain.result.domain.radius});
     REQUIRE((late.status == netmesh::Status::ok || (D > 3 && late.status == netmesh::Status::out_of_memory)));
     CHECK(late.state.vertex_count >= plain.state.vertex_count);
 }

@@ -1,5 +1,4 @@
-#include "mesh/netmesh.hpp"
-
+// Meshes with cages: definition 4.5, sizes that do not depend on gaps, planted violations.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,15 +14,9 @@ using namespace netmesh;
 namespace {
 
 template <int D> std::uint32_t plain_size(const inputs::Points& points, double tau) {
-    Block block(std::size_t{1} << 25);
-    StoreState state = {};
-    Store<D> store(block.arena, state);
-    Monitor monitor;
-    InputReport input;
-    Domain<D> domain;
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, false, 1}, monitor, &input, &domain) ==
-            Status::ok);
-    return state.vertex_count;
+    const Meshed<D> m(points, by_quality(tau), std::size_t{1} << 25);
+    REQUIRE(m.status == Status::ok);
+    return m.state.vertex_count;
 }
 
 template <int D> using Dimensions = std::integral_constant<int, D>;
@@ -38,7 +31,7 @@ TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are Delaunay and of quality tau b
          {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D] / 2), inputs::nested(D, 5, sizes[D] / 5, 1e3),
           inputs::geometric(D, 1e3, D < 5 ? 100 : 8), inputs::close_pairs(D, sizes[D] / 4, 1e-12),
           inputs::grid(D, D < 4 ? 4 : 2)}) {
-        Hierarchical<D> m(points, {taus[D], 1, false, 1});
+        Hierarchical<D> m(points, by_hierarchy(taus[D]));
         REQUIRE(m.status == Status::ok);
         CHECK(delaunay_violation<D>(m.store) == nullptr);
         const HierarchyQuality q = m.quality();
@@ -47,7 +40,7 @@ TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are Delaunay and of quality tau b
         CHECK(q.encroached.violation == nullptr);
         if (points.size() > 8 * D) CHECK(q.worst > 1);
         CHECK(q.worst <= taus[D]);
-        CHECK(m.report.cages == m.report.cages_made - m.report.cages_released);
+        CHECK(m.result.hierarchy.cages == m.result.hierarchy.cages_made - m.result.hierarchy.cages_released);
         for (std::size_t i = 0; i < points.size(); ++i)
             REQUIRE(m.store.vertex(static_cast<std::uint32_t>(i / D)).x[i % D] == points[i]);
     }
@@ -58,7 +51,7 @@ TEST_CASE_TEMPLATE_DEFINE("the size per input does not depend on gaps", T, gaps)
     constexpr int D = T::value;
     double low = infinity, high = 0;
     for (const double ratio : {1e2, 1e3, 1e4, 1e6, 1e9}) {
-        Hierarchical<D> m(inputs::geometric(D, ratio, 60), {3, 1, false, 1});
+        Hierarchical<D> m(inputs::geometric(D, ratio, 60), by_hierarchy(3));
         REQUIRE(m.status == Status::ok);
         low = std::min(low, m.vertices_per_input());
         high = std::max(high, m.vertices_per_input());
@@ -66,7 +59,7 @@ TEST_CASE_TEMPLATE_DEFINE("the size per input does not depend on gaps", T, gaps)
     constexpr double most[] = {0, 0, 5, 7, 9};
     CHECK(high <= most[D]);
     CHECK(high < 1.2 * low);
-    CHECK(Hierarchical<D>(inputs::close_pairs(D, 50, 1e-12), {3, 1, false, 1}).vertices_per_input() <= most[D]);
+    CHECK(Hierarchical<D>(inputs::close_pairs(D, 50, 1e-12), by_hierarchy(3)).vertices_per_input() <= most[D]);
 }
 TEST_CASE_TEMPLATE_INVOKE(gaps, Dimensions<2>, Dimensions<3>, Dimensions<4>);
 
@@ -75,14 +68,14 @@ TEST_CASE("without gaps a hierarchical mesh is no larger than a plain one") {
     for (const double ratio : {2.0, 4.0, 6.5})
         for (const std::uint64_t seed : {1, 2, 3}) {
             const inputs::Points points = inputs::geometric(2, ratio, 50, seed);
-            Hierarchical<2> m(points, {3, 1, false, 1});
-            CHECK(m.report.cages_made == 0);
+            Hierarchical<2> m(points, by_hierarchy(3));
+            CHECK(m.result.hierarchy.cages_made == 0);
             hierarchical += m.state.vertex_count;
             plain += plain_size<2>(points, 3);
         }
     CHECK(hierarchical <= 1.05 * plain);
     const inputs::Points points = inputs::uniform(3, 300);
-    CHECK(Hierarchical<3>(points, {3, 1, false, 1}).state.vertex_count == plain_size<3>(points, 3));
+    CHECK(Hierarchical<3>(points, by_hierarchy(3)).state.vertex_count == plain_size<3>(points, 3));
 }
 
 TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than by direct refinement", T, finished) {
@@ -90,14 +83,14 @@ TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than
     std::uint32_t hierarchical = 0, plain = 0;
     for (const inputs::Points& points :
          {inputs::clusters(D, D == 2 ? 400 : 40), inputs::geometric(D, 1e3, 3), inputs::nested(D, 4, 5, 1e2)}) {
-        Hierarchical<D> m(points, {3, 1, true, 1});
+        Hierarchical<D> m(points, by_hierarchy(3, true));
         REQUIRE(m.status == Status::ok);
-        CHECK(m.report.cages == 0);
-        CHECK(m.report.cages_made > 0);
+        CHECK(m.result.hierarchy.cages == 0);
+        CHECK(m.result.hierarchy.cages_made > 0);
         CHECK(delaunay_violation<D>(m.store) == nullptr);
         double worst;
         std::uint32_t v;
-        REQUIRE(recomputed_aspect_ratio<D>(m.store, m.domain, m.block.arena, &worst, &v) == Status::ok);
+        REQUIRE(recomputed_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
         CHECK(worst <= 3);
         hierarchical += m.state.vertex_count;
         plain += plain_size<D>(points, 3);
@@ -107,10 +100,10 @@ TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than
 TEST_CASE_TEMPLATE_INVOKE(finished, Dimensions<2>, Dimensions<3>);
 
 TEST_CASE("Steiner points release cages that have too little room, and the mesh is good without them") {
-    Hierarchical<2> m(inputs::uniform(2, 20000, 3), {2.3, 1, false, 1}, std::size_t{1} << 25);
+    Hierarchical<2> m(inputs::uniform(2, 20000, 3), by_hierarchy(2.3), std::size_t{1} << 25);
     REQUIRE(m.status == Status::ok);
-    CHECK(m.report.cages_released > 0);
-    CHECK(m.report.cages > 0);
+    CHECK(m.result.hierarchy.cages_released > 0);
+    CHECK(m.result.hierarchy.cages > 0);
     const HierarchyQuality q = m.quality();
     CHECK(q.encroached.violation == nullptr);
     CHECK(q.worst <= 2.3);
@@ -128,18 +121,18 @@ TEST_CASE("a Steiner point of the cage beside it does not encroach on a cage") {
         -0x1.bf80e067922f8p-13, -0x1.d47b0127bffa2p-5,  0x1.3a7c11079e193p-8,   0x1.608f613be518fp-8,
         -0x1.885888dcbedc9p-1,  0x1.4443549e1c63p-16,   -0x1.d57d95db25c17p-12, -0x1.34eed7bcc36d9p-1,
         0x1.019b2513a5b9ap-5,   -0x1.3ee6e46497b79p-3,  -0x1.cf836010891d1p-5,  0x1.3907f88d08835p-8};
-    Hierarchical<3> m(points, {2.2, 1, false, 3480}, std::size_t{1} << 22);
+    Hierarchical<3> m(points, by_hierarchy(2.2, false, 3480), std::size_t{1} << 22);
     REQUIRE(m.status == Status::ok);
-    REQUIRE(m.report.cages >= 2);
+    REQUIRE(m.result.hierarchy.cages >= 2);
     const HierarchyQuality q = m.quality();
     CHECK(q.encroached.violation == nullptr);
     CHECK(q.worst <= 2.2);
     bool near = false;
-    for (std::uint32_t d = 0; d < m.report.cages; ++d)
+    for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d)
         for (std::uint32_t v = 0; v < m.state.vertex_count; ++v) {
-            const double r = std::sqrt(distance2<3>(m.store.point(v), m.store.point(m.cages[d].centre)));
-            near |= m.store.vertex(v).marker == Marker::steiner && r > m.cages[d].radius &&
-                    r < cage_clearance * m.cages[d].radius;
+            const double r = std::sqrt(distance2<3>(m.store.point(v), m.store.point(m.result.cages[d].centre)));
+            near |= m.store.vertex(v).marker == Marker::steiner && r > m.result.cages[d].radius &&
+                    r < cage_clearance * m.result.cages[d].radius;
         }
     CHECK(near);
 }
@@ -149,10 +142,10 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
     constexpr std::size_t rings = D < 5 ? 12 : D == 5 ? 4 : 3;
     constexpr std::uint32_t at = D < 5 ? 4 : 1;
     constexpr double tau = D < 5 ? 3 : 8;
-    Hierarchical<D> m(inputs::geometric(D, 1e3, rings), {tau, 1, false, 1}, std::size_t{1} << 23);
-    REQUIRE(m.report.cages == rings - 1);
+    Hierarchical<D> m(inputs::geometric(D, 1e3, rings), by_hierarchy(tau), std::size_t{1} << 23);
+    REQUIRE(m.result.hierarchy.cages == rings - 1);
     REQUIRE(m.quality().encroached.violation == nullptr);
-    Cage& cage = m.cages[at];
+    Cage& cage = m.result.cages[at];
     const auto said = [&] {
         const CheckResult r = m.quality().encroached;
         return std::string(r.violation == nullptr ? "nothing" : r.violation);
@@ -168,7 +161,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
         CHECK(m.quality().encroached.violation != nullptr);
     }
     SUBCASE("a missing cage") {
-        cage = m.cages[--m.report.cages];
+        cage = m.result.cages[--m.result.hierarchy.cages];
         CHECK((m.quality().worst > tau || m.quality().encroached.violation != nullptr));
     }
     SUBCASE("a centre that is no input, or that is none at all, or not in the mesh") {
@@ -190,23 +183,23 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
     }
     SUBCASE("cages of the same radius, in both orders") {
         std::uint32_t larger = 0;
-        for (std::uint32_t d = 0; d < m.report.cages; ++d)
-            if (m.cages[d].radius > m.cages[larger].radius) larger = d;
-        for (std::uint32_t d = 0; d < m.report.cages; ++d) m.cages[d].radius = m.cages[larger].radius;
+        for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d)
+            if (m.result.cages[d].radius > m.result.cages[larger].radius) larger = d;
+        for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d) m.result.cages[d].radius = m.result.cages[larger].radius;
         CHECK(said() != "nothing");
-        std::swap(m.cages[0], m.cages[m.report.cages - 1]);
+        std::swap(m.result.cages[0], m.result.cages[m.result.hierarchy.cages - 1]);
         CHECK(said() != "nothing");
     }
     SUBCASE("a cage that sticks out of the one around it") {
         std::uint32_t inner = 0;
-        while (m.cages[inner].parent == none) ++inner;
-        const Cage& around = m.cages[m.cages[inner].parent];
+        while (m.result.cages[inner].parent == none) ++inner;
+        const Cage& around = m.result.cages[m.result.cages[inner].parent];
         // About another input of the domain around.
         for (std::uint32_t v = 0; v < rings + 1; ++v)
             if (v != around.centre && is_inside<D>(m.store, around, m.store.point(v)) &&
                 distance2<D>(m.store.point(v), m.store.point(around.centre)) > 0.01 * around.radius * around.radius)
-                m.cages[inner].centre = v;
-        m.cages[inner].radius = 0.99 * around.radius;
+                m.result.cages[inner].centre = v;
+        m.result.cages[inner].radius = 0.99 * around.radius;
         CHECK(said() == "a cage sticks out of the one around it");
     }
     SUBCASE("a shell vertex that is said to be an ordinary one") {
@@ -224,7 +217,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
             m.store.vertex(v).x[k] = m.store.point(c.centre)[k] + (k == 1 ? radii * c.radius : 0);
     };
     const auto is_centre = [&](std::uint32_t v) {
-        return std::any_of(m.cages, m.cages + m.report.cages, [v](const Cage& c) { return c.centre == v; });
+        return std::any_of(m.result.cages, m.result.cages + m.result.hierarchy.cages, [v](const Cage& c) { return c.centre == v; });
     };
     const auto next_to_shell = [&](const Cage& c) -> std::uint32_t {
         for (std::uint32_t k = 0; k < m.state.cell_slots; ++k) {
@@ -241,29 +234,29 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
         for (; d == none; ++v) {
             REQUIRE(v <= rings);
             if (is_centre(v)) continue;
-            for (std::uint32_t e = 0; e < m.report.cages; ++e)
-                if (is_inside<D>(m.store, m.cages[e], m.store.point(v)) &&
-                    (d == none || m.cages[e].radius < m.cages[d].radius))
+            for (std::uint32_t e = 0; e < m.result.hierarchy.cages; ++e)
+                if (is_inside<D>(m.store, m.result.cages[e], m.store.point(v)) &&
+                    (d == none || m.result.cages[e].radius < m.result.cages[d].radius))
                     d = e;
         }
         --v;
-        put(v, m.cages[d], 0.7);
+        put(v, m.result.cages[d], 0.7);
         CHECK(said() == "an input encroaches on a cage from inside");
         CHECK(is_centre(m.quality().encroached.cell));
     }
     SUBCASE("any vertex of the domain around that encroaches from outside") {
         std::uint32_t outermost = 0, deeper = 0;
-        while (m.cages[outermost].parent != none) ++outermost;
-        while (m.cages[deeper].parent == none) ++deeper;
+        while (m.result.cages[outermost].parent != none) ++outermost;
+        while (m.result.cages[deeper].parent == none) ++deeper;
         for (const std::uint32_t d : {outermost, deeper})
             for (const Marker marker : {Marker::input, Marker::steiner}) {
-                const std::uint32_t v = next_to_shell(m.cages[d]);
+                const std::uint32_t v = next_to_shell(m.result.cages[d]);
                 REQUIRE(v != none);
                 const Vertex<D> kept = m.store.vertex(v);
                 m.store.vertex(v).marker = marker;
-                put(v, m.cages[d], 2);
-                const std::uint32_t around = m.cages[d].parent;
-                if (kept.marker == Marker::exempt && around != none && is_inside<D>(m.store, m.cages[around], kept.x))
+                put(v, m.result.cages[d], 2);
+                const std::uint32_t around = m.result.cages[d].parent;
+                if (kept.marker == Marker::exempt && around != none && is_inside<D>(m.store, m.result.cages[around], kept.x))
                     CHECK(said() == "a cage lacks its shell");
                 else  // an input may also be too far from the centre around
                     CHECK((said() == "a vertex encroaches on a cage from outside" ||
@@ -276,13 +269,13 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
 TEST_CASE_TEMPLATE_INVOKE(planted, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
 
 TEST_CASE("parents and nearest distances of cages are those that the mesh implies") {
-    Hierarchical<2> m(inputs::nested(2, 6, 8, 1e3), {3, 1, false, 1});
-    REQUIRE(m.report.cages >= 5);
-    std::vector<Cage> made(m.cages, m.cages + m.report.cages);
+    Hierarchical<2> m(inputs::nested(2, 6, 8, 1e3), by_hierarchy(3));
+    REQUIRE(m.result.hierarchy.cages >= 5);
+    std::vector<Cage> made(m.result.cages, m.result.cages + m.result.hierarchy.cages);
     m.quality();
-    for (std::uint32_t d = 0; d < m.report.cages; ++d) {
-        CHECK(m.cages[d].parent == made[d].parent);
-        CHECK(m.cages[d].nearest2 == doctest::Approx(made[d].nearest2).epsilon(1e-9));
+    for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d) {
+        CHECK(m.result.cages[d].parent == made[d].parent);
+        CHECK(m.result.cages[d].nearest2 == doctest::Approx(made[d].nearest2).epsilon(1e-9));
     }
 }
 
@@ -290,7 +283,7 @@ TEST_CASE("any arena size leaves a Delaunay mesh of what was inserted") {
     const inputs::Points points = inputs::nested(2, 4, 8, 1e3);
     std::uint32_t partial = 0, whole = 0;
     for (std::size_t bytes = 0; bytes < 60000; bytes += 208) {
-        Hierarchical<2> m(points, {2.5, 1, bytes % 416 == 0, 1}, bytes);
+        Hierarchical<2> m(points, by_hierarchy(2.5, bytes % 416 == 0), bytes);
         REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
         if (m.state.cell_slots == 0) continue;
         CHECK(delaunay_violation<2>(m.store) == nullptr);
