@@ -1,6 +1,6 @@
 #include "filtration/tighten_cell_bounds.hpp"
 
-#include "delaunay/kernel.hpp"
+#include "delaunay/cell_list.hpp"
 #include "certificate/cells.hpp"
 #include "filtration/nearest_in_hull.hpp"
 #include "mesh/input_tree.hpp"
@@ -12,7 +12,7 @@ namespace {
 template <int D> class CellTightener {
 public:
     CellTightener(Store<D>& store, std::uint32_t inputs, double cut, Arena& arena)
-        : store_(store), kernel_(store, 1, true), inputs_(inputs), cut_(cut), arena_(arena) {}
+        : store_(store), inputs_(inputs), cut_(cut), arena_(arena) {}
 
     Status open();
     Status tighten(std::uint32_t v, Interval* interval);
@@ -34,7 +34,6 @@ private:
     double farthest_corner(const double* mean, double square, std::uint32_t* corner) const;
 
     Store<D>& store_;
-    Kernel<D> kernel_;
     std::uint32_t inputs_;
     double cut_;
     Arena& arena_;
@@ -75,7 +74,7 @@ template <int D> bool CellTightener<D>::gather(std::uint32_t v, bool* known) {
     at_ = store_.point(v);
     corners_ = 0;
     out_radius_ = doubt_ = 0;
-    const bool room = kernel_.visit_star(VertexId(v), [&](CellId c) {
+    const bool room = visit_star(store_, VertexId(v), [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         const double radius = square_root(cell.radius2), error = static_cast<double>(cell.error) * radius;
         if (!(error <= doubt_)) doubt_ = error;

@@ -1,7 +1,6 @@
 #include "mesh/cage_corner.hpp"
 
 #include "delaunay/cell_list.hpp"
-#include "delaunay/kernel.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -19,9 +18,8 @@ void offer_crossing(const Store<D>& store, const Domain<D>& ball, const double* 
 
 // A cell on the cage's boundary: there is one at any shell vertex. False when the gap is too small for the search.
 template <int D> bool find_boundary_cell(Store<D>& store, const Cage& cage, CellId* found) {
-    Kernel<D> kernel(store, corner_error_max, true);
     *found = none;
-    return kernel.visit_star(VertexId(cage.shell), [&](CellId c) {
+    return visit_star(store, VertexId(cage.shell), [&](CellId c) {
         if (*found == none && is_on_boundary<D>(store, cage, c)) *found = c;
     });
 }

@@ -30,7 +30,7 @@ namespace netmesh {
 template <int D, class Rule> class Refinement {
 public:
     Refinement(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
-        : request_(request), result_(result), store_(store), kernel_(store, corner_error_max, true),
+        : request_(request), result_(result), store_(store), kernel_(store, corner_error_max, VertexCells::kept),
           monitor_(work.monitor), domain_(result.domain), observers_(request),
           sizes_(store, tree_, request.size, tau_margin) {}
 
