@@ -13,8 +13,8 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     const Store<D>& store = mesh.store;
     CountedPairs found = {};
     if (request.filter.filter == NETMESH_FILTER_ALPHA) {
-        const Status status = persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram,
-                                               work, &found);
+        const Status status =
+            persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram, work, &found);
         out->pairs = found.pairs;
         out->simplices = found.simplices;
         return status;

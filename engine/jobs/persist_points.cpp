@@ -94,9 +94,7 @@ Status make_complex(const PointSet& points, const PointsFilter& filter, const Wo
     Status status;
     switch (filter.filter) {
     case NETMESH_FILTER_RIPS: status = rips_complex<D>(x, points.count, dimension, work, made); break;
-    case NETMESH_FILTER_BARYCENTRIC_RIPS:
-        status = full_rips_complex<D>(x, points.count, dimension, work, made);
-        break;
+    case NETMESH_FILTER_BARYCENTRIC_RIPS: status = full_rips_complex<D>(x, points.count, dimension, work, made); break;
     default: status = cech_complex<D>(x, points.count, dimension, work, made); break;
     }
     if (status != Status::ok || !is_barycentric(filter)) return status;
@@ -106,7 +104,6 @@ Status make_complex(const PointSet& points, const PointsFilter& filter, const Wo
     }
     return status;
 }
-
 
 Status persist_listed(const PointsRequest& request, const PointSet& set, const Work& work, PointsDiagram* out) {
     const PointsFilter& filter = request.filter;

@@ -14,10 +14,10 @@ Status represent_listed(const FilteredMesh<D>& mesh, const RepresentRequest& req
     const Store<D>& store = mesh.store;
     const std::uint32_t dimension = request.diagram.max_degree + 1;
     const bool alpha = request.filter.filter == NETMESH_FILTER_ALPHA;
-    Status status = alpha ? alpha_complex<D>({store.view(), store.point(0), Store<D>::vertex_stride}, dimension, work,
-                                             &out->complex)
-                          : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, work,
-                                                  &out->complex);
+    Status status =
+        alpha
+            ? alpha_complex<D>({store.view(), store.point(0), Store<D>::vertex_stride}, dimension, work, &out->complex)
+            : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, work, &out->complex);
     if (status != Status::ok) return status;
     Representatives found = {};
     status = persist_with_cycles(out->complex.filtered(), request.diagram, work, &found);
