@@ -1,6 +1,6 @@
 #include "analysis/fatness.hpp"
 
-#include "analysis/corners.hpp"
+#include "delaunay/load.hpp"
 #include "analysis/in_ball.hpp"
 #include "delaunay/kernel.hpp"
 #include "numerics/elementary.hpp"

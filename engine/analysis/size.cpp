@@ -1,7 +1,7 @@
 #include "analysis/size.hpp"
 
 #include "analysis/pacing.hpp"
-#include "mesh/refine.hpp"
+#include "mesh/split.hpp"
 #include "numerics/elementary.hpp"
 #include "vocabulary/dimension.hpp"
 

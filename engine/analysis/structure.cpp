@@ -1,6 +1,6 @@
 #include "analysis/structure.hpp"
 
-#include "analysis/corners.hpp"
+#include "delaunay/load.hpp"
 #include "delaunay/kernel.hpp"
 #include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"

@@ -18,4 +18,8 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
 // nearest2 of every vertex anew, over the edges of cells. O(cells).
 template <int D> void measure_edges(Store<D>& store);
 
+// The ball of every cell of a compact store anew, from its vertices alone: what is read off then depends neither on how the
+// triangulation was made nor on what was cached, and is the same after it has been written to a file and loaded. O(cells).
+template <int D> void recompute_balls(Store<D>& store);
+
 }  // namespace netmesh

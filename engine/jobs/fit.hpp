@@ -5,7 +5,7 @@
 // more than the steps of 4, 2 and 1 can make up for together; and so on down. So more memory never gives a coarser
 // rung.
 #pragma once
-#include "mesh/certify.hpp"
+#include "mesh/mesh_request.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/status.hpp"
 

@@ -4,7 +4,7 @@
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
 #include "homology/lower_star/lower_star.hpp"
-#include "mesh/refine.hpp"
+#include "mesh/mesh_points.hpp"
 #include "numerics/double_double.hpp"
 #include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
@@ -93,12 +93,14 @@ template <int D> void ScalesJoin<D>::copy_points(double* x) const {
 template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list) {
     StoreState state = {};
     Store<D> store(arena_, state);
-    InputReport input;
-    Domain<D> domain = {};
-    SizeRule size;
-    size.eps = tight_size(request_.eps);
-    const RefineOptions options = {request_.tau, tight_domain_factor(request_.eps), false, request_.seed, size};
-    Status status = refine<D>(store, x, n, options, monitor_, &input, &domain);
+    MeshRequest request;
+    request.tau = request_.tau;
+    request.domain_factor = tight_domain_factor(request_.eps);
+    request.size.eps = tight_size(request_.eps);
+    request.seed = request_.seed;
+    MeshResult<D> mesh;
+    Status status = mesh_points<D>(store, x, n, request, {arena_, monitor_}, &mesh);
+    const InputReport& input = mesh.input;
     if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
         const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
         const std::uint64_t b = points_.vertex(partition_.chosen()[input.row_b]).origin;
@@ -111,7 +113,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (value == nullptr) return Status::out_of_memory;
     const Work work = {arena_, monitor_};
     Evaluation tight = {value};
-    status = evaluate<D>({store, domain, n}, {NETMESH_FILTER_TIGHT, request_.values}, work, &tight);
+    status = evaluate<D>({store, mesh.domain, n}, {NETMESH_FILTER_TIGHT, request_.values}, work, &tight);
     CountedPairs found = {};
     if (status == Status::ok)
         status =

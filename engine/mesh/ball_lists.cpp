@@ -33,7 +33,7 @@ template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::u
     return Status::ok;
 }
 
-template <int D> bool BallLists<D>::store(std::uint32_t cell, std::uint32_t input) {
+template <int D> bool BallLists<D>::store(CellId cell, std::uint32_t input) {
     std::uint32_t e = free_;
     if (e != none)
         free_ = entries_[e].next_of_cell;
@@ -51,13 +51,13 @@ template <int D> bool BallLists<D>::store(std::uint32_t cell, std::uint32_t inpu
 }
 
 // Stores the input in the cell's ball if that contains it.
-template <int D> bool BallLists<D>::consider(Kernel<D>& kernel, std::uint32_t cell, std::uint32_t input) {
+template <int D> bool BallLists<D>::consider(Kernel<D>& kernel, CellId cell, std::uint32_t input) {
     ++tests_;
-    return !kernel.in_conflict(CellId(cell), store_->point(input), VertexId(input)) || store(cell, input);
+    return !kernel.in_conflict(cell, store_->point(input), VertexId(input)) || store(cell, input);
 }
 
 // A new cell, with nothing in its ball yet.
-template <int D> bool BallLists<D>::open_ball(std::uint32_t cell) {
+template <int D> bool BallLists<D>::open_ball(CellId cell) {
     if (cell >= cells_max_) {
         store_->arena.refuse(16 * sizeof(Entry));
         return false;
@@ -68,7 +68,7 @@ template <int D> bool BallLists<D>::open_ball(std::uint32_t cell) {
 }
 
 template <int D> bool BallLists<D>::start(Kernel<D>& kernel) {
-    for (std::uint32_t c = 0; c < store_->state.cell_slots; ++c) {
+    for (CellId c(0); c < store_->state.cell_slots; ++c) {
         if (!open_ball(c)) return false;
         if (!store_->is_live(c) || store_->is_ghost(c)) continue;
         for (std::uint32_t p = 0; p < inputs_; ++p)
@@ -100,7 +100,7 @@ template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity
         ++located_;
     }
     for (std::uint32_t k = 0; k < cavity.cells; ++k) {
-        const std::uint32_t c = kernel.cavity_cell(k);
+        const CellId c = kernel.cavity_cell(k);
         for (std::uint32_t e = first_of_cell_[c]; e != none;) {
             const std::uint32_t p = entries_[e].input, next = entries_[e].next_of_cell;
             unlink_from_input(e);
@@ -121,7 +121,7 @@ template <int D> bool BallLists<D>::attach(Kernel<D>& kernel, const Cavity& cavi
     for (std::uint32_t k = 0; k < cavity.facets; ++k)
         if (!open_ball(kernel.new_cell(k))) return false;
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const std::uint32_t c = kernel.new_cell(k);
+        const CellId c = kernel.new_cell(k);
         const Cell<D>& cell = store_->cell(c);
         for (std::uint32_t p = waiting_; p != none; p = waiting_next_[p])
             if (!consider(kernel, c, p)) return false;
@@ -151,7 +151,7 @@ template <int D> bool BallLists<D>::agrees(const Kernel<D>& kernel, const Cavity
 
 template <int D> std::uint32_t BallLists<D>::load() const {
     std::uint32_t most = 0;
-    for (std::uint32_t c = 0; c < store_->state.cell_slots; ++c)
+    for (CellId c(0); c < store_->state.cell_slots; ++c)
         if (store_->is_live(c) && !store_->is_ghost(c) && load_of_cell_[c] > most) most = load_of_cell_[c];
     return most;
 }
@@ -160,7 +160,7 @@ template <int D> std::uint32_t BallLists<D>::draw_nets(std::uint32_t most, std::
     std::uint32_t count = 0;
     std::uint64_t random = mix64(seed);
     now_ += 2;
-    for (std::uint32_t c = 0; c < store_->state.cell_slots; ++c) {
+    for (CellId c(0); c < store_->state.cell_slots; ++c) {
         if (!store_->is_live(c) || store_->is_ghost(c) || load_of_cell_[c] <= most) continue;
         std::uint32_t left = 0;  // not drawn yet
         for (std::uint32_t e = first_of_cell_[c]; e != none; e = entries_[e].next_of_cell)

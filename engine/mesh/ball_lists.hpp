@@ -37,7 +37,7 @@ public:
     bool attach(Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v);
 
     // A cell whose ball contains the input, which is not inserted yet.
-    std::uint32_t ball_of(std::uint32_t input) const { return entries_[first_of_input_[input]].cell; }
+    CellId ball_of(VertexId input) const { return entries_[first_of_input_[input]].cell; }
     // Is this input stored in exactly the balls of this cavity, which is its own?
     bool agrees(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t input) const;
 
@@ -53,11 +53,12 @@ private:
     // From a range net of size O(D log D) (4.7.1 with epsilon = 1 / (2 D)) what is left out by chance is drawn again.
     static constexpr std::uint32_t net_size = 4 * D;
     struct Entry {
-        std::uint32_t cell, input, next_of_cell, next_of_input;
+        CellId cell;
+        std::uint32_t input, next_of_cell, next_of_input;
     };
-    bool open_ball(std::uint32_t cell);
-    bool store(std::uint32_t cell, std::uint32_t input);
-    bool consider(Kernel<D>& kernel, std::uint32_t cell, std::uint32_t input);
+    bool open_ball(CellId cell);
+    bool store(CellId cell, std::uint32_t input);
+    bool consider(Kernel<D>& kernel, CellId cell, std::uint32_t input);
     void unlink_from_input(std::uint32_t entry);
     void touch(std::uint32_t input, std::uint32_t stamp);
 

@@ -21,9 +21,9 @@ public:
         return Status::ok;
     }
 
-    void push(std::uint32_t v) { push(v, store_->vertex(v).nearest2); }
+    void push(VertexId v) { push(v, store_->vertex(v).nearest2); }
     // The same with another squared distance in place of the vertex's own.
-    void push(std::uint32_t v, double nearest2) {
+    void push(VertexId v, double nearest2) {
         Vertex<D>& vertex = store_->vertex(v);
         if (vertex.queued) return;
         vertex.queued = 1;
@@ -35,18 +35,18 @@ public:
         if (bucket.tail == none)
             bucket.head = v;
         else
-            store_->vertex(bucket.tail).next = VertexId(v);
+            store_->vertex(bucket.tail).next = v;
         bucket.tail = v;
         filled_[b / 64] |= std::uint64_t{1} << (b % 64);
     }
 
     // The next vertex, `none` when there is none.
-    std::uint32_t pop() {
+    VertexId pop() {
         for (int w = 0; w < count / 64; ++w) {
             if (filled_[w] == 0) continue;
             const int b = w * 64 + lowest_bit(filled_[w]);
             Bucket& bucket = buckets_[b];
-            const std::uint32_t v = bucket.head;
+            const VertexId v = bucket.head;
             bucket.head = store_->vertex(v).next;
             if (bucket.head == none) {
                 bucket.tail = none;
@@ -61,7 +61,7 @@ public:
 private:
     static constexpr int count = 512;
     struct Bucket {
-        std::uint32_t head, tail;
+        VertexId head, tail;
     };
     static int lowest_bit(std::uint64_t word) {
         int b = 0;

@@ -11,9 +11,9 @@ namespace netmesh {
 template <int D> struct Corner {
     double x[D] = {};
     double distance2 = -1;  // from the vertex; negative: none yet
-    std::uint32_t cell = none;
+    CellId cell = none;
 
-    void offer(const double* at, double d2, std::uint32_t from) {
+    void offer(const double* at, double d2, CellId from) {
         if (!(d2 > distance2)) return;
         distance2 = d2;
         cell = from;
@@ -24,7 +24,7 @@ template <int D> struct Corner {
 // Offers where edges of v's cell that end in corner c, which is outside the ball, cross its sphere. Crossings that
 // cannot be farther than least2 (squared) are left out. For stores in use: behind each facet of c is a cell, infinite ones too.
 template <int D>
-void offer_crossings(const Store<D>& store, const Domain<D>& ball, std::uint32_t v, std::uint32_t c, double least2,
+void offer_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, double least2,
                      Corner<D>* corner) {
     const Cell<D>& cell = store.cell(c);
     for (int i = 0; i <= D; ++i) {

@@ -21,7 +21,7 @@ public:
     }
 
     Cage& cage(std::uint32_t d) { return cages_[d]; }
-    Cage* cages() { return cages_; }
+    Cage* cages() const { return cages_; }
     std::uint32_t made() const { return made_; }
     std::uint32_t live() const { return live_; }
     bool is_live(std::uint32_t d) const { return cages_[d].shell != none; }
@@ -58,6 +58,24 @@ public:
     // That of an input, inserted or not, as far as it is known.
     std::uint32_t of_input(std::uint32_t input) const { return present(domain_[input]); }
     void set(std::uint32_t input, std::uint32_t d) { domain_[input] = d; }
+
+    // Moves the cages that are left to the front; parents are named by their new places. Their number.
+    std::uint32_t keep_live() {
+        std::uint32_t kept = 0, out = 0;
+        for (std::uint32_t d = 0; d < made_; ++d) {
+            if (!is_live(d)) continue;
+            parent(d);
+            cages_[d].next = kept++;
+        }
+        for (std::uint32_t d = 0; d < made_; ++d)
+            if (is_live(d) && cages_[d].parent != none) cages_[d].parent = cages_[cages_[d].parent].next;
+        for (std::uint32_t d = 0; out < kept; ++d) {
+            if (!is_live(d)) continue;
+            cages_[out] = cages_[d];
+            cages_[out++].next = none;
+        }
+        return kept;
+    }
 
 private:
     const Store<D>* store_;

@@ -71,7 +71,7 @@ Features features_of(const Store<D>& store, const Members<D>& members, std::uint
 }
 
 template <int D>
-void raise_features(const Store<D>& store, const Members<D>& members, std::uint32_t slot, const Newcomers& fresh,
+void raise_features(const Store<D>& store, const Members<D>& members, std::uint32_t slot, const AuditStep& step,
                     QualityAudit* audit) {
     for (std::uint32_t i = 0; i < members.size(slot); ++i) {
         const Features f = features_of<D>(store, members, slot, i);
@@ -79,9 +79,9 @@ void raise_features(const Store<D>& store, const Members<D>& members, std::uint3
         const double ratio = square_root(f.input2 / f.mesh2);
         raise(ratio, &audit->feature);
         const std::uint32_t v = members.item(slot, i);
-        if (v == fresh.vertex)
-            raise(ratio, fresh.cleaning ? &audit->steiner : &audit->input);
-        else if (v >= fresh.first_made)
+        if (v == step.vertex)
+            raise(ratio, step.cleaning ? &audit->steiner : &audit->input);
+        else if (v >= step.first_made)
             raise(ratio, &audit->cage);
     }
 }
@@ -96,7 +96,7 @@ template <int D> double cage_insertion_bound() {
 
 template <int D>
 Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, const Domain<D>& outermost, Arena& arena,
-                     const Newcomers& fresh, QualityAudit* audit) {
+                     const AuditStep& step, QualityAudit* audit) {
     ArenaScope scope(arena);
     const std::uint32_t vertices = store.state.vertex_count;
     Cage* const live = arena.take_low<Cage>(made);
@@ -116,14 +116,14 @@ Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, con
     Members<D> members(store, live, count, domains);
     status = members.open(arena);
     for (std::uint32_t slot = 0; slot <= count && status == Status::ok; ++slot)
-        raise_features<D>(store, members, slot, fresh, audit);
+        raise_features<D>(store, members, slot, step, audit);
     return status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template double cage_insertion_bound<D>();                                                                         \
     template Status audit_quality<D>(Store<D>&, const Cage*, std::uint32_t, const Domain<D>&, Arena&,                  \
-                                     const Newcomers&, QualityAudit*);
+                                     const AuditStep&, QualityAudit*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

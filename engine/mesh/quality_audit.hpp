@@ -22,8 +22,9 @@ struct QualityAudit {
 // and an input (within e of the centre) or another shell vertex is the nearest neighbour that it is given.
 template <int D> double cage_insertion_bound();
 
-// Who came with the last step: vertices from first_made on are a shell, but for `vertex`, which may also be an input.
-struct Newcomers {
+// What the last step has inserted: `vertex`, an input or not, and before it, of the vertices from first_made on, the shell of a
+// cage if one was made.
+struct AuditStep {
     std::uint32_t first_made, vertex;
     bool cleaning;
 };
@@ -34,6 +35,6 @@ struct Newcomers {
 // out_of_memory.
 template <int D>
 Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, const Domain<D>& outermost, Arena& arena,
-                     const Newcomers& fresh, QualityAudit* audit);
+                     const AuditStep& step, QualityAudit* audit);
 
 }  // namespace netmesh

@@ -103,11 +103,11 @@ bool is_in_cell(const Store<D>& store, std::uint32_t v, const double* x, const C
 
 template <int D>
 double farthest_pole(const Store<D>& store, const Domain<D>& domain, std::uint32_t v, const CellId* star,
-                     std::uint32_t count, double* x, std::uint32_t* cell) {
+                     std::uint32_t count, double* x, CellId* cell) {
     const double* const p = store.point(v);
     double best2 = -1;
     for (std::uint32_t s = 0; s < count; ++s) {
-        const std::uint32_t c = star[-1 - static_cast<std::ptrdiff_t>(s)];
+        const CellId c = star[-1 - static_cast<std::ptrdiff_t>(s)];
         for (unsigned set = 0; set < (2u << D) - 1; ++set) {
             Flat<D> flat;
             bool proper = true;
@@ -153,7 +153,7 @@ Status worst_size_ratio(const Store<D>& store, const Domain<D>& domain, std::uin
     template Status worst_size_ratio<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const SizeRule&, Corners,    \
                                         Arena&, double*, std::uint32_t*);                                              \
     template double farthest_pole<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const CellId*,                  \
-                                     std::uint32_t, double*, std::uint32_t*);
+                                     std::uint32_t, double*, CellId*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -55,6 +55,6 @@ Status worst_size_ratio(const Store<D>& store, const Domain<D>& domain, std::uin
 // pole, the pole in *x and a cell that it is near in *cell. O(2^D D^2 + D count) a cell of the star.
 template <int D>
 double farthest_pole(const Store<D>& store, const Domain<D>& domain, std::uint32_t v, const CellId* star,
-                     std::uint32_t count, double* x, std::uint32_t* cell);
+                     std::uint32_t count, double* x, CellId* cell);
 
 }  // namespace netmesh

@@ -4,15 +4,19 @@
 #include <cmath>
 #include <vector>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "mesh/refine.hpp"
+#include "common/meshed.hpp"
 
 template <int D> struct Held {
     explicit Held(std::size_t bytes = std::size_t{1} << 26) : block(bytes), store(block.arena, state) {}
     netmesh::Status mesh(const inputs::Points& points, double tau, netmesh::SizeRule rule = {}) {
-        return netmesh::refine<D>(store, points.data(), points.size() / D, {tau, 1, false, 1, rule}, monitor, &input,
-                                  &domain);
+        netmesh::MeshRequest request = by_quality(tau);
+        request.size = rule;
+        netmesh::MeshResult<D> mesh;
+        const netmesh::Status status = netmesh::mesh_points<D>(store, points.data(), points.size() / D, request,
+                                                               {block.arena, monitor}, &mesh);
+        input = mesh.input;
+        domain = mesh.domain;
+        return status;
     }
     netmesh::Status triangulate(const inputs::Points& points) {
         return netmesh::triangulate<D>(store, points.data(), points.size() / D, 1, monitor, &input);

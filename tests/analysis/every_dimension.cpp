@@ -9,6 +9,7 @@
 #include "analysis/size.hpp"
 #include "analysis/structure.hpp"
 #include "common/arrays.hpp"
+#include "common/session.hpp"
 #include "numerics/elementary.hpp"
 
 using namespace netmesh;
@@ -267,10 +268,9 @@ TEST_CASE("a vertex in no cell changes no figure") {
         s.reserve(std::size_t{1} << 22);
         for (int extra = 0; extra < 2; ++extra) {
             REQUIRE(mesh.load(s) == NETMESH_OK);
-            netmesh_analysis a = {};
-            a.struct_bytes = sizeof a;
-            REQUIRE(netmesh_analyse(s.context, NETMESH_ANALYSE_ALL, 100, &s.options, &a) == NETMESH_OK);
-            CHECK(a.size_lower < a.size_upper);
+            netmesh_analysis a;
+            REQUIRE(s.analyse(&a, NETMESH_ANALYSE_ALL, 100) == NETMESH_OK);
+            CHECK(a.size.lower < a.size.upper);
             print[extra] = a.fingerprint;
             for (int k = 0; k < dim; ++k) mesh.vertices.push_back(mesh.domain[static_cast<std::size_t>(k)] + 0.01);
             mesh.markers.push_back(1);
@@ -283,36 +283,35 @@ TEST_CASE("tolerances of their own, and meshes of which sizes say nothing") {
     for (int dim = 2; dim <= 6; ++dim) {
         CAPTURE(dim);
         Session s(dim);
-        netmesh_analysis a = {};
-        a.struct_bytes = sizeof a;
+        netmesh_analysis a;
         const auto analyse = [&](double tolerance) {
-            REQUIRE(netmesh_analyse(s.context, NETMESH_ANALYSE_SIZE, tolerance, &s.options, &a) == NETMESH_OK);
+            REQUIRE(s.analyse(&a, NETMESH_ANALYSE_SIZE, tolerance) == NETMESH_OK);
             CHECK(a.what == NETMESH_ANALYSE_SIZE);
-            CHECK(a.ply_points == 0);
-            CHECK(a.integral_lower[0] < a.integral_upper[0]);
+            CHECK(a.structure.ply_points == 0);
+            CHECK(a.size.integral_lower[0] < a.size.integral_upper[0]);
         };
         const inputs::Points points = inputs::uniform(dim, 2);
         s.reserve(std::size_t{1} << 22);
         REQUIRE(s.mesh(points) == NETMESH_OK);
         analyse(0);
-        CHECK(a.size_lower > 0);
-        CHECK(std::isfinite(a.size_upper));
-        s.options.ratio = 3;  // its quality is not the aspect ratio
-        REQUIRE(s.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_OK);
+        CHECK(a.size.lower > 0);
+        CHECK(std::isfinite(a.size.upper));
+        s.request.certificate.ratio = 3;  // its quality is not the aspect ratio
+        REQUIRE(s.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
         analyse(40);
-        CHECK(a.size_lower == 0);
-        CHECK(std::isinf(a.size_upper));
-        CHECK(std::isinf(a.feature_ratio_bound));
-        s.options.ratio = 0;
-        s.options.method = NETMESH_METHOD_NETMESH;
+        CHECK(a.size.lower == 0);
+        CHECK(std::isinf(a.size.upper));
+        CHECK(std::isinf(a.size.feature_ratio_bound));
+        s.request.certificate.ratio = 0;
+        s.request.method = NETMESH_METHOD_HIERARCHY;
         REQUIRE(s.mesh(inputs::geometric(dim, 40, 3)) == NETMESH_OK);
-        REQUIRE(s.report().cages > 0);
+        REQUIRE(s.report().mesh.hierarchy.cages > 0);
         analyse(40);
-        CHECK(a.size_lower == 0);
-        CHECK(std::isinf(a.size_upper));
+        CHECK(a.size.lower == 0);
+        CHECK(std::isinf(a.size.upper));
         std::uint32_t order[] = {0, 1, 4, 2};  // there is no input 4
         double theta[4];
-        REQUIRE(s.report().inputs == 4);
+        REQUIRE(s.report().mesh.inputs == 4);
         CHECK(netmesh_pace(s.context, order, theta) == NETMESH_INVALID_ARGUMENT);
         order[2] = 3;
         CHECK(netmesh_pace(s.context, order, theta) == NETMESH_OK);

@@ -27,15 +27,14 @@ long long determinant(std::vector<std::vector<long long>> m) {
 
 // D! times the volume of all cells, for integer points; 0 when a cell is not positively oriented.
 long long volume(const Session& session) {
-    const std::size_t dim = session.options.dim;
+    const std::size_t dim = session.request.dim;
     long long sum = 0;
-    netmesh_cell cell;
-    for (std::uint64_t c = 0; netmesh_get_cell(session.context, c, &cell) == NETMESH_OK; ++c) {
-        netmesh_vertex first, other;
-        REQUIRE(netmesh_get_vertex(session.context, cell.vertices[0], &first) == NETMESH_OK);
+    const std::vector<netmesh_vertex> vertices = session.vertices();
+    for (const netmesh_cell& cell : read_all(session.context, netmesh_get_cell)) {
+        const netmesh_vertex& first = vertices.at(cell.vertices[0]);
         std::vector<std::vector<long long>> edges(dim, std::vector<long long>(dim));
         for (std::size_t i = 0; i < dim; ++i) {
-            REQUIRE(netmesh_get_vertex(session.context, cell.vertices[i + 1], &other) == NETMESH_OK);
+            const netmesh_vertex& other = vertices.at(cell.vertices[i + 1]);
             for (std::size_t a = 0; a < dim; ++a)
                 edges[i][a] = static_cast<long long>(other.coordinates[a] - first.coordinates[a]);
         }
@@ -80,7 +79,7 @@ TEST_CASE("grids: empty balls, and the cells fill the cube exactly") {
         long long factorial = 1;
         for (int i = 2; i <= dim; ++i) factorial *= i;
         CHECK(volume(session) == factorial * power(side[dim] - 1, dim));
-        CHECK(session.report().vertices == static_cast<std::uint64_t>(power(side[dim], dim)));
+        CHECK(session.report().mesh.vertices == static_cast<std::uint64_t>(power(side[dim], dim)));
     }
 }
 
@@ -102,9 +101,8 @@ TEST_CASE("integer points of one norm: all of them cospherical") {
         CHECK(session.check() == NETMESH_OK);
         CHECK(volume(session) == hull);
         const std::uint32_t centre = static_cast<std::uint32_t>(points.size() / static_cast<std::size_t>(dim));
-        netmesh_cell cell;
         std::uint64_t without = 0;
-        for (std::uint64_t c = 0; netmesh_get_cell(session.context, c, &cell) == NETMESH_OK; ++c)
+        for (const netmesh_cell& cell : read_all(session.context, netmesh_get_cell))
             without += std::find(cell.vertices, cell.vertices + dim + 1, centre) == cell.vertices + dim + 1;
         CHECK(without == 0);
     }
@@ -119,9 +117,9 @@ TEST_CASE("duplicates are merged into the first and counted") {
         REQUIRE(session.delaunay(points) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
         const netmesh_report report = session.report();
-        CHECK(report.points == 3 * n);
-        CHECK(report.duplicates == 2 * n);
-        CHECK(report.vertices == n);
+        CHECK(report.input.points == 3 * n);
+        CHECK(report.input.duplicates == 2 * n);
+        CHECK(report.mesh.vertices == n);
         // The vertices are the first occurrences in input order.
         std::vector<std::vector<double>> firsts;
         for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim)) {
@@ -131,7 +129,7 @@ TEST_CASE("duplicates are merged into the first and counted") {
         }
         std::size_t different = 0;
         for (std::size_t v = 0; v < firsts.size(); ++v) {
-            netmesh_vertex vertex;
+            auto vertex = netmesh::sized<netmesh_vertex>();
             REQUIRE(netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK);
             different += !std::equal(firsts[v].begin(), firsts[v].end(), vertex.coordinates);
         }
@@ -147,7 +145,7 @@ TEST_CASE("points at every scale from 1 down to 2^-1000") {
         Session session(dim);
         REQUIRE(session.delaunay(points) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
-        CHECK(session.report().vertices == points.size() / static_cast<std::size_t>(dim));
+        CHECK(session.report().mesh.vertices == points.size() / static_cast<std::size_t>(dim));
     }
 }
 
@@ -166,9 +164,9 @@ TEST_CASE("flat inputs are refused") {
         const inputs::Points simplex = inputs::uniform(dim, static_cast<std::size_t>(dim) + 1);
         for (std::size_t n = 1; n <= static_cast<std::size_t>(dim) + 1; ++n) {
             INFO("D = " << dim << ", " << n << " points");
-            CHECK(netmesh_delaunay(session.context, simplex.data(), n, &session.options) ==
-                  (n <= static_cast<std::size_t>(dim) ? NETMESH_FLAT : NETMESH_OK));
+            const inputs::Points first(simplex.begin(), simplex.begin() + static_cast<std::ptrdiff_t>(n) * dim);
+            CHECK(session.delaunay_in_block(first) == (n <= static_cast<std::size_t>(dim) ? NETMESH_FLAT : NETMESH_OK));
         }
-        CHECK(session.report().cells == 1);
+        CHECK(session.report().mesh.cells == 1);
     }
 }

@@ -10,8 +10,9 @@
 #include <memory>
 
 #include "common/inputs.hpp"
+#include "common/mesh_requests.hpp"
+#include "mesh/mesh_points.hpp"
 #include "mesh/quality.hpp"
-#include "mesh/refine.hpp"
 
 using namespace netmesh;
 
@@ -89,17 +90,17 @@ template <int D> Trial mesh(const inputs::Points& points, double tau, std::uint6
     StoreState state = {};
     Store<D> store(arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
+    MeshResult<D> result;
     const std::clock_t start = std::clock();
     Trial trial = {};
-    trial.status = refine<D>(store, points.data(), points.size() / D, {tau, 1, false, seed}, monitor, &input, &domain);
+    trial.status = mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, false, seed), {arena, monitor},
+                                  &result);
     trial.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     trial.vertices = state.vertex_count;
     trial.cells = state.cell_slots;
     std::uint32_t vertex;
     if (trial.status == Status::ok)
-        trial.status = recomputed_aspect_ratio<D>(store, domain, arena, &trial.worst, &vertex);
+        trial.status = recomputed_aspect_ratio<D>(store, result.domain, arena, &trial.worst, &vertex);
     return trial;
 }
 

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "mesh/refine.hpp"
+#include "common/meshed.hpp"
 
 using namespace netmesh;
 
@@ -41,11 +39,13 @@ template <int D> struct Mesh {
     Mesh(const inputs::Points& points, double tau, double factor = 1, double eps = 0)
         : block(std::size_t{1} << 27), store(block.arena, state) {
         Monitor monitor;
-        InputReport input;
-        RefineOptions options = {tau, factor, true, 1, {}};
-        options.size.eps = eps;
-        REQUIRE(refine<D>(store, points.data(), points.size() / D, options, monitor, &input, &domain) == Status::ok);
-        inputs = static_cast<std::uint32_t>(input.rows - input.duplicates);
+        MeshRequest request = by_quality(tau, factor, true);
+        request.size.eps = eps;
+        MeshResult<D> mesh;
+        REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &mesh) ==
+                Status::ok);
+        domain = mesh.domain;
+        inputs = static_cast<std::uint32_t>(mesh.input.rows - mesh.input.duplicates);
     }
     FilteredMesh<D> filtered() { return {store, domain, inputs}; }
     // The vertex whose cell contains x.

@@ -6,19 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "common/block.hpp"
-#include "common/inputs.hpp"
-#include "mesh/refine.hpp"
+#include "common/meshed.hpp"
 
 using namespace netmesh;
 
 namespace {
-
-template <int D> double distance(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) d2 += (a[k] - b[k]) * (a[k] - b[k]);
-    return std::sqrt(d2);
-}
 
 // Samples the inclusions that the certificate claims: at a point x of v's cell the cover enters at
 // t(v), or at |x - v| in an input's ball before, and that must be within a factor c of F(x) = min(d_P(x), rho).
@@ -27,10 +19,10 @@ template <int D> void sample_inclusions(const inputs::Points& points, double tau
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> mesh;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
+                           &mesh) == Status::ok);
+    const Domain<D>& domain = mesh.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     for (const FilterValues kind : {FilterValues::certified, FilterValues::thesis}) {
@@ -101,10 +93,11 @@ TEST_CASE("the basic filter gives inputs zero and says from where its ratio hold
     StoreState state = {};
     Store<2> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<2> domain = {};
+    MeshResult<2> mesh;
     const inputs::Points points = inputs::uniform(2, 100);
-    REQUIRE(refine<2>(store, points.data(), 100, {2.5, 1, true, 1}, monitor, &input, &domain) == Status::ok);
+    REQUIRE(mesh_points<2>(store, points.data(), 100, by_quality(2.5, 1, true), {block.arena, monitor},
+                           &mesh) == Status::ok);
+    const Domain<2>& domain = mesh.domain;
     std::vector<double> value(state.vertex_count);
     Evaluation basic = {value.data()};
     REQUIRE(evaluate<2>({store, domain, 100}, {NETMESH_FILTER_BASIC, FilterValues::thesis}, {block.arena, monitor},

@@ -6,21 +6,14 @@
 #include <cmath>
 #include <vector>
 
-#include "common/block.hpp"
 #include "common/inputs.hpp"
+#include "common/meshed.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/nearest_in_hull.hpp"
-#include "mesh/refine.hpp"
 
 using namespace netmesh;
 
 namespace {
-
-template <int D> double distance(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) d2 += (a[k] - b[k]) * (a[k] - b[k]);
-    return std::sqrt(d2);
-}
 
 // Samples points, near vertices where cells are small, and compares the distance to the inputs with the bounds of the
 // cell that each is in.
@@ -30,10 +23,10 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, factor, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> made;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, factor, true), {block.arena, monitor},
+                           &mesh) == Status::ok);
+    const Domain<D>& domain = made.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
     const FilteredMesh<D> mesh = {store, domain, inputs};
     const double rho = mesh.cut();
@@ -103,10 +96,10 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> made;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
+                           &mesh) == Status::ok);
+    const Domain<D>& domain = made.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
     const FilteredMesh<D> mesh = {store, domain, inputs};
     const double rho = mesh.cut();

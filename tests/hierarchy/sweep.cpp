@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "common/inputs.hpp"
+#include "common/mesh_requests.hpp"
 #include "mesh/hierarchy_quality.hpp"
-#include "mesh/netmesh.hpp"
-#include "mesh/quality.hpp"
+#include "mesh/mesh_points.hpp"
 
 using namespace netmesh;
 using inputs::Points;
@@ -29,7 +29,8 @@ void expect(bool holds, const char* what) {
 struct Run {
     Status status;
     double inputs, vertices, cells, seconds, worst;
-    HierarchyReport report;
+    HierarchyCounts report;
+    MeshAudit audit;
 };
 
 // Reserved, hardly used.
@@ -52,44 +53,24 @@ double now() {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-template <int D> Run run_netmesh(Block& block, const Points& points, const HierarchyOptions& options) {
+template <int D> Run run_mesh(Block& block, const Points& points, const MeshRequest& request) {
     ArenaScope scope(block.arena);
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    Cage* cages;
+    MeshResult<D> result;
     Run run = {};
     const double start = now();
-    run.status = netmesh::netmesh<D>(store, points.data(), points.size() / D, options, monitor, &input, &domain, &cages,
-                                     &run.report);
+    run.status = mesh_points<D>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &result);
     run.seconds = now() - start;
+    run.report = result.hierarchy;
+    run.audit = result.audit;
     if (run.status != Status::ok) return run;
     HierarchyQuality quality;
-    measure_hierarchy<D>(store, cages, run.report.cages, domain, block.arena, &quality);
+    measure_hierarchy<D>(store, result.cages, result.hierarchy.cages, result.domain, block.arena, &quality);
     if (quality.encroached.violation != nullptr) run.status = Status::check_failed;
     run.worst = quality.worst;
-    run.inputs = static_cast<double>(input.rows - input.duplicates);
-    run.vertices = state.vertex_count;
-    run.cells = state.cell_slots;
-    return run;
-}
-
-template <int D> Run run_refine(Block& block, const Points& points, double tau) {
-    ArenaScope scope(block.arena);
-    StoreState state = {};
-    Store<D> store(block.arena, state);
-    Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    Run run = {};
-    const double start = now();
-    run.status = refine<D>(store, points.data(), points.size() / D, {tau, 1, false, 1}, monitor, &input, &domain);
-    run.seconds = now() - start;
-    std::uint32_t v;
-    recomputed_aspect_ratio<D>(store, domain, block.arena, &run.worst, &v);
-    run.inputs = static_cast<double>(input.rows - input.duplicates);
+    run.inputs = static_cast<double>(result.input.rows - result.input.duplicates);
     run.vertices = state.vertex_count;
     run.cells = state.cell_slots;
     return run;
@@ -107,12 +88,12 @@ template <int D> void sizes(Block& block, bool quick) {
     std::printf("vertices per input, D = %d, tau 3 (plain: without cages; limit %g)\n", D, most[D]);
     double low = infinity, high = 0;
     const auto row = [&](const char* name, const Points& points, bool plain, bool gaps) {
-        const Run run = run_netmesh<D>(block, points, {3, 1, false, 1});
+        const Run run = run_mesh<D>(block, points, by_hierarchy(3));
         expect(run.status == Status::ok && run.worst <= 3, "the mesh is hierarchical, of quality tau");
         const double size = run.vertices / run.inputs;
         std::printf("  %-24s n %5.0f  %8.2f", name, run.inputs, size);
         if (plain) {
-            const Run other = run_refine<D>(block, points, 3);
+            const Run other = run_mesh<D>(block, points, by_quality(3));
             std::printf("   plain %8.2f", other.vertices / other.inputs);
             if (!gaps) expect(size <= 1.05 * other.vertices / other.inputs, "no larger than plain refinement");
         }
@@ -149,7 +130,7 @@ template <int D> void touches(Block& block, bool quick) {
         double each[3], low = infinity, high = 0;
         std::printf("%10zu", n);
         for (int k = 0; k < 3; ++k) {
-            const Run run = run_netmesh<D>(block, spread_out(D, n, spreads[k]), {3, 1, false, 1});
+            const Run run = run_mesh<D>(block, spread_out(D, n, spreads[k]), by_hierarchy(3));
             expect(run.status == Status::ok, "the mesh is hierarchical");
             each[k] = static_cast<double>(run.report.touches) / run.inputs;
             std::printf("  %8.1f (%5.1f)", each[k], run.vertices / run.inputs);
@@ -178,9 +159,9 @@ template <int D> void audits(Block& block, bool quick) {
         for (const double spread : spreads) {
             if (quick && spread == 1e6) continue;
             const Run run =
-                run_netmesh<D>(block, spread_out(D, n / (quick ? 5 : 1), spread), {3, 1, false, 1, true, true, false});
+                run_mesh<D>(block, spread_out(D, n / (quick ? 5 : 1), spread), audited(by_hierarchy(3), true, false));
             expect(run.status == Status::ok, "each point is in the D-balls that it is stored in");
-            const LocationAudit& a = run.report.location;
+            const LocationAudit& a = run.audit.location;
             std::printf("%8.0f %6g  %5.1f %4u  %6.1f %5u  %7.0f  %3u ", run.inputs, spread, a.ply_mean, a.ply_max,
                         a.touches_mean, a.touches_max, a.tests_mean, a.nets);
             for (std::uint32_t k = 0; k < a.rounds; ++k) {
@@ -205,8 +186,8 @@ template <int D> void audits(Block& block, bool quick) {
     for (const auto& [name, points] : sets)
         for (const bool rounds : {false, true}) {
             if (quick && rounds) continue;
-            const Run run = run_netmesh<D>(block, points, {3, 1, false, 1, true, rounds, true});
-            const QualityAudit& a = run.report.quality;
+            const Run run = run_mesh<D>(block, points, audited(by_hierarchy(3), rounds, true));
+            const QualityAudit& a = run.audit.quality;
             std::printf("  %-11s%-5s n %4.0f  %5u %7.2f  %5.2f   %5.2f %5.2f %5.2f\n", name, rounds ? "nets" : "",
                         run.inputs, a.meshes, a.worst, a.feature, a.cage, a.steiner, a.input);
             expect(run.status == Status::ok && a.encroached == 0, "no cage is ever encroached");
@@ -236,8 +217,8 @@ template <int D> void finishing(Block& block, bool quick) {
         const std::uint64_t seeds = quick ? 3 : points.size() <= 60 * D ? ways : 8;
         for (std::uint64_t seed = 0; seed < seeds; ++seed) {
             const Points same = turned<D>(points, seed);
-            const Run a = run_netmesh<D>(block, same, {3, 1, true, seed});
-            const Run b = run_refine<D>(block, same, 3);
+            const Run a = run_mesh<D>(block, same, by_hierarchy(3, true, seed));
+            const Run b = run_mesh<D>(block, same, by_quality(3));
             expect(a.status == Status::ok && a.worst <= 3, "the finished mesh is of quality tau");
             finished += a.vertices / static_cast<double>(seeds);
             direct += b.vertices / static_cast<double>(seeds);
@@ -277,8 +258,8 @@ template <int D> void times(Block& block) {
         std::vector<double> ratios;
         double us = 0;
         for (int k = 0; k < 9; ++k) {
-            const Run a = run_netmesh<D>(block, points, {3, 1, false, 1});
-            const Run b = run_refine<D>(block, points, 3);
+            const Run a = run_mesh<D>(block, points, by_hierarchy(3));
+            const Run b = run_mesh<D>(block, points, by_quality(3));
             ratios.push_back(a.seconds / a.vertices / (b.seconds / b.vertices));
             us = 1e6 * a.seconds / a.vertices;
         }
@@ -324,7 +305,7 @@ template <int D> void terminate(Block& block, std::uint64_t count) {
     const double start = now();
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
         const double tau = seed % 4 == 0 ? 2.2 : 2.2 + 0.3 * static_cast<double>(seed % 4);
-        const Run run = run_netmesh<D>(block, fuzzed(D, seed, most[D]), {tau, 1, seed % 16 == 1 && D == 2, seed});
+        const Run run = run_mesh<D>(block, fuzzed(D, seed, most[D]), by_hierarchy(tau, seed % 16 == 1 && D == 2, seed));
         if (run.status == Status::too_close) continue;
         expect(run.status == Status::ok && run.worst <= tau, "a fuzzed input ends in a mesh of quality tau");
         if (run.status != Status::ok || !(run.worst <= tau))

@@ -5,7 +5,8 @@
 
 #include "hierarchical.hpp"
 #include "mesh/input_tree.hpp"
-#include "mesh/opening.hpp"
+#include "mesh/frame.hpp"
+#include "mesh/quality_audit.hpp"
 
 using namespace netmesh;
 
@@ -79,12 +80,12 @@ TEST_CASE_TEMPLATE_DEFINE("inputs stored in all D-balls: loads halve in every ro
     for (const bool cages : {true, false})
         for (const inputs::Points& points : sets) {
             if (!cages && &points >= sets + 2) break;  // gaps make plain refinement large
-            Hierarchical<D> m(points, {taus[D], 1, false, 1, cages, true, false});
+            Hierarchical<D> m(points, audited(cages ? by_hierarchy(taus[D]) : by_quality(taus[D]), true, false));
             REQUIRE(m.status == Status::ok);  // each input was in exactly the balls that it was stored in
             CHECK(sound_worst(m) <= taus[D]);
-            const LocationAudit& audit = m.report.location;
+            const LocationAudit& audit = m.result.audit.location;
             REQUIRE(audit.rounds > 0);
-            CHECK(audit.load[0] == m.input.rows - m.input.duplicates);
+            CHECK(audit.load[0] == m.result.input.rows - m.result.input.duplicates);
             for (std::uint32_t k = 0; k + 1 < audit.rounds; ++k) CHECK(audit.load[k + 1] <= audit.load[k] / 2);
             CHECK(audit.load[audit.rounds - 1] > 0);
             CHECK(audit.nets >= audit.rounds);
@@ -99,16 +100,51 @@ TEST_CASE_TEMPLATE_INVOKE(location, Dimensions<2>, Dimensions<3>, Dimensions<4>,
 TEST_CASE("with cages neither rounds nor touches depend on the spread, without them touches do") {
     double least = infinity, most = 0;
     for (const double ratio : {1e2, 1e6}) {
-        Hierarchical<2> m(inputs::nested(2, 5, 20, ratio), {3, 1, false, 1, true, true, false});
+        Hierarchical<2> m(inputs::nested(2, 5, 20, ratio), audited(by_hierarchy(3), true, false));
         REQUIRE(m.status == Status::ok);
-        least = std::min(least, m.report.location.touches_mean);
-        most = std::max(most, m.report.location.touches_mean);
+        least = std::min(least, m.result.audit.location.touches_mean);
+        most = std::max(most, m.result.audit.location.touches_mean);
     }
     CHECK(most < 1.2 * least);
-    Hierarchical<2> plain(inputs::nested(2, 5, 20, 1e6), {3, 1, false, 1, false, true, false});
+    Hierarchical<2> plain(inputs::nested(2, 5, 20, 1e6), audited(by_quality(3), true, false));
     REQUIRE(plain.status == Status::ok);
-    CHECK(plain.report.location.touches_mean > 1.5 * most);
+    CHECK(plain.result.audit.location.touches_mean > 1.5 * most);
 }
+
+// Vertices and cells are the same, to the bit.
+template <int D> bool same_mesh(const Hierarchical<D>& a, const Hierarchical<D>& b) {
+    if (a.state.vertex_count != b.state.vertex_count || a.state.cell_slots != b.state.cell_slots) return false;
+    for (std::uint32_t v = 0; v < a.state.vertex_count; ++v)
+        if (!std::equal(a.store.point(v), a.store.point(v) + D, b.store.point(v)) ||
+            a.store.vertex(v).marker != b.store.vertex(v).marker || a.store.vertex(v).origin != b.store.vertex(v).origin)
+            return false;
+    for (std::uint32_t c = 0; c < a.state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i)
+            if (a.store.cell(c).vertex[i] != b.store.cell(c).vertex[i]) return false;
+    return true;
+}
+
+TEST_CASE_TEMPLATE_DEFINE("an audit of quality is of the mesh that is made without, one of location of another order", T,
+                          same) {
+    constexpr int D = T::value;
+    // From tau 6 on Steiner points often yield to inputs farther away than nine tenths of their empty balls.
+    for (const double tau : {D < 4 ? 3.0 : 5.0, 12.0}) {
+        for (const inputs::Points& points :
+             {inputs::uniform(D, D == 2 ? 60 : D == 3 ? 20 : 6), inputs::close_pairs(D, 3, 0.1)})
+            for (const MeshRequest& request : {by_quality(tau), by_hierarchy(tau), by_hierarchy(tau, true)}) {
+                const Hierarchical<D> plain(points, request), with(points, audited(request, false, true));
+                REQUIRE(plain.status == Status::ok);
+                REQUIRE(with.status == Status::ok);
+                CHECK(with.result.audit.quality.meshes > 0);
+                CHECK(plain.result.audit.quality.meshes == 0);
+                CHECK(same_mesh<D>(plain, with));
+            }
+        const inputs::Points points = inputs::uniform(D, D < 4 ? 60 : 20);
+        const Hierarchical<D> plain(points, by_quality(tau)), rounds(points, audited(by_quality(tau), true, false));
+        CHECK_FALSE(same_mesh<D>(plain, rounds));
+    }
+}
+TEST_CASE_TEMPLATE_INVOKE(same, Dimensions<2>, Dimensions<3>, Dimensions<4>);
 
 TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls", T, missed) {
     constexpr int D = T::value;
@@ -196,9 +232,9 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
          {inputs::uniform(D, sizes[D]), inputs::nested(D, 4, sizes[D] / 4, 1e3), inputs::geometric(D, 1e3, 10),
           inputs::geometric(D, 5, D == 2 ? 10 : 2), inputs::close_pairs(D, sizes[D] / 4, 1e-12), inputs::grid(D, 2)})
         for (const bool location : {false, true}) {
-            Hierarchical<D> m(points, {3, 1, false, 1, true, location, true});
+            Hierarchical<D> m(points, audited(by_hierarchy(3), location, true));
             REQUIRE(m.status == Status::ok);
-            const QualityAudit& audit = m.report.quality;
+            const QualityAudit& audit = m.result.audit.quality;
             CHECK(audit.meshes >= points.size() / D);
             CHECK(audit.meshes <= m.state.vertex_count - 2 * D);
             CHECK(audit.encroached == 0);
@@ -207,7 +243,7 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
             CHECK(audit.feature < 6);
             CHECK(audit.feature >= std::max({audit.cage, audit.steiner, audit.input}));
             CHECK(audit.cage <= cage_insertion_bound<D>());
-            CHECK((m.report.cages_made > 0) == (audit.cage > 0));
+            CHECK((m.result.hierarchy.cages_made > 0) == (audit.cage > 0));
             CHECK(audit.input >= 1);
         }
 }
@@ -217,31 +253,31 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
     constexpr int D = T::value;
     constexpr double tau = D < 5 ? 3 : 8;
     Hierarchical<D> m(D < 5 ? inputs::nested(D, 3, D < 4 ? 12 : 4, 1e3) : inputs::close_pairs(D, 3, 0.03, 1),
-                      {tau, 1, false, 1, true, false, D < 5});
+                      audited(by_hierarchy(tau), false, D < 5));
     REQUIRE(m.status == Status::ok);
-    REQUIRE(m.report.cages > 0);
+    REQUIRE(m.result.hierarchy.cages > 0);
     QualityAudit audit = {};
-    const Newcomers none_new = {m.state.vertex_count, none, false};
-    const auto measure = [&](const Newcomers& fresh) {
-        REQUIRE(audit_quality<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, fresh, &audit) ==
+    const AuditStep none_new = {m.state.vertex_count, none, false};
+    const auto measure = [&](const AuditStep& fresh) {
+        REQUIRE(audit_quality<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain, m.block.arena, fresh, &audit) ==
                 Status::ok);
     };
     measure(none_new);
     REQUIRE(audit.encroached == 0);
     REQUIRE(audit.worst <= tau);
-    if (D < 5) REQUIRE(audit.feature <= m.report.quality.feature);
+    if (D < 5) REQUIRE(audit.feature <= m.result.audit.quality.feature);
     // An input and a Steiner point of the outermost domain.
     const auto first_outside = [&](Marker marker) {
         std::uint32_t v = 0;
         for (;; ++v) {
             REQUIRE(v < m.state.vertex_count);
             bool good = m.store.vertex(v).marker == marker;
-            for (std::uint32_t d = 0; d < m.report.cages; ++d)
-                good &= !is_inside<D>(m.store, m.cages[d], m.store.point(v));
+            for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d)
+                good &= !is_inside<D>(m.store, m.result.cages[d], m.store.point(v));
             if (good) return v;
         }
     };
-    const std::uint32_t shell = m.cages[0].shell;
+    const std::uint32_t shell = m.result.cages[0].shell;
     REQUIRE(m.store.vertex(shell).marker == Marker::exempt);
     const auto move_to = [&](std::uint32_t v, const double* x, double offset) {
         for (int k = 0; k < D; ++k) m.store.vertex(v).x[k] = x[k] + offset;
@@ -254,25 +290,25 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         CHECK(audit.steiner > 20);
     }
     SUBCASE("a shell that is not where it belongs") {
-        move_to(shell, m.store.point(m.cages[0].centre), 1e-3 * m.cages[0].radius);
+        move_to(shell, m.store.point(m.result.cages[0].centre), 1e-3 * m.result.cages[0].radius);
         measure({shell, none, false});
         CHECK(audit.cage > cage_insertion_bound<D>());
         CHECK(audit.encroached == 1);
     }
     SUBCASE("a cage without its clearance") {
-        m.cages[0].radius *= 1e3;
+        m.result.cages[0].radius *= 1e3;
         measure(none_new);
         CHECK(audit.encroached == 1);
     }
     SUBCASE("a cage that is no ball") {
-        m.cages[0].radius = 0;
+        m.result.cages[0].radius = 0;
         const double worst = audit.worst;
         measure(none_new);
         CHECK(audit.encroached == 1);
         CHECK(audit.worst == worst);  // nothing is measured in domains that are none
     }
     SUBCASE("a cage that was released counts no more") {
-        m.cages[0].shell = none;
+        m.result.cages[0].shell = none;
         const std::uint32_t meshes = audit.meshes;
         measure(none_new);
         CHECK(audit.meshes == meshes + 1);
@@ -286,7 +322,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
             m.block.arena.release_low(top - static_cast<std::size_t>(bytes) / 16 * 16);
             audit = {};
             const Status status =
-                audit_quality<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, none_new, &audit);
+                audit_quality<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain, m.block.arena, none_new, &audit);
             m.block.arena.release_low(low);
             REQUIRE((status == Status::ok || (status == Status::out_of_memory && !fits)));
             if (status != Status::ok) continue;
@@ -304,7 +340,7 @@ TEST_CASE("any arena size leaves a whole mesh of what was inserted, with lists a
     const inputs::Points points = inputs::nested(2, 3, 8, 1e3);
     std::uint32_t partial = 0, whole = 0;
     for (std::size_t bytes = 0; bytes < 120000; bytes += 464) {
-        Hierarchical<2> m(points, {2.5, 1, false, 1, true, true, bytes % 928 == 0}, bytes);
+        Hierarchical<2> m(points, audited(by_hierarchy(2.5), true, bytes % 928 == 0), bytes);
         REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
         if (m.status == Status::ok) CHECK(sound_worst(m) <= 2.5);
         if (m.state.cell_slots > 0) ++(m.status == Status::ok ? whole : partial);
@@ -318,7 +354,7 @@ TEST_CASE_TEMPLATE_DEFINE("lists that run out end the job with a whole mesh of w
     const inputs::Points points = inputs::uniform(D, 150);
     std::uint32_t partial = 0;
     for (double bytes = 30000; bytes < (D < 5 ? 400000 : 2000000); bytes *= 1.1) {
-        Hierarchical<D> m(points, {3, 1, false, 1, true, true, false}, static_cast<std::size_t>(bytes));
+        Hierarchical<D> m(points, audited(by_hierarchy(3), true, false), static_cast<std::size_t>(bytes));
         REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
         if (m.status == Status::ok) break;
         if (m.state.cell_slots == 0) continue;

@@ -10,7 +10,8 @@
 #include "common/block.hpp"
 #include "common/inputs.hpp"
 #include "numerics/vector.hpp"
-#include "mesh/opening.hpp"
+#include "mesh/frame.hpp"
+#include "mesh/separation.hpp"
 
 using namespace netmesh;
 

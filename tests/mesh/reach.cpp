@@ -99,7 +99,7 @@ TEST_CASE_TEMPLATE_DEFINE("the farthest pole of a half ball, wherever the domain
         if (D > 2 && off == 0.25) domain.centre[D - 1] = 0.25;
         domain.radius = 2;
         double x[D], farthest = 0;
-        std::uint32_t cell;
+        CellId cell;
         const double found = std::sqrt(farthest_pole<D>(store, domain, v, store.list_top(), count, x, &cell));
         for (int sample = 0; sample < 4000; ++sample) {
             double y[D], length = 0;

@@ -22,29 +22,29 @@ template <int D> inputs::Points small_set(std::uint64_t seed) {
     }
 }
 
-template <int D> void check_mesh(Hierarchical<D>& m, const HierarchyOptions& options) {
+template <int D> void check_mesh(Hierarchical<D>& m, const MeshRequest& request) {
     CHECK(delaunay_violation<D>(m.store) == nullptr);
-    CHECK(m.report.cages == m.report.cages_made - m.report.cages_released);
+    CHECK(m.result.hierarchy.cages == m.result.hierarchy.cages_made - m.result.hierarchy.cages_released);
     HierarchyQuality q;
-    REQUIRE(measure_hierarchy<D>(m.store, m.cages, m.report.cages, m.domain, m.block.arena, &q) == Status::ok);
+    REQUIRE(measure_hierarchy<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain, m.block.arena, &q) == Status::ok);
     CHECK(q.encroached.violation == nullptr);
-    CHECK(q.worst <= options.tau);
-    if (options.finish) {
-        CHECK(m.report.cages == 0);
+    CHECK(q.worst <= request.tau);
+    if (request.finish) {
+        CHECK(m.result.hierarchy.cages == 0);
         double worst;
         std::uint32_t v;
-        REQUIRE(recomputed_aspect_ratio<D>(m.store, m.domain, m.block.arena, &worst, &v) == Status::ok);
-        CHECK(worst <= options.tau);
+        REQUIRE(recomputed_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
+        CHECK(worst <= request.tau);
     }
-    if (options.audit_location) {
-        REQUIRE(m.report.location.rounds > 0);
-        for (std::uint32_t k = 0; k + 1 < m.report.location.rounds; ++k)
-            CHECK(m.report.location.load[k + 1] <= m.report.location.load[k] / 2);
+    if (request.audit_location) {
+        REQUIRE(m.result.audit.location.rounds > 0);
+        for (std::uint32_t k = 0; k + 1 < m.result.audit.location.rounds; ++k)
+            CHECK(m.result.audit.location.load[k + 1] <= m.result.audit.location.load[k] / 2);
     }
-    if (options.audit_quality) {
-        CHECK(m.report.quality.meshes >= m.input.rows - m.input.duplicates);
-        CHECK(m.report.quality.encroached == 0);
-        CHECK(m.report.quality.cage <= cage_insertion_bound<D>());
+    if (request.audit_quality) {
+        CHECK(m.result.audit.quality.meshes >= m.result.input.rows - m.result.input.duplicates);
+        CHECK(m.result.audit.quality.encroached == 0);
+        CHECK(m.result.audit.quality.cage <= cage_insertion_bound<D>());
     }
 }
 
@@ -66,16 +66,17 @@ TEST_CASE_TEMPLATE_DEFINE("small meshes with gaps keep what they promise, cages 
     std::uint32_t made = 0, released = 0, kept = 0;
     for (std::uint64_t seed = 0; seed < (D < 5 ? 160 : D == 5 ? 80 : 24); ++seed) {
         CAPTURE(seed);
-        HierarchyOptions options = {taus[seed % 3], seed % 4 < 2 ? 1 : 1.25, seed % (D < 6 ? 5 : 20) == 0, seed};
-        options.audit_location = seed % 3 == 1;
-        options.audit_quality = D < 6 ? seed % 7 == 2 : seed == 22;
-        options.cages = seed % 11 != 7;
-        Hierarchical<D> m(small_set<D>(seed), options, std::size_t{1} << (D < 5 ? 22 : 25));
+        MeshRequest request = by_hierarchy(taus[seed % 3], seed % (D < 6 ? 5 : 20) == 0, seed);
+        request.domain_factor = seed % 4 < 2 ? 1 : 1.25;
+        request.audit_location = seed % 3 == 1;
+        request.audit_quality = D < 6 ? seed % 7 == 2 : seed == 22;
+        if (seed % 11 == 7) request.method = MeshMethod::quality;
+        Hierarchical<D> m(small_set<D>(seed), request, std::size_t{1} << (D < 5 ? 22 : 25));
         REQUIRE(m.status == Status::ok);
-        check_mesh<D>(m, options);
-        made += m.report.cages_made;
-        kept += m.report.cages;
-        if (!options.finish) released += m.report.cages_released;
+        check_mesh<D>(m, request);
+        made += m.result.hierarchy.cages_made;
+        kept += m.result.hierarchy.cages;
+        if (!request.finish) released += m.result.hierarchy.cages_released;
     }
     MESSAGE(D, ": ", made, " made, ", kept, " kept, ", released, " released");
     CHECK(made > 20);
@@ -91,14 +92,14 @@ TEST_CASE_TEMPLATE_DEFINE("any arena size leaves a Delaunay mesh of what was ins
     std::uint32_t partial = 0, whole = 0;
     for (double bytes = 256; bytes < (D < 5 ? 2e6 : 6e6); bytes *= D < 5 ? 1.07 : D == 5 ? 1.2 : 1.3)
         for (const int kind : {0, 1, 2}) {
-            HierarchyOptions options = {D < 5 ? 5.0 : 12.0, 1, kind == 2, 1};
-            options.audit_location = kind == 1;
-            options.audit_quality = kind == 1 && D < 6;
-            Hierarchical<D> m(points, options, static_cast<std::size_t>(bytes));
+            MeshRequest request = by_hierarchy(D < 5 ? 5.0 : 12.0, kind == 2);
+            request.audit_location = kind == 1;
+            request.audit_quality = kind == 1 && D < 6;
+            Hierarchical<D> m(points, request, static_cast<std::size_t>(bytes));
             REQUIRE((m.status == Status::ok || m.status == Status::out_of_memory));
             if (m.state.cell_slots == 0) continue;
             CHECK(delaunay_violation<D>(m.store) == nullptr);
-            if (m.status == Status::ok && bytes > 1e5) check_mesh<D>(m, options);
+            if (m.status == Status::ok && bytes > 1e5) check_mesh<D>(m, request);
             ++(m.status == Status::ok ? whole : partial);
         }
     CHECK(partial > 10);

@@ -7,7 +7,7 @@
 #include "common/block.hpp"
 #include "common/inputs.hpp"
 #include "mesh/hierarchy_quality.hpp"
-#include "mesh/netmesh.hpp"
+#include "mesh/mesh_points.hpp"
 #include "mesh/quality.hpp"
 
 using namespace netmesh;
@@ -78,9 +78,16 @@ void random_direction(inputs::Random& random, int dim, double* direction) {
 template <int D> struct Hierarchical {
     explicit Hierarchical(const inputs::Points& points) : block(std::size_t{1} << 24), store(block.arena, state) {
         Monitor monitor;
-        InputReport input;
-        REQUIRE(netmesh::netmesh<D>(store, points.data(), points.size() / D, {3, 1, false, 1}, monitor, &input, &domain,
-                                    &cages, &report) == Status::ok);
+        MeshRequest request;
+        request.method = MeshMethod::hierarchy;
+        request.tau = 3;
+        request.seed = 1;
+        MeshResult<D> result;
+        REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &result) ==
+                Status::ok);
+        domain = result.domain;
+        cages = result.cages;
+        report = result.hierarchy;
         ratios.resize(state.vertex_count);
         domains.resize(state.vertex_count);
         nearest2.resize(state.vertex_count);
@@ -115,7 +122,7 @@ template <int D> struct Hierarchical {
     Store<D> store;
     Domain<D> domain = {};
     Cage* cages;
-    HierarchyReport report;
+    HierarchyCounts report;
     std::vector<double> ratios, nearest2;
     std::vector<std::uint32_t> domains;
 };

@@ -6,12 +6,11 @@
 
 #include <string>
 
-#include "common/block.hpp"
+#include "common/meshed.hpp"
 #include "common/session.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/tighten_cell_bounds.hpp"
 #include "homology/lower_star/lower_star.hpp"
-#include "mesh/refine.hpp"
 #include "oracle/log_distance.hpp"
 
 using namespace netmesh;
@@ -27,10 +26,10 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    InputReport input;
-    Domain<D> domain = {};
-    REQUIRE(refine<D>(store, points.data(), points.size() / D, {tau, 1, true, 1}, monitor, &input, &domain) ==
-            Status::ok);
+    MeshResult<D> made;
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
+                           &made) == Status::ok);
+    const Domain<D>& domain = made.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);
@@ -60,7 +59,8 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
         CHECK(b.death_low <= list.pairs[i].death);
         CHECK(list.pairs[i].death <= b.death_high);
         CHECK(b.birth_high <= b.death_low);
-        claims.push_back({list.pairs[i].degree, {b.birth_low, b.birth_high, b.death_low, b.death_high, 0, 1}});
+        claims.push_back({list.pairs[i].degree,
+                          {sizeof(netmesh_bar_bounds), 1, b.birth_low, b.birth_high, b.death_low, b.death_high, 0}});
     }
     CHECK(claims.size() >= least);
     CHECK(all_real(claims, diagram(exact), 1 + 1e-9));

@@ -32,15 +32,16 @@ public:
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
-// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` for an over-refined one, `# cage V R` for each cage: its centre's id
-// and its radius.
+// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` for an over-refined one, `# cage V R` for
+// each cage: its centre's id and its radius.
 void write_node(const MeshSource& mesh, TextWriter& out);
 void write_ele(const MeshSource& mesh, TextWriter& out);
 // -1 outside; neighbour i is opposite vertex i.
 void write_neigh(const MeshSource& mesh, TextWriter& out);
 // OFF for D = 3, nOFF otherwise; a face for each cell, of its D+1 vertices.
 void write_off(const MeshSource& mesh, TextWriter& out);
-// VTK's unstructured grid, D = 2 and 3, with point data `marker`, `value`, `aspect_ratio` and `domain` (-1: the outermost), as far as they are known.
+// VTK's unstructured grid, D = 2 and 3, with point data `marker`, `value`, `aspect_ratio` and `domain` (-1: the
+// outermost), as far as they are known.
 void write_vtu(const MeshSource& mesh, TextWriter& out);
 
 // A .node file as it stands.

@@ -33,7 +33,7 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
         if (numbers.size() != 2 || !is_count(numbers[0]) || !(numbers[0] < NETMESH_NONE) || !(numbers[1] > 0)) {
             return "a cage is the id of its centre and a radius above 0";
         }
-        node->cages.push_back({static_cast<std::uint32_t>(numbers[0]), NETMESH_NONE, numbers[1]});
+        node->cages.push_back({sizeof(netmesh_cage), static_cast<std::uint32_t>(numbers[0]), NETMESH_NONE, numbers[1]});
         return {};
     }
     if (words[0] == "eps") {

@@ -1,0 +1,89 @@
+// What rules have in common by which a cell is bad when its clipped aspect ratio is above tau.
+#pragma once
+#include <cstdint>
+
+#include "mesh/refinement.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+
+// A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad, by D: the cell
+// then loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof. Smaller
+// values make more layers of vertices, larger ones more vertices a layer.
+template <int D> constexpr double pull_back = figures<D>.pull_back;
+
+// What is refined is the corner of a clipped cell: a Voronoi corner inside the ball that the cell is clipped to, or a point
+// where a Voronoi edge crosses its sphere.
+//
+// `Rule` also has
+//
+//   bool may_be_bad(double corner2, const Vertex<D>& v)   can a corner at this squared distance from v make its cell bad?
+template <int D, class Rule> class AspectRule : public Refinement<D, Rule> {
+    using Base = Refinement<D, Rule>;
+
+public:
+    AspectRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
+        : Base(store, request, work, result), tau_(request.tau * (1 - tau_margin)) {}
+
+    // A hair larger than what is promised, so that no corner on the sphere itself depends on roundings.
+    double choose_domain() {
+        this->domain_.radius = promised_radius() * (1 + tau_margin);
+        return frame_factor<D> * this->domain_.radius;
+    }
+    double promised_radius() const { return this->domain_.enclosing_radius * this->request_.domain_factor; }
+
+protected:
+    bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }
+
+    // Positions of those vertices of a new cell whose cells its corner can make bad, as bits.
+    unsigned positions_of_bad(const Cell<D>& cell) const {
+        unsigned bad = 0;
+        for (int i = 0; i <= D; ++i) {
+            const Vertex<D>& vertex = this->store_.vertex(cell.vertex[i]);
+            if (!vertex.queued && vertex.marker != Marker::exempt && rule().may_be_bad(cell.radius2, vertex))
+                bad |= 1u << i;
+        }
+        return bad;
+    }
+    void queue_positions(const Cell<D>& cell, unsigned positions) {
+        for (int i = 0; i <= D; ++i)
+            if (positions >> i & 1u) this->queue_.push(cell.vertex[i]);
+    }
+    // The corner is outside of the ball: which of its edges cross the sphere too far from these vertices? A crossing on an
+    // edge from an old outer cell need not be looked at: the edge has only become shorter.
+    void queue_bad_crossings(const Domain<D>& ball, const Cell<D>& cell, unsigned positions) {
+        for (int i = 0; i <= D; ++i) {
+            const unsigned others = positions & ~(1u << i);
+            if (others == 0) continue;
+            const Cell<D>& behind = this->store_.cell(cell.neighbour[i].cell());
+            if (!(behind.radius2 < infinity)) continue;
+            double z[2][D];
+            const int crossings = sphere_crossings<D>(ball, cell.centre, behind.centre, z);
+            for (int j = 0; j < crossings; ++j)
+                for (int k = 0; k <= D; ++k) {
+                    const VertexId w = cell.vertex[k];
+                    if ((others >> k & 1u) == 0) continue;
+                    if (rule().may_be_bad(distance2<D>(z[j], this->store_.point(w)), this->store_.vertex(w)))
+                        this->queue_.push(w);
+                }
+        }
+    }
+
+    // Splits the cell of v, or of a cage about v, in the direction of a corner: at most `wanted` away from v.
+    void split_towards(VertexId v, const Corner<D>& corner, double wanted, Split<D>* split) const {
+        const double* const p = this->store_.point(v);
+        const double whole = square_root(corner.distance2);
+        split->place(p, corner, wanted < whole ? wanted / whole : 1);
+        split->empty2 = distance2<D>(split->x, p);
+        split->input = this->nearest_input(v);
+    }
+    // The distance at which 3.3 puts a Steiner point, for a nearest neighbour this far away.
+    double wanted_distance(double nearest, double pull) const { return pull * 0.5 * tau_ * nearest; }
+
+    const double tau_;
+
+private:
+    const Rule& rule() const { return static_cast<const Rule&>(*this); }
+};
+
+}  // namespace netmesh

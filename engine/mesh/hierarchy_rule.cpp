@@ -1,0 +1,428 @@
+#include "mesh/hierarchy_rule.hpp"
+
+#include "mesh/aspect_rule.hpp"
+#include "mesh/cage_corner.hpp"
+#include "mesh/hierarchy.hpp"
+#include "numerics/random.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+// Inputs waiting for one another, the next one on top. Two ring searches multiply the radius by more than the clearance, 8,
+// and distances span 2^1002: at most 2 * 1002 / 3 = 668 for one input.
+class Path {
+public:
+    bool push(VertexId v) {
+        if (count_ == capacity) return false;
+        items_[count_++] = v;
+        return true;
+    }
+    bool empty() const { return count_ == 0; }
+    VertexId top() const { return items_[count_ - 1]; }
+    void pop() { --count_; }
+
+private:
+    static constexpr int capacity = 700;
+    VertexId items_[capacity];
+    int count_ = 0;
+};
+
+template <int D> class HierarchyRule : public AspectRule<D, HierarchyRule<D>> {
+    using Base = AspectRule<D, HierarchyRule<D>>;
+    using Base::domain_;
+    using Base::inserted_;
+    using Base::inputs_;
+    using Base::is_bad;
+    using Base::kernel_;
+    using Base::nearest_input;
+    using Base::observers_;
+    using Base::queue_;
+    using Base::store_;
+    using Base::tau_;
+    using Base::tree_;
+
+public:
+    static constexpr bool searches_rings = true;
+
+    HierarchyRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
+        : Base(store, request, work, result) {}
+
+    Status reserve(std::size_t n);
+    Status take_turn(VertexId p);
+    Status insert_input(VertexId p, CellId from, bool cleaning);
+    VertexId yields_to(const Split<D>& split, NearestInput* nearest) const;
+    void update_distances(const Cavity& cavity, VertexId v);
+    void queue_bad(CellId c);
+    bool may_be_bad(double corner2, const Vertex<D>& vertex) const { return is_bad(corner2, vertex.nearest2); }
+    // A cage waits in the place of its first shell vertex.
+    Verdict judge(VertexId v, Split<D>* split) {
+        return store_.vertex(v).marker == Marker::exempt ? judge_cage(hierarchy_.of(v), split) : judge_vertex(v, split);
+    }
+    void requeue(VertexId v);
+    Status after_step() { return release_encroached(); }
+    Status finish_mesh();
+    const Cage* cages() const { return hierarchy_.cages(); }
+    std::uint32_t cages_made() const { return hierarchy_.made(); }
+    std::size_t keep_results(std::size_t low);
+
+private:
+    void locate_domain(VertexId p, const Cavity& cavity);
+    Status climb_to_cage(VertexId p, const Cavity& cavity, bool cleaning);
+    Status new_cage(VertexId p, double reach);
+    void make_shell(VertexId centre, std::uint32_t cage, double radius);
+    Status release_encroached();
+    Status release_cage(std::uint32_t d);
+
+    void update_cages(VertexId w, const Vertex<D>& fresh, std::uint32_t within);
+    void queue_bad_vertices(CellId c);
+    void queue_bad_cages(CellId c);
+    void queue_cage(std::uint32_t d) {
+        const Cage& cage = hierarchy_.cage(d);
+        queue_.push(VertexId(cage.shell), cage.nearest2);
+    }
+    Verdict judge_vertex(VertexId v, Split<D>* split);
+    Verdict judge_cage(std::uint32_t d, Split<D>* split);
+    Status sweep();
+    void find_nearest_inputs();
+    Domain<D> ball_of(std::uint32_t d) { return domain_ball<D>(store_, hierarchy_.cages(), d, domain_); }
+
+    Hierarchy<D> hierarchy_;
+    Path path_;
+    // Of the input p whose turn it is: its nearest neighbour u in M_Omega, Omega the domain of p, the nearest distance of u in
+    // M_Omega, and the cage in Omega that has u for its centre, if one does.
+    VertexId near_ = none;
+    std::uint32_t near_cage_ = none;
+    double near_nearest2_ = 0;
+    std::uint32_t encroached_ = none;  // list of cages through Cage::next
+    std::uint64_t passed_ = 0;         // domains passed in finding the domain of an input
+};
+
+template <int D> Status HierarchyRule<D>::reserve(std::size_t n) {
+    if (n > (std::size_t{1} << 28)) return Status::invalid_argument;
+    return hierarchy_.open(store_, store_.arena, static_cast<std::uint32_t>(n));
+}
+
+// Inserts p and what has to come before it, and restores the quality of all cells each time.
+template <int D> Status HierarchyRule<D>::take_turn(VertexId p) {
+    for (path_.push(p); !path_.empty();) {
+        const VertexId top = path_.top();
+        if (store_.vertex(top).cell != none) {
+            path_.pop();
+            continue;
+        }
+        Status status = insert_input(top, observers_.start_for(store_, top), false);
+        if (status == Status::ok && path_.top() == top) status = this->clean();
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+// Inserts p near cell `from`, unless others have to come first: then they are on top of the path.
+template <int D> Status HierarchyRule<D>::insert_input(VertexId p, CellId from, bool cleaning) {
+    Cavity cavity;
+    if (!this->find_cavity(p, from, &cavity)) return Status::out_of_memory;
+    const std::uint32_t before = store_.state.vertex_count;
+    Status status = climb_to_cage(p, cavity, cleaning);
+    if (status != Status::ok || (!cleaning && path_.top() != p)) return status;
+    const bool has_shell = before != store_.state.vertex_count;  // then the cavity is no more what it was
+    status = has_shell ? this->insert(p, store_.vertex(near_).cell) : this->fill(p, cavity);
+    return status == Status::ok ? this->finish_step(p, cleaning) : status;
+}
+
+// Finds the domain of p and its nearest neighbour in it from the nearest vertex, which is one of the cells in conflict. Those
+// are finite, as the frame's hull contains the domain.
+template <int D> void HierarchyRule<D>::locate_domain(VertexId p, const Cavity& cavity) {
+    const double* const x = store_.point(p);
+    double best2 = infinity;
+    for (std::uint32_t k = 0; k < cavity.cells; ++k)
+        for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
+            const double d2 = distance2<D>(x, store_.point(w));
+            if (!(d2 < best2)) continue;
+            best2 = d2;
+            near_ = w;
+        }
+    near_nearest2_ = store_.vertex(near_).nearest2;
+    near_cage_ = none;
+    std::uint32_t d = hierarchy_.of(near_);
+    for (; !hierarchy_.contains(d, x); d = hierarchy_.parent(d), ++passed_) near_cage_ = d;
+    hierarchy_.set(p, d);
+    if (near_cage_ == none) return;
+    near_ = VertexId(hierarchy_.cage(near_cage_).centre);
+    near_nearest2_ = hierarchy_.cage(near_cage_).nearest2;
+}
+
+// Climbs from p, which is not medial, through inputs farther and farther from its nearest neighbour, which are to be inserted
+// first, to the cage that contains them all, if there is room for one.
+template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity& cavity, bool cleaning) {
+    locate_domain(p, cavity);
+    if (store_.vertex(near_).marker != Marker::input) return Status::ok;
+    constexpr double clearance = cage_clearance / cage_epsilon * (1 + 2 * tau_margin);
+    const double* const u = store_.point(near_);
+    const double room = square_root(near_nearest2_);
+    double reach = square_root(distance2<D>(store_.point(p), u));
+    while (clearance * reach <= room) {
+        double d2;
+        const std::uint32_t q = tree_.farthest_in_ring(u, reach * (1 + 0x1p-40), clearance * reach, &d2);
+        if (q == none) return new_cage(p, reach);
+        reach = square_root(d2);
+        if (!cleaning && store_.vertex(q).cell == none && !path_.push(VertexId(q))) return Status::ok;
+    }
+    return Status::ok;
+}
+
+// The cage of the inputs within `reach` of the nearest neighbour of p. There are no vertices in it yet, but for those of a
+// cage about the same centre that p is outside of.
+template <int D> Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
+    if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
+    const double radius = reach / cage_epsilon * (1 + tau_margin);
+    const VertexId u = near_, shell(store_.state.vertex_count);
+    const std::uint32_t d = hierarchy_.make(u, radius, near_nearest2_, hierarchy_.of_input(p), shell);
+    if (near_cage_ != none)
+        hierarchy_.cage(near_cage_).parent = d;
+    else
+        hierarchy_.set(u, d);
+    hierarchy_.set(p, d);
+    make_shell(u, d, radius);
+    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
+        const Status status = this->insert(v, store_.vertex(u).cell);
+        if (status == Status::ok) continue;
+        // A cage without its whole shell is given up; the shell vertices that are in the mesh stay there, exempt.
+        hierarchy_.release(d);
+        store_.truncate_vertices(status == Status::cancelled ? v + 1 : v);
+        return status;
+    }
+    return Status::ok;
+}
+
+template <int D> void HierarchyRule<D>::make_shell(VertexId centre, std::uint32_t cage, double radius) {
+    const double* const c = store_.point(centre);
+    std::uint64_t random = mix64(std::uint64_t{centre.index} << 32 | cage);
+    for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
+        double x[D];
+        for (int k = 0; k < D; ++k) {
+            random = mix64(random);
+            const double jitter = shell_jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
+            const double axis = k != static_cast<int>(i / 2) ? 0 : i % 2 == 0 ? 1 : -1;
+            x[k] = c[k] + shell_factor * radius * (axis + jitter);
+        }
+        make_vertex<D>(store_, x, centre, Marker::exempt);
+    }
+}
+
+template <int D> Status HierarchyRule<D>::release_encroached() {
+    while (encroached_ != none) {
+        const std::uint32_t d = encroached_;
+        Cage& cage = hierarchy_.cage(d);
+        encroached_ = cage.next == d ? none : cage.next;
+        cage.next = none;
+        const Status status = release_cage(d);
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+template <int D> Status HierarchyRule<D>::release_cage(std::uint32_t d) {
+    const VertexId shell(hierarchy_.cage(d).shell);
+    hierarchy_.release(d);
+    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
+        store_.vertex(v).marker = Marker::steiner;
+        queue_.push(v);
+    }
+    // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are pushed. None
+    // is infinity, as the frame is around them.
+    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
+        const bool fits = kernel_.visit_star(v, [&](CellId c) {
+            for (const VertexId w : store_.cell(c).vertex)
+                if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
+        });
+        if (!fits) return Status::out_of_memory;
+    }
+    return Status::ok;
+}
+
+// A Steiner point's nearest input is not looked for here: the one that the split comes from serves as well.
+template <int D> VertexId HierarchyRule<D>::yields_to(const Split<D>& split, NearestInput* nearest) const {
+    nearest->input = split.input;
+    if (inserted_ == inputs_) return none;
+    double input2;
+    const std::uint32_t input = tree_.nearest_within(split.x, yield_radius * yield_radius * split.empty2, &input2);
+    return input != none && store_.vertex(input).cell == none ? VertexId(input) : VertexId(none);
+}
+
+// Nearest distances of vertices and of cages.
+template <int D> void HierarchyRule<D>::update_distances(const Cavity& cavity, VertexId v) {
+    this->update_nearest(cavity, v);
+    if (hierarchy_.live() == 0) return;
+    const Vertex<D>& fresh = store_.vertex(v);
+    const std::uint32_t within = fresh.marker == Marker::steiner ? hierarchy_.of(v) : none;
+    kernel_.visit_neighbours(cavity, v, [&](VertexId w) { update_cages(w, fresh, within); });
+}
+
+// A new vertex has become a neighbour of w: it is outside of the cages that contain w but not the vertex. `within`: the
+// domain of a Steiner point, whose cage is the one that a cage beside it has to do with.
+template <int D> void HierarchyRule<D>::update_cages(VertexId w, const Vertex<D>& fresh, std::uint32_t within) {
+    for (std::uint32_t d = hierarchy_.of(w); d != none && !hierarchy_.contains(d, fresh.x); d = hierarchy_.parent(d)) {
+        Cage& cage = hierarchy_.cage(d);
+        const double d2 = distance2<D>(fresh.x, store_.point(cage.centre)), clear = cage_clearance * cage.radius;
+        if (d2 < cage.nearest2) {
+            cage.nearest2 = d2;
+            queue_cage(d);
+        }
+        if (fresh.marker == Marker::exempt || !(d2 < clear * clear) || cage.next != none) continue;
+        if (!hierarchy_.contains(within, store_.point(cage.centre))) continue;
+        cage.next = encroached_ == none ? d : encroached_;  // the last one points at itself
+        encroached_ = d;
+    }
+}
+
+template <int D> void HierarchyRule<D>::queue_bad(CellId c) {
+    queue_bad_vertices(c);
+    if (hierarchy_.live() > 0) queue_bad_cages(c);
+}
+
+// Domain by domain.
+template <int D> void HierarchyRule<D>::queue_bad_vertices(CellId c) {
+    const Cell<D>& cell = store_.cell(c);
+    if (!(cell.radius2 < infinity)) return;
+    unsigned far = this->positions_of_bad(cell);
+    while (far != 0) {
+        std::uint32_t d = none;
+        unsigned equal = far;  // those in the domain of the first
+        if (hierarchy_.live() > 0) {
+            int first = 0;
+            while ((far >> first & 1u) == 0) ++first;
+            d = hierarchy_.of(cell.vertex[first]);
+            for (int i = first + 1; i <= D; ++i)
+                if ((far >> i & 1u) && hierarchy_.of(cell.vertex[i]) != d) equal &= ~(1u << i);
+        }
+        far &= ~equal;
+        const Domain<D> ball = ball_of(d);
+        if (ball.contains(cell.centre))
+            this->queue_positions(cell, equal);
+        else
+            this->queue_bad_crossings(ball, cell, equal);
+    }
+}
+
+// Queues the cages whose boundary cell c is on, where it makes them bad. Corners outside of the ball of the
+// domain around are looked at when it is the cage's turn.
+template <int D> void HierarchyRule<D>::queue_bad_cages(CellId c) {
+    const Cell<D>& cell = store_.cell(c);
+    if (!(cell.radius2 < infinity)) return;
+    std::uint32_t domains[D + 1];
+    bool equal = true;
+    for (int i = 0; i <= D; ++i) {
+        domains[i] = hierarchy_.of(cell.vertex[i]);
+        equal &= domains[i] == domains[0];
+    }
+    if (equal) return;
+    for (int i = 0; i <= D; ++i)
+        for (std::uint32_t d = domains[i]; d != none && is_on_boundary<D>(store_, hierarchy_.cage(d), c);
+             d = hierarchy_.parent(d)) {
+            const Cage& cage = hierarchy_.cage(d);
+            const double bound = tau_ * in_radius<D>(cage);
+            if (distance2<D>(cell.centre, store_.point(cage.centre)) > bound * bound) queue_cage(d);
+        }
+}
+
+template <int D> void HierarchyRule<D>::requeue(VertexId v) {
+    if (store_.vertex(v).marker == Marker::exempt)
+        queue_cage(hierarchy_.of(v));
+    else
+        queue_.push(v);
+}
+
+// By the farthest corner of v's cell clipped to the ball of its domain.
+template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* split) {
+    const double* const p = store_.point(v);
+    const double nearest2 = store_.vertex(v).nearest2, least2 = 0.25 * tau_ * tau_ * nearest2;
+    const Domain<D> ball = ball_of(hierarchy_.of(v));
+    Corner<D> corner;
+    const bool fits = kernel_.visit_star(v, [&](CellId c) {
+        const Cell<D>& cell = store_.cell(c);
+        if (!(cell.radius2 < infinity)) return;
+        if (ball.contains(cell.centre))
+            corner.offer(cell.centre, distance2<D>(cell.centre, p), c);
+        else
+            offer_crossings<D>(store_, ball, v, c, least2, &corner);
+    });
+    if (!fits) return Verdict::out_of_memory;
+    if (!is_bad(corner.distance2, nearest2)) return Verdict::good;
+    this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), pull_back<D>), split);
+    return Verdict::bad;
+}
+
+// By the farthest corner of the cage's cell, clipped to the ball of the domain around it.
+template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>* split) {
+    const Cage& cage = hierarchy_.cage(d);
+    Corner<D> corner;
+    if (!find_cage_corner<D>(store_, cage, ball_of(hierarchy_.parent(d)), &corner))
+        return Verdict::out_of_memory;
+    const double inner = in_radius<D>(cage), whole = square_root(corner.distance2 > 0 ? corner.distance2 : 0);
+    if (!(whole > tau_ * inner)) return Verdict::good;
+    const double wanted = pull_back<D> * tau_ * inner;
+    this->split_towards(VertexId(cage.centre), corner, wanted, split);
+    const double empty = (wanted < whole ? wanted : whole) - cage.radius;
+    split->empty2 = empty * empty;
+    return Verdict::bad;
+}
+
+// Looks at all cells until there is nothing to do.
+template <int D> Status HierarchyRule<D>::sweep() {
+    std::uint32_t before;
+    do {
+        before = store_.state.vertex_count;
+        for (CellId c(0); c < store_.state.cell_slots; ++c)
+            if (store_.is_live(c)) queue_bad_vertices(c);
+        for (std::uint32_t d = 0; d < hierarchy_.made(); ++d)
+            if (hierarchy_.is_live(d)) queue_cage(d);
+        const Status status = this->clean();
+        if (status != Status::ok) return status;
+    } while (store_.state.vertex_count > before);
+    return Status::ok;
+}
+
+template <int D> Status HierarchyRule<D>::finish_mesh() {
+    const Status swept = sweep();
+    if (swept != Status::ok || !this->request_.finish) return swept;
+    observers_.stop_measuring();
+    for (std::uint32_t d = 0; d < hierarchy_.made(); ++d) {
+        if (!hierarchy_.is_live(d)) continue;
+        const Status status = release_cage(d);
+        if (status != Status::ok) return status;
+    }
+    return sweep();
+}
+
+// What filters ask of a mesh without cages: the nearest input of each vertex.
+template <int D> void HierarchyRule<D>::find_nearest_inputs() {
+    for (std::uint32_t v = inputs_; v < store_.state.vertex_count; ++v) {
+        double d2;
+        store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);
+    }
+}
+
+template <int D> std::size_t HierarchyRule<D>::keep_results(std::size_t) {
+    const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live();
+    this->result_.cages = hierarchy_.cages();
+    this->result_.hierarchy = {kept, made, made - kept, tree_.touches() + kernel_.steps() + passed_};
+    if (kept == 0 && store_.state.cell_slots > 0) find_nearest_inputs();
+    return store_.arena.offset_of(hierarchy_.cages() + kept);
+}
+
+}  // namespace
+
+template <int D>
+Status mesh_by_hierarchy(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
+                         const Work& work, MeshResult<D>* result) {
+    return mesh_by_rule<D, HierarchyRule<D>>(store, points, n, request, work, result);
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status mesh_by_hierarchy<D>(Store<D>&, const double*, std::size_t, const MeshRequest&, const Work&,       \
+                                         MeshResult<D>*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

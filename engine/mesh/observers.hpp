@@ -1,0 +1,54 @@
+// What watches a mesh grow without having a say in it: point location in all D-balls, and quality after every insertion.
+#pragma once
+#include <cstdint>
+
+#include "mesh/ball_lists.hpp"
+#include "mesh/domain.hpp"
+#include "mesh/mesh_request.hpp"
+#include "mesh/quality_audit.hpp"
+
+namespace netmesh {
+
+// Location: inputs are stored in all D-balls that contain them. They also have their turns in another order then, that of
+// rounds of range nets (input_order.hpp), as definition 4.7.5 is about that order: so an audit of location is of
+// another mesh, as good.
+// Quality: everything is measured after each insertion until the last input is in and clean, for small runs. The mesh is
+// byte for byte the one that is made without.
+template <int D> class Observers {
+public:
+    explicit Observers(const MeshRequest& request)
+        : locates_(request.audit_location), measures_(request.audit_quality) {}
+
+    // Memory for the lists, before the store's cells are opened; later the frame is there. out_of_memory.
+    Status open(Store<D>& store, std::uint32_t inputs);
+    Status start(const Store<D>& store, Kernel<D>& kernel);
+
+    // Around each insertion into a cavity, where inputs are located. Before: false when an input is stored in other balls
+    // than those of its cavity. After: false when the lists do not suffice; the mesh is whole all the same.
+    bool locates() const { return lists_.is_open(); }
+    bool before_fill(const Store<D>& store, const Kernel<D>& kernel, const Cavity& cavity, VertexId v);
+    bool after_fill(Kernel<D>& kernel, const Cavity& cavity, VertexId v);
+    bool lists_are_full() const { return full_; }
+    // Where the search for an input that is not inserted starts.
+    CellId start_for(const Store<D>& store, VertexId input) const {
+        return lists_.is_open() ? lists_.ball_of(input) : store.state.last_cell;
+    }
+    BallLists<D>& lists() { return lists_; }
+
+    // After each step: vertex v has been inserted, and the shell of a cage before, if one was made. `cleaning`: not because
+    // an input had its turn. out_of_memory, internal (a cage is encroached).
+    bool measures() const { return measures_; }
+    Status measure(Store<D>& store, const Cage* cages, std::uint32_t cages_made, const Domain<D>& domain, VertexId v,
+                   bool cleaning);
+    void stop_measuring() { measures_ = false; }
+
+    void report(MeshAudit* audit) const;
+
+private:
+    BallLists<D> lists_;
+    QualityAudit quality_ = {};
+    VertexId first_new_ = none;  // of the step at hand
+    bool locates_, measures_, full_ = false;
+};
+
+}  // namespace netmesh

@@ -1,0 +1,193 @@
+#include "mesh/quality_rule.hpp"
+
+#include "certificate/interval.hpp"
+#include "mesh/aspect_rule.hpp"
+#include "mesh/reference_rule.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int D> class QualityRule : public AspectRule<D, QualityRule<D>> {
+    using Base = AspectRule<D, QualityRule<D>>;
+    using Base::domain_;
+    using Base::is_bad;
+    using Base::kernel_;
+    using Base::nearest_input;
+    using Base::queue_;
+    using Base::sizes_;
+    using Base::store_;
+    using Base::tau_;
+    using Base::tree_;
+
+public:
+    static constexpr bool heeds_sizes = true;
+
+    QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
+        : Base(store, request, work, result), reference_(request.method == MeshMethod::reference),
+          certify_(request.certify_filter && !reference_), pull_(reference_ ? infinity : pull_back<D>) {}
+
+    double choose_domain();
+    double promised_radius() const { return reference_ ? domain_.radius : Base::promised_radius(); }
+    Status begin() { return reference_ ? insert_boundary_net() : Status::ok; }
+    Status take_turn(VertexId p);
+    Status finish_mesh() { return reference_ ? this->clean() : Status::ok; }
+    void queue_bad(CellId c);
+    Verdict judge(VertexId v, Split<D>* split);
+    bool must_yield(const Split<D>& split, const NearestInput& nearest) const;
+    bool may_be_bad(double corner2, const Vertex<D>& vertex) const {
+        return is_bad(corner2, vertex.nearest2) || corner2 > sizes_.bound2(vertex);
+    }
+
+private:
+    struct CellView {
+        Corner<D> clipped;  // farthest corner of the clipped cell
+        Corner<D> whole;    // farthest corner of the whole cell
+        double reach2;      // squared distance from the nearest input to the farthest corner from it
+    };
+
+    Status insert_boundary_net();
+    bool may_spoil_certificate(VertexId v, const double* x) const;
+    bool view_cell(VertexId v, CellView* view);
+    bool find_pole(VertexId v, Corner<D>* corner);
+    bool spoils_certificate(VertexId v, const CellView& view) const;
+
+    const bool reference_, certify_;
+    const double pull_;
+};
+
+template <int D> double QualityRule<D>::choose_domain() {
+    if (!reference_) return Base::choose_domain();
+    return domain_.radius = reference_radius(this->request_.tau, domain_.enclosing_radius);
+}
+
+template <int D> Status QualityRule<D>::take_turn(VertexId p) {
+    return reference_ ? this->insert_input(p, store_.state.last_cell, false) : Base::take_turn(p);
+}
+
+template <int D> Status QualityRule<D>::insert_boundary_net() {
+    const VertexId inside(0);
+    Status status = this->insert(inside, store_.state.last_cell);
+    for (bool covered = false; !covered && status == Status::ok;) {
+        covered = true;
+        for (CellId c(0); c < store_.state.cell_slots && status == Status::ok; ++c) {
+            double z[D], d2;
+            if (!lacks_net_vertex<D>(store_, domain_, c, inside, z)) continue;
+            if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
+            const VertexId v = make_vertex<D>(store_, z, tree_.nearest(z, 0, none, &d2), Marker::exempt);
+            status = this->insert(v, c);
+            if (status == Status::out_of_memory) store_.truncate_vertices(v);
+            covered = false;
+        }
+    }
+    return status;
+}
+
+template <int D> void QualityRule<D>::queue_bad(CellId c) {
+    const Cell<D>& cell = store_.cell(c);
+    if (!(cell.radius2 < infinity)) return;
+    unsigned far = this->positions_of_bad(cell);
+    if (far == 0) return;
+    if (domain_.contains(cell.centre)) return this->queue_positions(cell, far);
+    if (certify_)
+        for (int i = 0; i <= D; ++i)
+            if ((far >> i & 1u) && may_spoil_certificate(cell.vertex[i], cell.centre)) {
+                queue_.push(cell.vertex[i]);
+                far &= ~(1u << i);
+            }
+    this->queue_bad_crossings(domain_, cell, far);
+}
+
+// Could a corner at x of v's cell spoil the certificate? As lo is at least half of d_P(v), a necessary condition that
+// needs no walk around v.
+template <int D> bool QualityRule<D>::may_spoil_certificate(VertexId v, const double* x) const {
+    const double* const input = store_.point(nearest_input(v));
+    const double reach2 = distance2<D>(x, input), rho = domain_.enclosing_radius;
+    const double hi2 = reach2 < rho * rho ? reach2 : rho * rho;
+    if (store_.vertex(v).marker == Marker::input) return 4 * hi2 > tau_ * tau_ * store_.vertex(v).nearest2;
+    return 4 * hi2 > (2 + tau_) * (2 + tau_) * distance2<D>(store_.point(v), input);
+}
+
+// Walks around v's cell. False when the gap is too small for that.
+template <int D> bool QualityRule<D>::view_cell(VertexId v, CellView* view) {
+    *view = CellView{};
+    // A corner that cannot be bad does not matter.
+    double least2 = 0.25 * tau_ * tau_ * store_.vertex(v).nearest2;
+    const double sized2 = sizes_.bound2(store_.vertex(v));
+    if (sized2 < least2) least2 = sized2;
+    const double* const p = store_.point(v);
+    const double* const input = store_.point(nearest_input(v));
+    return kernel_.visit_star(v, [&](CellId c) {
+        const Cell<D>& cell = store_.cell(c);
+        if (!(cell.radius2 < infinity)) return;  // a ghost, or so flat that its corner is not known
+        const double d2 = distance2<D>(cell.centre, p);
+        if (domain_.contains(cell.centre))
+            view->clipped.offer(cell.centre, d2, c);
+        else
+            offer_crossings<D>(store_, domain_, v, c, least2, &view->clipped);
+        if (!certify_) return;
+        view->whole.offer(cell.centre, d2, c);
+        const double reach2 = distance2<D>(cell.centre, input);
+        if (reach2 > view->reach2) view->reach2 = reach2;
+    });
+}
+
+// The farthest point of a clipped cell without corners; no Voronoi edge meets the domain there.
+template <int D> bool QualityRule<D>::find_pole(VertexId v, Corner<D>* corner) {
+    std::uint32_t count = 0;
+    if (!kernel_.visit_star(v, [&](CellId) { ++count; })) return false;
+    corner->distance2 = farthest_pole<D>(store_, domain_, v, store_.list_top(), count, corner->x, &corner->cell);
+    return true;
+}
+
+// Do lo and hi on the whole cell say that the filter does not have the ratio that tau promises?
+template <int D> bool QualityRule<D>::spoils_certificate(VertexId v, const CellView& view) const {
+    const double nearest2 = store_.vertex(v).nearest2;
+    if (!is_bad(view.whole.distance2, nearest2)) return false;
+    const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
+    const double hi = reach < rho ? reach : rho;
+    if (store_.vertex(v).marker == Marker::input) return 2 * hi > tau_ * square_root(nearest2);
+    const double d = distance<D>(store_.point(v), store_.point(nearest_input(v)));
+    const double lo = least_distance(d, square_root(view.whole.distance2), as_computed);
+    return hi > (2 + tau_) * lo || hi > tau_ * d;
+}
+
+template <int D> Verdict QualityRule<D>::judge(VertexId v, Split<D>* split) {
+    CellView view;
+    if (!view_cell(v, &view)) return Verdict::out_of_memory;
+    if (sizes_.have_started() && view.clipped.distance2 < 0 && !find_pole(v, &view.clipped))
+        return Verdict::out_of_memory;
+    const double nearest2 = store_.vertex(v).nearest2, clipped2 = view.clipped.distance2;
+    const Corner<D>* corner = &view.clipped;
+    if (!is_bad(clipped2, nearest2) && !sizes_.are_exceeded(v, clipped2)) {
+        if (!certify_ || !spoils_certificate(v, view)) return Verdict::good;
+        corner = &view.whole;
+    }
+    this->split_towards(v, *corner, this->wanted_distance(square_root(nearest2), pull_), split);
+    return Verdict::bad;
+}
+
+// What the proof in the header asks of inputs that are not inserted yet.
+template <int D> bool QualityRule<D>::must_yield(const Split<D>& split, const NearestInput& nearest) const {
+    const double input2 = nearest.distance2;
+    if (input2 < yield_radius * yield_radius * split.empty2 || !(input2 < split.empty2)) return input2 < split.empty2;
+    double second2;  // f_P(x) squared
+    tree_.nearest(split.x, none, nearest.input, &second2);
+    return (tau_ - 2) * (tau_ - 2) * second2 > (tau_ + 2) * (tau_ + 2) * input2;
+}
+
+}  // namespace
+
+template <int D>
+Status mesh_by_quality(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
+                       const Work& work, MeshResult<D>* result) {
+    return mesh_by_rule<D, QualityRule<D>>(store, points, n, request, work, result);
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status mesh_by_quality<D>(Store<D>&, const double*, std::size_t, const MeshRequest&, const Work&,         \
+                                       MeshResult<D>*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh
