@@ -26,8 +26,8 @@ constexpr bool serves_dimension(std::uint32_t dim) {
 struct Figures {
     // Meshing
     double tau_default;   // bound on aspect ratios when the caller names none
-    double pull_back;     // see mesh/quality_rule.hpp
-    double frame_factor;  // distance of the frame over the domain's radius, see mesh/opening.hpp
+    double pull_back;     // see mesh/aspect_rule.hpp
+    double frame_factor;  // distance of the frame over the domain's radius, see mesh/frame.hpp
     // Analysis
     double integral_tolerance;             // wanted upper / lower - 1 of integrals when the caller names none
     double coarsest_box;                   // half diagonal over f_P of a box that is never split

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "common/inputs.hpp"
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/nearest_in_hull.hpp"
@@ -23,10 +22,10 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    MeshResult<D> made;
+    MeshResult<D> meshed;
     REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, factor, true), {block.arena, monitor},
-                           &mesh) == Status::ok);
-    const Domain<D>& domain = made.domain;
+                           &meshed) == Status::ok);
+    const Domain<D>& domain = meshed.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
     const FilteredMesh<D> mesh = {store, domain, inputs};
     const double rho = mesh.cut();
@@ -96,10 +95,10 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    MeshResult<D> made;
+    MeshResult<D> meshed;
     REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
-                           &mesh) == Status::ok);
-    const Domain<D>& domain = made.domain;
+                           &meshed) == Status::ok);
+    const Domain<D>& domain = meshed.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
     const FilteredMesh<D> mesh = {store, domain, inputs};
     const double rho = mesh.cut();

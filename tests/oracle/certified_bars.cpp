@@ -26,10 +26,10 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     StoreState state = {};
     Store<D> store(block.arena, state);
     Monitor monitor;
-    MeshResult<D> made;
+    MeshResult<D> meshed;
     REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
-                           &made) == Status::ok);
-    const Domain<D>& domain = made.domain;
+                           &meshed) == Status::ok);
+    const Domain<D>& domain = meshed.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);
