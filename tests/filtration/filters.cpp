@@ -63,12 +63,15 @@ TEST_CASE("with one neighbour filters by neighbours are the complete filter") {
 }
 
 TEST_CASE("every filter on meshes gives values within its ratio of its intervals, and refuses others") {
-    Meshed<2> made(inputs::uniform(2, 40), by_quality(2.5, 1, true));
-    REQUIRE(made.status == Status::ok);
-    Block& block = made.block;
-    Monitor& monitor = made.monitor;
-    const StoreState& state = made.state;
-    const FilteredMesh<2> mesh = {made.store, made.result.domain, 40};
+    Block block(std::size_t{1} << 24);
+    StoreState state = {};
+    Store<2> store(block.arena, state);
+    Monitor monitor;
+    const inputs::Points points = inputs::uniform(2, 40);
+    MeshResult<2> meshed;
+    REQUIRE(mesh_points<2>(store, points.data(), 40, by_quality(2.5, 1, true), {block.arena, monitor}, &meshed) ==
+            Status::ok);
+    const FilteredMesh<2> mesh = {store, meshed.domain, 40};
     const netmesh_function function = function_row();
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
     for (std::uint32_t i = 0; i < filter_count; ++i)

@@ -132,14 +132,14 @@ TEST_CASE("ele and neigh are read back") {
     const Square square;
     CellTable cells, neighbours;
     cells.columns = neighbours.columns = 3;
-    REQUIRE(parse_cell_table(text_of(write_ele, square), 0, 4, false, &cells).good());
+    REQUIRE(parse_cell_table(text_of(write_ele, square), {0, 4, false}, &cells).good());
     CHECK(cells.entries == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
-    REQUIRE(parse_cell_table(text_of(write_neigh, square), 0, 2, true, &neighbours).good());
+    REQUIRE(parse_cell_table(text_of(write_neigh, square), {0, 2, true}, &neighbours).good());
     CHECK(neighbours.entries ==
           std::vector<std::uint32_t>{NETMESH_NONE, 1, NETMESH_NONE, NETMESH_NONE, NETMESH_NONE, 0});
     CellTable from_one;
     from_one.columns = 3;
-    REQUIRE(parse_cell_table("1 3 1\n1 1 2 3 7\n", 1, 3, false, &from_one).good());
+    REQUIRE(parse_cell_table("1 3 1\n1 1 2 3 7\n", {1, 3, false}, &from_one).good());
     CHECK(from_one.entries == std::vector<std::uint32_t>{0, 1, 2});
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("ele and neigh: faults and their lines") {
         CellTable table;
         table.name = "m.ele";
         table.columns = 3;
-        const Outcome outcome = parse_cell_table(content, 0, outside ? 1 : 4, outside, &table);
+        const Outcome outcome = parse_cell_table(content, {0, outside ? 1u : 4u, outside}, &table);
         CHECK(outcome.exit == Exit::data);
         return outcome.message;
     };
