@@ -1,5 +1,6 @@
 #include "jobs/persist_points.hpp"
 
+#include "filtration/filters.hpp"
 #include "filtration/point_complexes.hpp"
 #include "filtration/rips_graph.hpp"
 #include "numerics/fingerprint.hpp"
@@ -64,7 +65,7 @@ Status take_points(const PointsRequest& request, Arena& arena, PointSet* out, st
 }
 
 bool is_barycentric(const PointsFilter& filter) {
-    return filter.filter == NETMESH_FILTER_BARYCENTRIC_CECH || filter.filter == NETMESH_FILTER_BARYCENTRIC_RIPS;
+    return find_filter(filter.filter)->has(filter_trait::needs_k);
 }
 
 // Dimension of the complex on n points, and of the nested sets in it.
