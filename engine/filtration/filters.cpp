@@ -55,7 +55,8 @@ const std::uint32_t filter_count = rows;
 const Filter& filter_row(std::uint32_t index) { return table[index]; }
 
 const Filter* find_filter(const netmesh_filter& filter) {
-    std::underlying_type_t<netmesh_filter> number;  // C++ must not read an enumeration whose value none of its names has
+    // As a number: C++ must not read an enumeration whose value is none of its names.
+    std::underlying_type_t<netmesh_filter> number;
     __builtin_memcpy(&number, &filter, sizeof number);
     const std::uint32_t index = static_cast<std::uint32_t>(number) - 1;
     return index < rows ? &table[index] : nullptr;
