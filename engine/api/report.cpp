@@ -235,7 +235,7 @@ netmesh_status netmesh_get_cell(const netmesh_context* context, uint64_t index, 
         Arena arena;
         StoreState state;
         const TriangulationView<D> view = store_of<D>(context, arena, state).view();
-        const std::uint32_t c = static_cast<std::uint32_t>(index);
+        const CellId c(static_cast<std::uint32_t>(index));
         for (int i = 0; i <= D; ++i) {
             cell->vertices[i] = view.vertices(c)[i];
             cell->neighbours[i] = view.neighbour(c, i);

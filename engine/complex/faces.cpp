@@ -7,84 +7,30 @@
 // one table a dimension, in which the children of a node lie together, ascending: a trie. Facet i of the face (p, x), p
 // its first k vertices, is the child x of facet i of p, so boundaries come from boundaries one dimension below.
 #include "complex/faces.hpp"
+
+#include "complex/star_walk.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
-constexpr std::uint32_t last_sibling = 0x80000000u;  // cells are below 2^29, so vertices are far below 2^31
 constexpr std::uint32_t children_max = 0xFFFFFFFEu;
-
-// A stream of words that grows at the low end of the arena while nothing else does. Its blocks are multiples of the
-// arena's alignment, so they lie end to end.
-class WordStream {
-public:
-    explicit WordStream(Arena& arena) : arena_(arena), words_(nullptr), count_(0), capacity_(0) {}
-    bool reserve(std::size_t more) {
-        while (capacity_ - count_ < more) {
-            std::uint32_t* block = arena_.take_low<std::uint32_t>(block_words);
-            if (block == nullptr) return false;
-            if (words_ == nullptr) words_ = block;
-            capacity_ += block_words;
-        }
-        return true;
-    }
-    void push(std::uint32_t word) { words_[count_++] = word; }
-    const std::uint32_t* words() const { return words_; }
-
-private:
-    static constexpr std::size_t block_words = 4096;
-    static_assert(block_words * sizeof(std::uint32_t) % Arena::alignment == 0, "");
-    Arena& arena_;
-    std::uint32_t* words_;
-    std::size_t count_, capacity_;
-};
-
-void sift_down(std::uint32_t* a, std::size_t root, std::size_t n) {
-    const std::uint32_t x = a[root];
-    for (std::size_t child; (child = 2 * root + 1) < n; root = child) {
-        if (child + 1 < n && a[child] < a[child + 1]) ++child;
-        if (a[child] <= x) break;
-        a[root] = a[child];
-    }
-    a[root] = x;
-}
-
-// Distinct numbers, ascending.
-void sort_words(std::uint32_t* a, std::size_t n) {
-    if (n <= 32) {
-        for (std::size_t i = 1; i < n; ++i) {
-            const std::uint32_t x = a[i];
-            std::size_t j = i;
-            for (; j > 0 && a[j - 1] > x; --j) a[j] = a[j - 1];
-            a[j] = x;
-        }
-        return;
-    }
-    for (std::size_t i = n / 2; i-- > 0;) sift_down(a, i, n);
-    for (std::size_t i = n; i-- > 1;) {
-        const std::uint32_t x = a[0];
-        a[0] = a[i];
-        a[i] = x;
-        sift_down(a, 0, i);
-    }
-}
 
 // Cells by vertex.
 template <int D> struct Incidence {
     std::uint32_t* first;  // [vertex_count + 1]
-    std::uint32_t* cell;   // [(D+1) * cell_count]
+    CellId* cell;          // [(D+1) * cell_count]
     std::uint32_t degree_max;
 };
 
 template <int D> bool build_incidence(const TriangulationView<D>& complex, Arena& arena, Incidence<D>* out) {
     const std::size_t n = complex.vertex_count;
     std::uint32_t* first = arena.take_high<std::uint32_t>(n + 1);
-    std::uint32_t* cell =
-        arena.take_high<std::uint32_t>(static_cast<std::size_t>(complex.cell_count) * static_cast<std::size_t>(D + 1));
+    CellId* cell =
+        arena.take_high<CellId>(static_cast<std::size_t>(complex.cell_count) * static_cast<std::size_t>(D + 1));
     if (first == nullptr || cell == nullptr) return false;
     for (std::size_t v = 0; v <= n; ++v) first[v] = 0;
-    for (std::uint32_t c = 0; c < complex.cell_count; ++c)
+    for (CellId c(0); c < complex.cell_count; ++c)
         for (int i = 0; i <= D; ++i) ++first[complex.vertices(c)[i]];
     std::uint32_t sum = 0, degree_max = 0;
     for (std::size_t v = 0; v < n; ++v) {
@@ -94,138 +40,10 @@ template <int D> bool build_incidence(const TriangulationView<D>& complex, Arena
     }
     first[n] = sum;
     for (std::uint32_t c = complex.cell_count; c-- > 0;)
-        for (int i = 0; i <= D; ++i) cell[--first[complex.vertices(c)[i]]] = c;
+        for (int i = 0; i <= D; ++i) cell[--first[complex.vertices(CellId(c))[i]]] = CellId(c);
     *out = {first, cell, degree_max};
     return true;
 }
-
-// Walks the star of one vertex at a time. Inside a star vertices go by their rank in its link, and an entry
-// (cell << 3 | next) stands for a cell of the star that contains the current face and goes on with upper[cell][next..].
-template <int D> class StarWalk {
-public:
-    bool reserve(const TriangulationView<D>& complex, std::uint32_t degree_max, int dimension_max, Arena& arena) {
-        const std::size_t degree = degree_max, n = complex.vertex_count;
-        const std::size_t link_max = degree * D < n ? degree * D : n;
-        dimension_max_ = dimension_max;
-        rank_ = arena.take_high<std::uint32_t>(n);
-        upper_ = arena.take_high<std::uint32_t>(degree * D);
-        size_ = arena.take_high<std::uint8_t>(degree);
-        link_ = arena.take_high<std::uint32_t>(link_max);
-        seen_ = arena.take_high<std::uint32_t>(link_max);
-        tally_ = arena.take_high<std::uint32_t>(link_max);
-        bool enough = rank_ && upper_ && size_ && link_ && seen_ && tally_;
-        for (int level = 0; level < dimension_max; ++level) {
-            entries_[level] = arena.take_high<std::uint32_t>(degree * entries_a_cell(level));
-            enough = enough && entries_[level] != nullptr;
-        }
-        if (!enough) return false;
-        for (std::size_t v = 0; v < n; ++v) rank_[v] = none;
-        for (std::size_t i = 0; i < link_max; ++i) tally_[i] = 0;
-        return true;
-    }
-
-    // Appends the records of the star of v to the stream: for every face but those of the greatest dimension, in the
-    // order of the walk, its children, the last one marked, or `none`. False when the stream cannot grow.
-    bool walk(const TriangulationView<D>& complex, std::uint32_t v, const std::uint32_t* cells, std::uint32_t degree,
-              WordStream& stream) {
-        load(complex, v, cells, degree);
-        std::uint32_t at[D + 1], end[D + 1];
-        end[1] = 0;
-        if (!expand(entries_[0], star_size_, 0, stream, &end[1])) return false;
-        at[1] = 0;
-        for (int level = 1; level >= 1 && level < dimension_max_;) {
-            if (at[level] == end[level]) {
-                --level;
-                continue;
-            }
-            const std::uint32_t* e = entries_[level];
-            const std::uint32_t begin = at[level], head = rank_of(e[begin]);
-            std::uint32_t stop = begin + 1;
-            while (stop < end[level] && rank_of(e[stop]) == head) ++stop;
-            at[level] = stop;
-            if (!expand(e + begin, stop - begin, level, stream, &end[level + 1])) return false;
-            if (level + 1 < dimension_max_) at[++level] = 0;
-        }
-        return true;
-    }
-
-private:
-    static std::size_t entries_a_cell(int level) { return level == 0 ? 1 : static_cast<std::size_t>(D + 1 - level); }
-    std::uint32_t rank_of(std::uint32_t entry) const { return upper_[(entry >> 3) * D + (entry & 7u) - 1]; }
-
-    // Sorts what is above v in each cell of its star and replaces it by ranks in the link.
-    void load(const TriangulationView<D>& complex, std::uint32_t v, const std::uint32_t* cells, std::uint32_t degree) {
-        std::uint32_t link_size = 0;
-        star_size_ = 0;
-        for (std::uint32_t i = 0; i < degree; ++i) {
-            const std::uint32_t* w = complex.vertices(cells[i]);
-            std::uint32_t* u = upper_ + static_cast<std::size_t>(star_size_) * D;
-            int n = 0;
-            for (int j = 0; j <= D; ++j) {
-                if (w[j] <= v) continue;
-                int at = n++;
-                for (; at > 0 && u[at - 1] > w[j]; --at) u[at] = u[at - 1];
-                u[at] = w[j];
-                if (rank_[w[j]] == none) {
-                    rank_[w[j]] = 0;
-                    link_[link_size++] = w[j];
-                }
-            }
-            if (n == 0) continue;
-            entries_[0][star_size_] = star_size_ << 3;
-            size_[star_size_++] = static_cast<std::uint8_t>(n);
-        }
-        sort_words(link_, link_size);
-        for (std::uint32_t r = 0; r < link_size; ++r) rank_[link_[r]] = r;
-        for (std::uint32_t c = 0; c < star_size_; ++c)
-            for (int j = 0; j < size_[c]; ++j) upper_[c * D + j] = rank_[upper_[c * D + j]];
-        for (std::uint32_t r = 0; r < link_size; ++r) rank_[link_[r]] = none;
-    }
-
-    // Writes the record of the face that `face[0..n)` contain; below the greatest dimension also lists their entries
-    // for its children in entries_[level + 1], ascending by child.
-    bool expand(const std::uint32_t* face, std::uint32_t n, int level, WordStream& stream, std::uint32_t* listed) {
-        std::uint32_t children = 0;
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const std::uint32_t c = face[i] >> 3;
-            for (std::uint32_t j = face[i] & 7u; j < size_[c]; ++j) {
-                const std::uint32_t w = upper_[c * D + j];
-                if (tally_[w]++ == 0) seen_[children++] = w;
-            }
-        }
-        if (!stream.reserve(children + 1)) return false;
-        if (children == 0) stream.push(none);
-        sort_words(seen_, children);
-        std::uint32_t start = 0;
-        for (std::uint32_t i = 0; i < children; ++i) {
-            stream.push(link_[seen_[i]] | (i + 1 == children ? last_sibling : 0u));
-            const std::uint32_t here = tally_[seen_[i]];
-            tally_[seen_[i]] = start;
-            start += here;
-        }
-        *listed = start;
-        if (level + 1 < dimension_max_) {
-            std::uint32_t* to = entries_[level + 1];
-            for (std::uint32_t i = 0; i < n; ++i) {
-                const std::uint32_t c = face[i] >> 3;
-                for (std::uint32_t j = face[i] & 7u; j < size_[c]; ++j)
-                    to[tally_[upper_[c * D + j]]++] = c << 3 | (j + 1);
-            }
-        }
-        for (std::uint32_t i = 0; i < children; ++i) tally_[seen_[i]] = 0;
-        return true;
-    }
-
-    int dimension_max_;
-    std::uint32_t star_size_;
-    std::uint32_t* rank_;        // [vertex_count], `none` between calls
-    std::uint32_t* upper_;       // [degree][D], ascending ranks
-    std::uint8_t* size_;         // [degree], how many there are
-    std::uint32_t* link_;        // [link], vertex of each rank
-    std::uint32_t* seen_;        // [link], scratch of expand
-    std::uint32_t* tally_;       // [link], 0 between calls
-    std::uint32_t* entries_[D];  // [level][degree * entries_a_cell(level)]
-};
 
 // Asks for the cells of a star before they are needed: they are all over memory. Always inline, since a function that
 // does nothing but prefetch is taken for one without effect and dropped.
@@ -241,8 +59,7 @@ __attribute__((always_inline)) inline void fetch_star(const TriangulationView<D>
 
 // Writes, for each used vertex, the vertex and the records of its star; then `none`.
 template <int D>
-Status walk_stars(const TriangulationView<D>& complex, int dimension_max, const Work& work,
-                  WordStream& stream) {
+Status walk_stars(const TriangulationView<D>& complex, int dimension_max, const Work& work, WordStream& stream) {
     Incidence<D> incidence;
     StarWalk<D> star;
     if (!build_incidence(complex, work.arena, &incidence)) return Status::out_of_memory;
@@ -366,8 +183,7 @@ template <int D> void link_facets(const Faces<D>& faces, const Trie<D>& trie, in
 }
 
 template <int D>
-Status enumerate(const TriangulationView<D>& complex, int dimension_max, const Work& work,
-                 Faces<D>* out) {
+Status enumerate(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     WordStream stream(work.arena);
     const Status status = walk_stars(complex, dimension_max, work, stream);
@@ -391,8 +207,8 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
     unfold<D>(stream.words(), dimension_max, count, &faces, &trie);
     work.arena.release_low(low);
     for (int k = 1; k <= dimension_max; ++k) {
-        faces.facets[k] =
-            work.arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) * static_cast<std::size_t>(k + 1));
+        faces.facets[k] = work.arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) *
+                                                             static_cast<std::size_t>(k + 1));
         if (faces.facets[k] == nullptr) return Status::out_of_memory;
     }
     for (int k = 1; k <= dimension_max; ++k) {
@@ -407,8 +223,7 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
 }  // namespace
 
 template <int D>
-Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work,
-                       Faces<D>* out) {
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out) {
     if (dimension_max < 0 || dimension_max > D) return Status::invalid_argument;
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     const Status status = enumerate(complex, dimension_max, work, out);
@@ -419,7 +234,8 @@ Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, c
     return status;
 }
 
-#define NETMESH_INSTANTIATE(D) template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*);
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

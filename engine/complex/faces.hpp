@@ -4,9 +4,8 @@
 #include <cstdint>
 
 #include "complex/triangulation.hpp"
-#include "memory/arena.hpp"
-#include "vocabulary/monitor.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 
@@ -39,7 +38,6 @@ template <int D> struct Faces {
 // out_of_memory, cancelled: the arena is as before and *out is not written. A dimension with 2^32 - 1 faces or more
 // counts as out_of_memory.
 template <int D>
-Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work,
-                       Faces<D>* out);
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out);
 
 }  // namespace netmesh

@@ -6,8 +6,8 @@
 namespace netmesh {
 
 // of[k] are the k-simplices in an order of non-decreasing value; simplex i of dimension k has the faces
-// of[k].faces[(k+1)*i .. (k+1)*i + k], positions in of[k-1] in any order. of[0].faces is not read. A face enters no later
-// than its cofaces: of[k-1].value[face] <= of[k].value[i].
+// of[k].faces[(k+1)*i .. (k+1)*i + k], positions in of[k-1] in any order. of[0].faces is not read. A face enters no
+// later than its cofaces: of[k-1].value[face] <= of[k].value[i].
 struct FilteredComplex {
     static constexpr std::uint32_t dimension_max = 31;
     struct Simplices {

@@ -4,9 +4,9 @@
 
 #include "complex/filtered_complex.hpp"
 #include "memory/arena.hpp"
+#include "memory/work.hpp"
 #include "vocabulary/monitor.hpp"
 #include "vocabulary/status.hpp"
-#include "memory/work.hpp"
 
 namespace netmesh {
 

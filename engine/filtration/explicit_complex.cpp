@@ -44,7 +44,7 @@ bool rank_cells(const TriangulationView<D>& triangulation, const double* value, 
     const auto first_of = [&](std::uint32_t c) {
         std::uint32_t first = n;
         for (int i = 0; i <= D; ++i) {
-            const std::uint32_t label = n - 1 - rank[triangulation.vertices(c)[i]];
+            const std::uint32_t label = n - 1 - rank[triangulation.vertices(CellId(c))[i]];
             if (label < first) first = label;
         }
         return first;
@@ -55,7 +55,7 @@ bool rank_cells(const TriangulationView<D>& triangulation, const double* value, 
     for (std::uint32_t v = 0; v < n; ++v) place[v + 1] += place[v];
     for (std::uint32_t c = 0; c < cells; ++c) {
         std::uint32_t* const to = copy + std::size_t{place[first_of(c)]++} * (D + 1);
-        for (int i = 0; i <= D; ++i) to[i] = n - 1 - rank[triangulation.vertices(c)[i]];
+        for (int i = 0; i <= D; ++i) to[i] = n - 1 - rank[triangulation.vertices(CellId(c))[i]];
     }
     *out = {reinterpret_cast<const unsigned char*>(copy), sizeof(std::uint32_t) * (D + 1), cells, n};
     return true;

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "vocabulary/status.hpp"
+#include "numerics/bits.hpp"
+#include "vocabulary/ids.hpp"
 
 namespace netmesh {
 
@@ -52,13 +53,11 @@ public:
         int l = levels_ - 1;
         if (*level_[l] == 0) return none;
         std::uint32_t i = 0;
-        for (; l >= 0; --l) i = i << 6 | highest(level_[l][i]);
+        for (; l >= 0; --l) i = i << 6 | highest_bit(level_[l][i]);
         return i;
     }
 
 private:
-    static std::uint32_t highest(std::uint64_t word) { return 63u - static_cast<std::uint32_t>(__builtin_clzll(word)); }
-
     // Word i of level 0 became non-zero (zero): tells the levels above.
     void spread(std::uint32_t i, bool filled) {
         for (int l = 1; l < levels_; ++l, i >>= 6) {

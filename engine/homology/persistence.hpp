@@ -1,4 +1,5 @@
-// Persistent homology over Z/2. No coordinates here: a complex, and the values at which its simplices enter. Thesis 6.3.
+// Persistent homology over Z/2. No coordinates here: a complex, and the values at which its simplices enter. Thesis
+// 6.3.
 //
 // Every algorithm has a folder: lower_star/ for triangulated balls, matrix/ for complexes that are listed, rips/ for
 // complexes that are given by their edges, cycles/ for representatives, vineyard/ for sequences of filtrations. All of

@@ -1,6 +1,7 @@
 #include "homology/rank.hpp"
 
 #include "memory/arena.hpp"
+#include "numerics/bits.hpp"
 #include "numerics/radix_sort.hpp"
 
 namespace netmesh {
@@ -9,8 +10,7 @@ namespace {
 // An unsigned key in the order of the doubles.
 std::uint64_t key_of(double value) {
     const double x = value + 0.0;  // -0.0 becomes 0.0
-    std::uint64_t bits;
-    __builtin_memcpy(&bits, &x, sizeof bits);
+    const std::uint64_t bits = bits_of(x);
     return (bits >> 63) != 0 ? ~bits : bits | (std::uint64_t{1} << 63);
 }
 

@@ -15,10 +15,9 @@ inline std::uint32_t find_root(std::uint32_t* parent, std::uint32_t i) {
     return i;
 }
 
-// Joins the sets of a and b, which become the roots of the two: of the older one and of the younger one that it takes in.
-// is_older(x, y): whether root x is older than root y. False when a and b were in one set.
-template <class IsOlder>
-bool unite(std::uint32_t* parent, std::uint32_t& a, std::uint32_t& b, IsOlder is_older) {
+// Joins the sets of a and b, which become the roots of the two: of the older one and of the younger one that it takes
+// in. is_older(x, y): whether root x is older than root y. False when a and b were in one set.
+template <class IsOlder> bool unite(std::uint32_t* parent, std::uint32_t& a, std::uint32_t& b, IsOlder is_older) {
     a = find_root(parent, a);
     b = find_root(parent, b);
     if (a == b) return false;

@@ -3,6 +3,7 @@
 #include "filtration/alpha.hpp"
 #include "homology/persistence.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

@@ -1,4 +1,7 @@
-// A double taken apart. No counting instruction is used, since targets without one would call into a run-time library.
+// Doubles taken apart, bits counted.
+//
+// Leading and trailing zeros are counted by the instruction; where a target has none the compiler calls its own routine
+// (__clzdi2, __ctzdi2). Exponents of doubles and population counts go without, so that nothing else is called anywhere.
 #pragma once
 #include <cstdint>
 
@@ -38,6 +41,16 @@ inline Decoded decode(double x) {
 // floor(log2 m), 0 < m <= 2^53.
 inline int log2_floor(std::uint64_t m) {
     return static_cast<int>(bits_of(static_cast<double>(static_cast<std::int64_t>(m))) >> 52) - 1023;
+}
+
+// Positions of the lowest and highest set bit of x != 0; how many bits are set.
+inline std::uint32_t lowest_bit(std::uint64_t x) { return static_cast<std::uint32_t>(__builtin_ctzll(x)); }
+inline std::uint32_t highest_bit(std::uint64_t x) { return 63u - static_cast<std::uint32_t>(__builtin_clzll(x)); }
+inline std::uint32_t count_bits(std::uint64_t x) {
+    x -= x >> 1 & 0x5555555555555555u;
+    x = (x & 0x3333333333333333u) + (x >> 2 & 0x3333333333333333u);
+    x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
+    return static_cast<std::uint32_t>(x * 0x0101010101010101u >> 56);
 }
 
 constexpr int exponent_of_zero = -4096;  // below every exponent of a finite double

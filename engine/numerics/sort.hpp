@@ -4,6 +4,10 @@
 
 namespace netmesh {
 
+struct Ascending {
+    template <class T> bool operator()(const T& a, const T& b) const { return a < b; }
+};
+
 template <class T, class Less> void heap_sort(T* items, std::uint64_t count, Less less) {
     for (std::uint64_t left = count / 2, end = count; end > 1;) {
         T item;

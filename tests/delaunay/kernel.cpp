@@ -130,7 +130,7 @@ TEST_CASE("triangulation from lists of cells is the one it was made from") {
     CheckResult why;
     REQUIRE(load_cells<4>(loaded, points.data(), 80, cells.data(), t.state.cell_slots, &why) == Status::ok);
     CHECK(violation<4>(loaded) == nullptr);
-    for (std::uint32_t c = 0; c < t.state.cell_slots; ++c)
+    for (CellId c(0); c < t.state.cell_slots; ++c)
         for (int i = 0; i <= 4; ++i) {
             const std::uint32_t v = t.store.cell(c).vertex[i];
             int j = 0;

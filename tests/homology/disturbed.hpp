@@ -13,8 +13,8 @@ struct Outcome {
     int refused, whole;
 };
 
-// run({arena, monitor}) looks at its result when it returns ok. Sizes from somewhat more than it needs down to nothing: in
-// steps of 16 bytes until `dense` bytes are missing, then of a twentieth of what is.
+// run({arena, monitor}) looks at its result when it returns ok. Sizes from somewhat more than it needs down to
+// nothing: in steps of 16 bytes until `dense` bytes are missing, then of a twentieth of what is.
 template <class Run> Outcome by_size(std::size_t enough, std::size_t dense, Run run) {
     std::size_t peak = 0;
     {

@@ -103,8 +103,8 @@ template <int D> Ball<D> irregular(std::uint32_t steps, std::mt19937& random) {
         const std::uint32_t c = std::uint32_t(random() % cells.size());
         if (random() % 4 == 0) {
             const auto view = link<D>(cells, next);
-            const int i = int(random() % (D + 1));
-            if (view.view().neighbour(c, i) == netmesh::none) {
+            const std::uint32_t i = std::uint32_t(random() % (D + 1));
+            if (view.view().neighbour(netmesh::CellId(c), i) == netmesh::none) {
                 cells.push_back(cells[c]);
                 cells.back()[std::size_t(i)] = next;
                 continue;
@@ -154,7 +154,7 @@ template <int D> Ball<D> cone_over_stack(std::uint32_t length) {
     std::vector<std::array<std::uint32_t, D + 1>> cells;
     for (std::uint32_t c = 0; c < length; ++c) {
         for (int i = 0; i <= D; ++i) {
-            if (inner.view().neighbour(c, i) != netmesh::none) continue;
+            if (inner.view().neighbour(netmesh::CellId(c), i) != netmesh::none) continue;
             cells.push_back(stack[c]);
             cells.back()[std::size_t(i)] = apex;
         }

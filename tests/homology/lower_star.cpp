@@ -124,8 +124,7 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
         Block block(bytes);
         Monitor monitor;
         CountedPairs out;
-        const Status status =
-            persist_lower_star<4>({ball.view(), value.data(), 20}, {3}, {block.arena, monitor}, &out);
+        const Status status = persist_lower_star<4>({ball.view(), value.data(), 20}, {3}, {block.arena, monitor}, &out);
         if (status == Status::ok) {
             fitted = true;
             REQUIRE(oracle::same(expected, out.pairs));
@@ -159,8 +158,7 @@ TEST_CASE("stopping at any poll leaves the arena as it was") {
         Countdown countdown = {polls};
         Monitor monitor(poll, &countdown);
         CountedPairs out;
-        const Status status =
-            persist_lower_star<4>({ball.view(), value.data(), 0}, {3}, {block.arena, monitor}, &out);
+        const Status status = persist_lower_star<4>({ball.view(), value.data(), 0}, {3}, {block.arena, monitor}, &out);
         finished = status == Status::ok;
         if (finished) break;
         REQUIRE(status == Status::cancelled);

@@ -174,8 +174,8 @@ TEST_CASE("graphs of several kinds in blocks of all sizes") {
     }
 }
 
-// Polls are 100,000 steps apart: in a large graph the first ones come while edges are met, in a small one of high degree
-// while cliques are walked or columns added.
+// Polls are 100,000 steps apart: in a large graph the first ones come while edges are met, in a small one of high
+// degree while cliques are walked or columns added.
 TEST_CASE("stopped at any poll, then the diagram of an undisturbed run") {
     std::mt19937 random(45);
     const auto check = [](const Graph& g, std::uint32_t degree) {

@@ -1,5 +1,5 @@
-// The sweep over lower stars where columns are many and long: random values, so that most stars are irregular. Undisturbed
-// against the general reduction; then without memory, and stopped.
+// The sweep over lower stars where columns are many and long: random values, so that most stars are irregular.
+// Undisturbed against the general reduction; then without memory, and stopped.
 #include <doctest/doctest.h>
 
 #include "disturbed.hpp"
@@ -74,21 +74,16 @@ template <int D> void check_sizes(const Input<D>& input, std::size_t dense) {
         oracle::lower_star(oracle::all_faces(input.ball.cells()), input.value, input.zero_born));
     for (const bool keep_zero : {false, true}) {
         const auto expected = general(listed, D - 1, keep_zero);
-        const auto outcome =
-            disturbed::by_size(enough, keep_zero ? dense / 2 : dense, [&](const Work& work) {
-                return pairs(input, D - 1, keep_zero, expected, work);
-            });
+        const auto outcome = disturbed::by_size(enough, keep_zero ? dense / 2 : dense, [&](const Work& work) {
+            return pairs(input, D - 1, keep_zero, expected, work);
+        });
         CHECK(outcome.refused > 50);
         if (keep_zero) continue;
         std::vector<std::vector<std::uint32_t>> seen;
-        disturbed::by_size(enough, dense, [&](const Work& work) {
-            return cycles(input, expected, &seen, work);
-        });
+        disturbed::by_size(enough, dense, [&](const Work& work) { return cycles(input, expected, &seen, work); });
     }
     const auto components = general(listed, 0, false);
-    disturbed::by_size(enough, 500, [&](const Work& work) {
-        return pairs(input, 0, false, components, work);
-    });
+    disturbed::by_size(enough, 500, [&](const Work& work) { return pairs(input, 0, false, components, work); });
 }
 
 }  // namespace

@@ -150,7 +150,8 @@ TEST_CASE("vines are continuous, and the same however finely their way is cut") 
         Block whole_block(std::size_t{1} << 22), cut_block(std::size_t{1} << 22);
         Monitor monitor;
         Vineyard whole, cut;
-        REQUIRE(whole.open(complex.view, max_degree, from.pointers().data(), {whole_block.arena, monitor}) == Status::ok);
+        REQUIRE(whole.open(complex.view, max_degree, from.pointers().data(), {whole_block.arena, monitor}) ==
+                Status::ok);
         REQUIRE(whole.advance(from.pointers().data(), to.pointers().data(), monitor) == Status::ok);
         REQUIRE(cut.open(complex.view, max_degree, from.pointers().data(), {cut_block.arena, monitor}) == Status::ok);
         const int pieces = 100;
@@ -183,8 +184,8 @@ TEST_CASE("vines are continuous, and the same however finely their way is cut") 
     }
 }
 
-// A path 0 - 1 - 2 whose ends at 1 and 2 exchange their ages: the pairs meet at birth 1.5 and change partners there, so that no
-// vine's birth jumps.
+// A path 0 - 1 - 2 whose ends at 1 and 2 exchange their ages: the pairs meet at birth 1.5 and change partners there,
+// so that no vine's birth jumps.
 TEST_CASE("two vines that meet change partners") {
     const Complex path({{0, 1}, {1, 2}});
     const Values from = {{{0, 1, 2}, {5, 3}}}, to = {{{0, 2, 1}, {5, 3}}};

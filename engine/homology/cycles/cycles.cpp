@@ -1,6 +1,6 @@
-// The reduction of boundaries without the shortcuts of matrix/homology.cpp: a reduced column is the cycle of the pair that
-// it makes. Classes that never die have no such column; theirs are traced back through the additions that made their
-// column zero.
+// The reduction of boundaries without the shortcuts of matrix/homology.cpp: a reduced column is the cycle of the pair
+// that it makes. Classes that never die have no such column; theirs are traced back through the additions that made
+// their column zero.
 #include "homology/cycles/cycles.hpp"
 
 #include "homology/cycles/spanning_forest.hpp"

@@ -1,17 +1,19 @@
 // The columns at work in the sweep over lower stars, from the last star to the first.
 //
-// A column holds what is left of the boundary of a critical simplex: simplices of stars not visited yet, as the ranks
-// of their vertices in descending order, and waits at the star of its first simplex. Its simplices are kept in up to
-// four runs, each sorted with the last in the filtration first; equal simplices of one column cancel when their runs
-// are merged or when they come to the head together. New simplices are mostly close to the head, so a merge touches
-// little: it ends with linking what is left of the longer run. A run lives in blocks of 16 words, all of one pool:
+// A column holds what is left of the boundary of a critical simplex: simplices of stars that the sweep has not visited
+// yet, each as the ranks of its vertices in descending order. It waits at the star of its first simplex, the last one
+// in the filtration. Its simplices are kept in up to four runs, each sorted with the last in the filtration first;
+// equal simplices of one column cancel when their runs are merged or when both come to the head of their runs. New
+// simplices are mostly close to the head, so a merge touches little: it ends with linking what is left of the longer
+// run. Runs and columns live in blocks of 16 words, all of one pool:
 //
-//   block    next block of the run | begin and end of its entries, 16 bits each | 14 words of entries, none across
-//   blocks column   next in a list | age | creator's rank | dimension of the creator | 4 runs of (first block, last
-//   block, entries)
+//   block of a run   next block of the run | begin and end of its entries, 16 bits each | 14 words of entries, each
+//                    entry within one block
+//   column           next column of a list | age | creator's rank | dimension of the creator | 4 runs of (first block,
+//                    last block, entries)
 //
-// A column that has taken a pivot has everything in its first run, and in its second, one word each, the positions that
-// it has left in the star at work.
+// A column that has taken a pivot has everything in its first run; its second run then holds, one word each, the
+// positions of its simplices in the star at work.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
-// A quick look at the link of a vertex: which part of it is lower, in how many pieces, and whether anything can be born
-// or die at the vertex at all. Needs only which link vertices are adjacent, as bits, and how many link cells have how
-// many lower vertices.
+// The link of a vertex, as far as it can be told without listing its simplices: which part of it is lower, in how many
+// pieces, and whether anything can be born or die at the vertex at all. Needs only which link vertices are adjacent, as
+// bits, and how many link cells have how many lower vertices.
 //
 // The lower link L and the upper link U are complementary in the sphere S^(D-1), so the reduced Betti numbers satisfy
 // b_i(L) = b_(D-2-i)(U). With both in one piece b_0(L) = b_(D-2)(L) = 0. For D = 3 nothing is left; for D = 4 only
@@ -10,25 +10,19 @@
 #include <cstdint>
 
 #include "homology/lower_star/triangulated_ball.hpp"
+#include "numerics/bits.hpp"
 
 namespace netmesh {
-
-inline std::uint32_t count_bits(std::uint64_t x) {
-    x -= x >> 1 & 0x5555555555555555u;
-    x = (x & 0x3333333333333333u) + (x >> 2 & 0x3333333333333333u);
-    x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
-    return static_cast<std::uint32_t>(x * 0x0101010101010101u >> 56);
-}
-inline std::uint32_t lowest_bit(std::uint64_t x) { return static_cast<std::uint32_t>(__builtin_ctzll(x)); }
 
 template <int D> class Link {
 public:
     static std::size_t labels_max(const TriangulatedBall<D>& ball) { return std::size_t{ball.degree_max} + 2 * D + 2; }
-    // What a small link is asked for needs no more than adjacency in these dimensions (surfaces are walked around instead).
+    // What a small link is asked for needs no more than adjacency in these dimensions (surfaces are walked around
+    // instead).
     static constexpr bool tells_all = D == 3 || D == 4;
 
     // vertices: scratch [labels_max]. False when the link has more vertices than a ball's can have.
-    bool read(const TriangulatedBall<D>& ball, std::uint32_t v, std::uint32_t* vertices);
+    bool read(const TriangulatedBall<D>& ball, VertexId v, std::uint32_t* vertices);
 
     // Whether the link has at most 63 vertices, so that parts() and counts are known.
     bool small() const { return label_count_ <= 64; }
@@ -69,7 +63,8 @@ private:
 };
 
 template <int D>
-std::uint32_t Link<D>::label(const TriangulatedBall<D>& ball, std::uint32_t u, std::uint32_t r, std::uint32_t* vertices) {
+std::uint32_t Link<D>::label(const TriangulatedBall<D>& ball, std::uint32_t u, std::uint32_t r,
+                             std::uint32_t* vertices) {
     const std::uint32_t n = label_count_++;
     const std::uint32_t ru = ball.rank[u];
     const std::uint32_t low = ru < r ? 1 : 0;
@@ -88,7 +83,7 @@ std::uint32_t Link<D>::label(const TriangulatedBall<D>& ball, std::uint32_t u, s
     return ball.slot[u] = 2 * n + low;
 }
 
-template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, std::uint32_t v, std::uint32_t* vertices) {
+template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, VertexId v, std::uint32_t* vertices) {
     constexpr std::uint32_t ahead = 16;
     const std::uint32_t r = ball.rank[v];
     const bool hull = (ball.flags[v] & TriangulatedBall<D>::on_hull) != 0;
@@ -105,8 +100,9 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, std::uint32
     bool sound = true;
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + ahead);
-        const std::uint32_t c = ball.incidence[t] >> 3, i = ball.incidence[t] & 7;
-        const std::uint32_t* p = ball.complex.vertices(c);
+        const CellId c = ball.incidence[t].cell();
+        const std::uint32_t i = ball.incidence[t].position();
+        const VertexId* p = ball.complex.vertices(c);
         std::uint32_t s[D];
         std::uint32_t k = 0;
         std::uint64_t mask = 0;
@@ -125,7 +121,7 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, std::uint32
         add_cell(mask, s);
         if (!hull) continue;
         for (std::uint32_t j = 0; j < D; ++j) {
-            if (p[D + 1 + j + (j >= i ? 1 : 0)] != none) continue;
+            if (ball.complex.facet_beyond(c, j + (j >= i ? 1 : 0)) != none) continue;
             const std::uint64_t cone = (mask & ~(std::uint64_t{1} << (s[j] >> 1 & 63))) | 1;
             const std::uint32_t kept = s[j];
             s[j] = 0;
@@ -160,7 +156,8 @@ template <int D> std::uint32_t Link<D>::count_pieces(std::uint64_t set, std::uin
 }
 
 template <int D>
-std::uint32_t Link<D>::next_piece(const TriangulatedBall<D>& ball, const std::uint32_t* vertices, std::uint64_t* left) const {
+std::uint32_t Link<D>::next_piece(const TriangulatedBall<D>& ball, const std::uint32_t* vertices,
+                                  std::uint64_t* left) const {
     std::uint64_t ignored = 0;
     const std::uint64_t piece = piece_of(*left & (~*left + 1), *left, &ignored);
     *left &= ~piece;

@@ -1,14 +1,14 @@
-// Lower-star persistence for D >= 3 (surfaces have a shorter way): a quick look at every link finds degree 0 and the
-// stars where more can happen; a sweep over those finds the rest.
+// Lower-star persistence for D >= 3 (surface.cpp does D = 2): the links of all vertices tell degree 0 and the stars
+// where more can happen; a sweep over those finds the rest.
 #include <type_traits>
 
 #include "homology/cycles/cycles.hpp"
 #include "homology/lower_star/link.hpp"
-#include "homology/lower_star/merge_tree.hpp"
 #include "homology/lower_star/lower_star.hpp"
-#include "homology/rank.hpp"
+#include "homology/lower_star/merge_tree.hpp"
 #include "homology/lower_star/surface.hpp"
 #include "homology/lower_star/sweep.hpp"
+#include "homology/rank.hpp"
 #include "memory/arena.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -37,10 +37,10 @@ private:
         }
         return star_.reserve(ball_, star_bound_, arena_);
     }
-    Status look_at_links(JoinList& joins);
-    bool finish_small(Link<D>& link, std::uint32_t v, JoinList& joins);
-    Status look_at_stars(JoinList& joins);
-    bool note_star(std::uint32_t v, const std::uint32_t* counts, bool regular);
+    Status classify_links(JoinList& joins);
+    bool classify_small_link(Link<D>& link, VertexId v, JoinList& joins);
+    Status classify_stars(JoinList& joins);
+    bool count_star(VertexId v, const std::uint32_t* counts, bool regular);
 
     Arena& arena_;
     Monitor& monitor_;
@@ -70,7 +70,7 @@ template <int D> bool LowerStars<D>::reserve() {
 
 // Counts a star; the pairs within a regular one are known from its counts: simplices pair with the next dimension, up
 // from the vertex with one edge.
-template <int D> bool LowerStars<D>::note_star(std::uint32_t v, const std::uint32_t* counts, bool regular) {
+template <int D> bool LowerStars<D>::count_star(VertexId v, const std::uint32_t* counts, bool regular) {
     for (int k = 0; k <= D; ++k) simplex_count_ += counts[k];
     if (!regular) {
         ball_.flags[v] |= TriangulatedBall<D>::irregular;
@@ -88,7 +88,7 @@ template <int D> bool LowerStars<D>::note_star(std::uint32_t v, const std::uint3
     return true;
 }
 
-template <int D> bool LowerStars<D>::finish_small(Link<D>& link, std::uint32_t v, JoinList& joins) {
+template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, VertexId v, JoinList& joins) {
     const std::uint32_t pieces = link.lower_pieces();
     if (pieces > 1) {
         std::uint64_t left = link.lower_set();
@@ -101,13 +101,13 @@ template <int D> bool LowerStars<D>::finish_small(Link<D>& link, std::uint32_t v
     link.count_simplices(counts);
     bool regular = pieces == 1 && link.upper_pieces() == 1;
     if constexpr (D == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
-    return note_star(v, counts, regular);
+    return count_star(v, counts, regular);
 }
 
-template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
+template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
     Link<D> link;
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
-    for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
+    for (VertexId v(0); v < ball_.vertex_count; ++v) {
         if (ball_.begin[v] == ball_.begin[v + 1]) return Status::invalid_argument;
         if (!link.read(ball_, v, labels_)) return Status::internal;
         below_[v] = link.lowest();
@@ -117,7 +117,7 @@ template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
             if (!link.small()) {
                 ball_.flags[v] |= TriangulatedBall<D>::large;
                 any_large_ = true;
-            } else if (!finish_small(link, v, joins)) {
+            } else if (!classify_small_link(link, v, joins)) {
                 return Status::out_of_memory;
             }
         }
@@ -127,9 +127,9 @@ template <int D> Status LowerStars<D>::look_at_links(JoinList& joins) {
     return Status::ok;
 }
 
-// Links that the quick look does not settle: their lower stars in full.
-template <int D> Status LowerStars<D>::look_at_stars(JoinList& joins) {
-    for (std::uint32_t v = 0; v < ball_.vertex_count; ++v) {
+// Where Link does not tell enough: lower stars in full.
+template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
+    for (VertexId v(0); v < ball_.vertex_count; ++v) {
         if constexpr (Link<D>::tells_all) {
             if ((ball_.flags[v] & TriangulatedBall<D>::large) == 0) continue;
         }
@@ -143,7 +143,7 @@ template <int D> Status LowerStars<D>::look_at_stars(JoinList& joins) {
         for (std::uint32_t i = 0; i < star_.count(); ++i) ++counts[star_.dimension(i)];
         const bool regular = sweeps_ && star_.match() == 0;
         star_.close(ball_);
-        if (!note_star(v, counts, regular)) return Status::out_of_memory;
+        if (!count_star(v, counts, regular)) return Status::out_of_memory;
         if (monitor_.advance(v, 1 + star_.count() / 2)) return Status::cancelled;
     }
     return Status::ok;
@@ -152,13 +152,13 @@ template <int D> Status LowerStars<D>::look_at_stars(JoinList& joins) {
 template <int D> Status LowerStars<D>::run(CycleWriter* cycles) {
     if (!reserve()) return Status::out_of_memory;
     JoinList joins(arena_);
-    Status status = look_at_links(joins);
+    Status status = classify_links(joins);
     if (status != Status::ok) return status;
     if (!reserve_star()) return Status::out_of_memory;
     {
         const HighScope scope(arena_);
         JoinList large_joins(arena_);
-        status = look_at_stars(large_joins);
+        status = classify_stars(large_joins);
         if (status != Status::ok) return status;
         joins.sort_by_rank();
         large_joins.sort_by_rank();
@@ -207,7 +207,7 @@ Status lower_star_cycles(const LowerStarFiltration<D>& filtration, std::uint32_t
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_lower_star<D>(const LowerStarFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);       \
+    template Status persist_lower_star<D>(const LowerStarFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);  \
     template Status lower_star_cycles<D>(const LowerStarFiltration<D>&, std::uint32_t, std::uint64_t, const Work&,     \
                                          Representatives*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)

@@ -1,5 +1,5 @@
-// Components of sublevel sets of vertices, and of superlevel sets of the closed sphere (see ball.hpp), from one link
-// vertex for each piece of a lower or upper link: degree 0 and, by duality, degree D-1.
+// Components of sublevel sets of vertices, and of superlevel sets of the closed sphere (triangulated_ball.hpp), from
+// one link vertex for each piece of a lower or upper link: degree 0 and, by duality, degree D-1.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace netmesh {
 
-// Pieces of links beyond the first: the vertex with this rank is joined to this link vertex, never `outside`, which is in
-// the first piece of the upper link wherever it is. Grows at the arena's high
-// end, where nothing else may be taken as long as it grows.
+// One join for each piece of a link beyond the first: the vertex of that rank is joined to a vertex of the piece,
+// which is never `outside`, since the piece that holds it counts as the first of the upper link. Grows at the arena's
+// high end, where nothing else may be taken as long as it grows.
 class JoinList {
 public:
     struct Join {

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "homology/lower_star/link.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 
@@ -31,9 +32,9 @@ public:
     // Arrays for stars of at most simplices_max simplices, at the high end of the arena. False: out of memory.
     bool reserve(const TriangulatedBall<D>& ball, std::uint64_t simplices_max, Arena& arena);
 
-    // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for
-    // the upper ones. The links' vertices must have been counted (Link::read). False when the cells are not those of a ball.
-    bool open(const TriangulatedBall<D>& ball, std::uint32_t v);
+    // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for the upper
+    // ones. The links' vertices must have been counted (Link::read). False when the cells are not those of a ball.
+    bool open(const TriangulatedBall<D>& ball, VertexId v);
     void close(const TriangulatedBall<D>& ball);
     // The gradient. Returns how many simplices are critical.
     std::uint32_t match();
@@ -45,15 +46,21 @@ public:
     std::uint32_t label(std::uint32_t i) const { return form_[i] >> 3; }                         // of its lowest vertex
     std::uint32_t parent(std::uint32_t i) const { return facets_[std::size_t{i} * D]; }          // without it
     const std::uint32_t* facets(std::uint32_t i) const { return facets_ + std::size_t{i} * D; }  // [dimension(i)]
-    std::uint32_t origin(std::uint32_t i) const { return origin_[i]; }    // incidence whose cell has i as a face
-    std::uint32_t partner(std::uint32_t i) const { return partner_[i]; }  // none: critical
-    bool pairs_up(std::uint32_t i) const { return partner_[i] != none && dimension(partner_[i]) > dimension(i); }
+    CellId cell(std::uint32_t i) const { return FacetId::from_word(origin_[i]).cell(); }  // with the face i, no vertex
+    std::uint32_t partner(std::uint32_t i) const { return partner_[i]; }                  // none: critical
+    // Whether i is the face of its pair.
+    bool is_tail(std::uint32_t i) const { return partner_[i] != none && dimension(partner_[i]) > dimension(i); }
     std::uint32_t position(std::uint32_t i) const { return position_[i]; }  // in the filtration of the star
     std::uint32_t at(std::uint32_t position) const { return at_[position]; }
     // The simplex of these labels (ascending), none if the star has none such.
     std::uint32_t simplex_of(const std::uint32_t* labels, std::uint32_t n) const;
-    // A word for each simplex, free for use after match().
-    std::uint32_t& note(std::uint32_t i) { return sum_[i]; }
+    // The same for labels in any order, which is lost.
+    std::uint32_t simplex_of_any_order(std::uint32_t* labels, std::uint32_t n) const {
+        insertion_sort(labels, n, Ascending{});
+        return labels[0] == 0 ? none : simplex_of(labels, n);
+    }
+    // A word for each simplex, for the sweep to note which column has it as its pivot; free after match().
+    std::uint32_t& owner(std::uint32_t i) { return sum_[i]; }
 
     // Representative label of the piece of the lower link that a label is in; until match().
     std::uint32_t piece(std::uint32_t label) {
@@ -64,7 +71,7 @@ public:
 private:
     std::uint32_t label_of(const TriangulatedBall<D>& ball, std::uint32_t u);
     void clear_table(std::uint32_t cell_count, bool hull);
-    bool add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k);
+    bool add_faces(FacetId incidence, const std::uint32_t* labels, std::uint32_t k);
     std::uint32_t add(std::uint32_t dimension, std::uint32_t label, std::uint32_t origin) {
         const std::uint32_t i = count_++;
         form_[i] = label << 3 | dimension;
@@ -131,16 +138,16 @@ template <int D> void Star<D>::clear_table(std::uint32_t cell_count, bool hull) 
     for (std::uint32_t i = 0; i < 1u << bits; ++i) table[i] = 0;
 }
 
-template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, std::uint32_t v) {
+template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v) {
     const bool hull = (ball.flags[v] & TriangulatedBall<D>::on_hull) != 0;
     rank_ = ball.rank[v];
     count_ = seen_count_ = 0;
     clear_table(ball.begin[v + 1] - ball.begin[v], hull);
-    add(0, 0, ball.incidence[ball.begin[v]]);
+    add(0, 0, ball.incidence[ball.begin[v]].word());
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + 16);
-        const std::uint32_t* p = ball.complex.vertices(ball.incidence[t] >> 3);
-        const std::uint32_t at = ball.incidence[t] & 7;
+        const VertexId* p = ball.complex.vertices(ball.incidence[t].cell());
+        const std::uint32_t at = ball.incidence[t].position();
         if (count_ + D > capacity_) return false;
         std::uint32_t slots[D];
         for (std::uint32_t j = 0; j < D; ++j) {
@@ -178,7 +185,7 @@ template <int D> std::uint32_t Star<D>::simplex_of(const std::uint32_t* labels, 
     return i;
 }
 
-template <int D> bool Star<D>::add_faces(std::uint32_t incidence, const std::uint32_t* labels, std::uint32_t k) {
+template <int D> bool Star<D>::add_faces(FacetId incidence, const std::uint32_t* labels, std::uint32_t k) {
     std::uint32_t ids[1u << D];
     ids[0] = 0;
     for (std::uint32_t j = 0; j < k; ++j) {
@@ -189,7 +196,7 @@ template <int D> bool Star<D>::add_faces(std::uint32_t incidence, const std::uin
             std::uint32_t* place = place_of(parent, labels[j]);
             if (*place == 0) {
                 if (count_ == capacity_ || count_ > table_mask_ - (table_mask_ >> 3)) return false;
-                const std::uint32_t i = add(dimension(parent) + 1, labels[j], incidence);
+                const std::uint32_t i = add(dimension(parent) + 1, labels[j], incidence.word());
                 *place = i;
                 std::uint32_t* facet = facets_ + std::size_t{i} * D;
                 *facet++ = parent;

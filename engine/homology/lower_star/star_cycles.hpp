@@ -6,19 +6,19 @@
 #include "homology/lower_star/front.hpp"
 #include "homology/lower_star/star.hpp"
 #include "vocabulary/monitor.hpp"
-#include "numerics/sort.hpp"
 
 namespace netmesh {
 
 template <int D> class StarCycles {
 public:
-    StarCycles(const TriangulatedBall<D>& ball, const Star<D>& star, const Front<D>& front, CycleWriter* writer, Monitor& monitor)
+    StarCycles(const TriangulatedBall<D>& ball, const Star<D>& star, const Front<D>& front, CycleWriter* writer,
+               Monitor& monitor)
         : ball_(ball), star_(star), front_(front), writer_(writer), monitor_(monitor) {}
 
     // Takes 4 bytes and a bit for each cell from the arena's high end. False: out of memory.
     bool reserve(Arena& arena) {
         const std::uint32_t cells = ball_.complex.cell_count;
-        piece_ = arena.take_high<std::uint32_t>(cells);
+        piece_ = arena.take_high<CellId>(cells);
         std::uint64_t* const words = arena.take_high<std::uint64_t>(BitSet::words_needed(cells));
         if (piece_ == nullptr || words == nullptr) return false;
         inside_.adopt(words, cells);
@@ -26,14 +26,14 @@ public:
     }
 
     // The cycle that column c is, which has just taken its pivot in the star of v. False: out of memory.
-    bool write_column(std::uint32_t c, std::uint32_t v, std::uint32_t* handle);
+    bool write_column(std::uint32_t c, VertexId v, std::uint32_t* handle);
     // The boundary of the cells that are joined to `cell` by facets later than critical facet i of the star of v.
     // out_of_memory, cancelled.
-    Status write_piece(std::uint32_t cell, std::uint32_t i, std::uint32_t v, std::uint32_t* handle);
+    Status write_piece(CellId cell, std::uint32_t i, VertexId v, std::uint32_t* handle);
 
 private:
-    bool is_later(std::uint32_t cell, int j, std::uint32_t v, std::uint32_t position) const;
-    Status collect(std::uint32_t cell, std::uint32_t v, std::uint32_t position);
+    bool is_later(CellId cell, int j, VertexId v, std::uint32_t position) const;
+    Status collect(CellId cell, VertexId v, std::uint32_t position);
     template <class F> void each_boundary_facet(F f) const;
 
     const TriangulatedBall<D>& ball_;
@@ -42,10 +42,11 @@ private:
     CycleWriter* writer_;
     Monitor& monitor_;
     BitSet inside_;  // cells
-    std::uint32_t *piece_ = nullptr, piece_count_ = 0;
+    CellId* piece_ = nullptr;
+    std::uint32_t piece_count_ = 0;
 };
 
-template <int D> bool StarCycles<D>::write_column(std::uint32_t c, std::uint32_t v, std::uint32_t* handle) {
+template <int D> bool StarCycles<D>::write_column(std::uint32_t c, VertexId v, std::uint32_t* handle) {
     const std::uint32_t n = front_.dimension(c);
     const Run here = front_.local(c), below = front_.below(c);
     std::uint32_t* out = writer_->append(std::uint64_t{here.count} + below.count, n - 1, handle);
@@ -62,9 +63,8 @@ template <int D> bool StarCycles<D>::write_column(std::uint32_t c, std::uint32_t
 }
 
 // Whether the facet opposite vertex j of the cell comes after that position in the star of v.
-template <int D>
-bool StarCycles<D>::is_later(std::uint32_t cell, int j, std::uint32_t v, std::uint32_t position) const {
-    const std::uint32_t* const p = ball_.complex.vertices(cell);
+template <int D> bool StarCycles<D>::is_later(CellId cell, int j, VertexId v, std::uint32_t position) const {
+    const VertexId* const p = ball_.complex.vertices(cell);
     const std::uint32_t r = ball_.rank[v];
     std::uint32_t labels[D] = {}, count = 0;
     for (int i = 0; i <= D; ++i) {
@@ -73,18 +73,17 @@ bool StarCycles<D>::is_later(std::uint32_t cell, int j, std::uint32_t v, std::ui
         if (p[i] != v) labels[count++] = ball_.slot[p[i]];
     }
     if (count == D) return false;  // v is not among them
-    insertion_sort(labels, count, [](std::uint32_t a, std::uint32_t b) { return a < b; });
-    return star_.position(star_.simplex_of(labels, count)) > position;
+    return star_.position(star_.simplex_of_any_order(labels, count)) > position;
 }
 
-template <int D> Status StarCycles<D>::collect(std::uint32_t cell, std::uint32_t v, std::uint32_t position) {
+template <int D> Status StarCycles<D>::collect(CellId cell, VertexId v, std::uint32_t position) {
     piece_count_ = 0;
     inside_.insert(cell);
     piece_[piece_count_++] = cell;
     for (std::uint32_t at = 0; at < piece_count_; ++at) {
         if (monitor_.advance(ball_.rank[v], 1)) return Status::cancelled;
         for (int j = 0; j <= D; ++j) {
-            const std::uint32_t next = ball_.complex.neighbour(piece_[at], j);
+            const CellId next = ball_.complex.neighbour(piece_[at], j);
             if (next == none || inside_.has(next) || !is_later(piece_[at], j, v, position)) continue;
             inside_.insert(next);
             piece_[piece_count_++] = next;
@@ -96,21 +95,20 @@ template <int D> Status StarCycles<D>::collect(std::uint32_t cell, std::uint32_t
 template <int D> template <class F> void StarCycles<D>::each_boundary_facet(F f) const {
     for (std::uint32_t at = 0; at < piece_count_; ++at) {
         for (int j = 0; j <= D; ++j) {
-            const std::uint32_t next = ball_.complex.neighbour(piece_[at], j);
+            const CellId next = ball_.complex.neighbour(piece_[at], j);
             if (next == none || !inside_.has(next)) f(ball_.complex.vertices(piece_[at]), j);
         }
     }
 }
 
-template <int D>
-Status StarCycles<D>::write_piece(std::uint32_t cell, std::uint32_t i, std::uint32_t v, std::uint32_t* handle) {
+template <int D> Status StarCycles<D>::write_piece(CellId cell, std::uint32_t i, VertexId v, std::uint32_t* handle) {
     const Status status = collect(cell, v, star_.position(i));
     if (status != Status::ok) return status;
     std::uint64_t count = 0;
-    each_boundary_facet([&count](const std::uint32_t*, int) { ++count; });
+    each_boundary_facet([&count](const VertexId*, int) { ++count; });
     std::uint32_t* out = writer_->append(count, D - 1, handle);
     if (out == nullptr) return Status::out_of_memory;
-    each_boundary_facet([&out](const std::uint32_t* p, int opposite) {
+    each_boundary_facet([&out](const VertexId* p, int opposite) {
         for (int j = 0; j <= D; ++j) {
             if (j != opposite) *out++ = p[j];
         }

@@ -5,12 +5,13 @@
 namespace netmesh {
 
 // To the next cell around v. False at the hull.
-bool Surface::advance(std::uint32_t v, Corner* corner) const {
-    const std::uint32_t next = complex_.neighbour(corner->cell, corner->from);
-    if (next == none) return false;
-    const int to = complex_.mirror(corner->cell, corner->from);
-    const std::uint32_t* p = complex_.vertices(next);
-    const int other = to == 0 ? 1 : 0;
+bool Surface::advance(VertexId v, Corner* corner) const {
+    const FacetId facet = complex_.facet_beyond(corner->cell, corner->from);
+    if (facet == none) return false;
+    const CellId next = facet.cell();
+    const std::uint32_t to = facet.position();
+    const VertexId* p = complex_.vertices(next);
+    const std::uint32_t other = to == 0 ? 1 : 0;
     corner->from = p[other] == v ? 3 - to - other : other;
     corner->to = to;
     corner->cell = next;
@@ -24,7 +25,7 @@ bool Surface::end_run(const Circle& circle, JoinList* joins) const {
     return joins->add(circle.rank, circle.run_best);
 }
 
-bool Surface::see(Circle* circle, std::uint32_t u, JoinList* joins) const {
+bool Surface::add_link_vertex(Circle* circle, std::uint32_t u, JoinList* joins) const {
     const bool lower = u != outside() && rank_[u] < circle->rank;
     if (circle->seen++ == 0) {
         circle->first_lower = circle->last_lower = lower;
@@ -48,13 +49,13 @@ bool Surface::see(Circle* circle, std::uint32_t u, JoinList* joins) const {
 // Around the circle's vertex from *corner, which becomes the last one. `open`: from one end of the hull to the other,
 // else *closed says whether the walk came back or ended at the hull. The first walk has no joins. False: out of memory.
 bool Surface::walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const {
-    const std::uint32_t first = corner->cell;
+    const CellId first = corner->cell;
     if (open) {  // takes no memory: the piece of `outside` gets no join
-        see(circle, outside(), joins);
-        see(circle, complex_.vertices(first)[corner->from], joins);
+        add_link_vertex(circle, outside(), joins);
+        add_link_vertex(circle, complex_.vertices(first)[corner->from], joins);
     }
     for (*closed = false; !*closed;) {
-        if (!see(circle, complex_.vertices(corner->cell)[corner->to], joins)) return false;
+        if (!add_link_vertex(circle, complex_.vertices(corner->cell)[corner->to], joins)) return false;
         if (!advance(circle->vertex, corner)) break;
         *closed = corner->cell == first;
     }
@@ -64,10 +65,10 @@ bool Surface::walk(Circle* circle, Corner* corner, bool open, JoinList* joins, b
     return true;
 }
 
-bool Surface::look_at(std::uint32_t v, std::uint32_t cell, JoinList& joins) {
-    const std::uint32_t* p = complex_.vertices(cell);
-    const int at = p[0] == v ? 0 : p[1] == v ? 1 : 2;
-    Corner start = {cell, at == 0 ? 1 : 0, at == 2 ? 1 : 2};
+bool Surface::read_link(VertexId v, CellId cell, JoinList& joins) {
+    const VertexId* p = complex_.vertices(cell);
+    const std::uint32_t at = p[0] == v ? 0 : p[1] == v ? 1 : 2;
+    Corner start = {cell, at == 0 ? 1u : 0u, at == 2 ? 1u : 2u};
     const Circle unseen = {v, rank_[v], 0, 0, 0, 0, none, none, none, false, false};
     Circle circle = unseen;
     Corner corner = start;
@@ -88,12 +89,12 @@ bool Surface::look_at(std::uint32_t v, std::uint32_t cell, JoinList& joins) {
         again.highest = circle.highest;
         if (!walk(&again, &start, open, &joins, &closed)) return false;
     }
-    return note_star(circle);
+    return count_star(circle);
 }
 
 // Counts the lower star; its edges are one with the vertex, a critical one for each further piece, and one for each
 // triangle but the last of a maximum.
-bool Surface::note_star(const Circle& circle) {
+bool Surface::count_star(const Circle& circle) {
     simplex_count_ += std::uint64_t{1} + circle.lower_vertices + circle.lower_edges;
     if (!writer_.keeps_zero() || circle.lower_vertices == 0) return true;
     const double value = value_[circle.vertex];
@@ -117,15 +118,15 @@ bool Surface::reserve() {
 Status Surface::run() {
     if (!reserve()) return Status::out_of_memory;
     const std::uint32_t n = complex_.vertex_count;
-    for (std::uint32_t v = 0; v < n; ++v) below_[v] = none;
-    for (std::uint32_t c = 0; c < complex_.cell_count; ++c) {
+    for (VertexId v(0); v < n; ++v) below_[v] = none;
+    for (CellId c(0); c < complex_.cell_count; ++c) {
         for (int i = 0; i < 3; ++i) below_[complex_.vertices(c)[i]] = c;
     }
     monitor_.begin(NETMESH_STAGE_GRADIENT, n);
     JoinList joins(arena_);
-    for (std::uint32_t v = 0; v < n; ++v) {
+    for (VertexId v(0); v < n; ++v) {
         if (below_[v] == none) return Status::invalid_argument;
-        if (!look_at(v, below_[v], joins)) return Status::out_of_memory;
+        if (!read_link(v, CellId(below_[v]), joins)) return Status::out_of_memory;
         if (monitor_.advance(v)) return Status::cancelled;
     }
     above_[outside()] = outside();

@@ -1,12 +1,12 @@
-// Lower-star persistence of a triangulated disc: the link of a vertex is a circle, walked through the neighbours;
-// degrees 0 and 1 are merge trees. Nothing but four words a vertex is kept.
+// Lower-star persistence of a triangulated disc: the link of a vertex is a circle, around which a walk leads from cell
+// to cell; degrees 0 and 1 are merge trees. Four words a vertex are kept, nothing else.
 #pragma once
-#include "homology/lower_star/triangulated_ball.hpp"
 #include "homology/lower_star/lower_star.hpp"
 #include "homology/lower_star/merge_tree.hpp"
+#include "homology/lower_star/triangulated_ball.hpp"
 #include "homology/pair_writer.hpp"
-#include "vocabulary/monitor.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -24,7 +24,8 @@ public:
 private:
     // What a walk around a vertex has seen.
     struct Circle {
-        std::uint32_t vertex, rank;   // walked around
+        VertexId vertex;              // walked around
+        std::uint32_t rank;           // of it
         std::uint32_t seen, changes;  // link vertices; changes between lower and upper
         std::uint32_t lower_vertices, lower_edges;
         std::uint32_t lowest, highest;  // of the lower, of the upper link vertices, by rank
@@ -32,18 +33,18 @@ private:
         bool first_lower, last_lower;
     };
     struct Corner {
-        std::uint32_t cell;
-        int from, to;  // positions of the two link vertices in the cell, in the direction of the walk
+        CellId cell;
+        std::uint32_t from, to;  // positions of the two link vertices in the cell, in the direction of the walk
     };
-    // u is not `outside`: that is what a walk that meets it begins with.
+    // u is not `outside`: a walk around a vertex of the hull begins there, so it is never compared as the later one.
     bool is_after(std::uint32_t u, std::uint32_t w) const { return w != outside() && rank_[u] > rank_[w]; }
     std::uint32_t outside() const { return complex_.vertex_count; }
     bool reserve();
-    bool look_at(std::uint32_t v, std::uint32_t cell, JoinList& joins);
-    bool note_star(const Circle& circle);
-    bool advance(std::uint32_t v, Corner* corner) const;
+    bool read_link(VertexId v, CellId cell, JoinList& joins);
+    bool count_star(const Circle& circle);
+    bool advance(VertexId v, Corner* corner) const;
     bool walk(Circle* circle, Corner* corner, bool open, JoinList* joins, bool* closed) const;
-    bool see(Circle* circle, std::uint32_t u, JoinList* joins) const;
+    bool add_link_vertex(Circle* circle, std::uint32_t u, JoinList* joins) const;
     bool end_run(const Circle& circle, JoinList* joins) const;
 
     TriangulationView<2> complex_;

@@ -1,23 +1,27 @@
 // Degrees 1 to D-1 by one sweep over lower stars from the last to the first. Only stars where something can happen are
-// visited: irregular ones, and those that a column at work has reached.
+// visited: irregular ones, whose lower link is not contractible as far as is known, and those where a column waits.
 //
-// In a star the columns are reduced from the top dimension down. A critical k-simplex that no (k+1)-column has taken as
-// its pivot by then never will be one: it ends a class and starts a column. A column adds gradient pairs and the
-// columns of pivots taken before it, older columns first, and stays at work until it takes a pivot. Whatever it still
-// holds is dropped then, since no younger column can need it in another star. For k = D columns are components of the
-// dual graph: the superlevel sets of the closed sphere, joined at critical facets.
+// A column is what is left of the boundary of a critical simplex while it is reduced. In a star the columns are
+// reduced from the top dimension down. A critical k-simplex that no (k+1)-column has taken as its pivot by then never
+// will be one: it ends a class and starts a column. To a column are added boundaries of the gradient's pairs and
+// columns whose pivots it meets, which are older, until it takes a pivot of its own, in this star or in a later one.
+// What it holds besides its pivot's star is dropped then, since no younger column can need it in another star. For k =
+// D columns are components of cells (cell_components.hpp).
 //
-// Simplices that end a class are no pivots, and a column leaves them out. When cycles are wanted it does not: then it is
-// a boundary at all times, whose last simplex always gives birth, and a cycle of its pair when it takes its pivot.
+// Simplices that end a class are no pivots, and a column leaves them out. When cycles are wanted it does not: then it
+// is a boundary at all times, whose last simplex always gives birth, and a cycle of its pair when it takes its pivot.
+//
+// This is not the loop of matrix/reduction.hpp: columns are not reduced one after the other but all of them star by
+// star, and a column stops at each star that holds a part of it.
 #pragma once
-#include "homology/lower_star/triangulated_ball.hpp"
+#include "homology/lower_star/cell_components.hpp"
 #include "homology/lower_star/front.hpp"
-#include "homology/pair_writer.hpp"
 #include "homology/lower_star/star.hpp"
 #include "homology/lower_star/star_cycles.hpp"
-#include "homology/union_find.hpp"
-#include "vocabulary/monitor.hpp"
+#include "homology/lower_star/triangulated_ball.hpp"
+#include "homology/pair_writer.hpp"
 #include "numerics/sort.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -27,7 +31,9 @@ public:
     // cycles: null when none are wanted.
     Sweep(const TriangulatedBall<D>& ball, Star<D>& star, std::uint32_t* above, PairWriter& writer, CycleWriter* cycles,
           Monitor& monitor)
-        : ball_(ball), star_(star), above_(above), writer_(writer), monitor_(monitor), cycles_(cycles) {}
+        : ball_(ball), star_(star), writer_(writer), monitor_(monitor), cycles_(cycles),
+          star_cycles_(ball, star, front_, cycles, monitor),
+          components_(ball, star, above, writer, cycles == nullptr ? nullptr : &star_cycles_) {}
 
     // Needs the ball's `irregular` flags. ok, out_of_memory, cancelled, internal.
     Status run(Arena& arena);
@@ -35,26 +41,18 @@ public:
 private:
     Status visit(std::uint32_t r);
     void prefetch_star(std::uint32_t r);
-    Status unite_critical_facets(std::uint32_t v);
-    std::uint32_t side(std::uint32_t cell, std::uint32_t v);
-    std::uint32_t cell_of(std::uint32_t facet, std::uint32_t v) const;
-    std::uint32_t across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const;
-    // Of the oldest of a component: `outside`, or its vertex of the highest rank.
-    std::uint32_t age_of(std::uint32_t root) const { return root == ball_.outside ? none : ball_.rank[root]; }
-
     bool reserve_columns(Arena& arena);
     bool add_zero_pairs(double value);
     Status reduce_columns(std::uint32_t r);
     std::uint32_t sorted(std::uint32_t columns);
-    bool start_columns(std::uint32_t k, std::uint32_t v);
+    bool start_columns(std::uint32_t k, VertexId v);
     bool gather(std::uint32_t c, std::uint32_t r);
-    std::uint32_t simplex_of(std::uint32_t* labels, std::uint32_t n) const;
-    bool reduce(std::uint32_t c, std::uint32_t v);
+    bool reduce(std::uint32_t c, VertexId v);
     void add_outer_facet(std::uint32_t i);
     template <std::uint32_t N> bool add_outer_facets(std::uint32_t c);
     bool flush(std::uint32_t c);
-    bool take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v);
-    bool note_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v);
+    bool take_pivot(std::uint32_t c, std::uint32_t i, VertexId v);
+    bool write_pair(std::uint32_t c, std::uint32_t degree, VertexId v);
     bool before(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t ka = front_.dimension(a), kb = front_.dimension(b);
         return ka != kb ? ka > kb : front_.age(a) > front_.age(b);
@@ -63,12 +61,12 @@ private:
 
     const TriangulatedBall<D>& ball_;
     Star<D>& star_;
-    std::uint32_t* above_;
     PairWriter& writer_;
     Monitor& monitor_;
     Front<D> front_;
     CycleWriter* cycles_;
-    StarCycles<D>* star_cycles_ = nullptr;
+    StarCycles<D> star_cycles_;
+    CellComponents<D> components_;
     BitTree column_;  // of the star at work, by position
     std::uint64_t* column_words_ = nullptr;
     std::uint32_t* outer_ = nullptr;  // ranks of facets in other stars, for the column at work
@@ -76,16 +74,12 @@ private:
     std::uint32_t done_columns_ = none;  // took a pivot in the star at work
     std::uint32_t next_age_ = 0;
     std::uint32_t critical_ = 0;  // simplices of the star at work
-    bool irregular_ = false;      // it
+    bool irregular_ = false;      // the star at work
     std::uint32_t work_ = 0;
 };
 
 template <int D> Status Sweep<D>::run(Arena& arena) {
-    StarCycles<D> star_cycles(ball_, star_, front_, cycles_, monitor_);
-    if (cycles_ != nullptr) {
-        if (!star_cycles.reserve(arena)) return Status::out_of_memory;
-        star_cycles_ = &star_cycles;
-    }
+    if (cycles_ != nullptr && !star_cycles_.reserve(arena)) return Status::out_of_memory;
     if constexpr (D > 2) {
         if (!reserve_columns(arena)) return Status::out_of_memory;
     }
@@ -113,17 +107,17 @@ template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {
     return column_words_ != nullptr && outer_ != nullptr;
 }
 
-// A star is visited because it is irregular or because a column waits there. In the plane there are no columns, and it is
-// swept for cycles alone, which pairs of length zero have none of.
+// A star is visited because it is irregular or because a column waits there. In the plane there are no columns, and it
+// is swept for cycles alone, which pairs of length zero have none of.
 template <int D> Status Sweep<D>::visit(std::uint32_t r) {
-    const std::uint32_t v = ball_.order[r];
+    const VertexId v(ball_.order[r]);
     irregular_ = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
     if (!star_.open(ball_, v)) return Status::internal;
     prefetch_star(front_.waiting().top());
     critical_ = star_.match();
     work_ += star_.count() / 2;
-    for (std::uint32_t i = 0; i < star_.count(); ++i) star_.note(i) = none;
-    Status status = critical_ > 0 ? unite_critical_facets(v) : Status::ok;
+    for (std::uint32_t i = 0; i < star_.count(); ++i) star_.owner(i) = none;
+    Status status = critical_ > 0 ? components_.unite_critical_facets(v) : Status::ok;
     if constexpr (D > 2) {
         if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
         if (status == Status::ok) status = reduce_columns(r);
@@ -134,7 +128,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
 
 // From the top dimension down: the columns of the star's own critical simplices, then those that have arrived.
 template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
-    const std::uint32_t v = ball_.order[r];
+    const VertexId v(ball_.order[r]);
     column_.adopt(column_words_, star_.count());
     std::uint32_t c = sorted(front_.arrive(r));
     for (std::uint32_t k = D - 1; k >= 2; --k) {
@@ -158,7 +152,7 @@ template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
 // one is worked on.
 template <int D> void Sweep<D>::prefetch_star(std::uint32_t r) {
     if (r == none) return;
-    const std::uint32_t v = ball_.order[r];
+    const VertexId v(ball_.order[r]);
     for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
     if constexpr (D > 2) front_.prefetch(r);
 }
@@ -167,7 +161,7 @@ template <int D> void Sweep<D>::prefetch_star(std::uint32_t r) {
 template <int D> bool Sweep<D>::add_zero_pairs(double value) {
     if (!writer_.keeps_zero() || !irregular_) return true;
     for (std::uint32_t i = 1; i < star_.count(); ++i) {
-        if (star_.pairs_up(i) && !writer_.add(value, value, star_.dimension(i))) return false;
+        if (star_.is_tail(i) && !writer_.add(value, value, star_.dimension(i))) return false;
     }
     return true;
 }
@@ -210,29 +204,22 @@ template <int D> bool Sweep<D>::gather(std::uint32_t c, std::uint32_t r) {
     std::uint32_t ranks[D] = {};
     while (front_.take_entry(c, r, ranks)) {
         for (std::uint32_t j = 0; j < n; ++j) ranks[j] = ball_.slot[ball_.order[ranks[j + 1]]];
-        const std::uint32_t i = simplex_of(ranks, n);
+        const std::uint32_t i = star_.simplex_of_any_order(ranks, n);
         if (i == none) return false;
         column_.toggle(star_.position(i));
     }
     return true;
 }
 
-// The simplex of these labels in any order, which is lost; none if the star has none such.
-template <int D> std::uint32_t Sweep<D>::simplex_of(std::uint32_t* labels, std::uint32_t n) const {
-    insertion_sort(labels, n, [](std::uint32_t a, std::uint32_t b) { return a < b; });
-    if (labels[0] == 0) return none;
-    return star_.simplex_of(labels, n);
-}
-
-template <int D> bool Sweep<D>::start_columns(std::uint32_t k, std::uint32_t v) {
+template <int D> bool Sweep<D>::start_columns(std::uint32_t k, VertexId v) {
     std::uint32_t left = 0;
     for (std::uint32_t i = 0; i < star_.count(); ++i) {
-        left += star_.dimension(i) == k && star_.partner(i) == none && star_.note(i) == none ? 1 : 0;
+        left += star_.dimension(i) == k && star_.partner(i) == none && star_.owner(i) == none ? 1 : 0;
     }
     next_age_ += left;
     for (std::uint32_t p = 0, age = next_age_; left > 0; ++p) {
         const std::uint32_t i = star_.at(p);
-        if (star_.dimension(i) != k || star_.partner(i) != none || star_.note(i) != none) continue;
+        if (star_.dimension(i) != k || star_.partner(i) != none || star_.owner(i) != none) continue;
         --left;
         const std::uint32_t c = front_.new_column(age--, ball_.rank[v], k);
         if (c == none) return false;
@@ -286,11 +273,11 @@ template <int D> bool Sweep<D>::flush(std::uint32_t c) {
 }
 
 // Reduces column_, the part of column c in this star, until it takes a pivot or nothing is left here.
-template <int D> bool Sweep<D>::reduce(std::uint32_t c, std::uint32_t v) {
+template <int D> bool Sweep<D>::reduce(std::uint32_t c, VertexId v) {
     for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
         ++work_;
         const std::uint32_t i = star_.at(p);
-        if (star_.pairs_up(i)) {
+        if (star_.is_tail(i)) {
             const std::uint32_t coface = star_.partner(i);
             for (std::uint32_t f = 0; f < star_.dimension(coface); ++f) {
                 column_.toggle(star_.position(star_.facets(coface)[f]));
@@ -298,10 +285,10 @@ template <int D> bool Sweep<D>::reduce(std::uint32_t c, std::uint32_t v) {
             add_outer_facet(coface);
         } else if (star_.partner(i) != none) {
             column_.toggle(p);  // it ends a class, so it is no pivot
-        } else if (star_.note(i) == none) {
+        } else if (star_.owner(i) == none) {
             return take_pivot(c, i, v);
         } else {
-            const std::uint32_t older = star_.note(i);
+            const std::uint32_t older = star_.owner(i);
             const Run positions = front_.local(older);
             work_ += positions.count / 64;
             for (auto at = front_.begin(positions); at.left > 0; front_.advance(&at)) {
@@ -315,9 +302,9 @@ template <int D> bool Sweep<D>::reduce(std::uint32_t c, std::uint32_t v) {
     return true;
 }
 
-template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std::uint32_t v) {
+template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, VertexId v) {
     if (!flush(c) || !front_.unite_runs(c)) return false;
-    star_.note(i) = c;
+    star_.owner(i) = c;
     front_.next(c) = done_columns_;
     done_columns_ = c;
     Run positions = no_run;
@@ -328,96 +315,21 @@ template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, std
         if (!front_.append(&positions, &p, 1)) return false;
     }
     front_.put_local(c, positions);
-    return note_pair(c, star_.dimension(i), v);
+    return write_pair(c, star_.dimension(i), v);
 }
 
-template <int D> bool Sweep<D>::note_pair(std::uint32_t c, std::uint32_t degree, std::uint32_t v) {
+template <int D> bool Sweep<D>::write_pair(std::uint32_t c, std::uint32_t degree, VertexId v) {
     const std::uint32_t r = front_.creator_rank(c);
-    // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3, where
-    // every lower link collapses as far as it can. Its pairs are counted already.
+    // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3,
+    // where every lower link collapses as far as it can. Its pairs are counted already.
     if constexpr (D == 4) {
         if (r == ball_.rank[v] && !irregular_) return true;
     }
     const double birth = ball_.value[v], death = ball_.value[ball_.order[r]];
     std::uint32_t cycle = 0;
-    if (cycles_ != nullptr && writer_.keeps(birth, death, degree) && !star_cycles_->write_column(c, v, &cycle))
+    if (cycles_ != nullptr && writer_.keeps(birth, death, degree) && !star_cycles_.write_column(c, v, &cycle))
         return false;
     return writer_.add(birth, death, degree, cycle);
-}
-
-// The component on this side of a critical facet, from which the gradient leads to an upper vertex, outside, or to a
-// critical cell. A cell is critical only when no facet is free: then the lower cells around v are closed, so they are
-// all, there is one, and v stands for its component.
-template <int D> std::uint32_t Sweep<D>::side(std::uint32_t cell, std::uint32_t v) {
-    while (cell != none) {
-        const std::uint32_t* p = ball_.complex.vertices(cell);
-        std::uint32_t labels[D + 1] = {};
-        std::uint32_t k = 0;
-        for (std::uint32_t j = 0; j <= D; ++j) {
-            if (ball_.rank[p[j]] > ball_.rank[v]) return find_root(above_, p[j]);
-            if (p[j] != v) labels[k++] = ball_.slot[p[j]];
-        }
-        const std::uint32_t facet = star_.partner(simplex_of(labels, D));  // a cell around v, and all lower
-        if (facet == none) return find_root(above_, v);
-        cell = across(cell, facet, v);
-    }
-    return ball_.outside;
-}
-
-// A cell at `facet` of the star.
-template <int D> std::uint32_t Sweep<D>::cell_of(std::uint32_t facet, std::uint32_t v) const {
-    std::uint32_t cell = star_.origin(facet) >> 3;
-    if constexpr (D == 2) {  // edges know their vertex instead
-        for (std::uint32_t t = ball_.begin[v + 1]; t-- > ball_.begin[v];) {
-            const std::uint32_t* const p = ball_.complex.vertices(ball_.incidence[t] >> 3);
-            for (int j = 0; j <= D; ++j) {
-                if (p[j] == star_.vertex(facet)) cell = ball_.incidence[t] >> 3;
-            }
-        }
-    }
-    return cell;
-}
-
-// The cell on the other side of `facet` of the star, `none` outside.
-template <int D> std::uint32_t Sweep<D>::across(std::uint32_t cell, std::uint32_t facet, std::uint32_t v) const {
-    const std::uint32_t* p = ball_.complex.vertices(cell);
-    int opposite = 0;
-    for (int j = 0; j <= D; ++j) {
-        const std::uint32_t label = ball_.slot[p[j]];
-        std::uint32_t i = facet;
-        while (i != 0 && star_.label(i) != label) i = star_.parent(i);
-        if (i == 0 && p[j] != v) opposite = j;
-    }
-    return ball_.complex.neighbour(cell, opposite);
-}
-
-// Components of the superlevel sets. Takes the critical facets of the star from the last to the first: one that joins two components is
-// the pivot of the younger one's creator.
-template <int D> Status Sweep<D>::unite_critical_facets(std::uint32_t v) {
-    for (std::uint32_t p = star_.count(); p-- > 0;) {
-        const std::uint32_t i = star_.at(p);
-        if (star_.partner(i) != none || star_.dimension(i) != D - 1) continue;
-        std::uint32_t cell = cell_of(i, v);
-        const std::uint32_t beyond = across(cell, i, v);
-        std::uint32_t a = side(beyond, v), b = side(cell, v);
-        if (a == b) continue;
-        if (age_of(a) < age_of(b)) {
-            const std::uint32_t t = a;
-            a = b;
-            b = t;
-            cell = beyond;
-        }
-        above_[b] = a;
-        star_.note(i) = 0;
-        const double birth = ball_.value[v], death = ball_.value[b];
-        std::uint32_t cycle = 0;
-        if (cycles_ != nullptr && writer_.keeps(birth, death, D - 1)) {
-            const Status status = star_cycles_->write_piece(cell, i, v, &cycle);
-            if (status != Status::ok) return status;
-        }
-        if (!writer_.add(birth, death, D - 1, cycle)) return Status::out_of_memory;
-    }
-    return Status::ok;
 }
 
 }  // namespace netmesh

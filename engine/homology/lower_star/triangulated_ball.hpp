@@ -40,28 +40,28 @@ template <int D> struct TriangulatedBall {
     std::uint32_t* order;      // [vertex_count] vertices by rank
     std::uint32_t* rank;       // [vertex_count]
     std::uint32_t* begin;      // [vertex_count + 1] into incidence
-    std::uint32_t* incidence;  // [(D+1) * cells]: 8 * cell + position of the vertex in it
+    FacetId* incidence;        // [(D+1) * cells] by vertex: a cell and the position of the vertex in it
     std::uint8_t* flags;       // [vertex_count]
     std::uint32_t* slot;       // [vertex_count] labels in the star at work; all 0 between stars
 
     // Asks for the vertices of the cell of incidence t, or of the last one.
     void prefetch(std::uint32_t t) const {
         const std::uint32_t last = begin[vertex_count] - 1;
-        __builtin_prefetch(complex.vertices(incidence[t < last ? t : last] >> 3));
+        __builtin_prefetch(complex.vertices(incidence[t < last ? t : last].cell()));
     }
     // Lists the incidences; the arrays taken stay at the arena's high end. False: out of memory.
     bool list_incidences(Arena& arena) {
         const std::size_t n = vertex_count;
         const std::size_t m = std::size_t{complex.cell_count} * (D + 1);
         begin = arena.take_high<std::uint32_t>(n + 1);
-        incidence = arena.take_high<std::uint32_t>(m);
+        incidence = arena.take_high<FacetId>(m);
         flags = arena.take_high<std::uint8_t>(n);
         slot = arena.take_high<std::uint32_t>(n);
         if (begin == nullptr || incidence == nullptr || flags == nullptr || slot == nullptr || m >= none) return false;
         for (std::size_t v = 0; v < n; ++v) begin[v] = flags[v] = 0, slot[v] = 0;
         begin[n] = 0;
-        for (std::uint32_t c = 0; c < complex.cell_count; ++c) {
-            const std::uint32_t* p = complex.vertices(c);
+        for (CellId c(0); c < complex.cell_count; ++c) {
+            const VertexId* p = complex.vertices(c);
             for (int i = 0; i <= D; ++i) ++begin[p[i] + 1];
         }
         degree_max = 0;
@@ -72,17 +72,16 @@ template <int D> struct TriangulatedBall {
             begin[v] = sum;  // moves to the end of v-1's list while that is filled
             sum += count;
         }
-        for (std::uint32_t c = 0; c < complex.cell_count; ++c) place(c);
+        for (CellId c(0); c < complex.cell_count; ++c) place(c);
         return true;
     }
 
 private:
-    void place(std::uint32_t c) {
-        const std::uint32_t* p = complex.vertices(c);
-        const std::uint32_t* across = complex.neighbour_words(c);
+    void place(CellId c) {
+        const VertexId* p = complex.vertices(c);
         for (std::uint32_t i = 0; i <= D; ++i) {
-            incidence[begin[p[i] + 1]++] = 8 * c + i;
-            if (across[i] != none) continue;
+            incidence[begin[p[i] + 1]++] = FacetId(c, i);
+            if (complex.facet_beyond(c, i) != none) continue;
             for (std::uint32_t j = 0; j <= D; ++j) {
                 if (j != i) flags[p[j]] |= on_hull;
             }

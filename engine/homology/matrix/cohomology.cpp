@@ -1,6 +1,6 @@
-// Persistence of a listed filtration by columns of cofaces, from the lowest degree up: for skeletons, where simplices of
-// the top dimension are many and most of them only close what their like have closed. Those are rows here, which are
-// never reduced; and a simplex that kills is left out as a column (clearing).
+// Persistence of a listed filtration by columns of cofaces, from the lowest degree up: for skeletons, where simplices
+// of the top dimension are many and most of them only close what their like have closed. Those are rows here, which
+// are never reduced; and a simplex that kills is left out as a column (clearing).
 #include "homology/matrix/components.hpp"
 #include "homology/matrix/matrix.hpp"
 #include "homology/matrix/reduction.hpp"
@@ -135,8 +135,7 @@ Status Cohomology::run() {
     progress_.monitor.begin(NETMESH_STAGE_REDUCE, total);
     if (!reserve(top)) return Status::out_of_memory;
     kills_.adopt(kill_words_[0], edges);
-    Status status =
-        unite_edges(owner_, of(0).count, edges, ComponentWriter{complex_, writer_, kills_, progress_});
+    Status status = unite_edges(owner_, of(0).count, edges, ComponentWriter{complex_, writer_, kills_, progress_});
     for (std::uint32_t k = 1; k <= max_degree_ && status == Status::ok; ++k) {  // max_degree_ <= dimension
         if (k == complex_.dimension || of(k + 1).count == 0) return add_essential(k);
         kills_above_.adopt(kill_words_[k % 2], of(k + 1).count);

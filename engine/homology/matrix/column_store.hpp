@@ -7,8 +7,8 @@
 
 namespace netmesh {
 
-// A column is [number | count | entries[count]] in words, addressed from the top in steps of 16 bytes. While columns are
-// appended nothing else may be taken at the high end.
+// A column is [number | count | entries[count]] in words, addressed from the top in steps of 16 bytes. While columns
+// are appended nothing else may be taken at the high end.
 class ColumnStore {
 public:
     static constexpr std::uint32_t stored = 0x80000000u;  // tells handles from the numbers of columns

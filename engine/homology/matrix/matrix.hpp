@@ -14,8 +14,8 @@ namespace netmesh {
 Status persist_homology(const FilteredComplex& complex, DiagramRequest request, const Work& work, PairList* out);
 
 // The same by columns of cofaces, which only simplices of dimension max_degree and less have: faster by orders of
-// magnitude where the highest dimension has the most simplices, as in skeletons of simplices (Rips, Cech). Takes about 5
-// bytes for each simplex of the most frequent dimension, and 4 (k + 2) for each (k+1)-simplex, one k at a time, plus
+// magnitude where the highest dimension has the most simplices, as in skeletons of simplices (Rips, Cech). Takes about
+// 5 bytes for each simplex of the most frequent dimension, and 4 (k + 2) for each (k+1)-simplex, one k at a time, plus
 // fill.
 Status persist_cohomology(const FilteredComplex& complex, DiagramRequest request, const Work& work, PairList* out);
 

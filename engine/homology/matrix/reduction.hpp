@@ -1,9 +1,10 @@
 // The reduction of a matrix over Z/2, whatever its columns are.
 //
-// As long as the pivot of a column, its last row, is the pivot of a column before it, that column, the pivot's owner, is
-// added. What is left in the end is zero, or it has a pivot of its own and the two simplices are a pair. Listed matrices
-// (listed_columns.hpp: boundaries for homology and cycles, coboundaries), implicit ones (rips/) and those of vineyards
-// differ in how columns are held, which a class Columns says, and in what is made of the outcome, which a recorder says.
+// As long as the pivot of a column, its last row, is the pivot of a column before it, that column, the pivot's owner,
+// is added. What is left in the end is zero, or it has a pivot of its own and the two simplices are a pair. Listed
+// matrices (listed_columns.hpp: boundaries for homology and cycles, coboundaries), implicit ones (rips/) and those of
+// vineyards differ in how columns are held, which a class Columns says, and in what is made of the outcome, which a
+// recorder says.
 #pragma once
 #include <cstdint>
 

@@ -46,8 +46,8 @@ private:
     BitSet joining_;                       // edges that join two components
     std::uint32_t* candidates_ = nullptr;  // [max_degree][vertices], of the walk
     std::uint32_t chosen_[RipsSimplex::vertices_max] = {};
-    PivotTable pivots_below_;         // of the degree below: p-simplices that end a class
-    std::uint64_t* list_ = nullptr;   // the end of the list of columns, which grows downwards
+    PivotTable pivots_below_;        // of the degree below: p-simplices that end a class
+    std::uint64_t* list_ = nullptr;  // the end of the list of columns, which grows downwards
     std::uint32_t list_count_ = 0;
     std::uint64_t simplices_ = 0;
 };

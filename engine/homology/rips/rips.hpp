@@ -23,10 +23,10 @@ struct RipsGraph {
 bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree);
 
 // The diagram of the flag complex of the graph in degrees 0..max_degree (<= 30), at the arena's low end; a simplex
-// enters with its last edge. Counted are the simplices of dimension up to max(1, max_degree). Columns of cofaces from the
-// lowest degree up, neither they nor the complex being stored: a pair of a simplex with its first coface is found from
-// the edges alone. Takes 4 bytes for each two vertices, 12 for each edge in passing, and about 40 for each simplex that
-// needs a column, plus fill. out_of_memory, cancelled.
+// enters with its last edge. Counted are the simplices of dimension up to max(1, max_degree). Columns of cofaces from
+// the lowest degree up, neither they nor the complex being stored: a pair of a simplex with its first coface is found
+// from the edges alone. Takes 4 bytes for each two vertices, 12 for each edge in passing, and about 40 for each
+// simplex that needs a column, plus fill. out_of_memory, cancelled.
 Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out);
 
 }  // namespace netmesh

@@ -1,6 +1,6 @@
-// Columns of a Rips complex of one dimension p under reduction: the cofaces of p-simplices, made from the edges whenever
-// they are needed. The column at work is a heap of cofaces; a column that additions have changed is kept as the simplices
-// whose cofaces were added.
+// Columns of a Rips complex of one dimension p under reduction: the cofaces of p-simplices, made from the edges
+// whenever they are needed. The column at work is a heap of cofaces; a column that additions have changed is kept as
+// the simplices whose cofaces were added.
 #pragma once
 #include <cstddef>
 #include <cstdint>

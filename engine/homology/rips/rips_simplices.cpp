@@ -1,16 +1,13 @@
 #include "homology/rips/rips_simplices.hpp"
 
 #include "memory/arena.hpp"
+#include "numerics/bits.hpp"
 #include "numerics/radix_sort.hpp"
 
 namespace netmesh {
 namespace {
 
-std::uint32_t bits_of(std::uint64_t x) {
-    std::uint32_t bits = 0;
-    for (; x != 0; x >>= 1) ++bits;
-    return bits;
-}
+std::uint32_t bit_width(std::uint64_t x) { return x == 0 ? 0 : highest_bit(x) + 1; }
 
 // BitSet of the largest index of so many vertices or fewer; 64 when they are too many.
 std::uint32_t index_bits(std::uint32_t n, std::uint32_t others) {
@@ -20,7 +17,7 @@ std::uint32_t index_bits(std::uint32_t n, std::uint32_t others) {
         choose = choose * (n - k + 1) / k;
         if (choose > most) most = choose;
     }
-    return bits_of(most);
+    return bit_width(most);
 }
 
 // In order of value, ties as they are; values are not negative, so their bits are in their order.
@@ -40,7 +37,7 @@ bool sort_edges(RipsGraph& graph, Arena& arena) {
 
 bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree) {
     return graph.vertices <= RipsGraph::vertices_max && max_degree + 2 <= RipsSimplex::vertices_max &&
-           bits_of(graph.edge_count) + index_bits(graph.vertices, max_degree) <= 63;
+           bit_width(graph.edge_count) + index_bits(graph.vertices, max_degree) <= 63;
 }
 
 // The numbers C(a, k), a < n, k <= others.

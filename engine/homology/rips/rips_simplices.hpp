@@ -1,7 +1,8 @@
-// Simplices of a Rips complex as numbers. Edges are ranked; a simplex of dimension d >= 1 is its last edge and its d - 1
-// other vertices:
+// Simplices of a Rips complex as numbers. Edges are ranked; a simplex of dimension d >= 1 is its last edge and its d -
+// 1 other vertices:
 //
-//   key = rank of the last edge << shift | index of the others,   index of a < b < c .. = C(a, 1) + C(b, 2) + C(c, 3) ..
+//   key = rank of the last edge << shift | index of the others
+//   index of a < b < c .. = C(a, 1) + C(b, 2) + C(c, 3) ..
 //
 // Keys of one dimension are in the order of a filtration. Of the cofaces with the same last edge the first has the
 // smallest vertex added; of the facets with it the last has the smallest other vertex left out. Where each is the

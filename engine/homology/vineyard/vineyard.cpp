@@ -1,12 +1,14 @@
 #include "homology/vineyard/vineyard.hpp"
 
+#include "homology/matrix/reduction.hpp"
 #include "homology/rank.hpp"
-#include "memory/arena.hpp"
 #include "numerics/real.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 
-Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, const Work& work) {
+Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value,
+                      const Work& work) {
     complex_ = complex;
     arena_ = &work.arena;
     max_degree_ = max_degree < complex.dimension ? max_degree : complex.dimension;
@@ -63,40 +65,76 @@ std::uint32_t Vineyard::pivot_of(std::uint32_t k, const SparseColumn& column) co
     return pivot;
 }
 
-// The columns of the k-simplices. Where the dimension above has found that one gives birth, the column that it is the
-// pivot of is a cycle that it completes: R = 0 and V that cycle.
-Status Vineyard::reduce(std::uint32_t k, Monitor& monitor) {
-    Dimension& d = of_[k];
-    for (std::uint32_t i = 0; i < complex_.count[k]; ++i) {
-        const std::uint32_t s = d.order[i];
-        std::uint64_t cost = 1;
-        if (k < top_ && d.at[s].owner != none) {
-            const SparseColumn& cycle = of_[k + 1].at[d.at[s].owner].r;
-            if (!pool_.assign(d.at[s].v, pool_.rows(cycle), cycle.length)) return Status::out_of_memory;
-        } else {
-            std::uint32_t faces[ComplexView::dimension_max + 1];
-            for (std::uint32_t j = 0; j <= k; ++j) {
-                const std::uint32_t face = complex_.facets[k][std::size_t{k + 1} * s + j];
-                std::uint32_t hole = j;
-                for (; hole > 0 && faces[hole - 1] > face; --hole) faces[hole] = faces[hole - 1];
-                faces[hole] = face;
-            }
-            if (!pool_.assign(d.at[s].r, faces, k + 1)) return Status::out_of_memory;
-            pool_.assign(d.at[s].v, &s, 1);  // a single row takes no memory
-            std::uint32_t pivot = pivot_of(k, d.at[s].r);
-            while (pivot != none && of_[k - 1].at[pivot].owner != none) {
-                const std::uint32_t other = of_[k - 1].at[pivot].owner;
-                if (!pool_.add(d.at[s].r, d.at[other].r) || !pool_.add(d.at[s].v, d.at[other].v))
-                    return Status::out_of_memory;
-                pivot = pivot_of(k, d.at[s].r);
-                cost += (d.at[s].r.length + d.at[s].v.length) / 16;
-            }
-            d.at[s].low = pivot;
-            if (pivot != none) of_[k - 1].at[pivot].owner = s;
-        }
-        if (monitor.advance(++work_, cost < 1000 ? static_cast<std::uint32_t>(cost) : 1000)) return Status::cancelled;
+// The columns of the k-simplices, in the order of the filtration.
+class Vineyard::Columns {
+public:
+    Columns(Vineyard& vineyard, std::uint32_t k, Monitor& monitor) : v_(vineyard), k_(k), monitor_(monitor) {}
+
+    Status open(std::uint32_t s) {
+        std::uint32_t faces[ComplexView::dimension_max + 1];
+        for (std::uint32_t j = 0; j <= k_; ++j) faces[j] = v_.complex_.facets[k_][std::size_t{k_ + 1} * s + j];
+        insertion_sort(faces, k_ + 1, Ascending{});
+        column_ = s;
+        cost_ = 1;
+        if (!v_.pool_.assign(at(s).r, faces, k_ + 1)) return Status::out_of_memory;
+        v_.pool_.assign(at(s).v, &s, 1);  // a single row takes no memory
+        pivot_ = v_.pivot_of(k_, at(s).r);
+        return Status::ok;
     }
-    return Status::ok;
+    bool has_owner() const { return pivot_ != none && below(pivot_).owner != none; }
+    Status add_owner() {
+        Record &r = at(column_), &owner = at(below(pivot_).owner);
+        if (!v_.pool_.add(r.r, owner.r) || !v_.pool_.add(r.v, owner.v)) return Status::out_of_memory;
+        pivot_ = v_.pivot_of(k_, r.r);
+        cost_ += (r.r.length + r.v.length) / 16;
+        return Status::ok;
+    }
+    bool is_zero() const { return pivot_ == none; }
+
+    // As a recorder. Where the dimension above has found that a simplex gives birth, the column that it is the pivot
+    // of is a cycle that it completes: R = 0 and V that cycle (clearing).
+    bool next(std::uint32_t* s) {
+        for (; status_ == Status::ok && next_ < v_.complex_.count[k_]; ++next_) {
+            *s = v_.of_[k_].order[next_];
+            if (k_ == v_.top_ || at(*s).owner == none) {
+                ++next_;
+                return true;
+            }
+            const SparseColumn& cycle = v_.of_[k_ + 1].at[at(*s).owner].r;
+            const bool fits = v_.pool_.assign(at(*s).v, v_.pool_.rows(cycle), cycle.length);
+            status_ = fits ? advance(1) : Status::out_of_memory;
+        }
+        return false;
+    }
+    Status pair(std::uint32_t s) {
+        at(s).low = pivot_;
+        below(pivot_).owner = s;
+        return advance(cost_);
+    }
+    Status zero(std::uint32_t) { return advance(cost_); }
+    // What stopped next().
+    Status status() const { return status_; }
+
+private:
+    Record& at(std::uint32_t s) const { return v_.of_[k_].at[s]; }
+    Record& below(std::uint32_t row) const { return v_.of_[k_ - 1].at[row]; }
+    Status advance(std::uint64_t cost) {
+        const std::uint32_t work = cost < 1000 ? static_cast<std::uint32_t>(cost) : 1000;
+        return monitor_.advance(++v_.work_, work) ? Status::cancelled : Status::ok;
+    }
+
+    Vineyard& v_;
+    std::uint32_t k_;
+    Monitor& monitor_;
+    Status status_ = Status::ok;
+    std::uint32_t next_ = 0, column_ = 0, pivot_ = none;
+    std::uint64_t cost_ = 1;
+};
+
+Status Vineyard::reduce(std::uint32_t k, Monitor& monitor) {
+    Columns columns(*this, k, monitor);
+    const Status status = reduce_columns(columns, columns);
+    return status == Status::ok ? columns.status() : status;
 }
 
 std::uint32_t Vineyard::dimension_of(std::uint32_t slot) const {
@@ -105,28 +143,30 @@ std::uint32_t Vineyard::dimension_of(std::uint32_t slot) const {
     return k;
 }
 
-// When the simplices at positions i and i + 1 meet; infinity when they stay in this order.
-double Vineyard::time_of(std::uint32_t k, std::uint32_t i) const {
+// When the values of the simplices at positions i and i + 1 cross; infinity when they stay in this order.
+double Vineyard::crossing_time(std::uint32_t k, std::uint32_t i) const {
     const Record &a = of_[k].at[of_[k].order[i]], &b = of_[k].at[of_[k].order[i + 1]];
     if (a.target < b.target) return infinity;
     const double before = b.from - a.from, after = a.to - b.to;
     return before + after > 0 ? before / (before + after) : 0;
 }
 
-void Vineyard::play(std::uint32_t node) {
+// The earlier crossing of the two below a node of the tournament.
+void Vineyard::find_winner(std::uint32_t node) {
     const std::uint32_t a = slot_at(2 * node), b = slot_at(2 * node + 1);
     const bool later = time_[b] < time_[a] || (time_[b] == time_[a] && b < a);
     winner_[node] = later ? b : a;
 }
 
-// The times of positions first..last of dimension k have changed: all nodes above them are played again, level by level.
-void Vineyard::update(std::uint32_t k, std::uint32_t first, std::uint32_t last) {
+// The times at positions first..last of dimension k have changed: the winners above them are found again, level by
+// level.
+void Vineyard::update_winners(std::uint32_t k, std::uint32_t first, std::uint32_t last) {
     const std::uint32_t shift = slots_ + of_[k].slot;
     std::uint32_t low = shift + first, high = shift + last;
     while (high > 1) {  // leaves may lie at two depths, so that the lower end can arrive at the root first
         low = low > 1 ? low / 2 : 1;
         high /= 2;
-        for (std::uint32_t node = high; node >= low; --node) play(node);
+        for (std::uint32_t node = high; node >= low; --node) find_winner(node);
     }
 }
 
@@ -142,24 +182,26 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
             of_[k].at[s].from = from[k][s];
             of_[k].at[s].to = to[k][s];
         }
-        for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) time_[of_[k].slot + i] = time_of(k, i);
+        for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) time_[of_[k].slot + i] = crossing_time(k, i);
     }
     if (slots_ == 0) return Status::ok;
-    for (std::uint32_t node = slots_ - 1; node >= 1; --node) play(node);
+    for (std::uint32_t node = slots_ - 1; node >= 1; --node) find_winner(node);
     monitor.begin(NETMESH_STAGE_REDUCE, 0);
     for (std::uint32_t slot; time_[slot = slot_at(1)] < infinity;) {
         const std::uint32_t k = dimension_of(slot);
-        const Status status = play_out(k, slot - of_[k].slot, monitor);
+        const Status status = transpose_from(k, slot - of_[k].slot, monitor);
         if (status != Status::ok) return status;
     }
     return Status::ok;
 }
 
-// From the meeting at position i, the first of all, on: as long as the next one is among the positions that have changed
-// the tournament is not asked, and it is told of all of them in the end. Simplices that share their values, as those of a
-// lower star do, meet others all at once. That the order is the tournament's: when this begins, positions before i have
-// later times; those that have not changed since are not earlier, nor are they first where times are equal.
-Status Vineyard::play_out(std::uint32_t k, std::uint32_t i, Monitor& monitor) {
+// Transposes the simplices at positions i and i + 1, whose crossing is the first of all, and goes on as long as the
+// next crossing is among the positions whose times have changed since; the tournament is told of all of these at the
+// end. Simplices that share their values, as those of a lower star do, cross others all at once, so such runs are
+// long. The order of transpositions is that of the tournament: when the run begins, all times before position i are
+// later; a time that has not changed since is not earlier than the present one, nor does it come first among equal
+// times.
+Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monitor) {
     constexpr std::uint32_t span_max = 256;
     Dimension& d = of_[k];
     double* const time = time_ + d.slot;
@@ -176,12 +218,12 @@ Status Vineyard::play_out(std::uint32_t k, std::uint32_t i, Monitor& monitor) {
         time[i] = infinity;
         std::uint32_t next = i;
         if (i < last) {
-            time[i + 1] = time_of(k, i + 1);
+            time[i + 1] = crossing_time(k, i + 1);
             if (i + 1 > high) high = i + 1;
             if (time[i + 1] <= now) next = i + 1;
         }
         if (i > 0) {
-            time[i - 1] = time_of(k, i - 1);
+            time[i - 1] = crossing_time(k, i - 1);
             if (i - 1 < low) low = i - 1;
             if (time[i - 1] <= now && time[i - 1] <= time[next]) next = i - 1;
         }
@@ -195,7 +237,7 @@ Status Vineyard::play_out(std::uint32_t k, std::uint32_t i, Monitor& monitor) {
         i = next;
         now = time[i];
     }
-    update(k, low, high);
+    update_winners(k, low, high);
     return status;
 }
 

@@ -1,15 +1,15 @@
 // Vineyards (thesis 6.3): persistence along a sequence of filtrations of one complex, by transpositions on R = D V
 // (Cohen-Steiner, Edelsbrunner, Morozov 2006). Between two filtrations every simplex's value moves on a straight line,
-// which is a filtration at all times; simplices of one dimension that meet are transposed in the order of their times,
-// and each transposition repairs R and V by at most two additions of columns. Only orders within a dimension matter,
-// those of different dimensions never meet. A vine is a pair's path: where two pairs exchange their partners they do so
-// in one point, and each goes on from there.
+// which is a filtration at all times; simplices of one dimension whose values cross are transposed in the order of
+// their times, and each transposition repairs R and V by at most two additions of columns. Only orders within a
+// dimension matter, simplices of different dimensions are never transposed. A vine is a pair's path: where two pairs
+// exchange their partners they do so in one point, and each goes on from there.
 #pragma once
 #include <cstdint>
 
 #include "homology/vineyard/column_pool.hpp"
-#include "vocabulary/monitor.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    // All that a transposition looks at, in one place.
+    // All that a transposition reads, in one place.
     struct Record {
         std::uint32_t position;
         std::uint32_t target;  // its position in the filtration to come
@@ -66,16 +66,17 @@ private:
     };
 
     bool is_positive(std::uint32_t k, std::uint32_t s) const { return k == 0 || of_[k].at[s].low == none; }
+    class Columns;
+
     Status reduce(std::uint32_t k, Monitor& monitor);
     std::uint32_t pivot_of(std::uint32_t k, const SparseColumn& column) const;
-    double time_of(std::uint32_t k, std::uint32_t i) const;
-    void play(std::uint32_t node);
-    void update(std::uint32_t k, std::uint32_t first, std::uint32_t last);
-    Status play_out(std::uint32_t k, std::uint32_t i, Monitor& monitor);
+    double crossing_time(std::uint32_t k, std::uint32_t i) const;
+    void find_winner(std::uint32_t node);
+    void update_winners(std::uint32_t k, std::uint32_t first, std::uint32_t last);
+    Status transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monitor);
     std::uint32_t dimension_of(std::uint32_t slot) const;
 
     bool transpose(std::uint32_t k, std::uint32_t a, std::uint32_t b);
-    bool transpose_rows(std::uint32_t k, std::uint32_t a, std::uint32_t b);
     bool transpose_positive(std::uint32_t k, std::uint32_t a, std::uint32_t b);
     bool transpose_negative(std::uint32_t k, std::uint32_t a, std::uint32_t b);
     bool exchange(std::uint32_t k, std::uint32_t a, std::uint32_t b);
@@ -85,8 +86,9 @@ private:
     Arena* arena_ = nullptr;
     Dimension of_[ComplexView::dimension_max + 1] = {};
     ColumnPool pool_;
-    // Meetings. A slot is two adjacent positions of a dimension; the earlier of nodes 2 i and 2 i + 1 of a tournament
-    // stands in node i, slot s in node slots_ + s.
+    // A slot is two adjacent positions of a dimension, whose simplices may cross. The earliest crossing of all is kept
+    // by a tournament: node i holds the slot that crosses earlier of those of nodes 2 i and 2 i + 1; node slots_ + s
+    // is slot s.
     std::uint32_t slot_at(std::uint32_t node) const { return node >= slots_ ? node - slots_ : winner_[node]; }
     double* time_ = nullptr;           // [slot]
     std::uint32_t* winner_ = nullptr;  // [node], a slot
