@@ -9,6 +9,7 @@
 #include "analysis/size.hpp"
 #include "analysis/structure.hpp"
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 #include "numerics/elementary.hpp"
 
@@ -118,7 +119,8 @@ TEST_CASE_TEMPLATE("a close pair shows in paces, a wide domain in the ball of ve
     held.domain.radius = 10;  // more than seven enclosing radii
     held.domain.enclosing_radius = 1;
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0}, {held.block.arena, held.monitor}, &a) == Status::ok);
+    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0},
+                            {held.block.arena, held.monitor}, &a) == Status::ok);
     CHECK(a.radius[ball_wide] == a.radius[ball_vertices]);
     CHECK(a.theta == doctest::Approx(gaps[D]).epsilon(0.01));
     CHECK(a.theta_limit == doctest::Approx(2 * a.theta / (1 - 3 * a.theta)));
@@ -259,7 +261,7 @@ TEST_CASE_TEMPLATE("paces of a line's points one after the other", T, EVERY_DIME
 }
 
 TEST_CASE("a vertex in no cell changes no figure") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         REQUIRE(s.mesh(inputs::uniform(dim, dim == 2 ? 8 : 4)) == NETMESH_OK);
@@ -280,7 +282,7 @@ TEST_CASE("a vertex in no cell changes no figure") {
 }
 
 TEST_CASE("tolerances of their own, and meshes of which sizes say nothing") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         netmesh_analysis a;

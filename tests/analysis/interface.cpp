@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -20,12 +21,12 @@ netmesh_status check_bounds(Session& session) { return session.check(NETMESH_CHE
 }  // namespace
 
 TEST_CASE("a mesh's size stands between its bounds, and checks include them") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         INFO("D = " << dim);
-        const std::size_t n[] = {0, 0, 300, 80, 25, 10, 6};
+        const std::size_t n = by_dimension<std::size_t>(dim, {300, 80, 25, 10, 6});
         Session session(dim);
         session.reserve(std::size_t{1} << 25);  // for the check as well
-        REQUIRE(session.mesh(inputs::clusters(dim, n[dim])) == NETMESH_OK);
+        REQUIRE(session.mesh(inputs::clusters(dim, n)) == NETMESH_OK);
         const netmesh_analysis a = analysed(session, NETMESH_ANALYSE_ALL, 40);
         const netmesh_report r = session.report();
         CHECK(a.what == NETMESH_ANALYSE_ALL);

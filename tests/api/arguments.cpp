@@ -11,6 +11,7 @@
 #endif
 
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -213,7 +214,7 @@ TEST_CASE("a context that holds nothing") {
 }
 
 TEST_CASE("points and what is asked of meshes") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Fixture f(dim);
         const netmesh_mesh_request good = f.session.mesh_request(f.points);
         const auto refused = [&](auto change, netmesh_field field) {
@@ -264,7 +265,7 @@ TEST_CASE("points and what is asked of meshes") {
 }
 
 TEST_CASE("points scale by scale, to fit, and by themselves") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Fixture f(dim);
         const netmesh_scales_request scales = f.session.scales_request(f.points);
         const auto no_scales = [&](auto change, netmesh_field field) {
@@ -389,13 +390,13 @@ TEST_CASE("what is planned grows with what is asked for") {
         // Coarse meshes: the lists of balls of each point take most. They have a third of what is left.
         m.tau = 1e6;
         m.point_count = 100000;
-        const double balls[] = {0, 0, 8, 24, 96, 480, 2400};
-        CHECK(plan(NETMESH_PURPOSE_MESH) > 3 * 16 * balls[dim] * 100000);
+        const double balls = by_dimension<double>(dim, {8, 24, 96, 480, 2400});
+        CHECK(plan(NETMESH_PURPOSE_MESH) > 3 * 16 * balls * 100000);
     }
 }
 
 TEST_CASE("jobs that go beyond what they are for") {
-    for (int dim = 2; dim <= 3; ++dim) {
+    for (const int dim : dimensions(2, 3)) {
         CAPTURE(dim);
         Session s(dim);
         const inputs::Points points = inputs::uniform(dim, 1);
@@ -411,7 +412,7 @@ TEST_CASE("jobs that go beyond what they are for") {
         CHECK(s.mesh(points) == NETMESH_INVALID_ARGUMENT);
         CHECK(s.detail().field == NETMESH_FIELD_AUDIT);
     }
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         const inputs::Points points = inputs::uniform(dim, 3);
@@ -481,7 +482,7 @@ TEST_CASE("points beyond what lists can number") {
 }
 
 TEST_CASE("filters after a mesh") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Fixture f(dim);
         Session& s = f.session;
         const auto wrong_values = static_cast<netmesh_values>(2);
@@ -532,7 +533,7 @@ TEST_CASE("filters after a mesh") {
 }
 
 TEST_CASE("checks, analyses and cages after a mesh") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Fixture f(dim);
         Session& s = f.session;
         f.needs_request<netmesh_check_request>(netmesh_check, netmesh::requests::Check());

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -12,13 +13,13 @@ namespace {
 std::string said(const Session& s) { return s.detail().message; }
 
 // As many as make Steiner points, with a tau that asks for them.
-constexpr std::size_t points_of[] = {0, 0, 8, 6, 6, 8, 5};
+std::size_t points_of(int dim) { return by_dimension<std::size_t>(dim, {8, 6, 6, 8, 5}); }
 
 struct Refined : Session {
     explicit Refined(int dim) : Session(dim) {
         if (dim == 6) request.tau = 2.2;
         reserve(std::size_t{1} << 25);
-        REQUIRE(mesh(inputs::uniform(dim, points_of[dim]), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        REQUIRE(mesh(inputs::uniform(dim, points_of(dim)), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
         REQUIRE(report().mesh.steiner > 0);
     }
 };
@@ -26,7 +27,7 @@ struct Refined : Session {
 }  // namespace
 
 TEST_CASE("ratios asked of a loaded mesh") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Arrays mesh{Refined(dim)};
         Session s(dim);
@@ -53,7 +54,7 @@ TEST_CASE("ratios asked of a loaded mesh") {
 }
 
 TEST_CASE("quality and size asked of cells in a wider domain") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Arrays mesh{Refined(dim)};
         mesh.domain.back() *= 2;  // which holds corners that were clipped
@@ -73,7 +74,7 @@ TEST_CASE("quality and size asked of cells in a wider domain") {
 }
 
 TEST_CASE("a cell twice, apart from the mesh") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         REQUIRE(s.mesh(inputs::uniform(dim, 3)) == NETMESH_OK);
@@ -95,7 +96,7 @@ TEST_CASE("a cell twice, apart from the mesh") {
 }
 
 TEST_CASE("vertices in no cell, and triangulations, are loaded and checked") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         REQUIRE(s.delaunay(inputs::uniform(dim, 12)) == NETMESH_OK);
@@ -113,7 +114,7 @@ TEST_CASE("vertices in no cell, and triangulations, are loaded and checked") {
 }
 
 TEST_CASE("a domain about its only input") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         REQUIRE(s.mesh(inputs::uniform(dim, 1)) == NETMESH_OK);
@@ -130,7 +131,7 @@ TEST_CASE("a domain about its only input") {
 }
 
 TEST_CASE("two inputs too near for so few vertices") {
-    for (int dim = 2; dim <= 4; ++dim) {
+    for (const int dim : dimensions(2, 4)) {
         CAPTURE(dim);
         inputs::Points points = inputs::uniform(dim, static_cast<std::size_t>(dim) + 2);
         for (int k = 0; k < dim; ++k) points[static_cast<std::size_t>(k)] = 1e-30 * (k == 0);
@@ -149,7 +150,7 @@ TEST_CASE("two inputs too near for so few vertices") {
 }
 
 TEST_CASE("rows of points that scales cannot be meshed with") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const std::size_t d = static_cast<std::size_t>(dim);
         Session s(dim);

@@ -2,6 +2,7 @@
 // triangulation of the hull with empty balls, exactly.
 #include <doctest/doctest.h>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -70,24 +71,24 @@ inputs::Points flat_points(int dim, int flat, std::size_t n) {
 }  // namespace
 
 TEST_CASE("grids: empty balls, and the cells fill the cube exactly") {
-    const int side[] = {0, 0, 30, 9, 5, 4, 3};
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
+        const int side = by_dimension<int>(dim, {30, 9, 5, 4, 3});
         INFO("D = " << dim);
         Session session(dim);
-        REQUIRE(session.delaunay(inputs::grid(dim, side[dim])) == NETMESH_OK);
+        REQUIRE(session.delaunay(inputs::grid(dim, side)) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
         long long factorial = 1;
         for (int i = 2; i <= dim; ++i) factorial *= i;
-        CHECK(volume(session) == factorial * power(side[dim] - 1, dim));
-        CHECK(session.report().mesh.vertices == static_cast<std::uint64_t>(power(side[dim], dim)));
+        CHECK(volume(session) == factorial * power(side - 1, dim));
+        CHECK(session.report().mesh.vertices == static_cast<std::uint64_t>(power(side, dim)));
     }
 }
 
 TEST_CASE("integer points of one norm: all of them cospherical") {
-    const int norm_squared[] = {0, 0, 32045, 161, 14, 7, 3};
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
+        const int norm_squared = by_dimension<int>(dim, {32045, 161, 14, 7, 3});
         INFO("D = " << dim);
-        const inputs::Points points = inputs::cospherical(dim, norm_squared[dim]);
+        const inputs::Points points = inputs::cospherical(dim, norm_squared);
         REQUIRE(points.size() / static_cast<std::size_t>(dim) >= 64);
         Session session(dim);
         REQUIRE(session.delaunay(points) == NETMESH_OK);
@@ -109,7 +110,7 @@ TEST_CASE("integer points of one norm: all of them cospherical") {
 }
 
 TEST_CASE("duplicates are merged into the first and counted") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         INFO("D = " << dim);
         const std::size_t n = dim < 4 ? 300 : 60;
         const inputs::Points points = inputs::repeated(dim, inputs::uniform(dim, n), 3);
@@ -138,10 +139,10 @@ TEST_CASE("duplicates are merged into the first and counted") {
 }
 
 TEST_CASE("points at every scale from 1 down to 2^-1000") {
-    const int step[] = {0, 0, 1, 2, 5, 8, 16};
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
+        const int step = by_dimension<int>(dim, {1, 2, 5, 8, 16});
         INFO("D = " << dim);
-        const inputs::Points points = inputs::zoom(dim, 1000, step[dim]);
+        const inputs::Points points = inputs::zoom(dim, 1000, step);
         Session session(dim);
         REQUIRE(session.delaunay(points) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
@@ -150,7 +151,7 @@ TEST_CASE("points at every scale from 1 down to 2^-1000") {
 }
 
 TEST_CASE("flat inputs are refused") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Session session(dim);
         for (int flat = 0; flat < dim; ++flat) {
             INFO("D = " << dim << ", points of a flat of dimension " << flat);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -15,29 +16,29 @@ namespace {
 std::string said(const Session& s) { return s.detail().message; }
 
 // Few in high dimensions: meshes grow fast.
-constexpr std::size_t points_of[] = {0, 0, 8, 5, 3, 3, 3};
+std::size_t points_of(int dim) { return by_dimension<std::size_t>(dim, {8, 5, 3, 3, 3}); }
 
 struct Meshed : Session {
     explicit Meshed(int dim, netmesh_purpose purpose = NETMESH_PURPOSE_PERSIST) : Session(dim) {
         reserve(std::size_t{1} << 23);
-        REQUIRE(mesh(inputs::uniform(dim, points_of[dim]), purpose) == NETMESH_OK);
+        REQUIRE(mesh(inputs::uniform(dim, points_of(dim)), purpose) == NETMESH_OK);
     }
 };
 
 }  // namespace
 
 TEST_CASE("each check alone") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Meshed s(dim);
         for (const std::uint32_t what : {1u, 2u, 4u, 8u, 9u}) CHECK(s.check(what) == NETMESH_OK);
         Session points(dim);
-        REQUIRE(points.delaunay(inputs::uniform(dim, 2 * points_of[dim] + 4)) == NETMESH_OK);
+        REQUIRE(points.delaunay(inputs::uniform(dim, 2 * points_of(dim) + 4)) == NETMESH_OK);
         for (const std::uint32_t what : {1u, 2u, 4u, 8u, 16u}) CHECK(points.check(what) == NETMESH_OK);
     }
 }
 
 TEST_CASE("quality that is not there") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Meshed s(dim);
         if (dim < 4) {  // above, these few points have no corners in the domain
@@ -59,7 +60,7 @@ TEST_CASE("quality that is not there") {
 }
 
 TEST_CASE("vertices that were moved") {
-    for (int dim = 2; dim <= 5; ++dim) {
+    for (const int dim : dimensions(2, 5)) {
         CAPTURE(dim);
         Meshed s(dim);
         const Arrays mesh(s);
@@ -86,7 +87,7 @@ TEST_CASE("vertices that were moved") {
 }
 
 TEST_CASE("arrays that cannot be loaded") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Meshed s(dim);
         const Arrays mesh(s);
         const std::size_t n = mesh.markers.size(), cells = mesh.cells.size() / (mesh.dim + 1);
@@ -142,7 +143,7 @@ TEST_CASE("arrays that cannot be loaded") {
 }
 
 TEST_CASE("cages of another size") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         s.reserve(std::size_t{1} << 23);
@@ -182,7 +183,7 @@ TEST_CASE("cages of another size") {
 }
 
 TEST_CASE("filters, values and bounds") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Meshed s(dim);
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS})
@@ -246,7 +247,7 @@ double shape(void* user, const double* x) {
 }  // namespace
 
 TEST_CASE("functions of every shape") {
-    for (int dim = 2; dim <= 6; ++dim)
+    for (const int dim : dimensions())
         for (int kind = 0; kind <= 5; ++kind)
             for (const double cut : {0.0, 0.5, 3.0, 20.0})
                 for (const double factor : {0.0, 8.0}) {
@@ -276,7 +277,7 @@ TEST_CASE("functions of every shape") {
 }
 
 TEST_CASE("places that are nearly the same") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const std::size_t d = static_cast<std::size_t>(dim);
         inputs::Points p(d, 0.0);

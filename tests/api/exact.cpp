@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/bottleneck.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -35,10 +36,10 @@ void check_bounds(Session& s, const std::vector<netmesh_pair>& exact) {
 }  // namespace
 
 TEST_CASE("diagrams are within their certified ratio of the exact one") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
-        const std::size_t few[] = {0, 0, 24, 12, 9, 9, 8};
-        const inputs::Points points = inputs::clusters(dim, few[dim]);
+        const std::size_t few = by_dimension<std::size_t>(dim, {24, 12, 9, 9, 8});
+        const inputs::Points points = inputs::clusters(dim, few);
         Session truth(dim), s(dim);
         REQUIRE(truth.alpha(points) == NETMESH_OK);
         const std::vector<netmesh_pair> exact = truth.pairs();
@@ -62,7 +63,7 @@ TEST_CASE("diagrams are within their certified ratio of the exact one") {
 // Sublevel sets of the distance to the second nearest point have minima between neighbours: of three points on a line
 // two, and the one farther apart dies where the middle point has its nearest.
 TEST_CASE("a bar between three points on a line is bounded by covers") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const std::size_t d = static_cast<std::size_t>(dim);
         inputs::Points points(3 * d, 0.0);

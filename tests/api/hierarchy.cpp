@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -21,7 +22,7 @@ struct Copied : Arrays {
 }  // namespace
 
 TEST_CASE("a hierarchical mesh is read, loaded elsewhere and found good there") {
-    for (const int dim : {2, 3, 4}) {
+    for (const int dim : dimensions({2, 3, 4})) {
         Session session(dim);
         session.request.tau = 3;
         session.request.method = NETMESH_METHOD_HIERARCHY;

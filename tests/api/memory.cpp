@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "common/calls.hpp"
+#include "common/dimensions.hpp"
 
 namespace {
 
@@ -70,6 +71,7 @@ void run_at(int dim, const inputs::Points& points, bool alpha, std::size_t bytes
 }
 
 void run_sweep(int dim, std::size_t n, bool alpha, std::size_t step, std::size_t last) {
+    if (dimensions({dim}).empty()) return;
     CAPTURE(dim);
     CAPTURE(alpha);
     const inputs::Points points = inputs::uniform(dim, n);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 #include "homology/boundaries.hpp"
 
@@ -74,7 +75,7 @@ void check_deaths(const Session& session, const std::set<oracle::Simplex>& simpl
 }  // namespace
 
 TEST_CASE("every bar of a mesh or an alpha complex has a cycle") {
-    for (const int dim : {2, 3, 4}) {
+    for (const int dim : dimensions({2, 3, 4})) {
         CAPTURE(dim);
         const inputs::Points points =
             dim == 4 ? inputs::uniform(4, 12) : inputs::shell(dim, dim == 2 ? 24 : 10, 0.7, 1, 3);
@@ -113,7 +114,7 @@ TEST_CASE("every bar of a mesh or an alpha complex has a cycle") {
 }
 
 TEST_CASE("a Rips diagram is the same with cycles, for which the complex is listed, and without") {
-    for (const int dim : {2, 3, 6}) {
+    for (const int dim : dimensions({2, 3, 6})) {
         for (const std::uint32_t degree : {0u, 1u, 2u}) {
             const inputs::Points points = inputs::uniform(dim, 24);
             Session session(dim);

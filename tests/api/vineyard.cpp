@@ -3,12 +3,14 @@
 
 #include <map>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
 
 void diagrams_equal_fresh_ones(int dim, const inputs::Points& points, std::uint32_t k_last,
                                std::uint32_t top = NETMESH_DIM_MAX) {
+    if (dimensions({dim}).empty()) return;
     Session session(dim);
     top = std::min(top, static_cast<std::uint32_t>(dim) - 1);
     session.reserve(std::size_t{1} << 26);

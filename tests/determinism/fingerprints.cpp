@@ -273,10 +273,11 @@ void homology() {
 
 int main(int argc, char** argv) {
     const bool small = argc > 1 && std::strcmp(argv[1], "small") == 0;
-    for (int dim = NETMESH_DIM_MIN; dim <= NETMESH_DIM_MAX; ++dim) dimension(dim);
+    for (int dim = NETMESH_DIM_MIN; dim <= NETMESH_DIM_MAX; ++dim)
+        if (plans_for(dim)) dimension(dim);
     distances();
     homology();
-    if (!small) {
+    if (!small && plans_for(4)) {
         Session session(4);
         session.request.tau = 3.08;
         print("persist", "clifford", session, session.mesh_and_persist(inputs::clifford(2000)));

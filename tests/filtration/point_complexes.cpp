@@ -8,6 +8,7 @@
 
 #include "common/block.hpp"
 #include "common/bottleneck.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 #include "filtration/point_complexes.hpp"
@@ -201,17 +202,17 @@ TEST_CASE("Cech values are smallest enclosing balls") {
     check_cech_values<2>(inputs::circle(12), 4);
     check_cech_values<3>(inputs::uniform(3, 11), 4);
     check_cech_values<3>(inputs::grid(3, 2), 5);
-    check_cech_values<4>(inputs::clifford(10), 5);
-    check_cech_values<5>(inputs::uniform(5, 9), 6);
-    check_cech_values<6>(inputs::uniform(6, 9), 8);
     check_cech_values<3>(cross(3), 3);
-    check_cech_values<5>(cross(5), 3);
-    check_cech_values<6>(cross(6), 3);
+    for_each_dimension<4, 4>([](auto dim) { check_cech_values<dim>(inputs::clifford(10), 5); });
+    for_each_dimension<5, 6>([](auto dim) {
+        check_cech_values<dim>(inputs::uniform(dim, 9), dim == 5 ? 6 : 8);
+        check_cech_values<dim>(cross(dim), 3);
+    });
 }
 
 TEST_CASE("Rips and Cech diagrams equal the textbook's on all simplices") {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        for (const int dim : {2, 3}) {
+        for (const int dim : dimensions({2, 3})) {
             const inputs::Points points =
                 seed == 6 ? inputs::grid(dim, dim == 2 ? 3 : 2) : inputs::uniform(dim, 9, seed);
             const std::uint32_t n = static_cast<std::uint32_t>(points.size() / static_cast<std::size_t>(dim));
@@ -257,7 +258,7 @@ TEST_CASE("far and near points") {
 }
 
 TEST_CASE("in every dimension: points far apart and close, right triangles, two points") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const std::size_t d = static_cast<std::size_t>(dim), n = d + 3;
         const std::uint32_t degree = static_cast<std::uint32_t>(dim) - 1;
@@ -328,11 +329,7 @@ template <int D> void check_graph() {
 }
 
 TEST_CASE("graphs: what does not fit and what is stopped") {
-    check_graph<2>();
-    check_graph<3>();
-    check_graph<4>();
-    check_graph<5>();
-    check_graph<6>();
+    for_each_dimension([](auto dim) { check_graph<dim>(); });
 }
 
 TEST_CASE("barycentric complexes of more than there is") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "common/session.hpp"
 
@@ -26,7 +27,7 @@ void check_ratio(Session& session, const inputs::Points& points) {
 }  // namespace
 
 TEST_CASE("certified ratios on all kinds of input") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         const std::size_t n = dim == 2 ? 200 : dim == 3 ? 60 : dim == 4 ? 25 : dim == 5 ? 12 : 8;
         for (const double ratio : {2.25, 3.0, 1.95}) {
             if (ratio < 2 && dim > 3) continue;
@@ -100,7 +101,7 @@ TEST_CASE("clusters of a large spread") {
 }
 
 TEST_CASE("fewer vertices than a mesh of the aspect ratio that proves as much") {
-    for (int dim = 2; dim <= 4; ++dim) {
+    for (const int dim : dimensions(2, 4)) {
         Session session(dim);
         const inputs::Points points = inputs::shell(dim, dim == 2 ? 300 : dim == 3 ? 200 : 60, 1, 1, 7);
         session.request.tau = 3.0625;
@@ -138,7 +139,7 @@ TEST_CASE("scales of interest in every dimension: early, late, all and none") {
     struct Window {
         double focus, from, to;
     };
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         const double ratio = 4, focus = dim < 4 ? 1.6 : 2.1;
         const inputs::Points points = inputs::close_pairs(dim, 2, 0.02, 2);
         Session session(dim);
@@ -185,7 +186,8 @@ TEST_CASE_TEMPLATE_DEFINE(
     CHECK(Certified<D>(two, {1.5, 0, 0, 0}).status == netmesh::Status::too_close);
     CHECK(Certified<D>(two, {4, 0, 0, 0}).status == netmesh::Status::ok);
     // Large scales alone are refined, and those about the inputs left as they are.
-    const Certified<D> late(points, {4, D < 5 ? 1.35 : 1.7, 0.9 * plain.result.domain.radius, plain.result.domain.radius});
+    const Certified<D> late(points,
+                            {4, D < 5 ? 1.35 : 1.7, 0.9 * plain.result.domain.radius, plain.result.domain.radius});
     REQUIRE((late.status == netmesh::Status::ok || (D > 3 && late.status == netmesh::Status::out_of_memory)));
     CHECK(late.state.vertex_count >= plain.state.vertex_count);
 }

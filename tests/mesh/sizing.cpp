@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/meshed.hpp"
 #include "common/session.hpp"
@@ -104,15 +105,15 @@ TEST_CASE("feature sizes are the distances to the second nearest input") {
 }
 
 TEST_CASE("meshes over-refined to eps f_P") {
-    for (int dim = 2; dim <= 5; ++dim) {
-        const std::size_t n[] = {0, 0, 150, 60, 20, 16};
-        const double eps[] = {0, 0, 0.25, 0.5, 0.8, 0.9};
-        for (const inputs::Points& points : {inputs::uniform(dim, n[dim]), inputs::clusters(dim, n[dim] / 2)}) {
+    for (const int dim : dimensions(2, 5)) {
+        const std::size_t n = by_dimension<std::size_t>(dim, {150, 60, 20, 16});
+        const double eps = by_dimension<double>(dim, {0.25, 0.5, 0.8, 0.9});
+        for (const inputs::Points& points : {inputs::uniform(dim, n), inputs::clusters(dim, n / 2)}) {
             INFO("D = " << dim);
             Session session(dim);
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const std::uint64_t before = session.report().mesh.vertices;
-            session.request.sizes.eps = eps[dim];
+            session.request.sizes.eps = eps;
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const netmesh_report r = session.report();
             CHECK(r.mesh.vertices > before);
@@ -120,18 +121,18 @@ TEST_CASE("meshes over-refined to eps f_P") {
             CHECK(r.mesh.sizes.ratio_max <= 1);
             CHECK(r.mesh.sizes.ratio_max > 0.5);
             CHECK(worst_by_corners(session, [&](const double* x) {
-                      return eps[dim] * feature_size_by_scan(points, dim, x);
+                      return eps * feature_size_by_scan(points, dim, x);
                   }) <= 1 + 1e-9);
             CHECK(session.check() == NETMESH_OK);
             // The same mesh does not keep a smaller promise.
-            session.request.sizes.eps = eps[dim] / 2;
+            session.request.sizes.eps = eps / 2;
             CHECK(session.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         }
     }
 }
 
 TEST_CASE("meshes follow a sizing function, alone and together with eps") {
-    for (int dim = 2; dim <= 4; ++dim) {
+    for (const int dim : dimensions(2, 4)) {
         INFO("D = " << dim);
         Funnel funnel{dim, dim == 4 ? 0.2 : 0.03, dim == 4 ? 0.5 : 0.3};
         const inputs::Points points = inputs::uniform(dim, 20);
@@ -167,7 +168,7 @@ TEST_CASE("the number of vertices grows as eps^-D") {
 }
 
 TEST_CASE("no point of the domain is farther from its vertex than asked for, by sampling") {
-    for (int dim = 2; dim <= 4; ++dim)
+    for (const int dim : dimensions(2, 4))
         for (std::size_t n : {1, 2, 3, 12}) {
             INFO("D = " << dim << ", " << n << " points");
             Funnel funnel{dim, dim == 2 ? 0.05 : dim == 3 ? 0.15 : 0.4, 0.2};
@@ -211,7 +212,7 @@ TEST_CASE("one point: eps asks for nothing") {
 }
 
 TEST_CASE("sizes that cannot be reached are refused") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         const std::size_t n = dim < 4 ? 20 : 4;
         const inputs::Points points = inputs::uniform(dim, n);
         Session session(dim);
@@ -251,7 +252,7 @@ struct OnlyAtInputs {
 };
 
 TEST_CASE("a size refused at a Steiner point names the input nearest to it, and infinite ones ask for nothing") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const inputs::Points points = inputs::uniform(dim, 3);
         OnlyAtInputs only = {dim, &points, dim < 5 ? 0.3 : 0.45, -1};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "common/dimensions.hpp"
 #include "sweep/jobs.hpp"
 
 namespace {
@@ -195,7 +196,7 @@ netmesh_status measure(Run& run) {
 }  // namespace
 
 void add_diagram_jobs(std::vector<Job>* jobs) {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         const std::size_t few = dim == 2 ? 5 : dim == 3 ? 3 : 2;
         const bool large = dim >= 4;
         jobs->push_back(Job{"knn", dim, few, knn}.large(large));
@@ -204,16 +205,16 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back(Job{"bounds", dim, few, bounds}.keeping_diagram().large(large));
         jobs->push_back(Job{"bounds-chain", dim, 3, chain}.keeping_diagram().large(large));
         jobs->push_back(Job{"function", dim, few, function}.large(large));
-        static const std::size_t some[] = {0, 0, 6, 24, 10, 6, 4};
-        jobs->push_back(Job{"irregular", dim, some[dim], irregular}.large(dim > 2).tries(60));
-        static const std::size_t more[] = {0, 0, 16, 24, 20, 14, 9};
-        const Job rough_cycles = Job{"rough-cycles", dim, more[dim], irregular_cycles}.keeping_diagram().large();
+        const std::size_t some = by_dimension<std::size_t>(dim, {6, 24, 10, 6, 4});
+        jobs->push_back(Job{"irregular", dim, some, irregular}.large(dim > 2).tries(60));
+        const std::size_t more = by_dimension<std::size_t>(dim, {16, 24, 20, 14, 9});
+        const Job rough_cycles = Job{"rough-cycles", dim, more, irregular_cycles}.keeping_diagram().large();
         jobs->push_back(rough_cycles.tries(dim == 3 ? 300 : 100));
         jobs->push_back(Job{"scales-one", dim, 1, scales}.large().tries(30));
         jobs->push_back(Job{"cycles", dim, few, represent}.keeping_diagram().large(large).tries(100));
         jobs->push_back(Job{"cycles-all", dim, few, represent_all}.keeping_diagram().large(large).tries(40));
-        static const std::size_t alpha[] = {0, 0, 16, 8, 7, 7, 7};
-        jobs->push_back(Job{"cycles-alpha", dim, alpha[dim], represent_alpha}.keeping_diagram().large(large));
+        const std::size_t alpha = by_dimension<std::size_t>(dim, {16, 8, 7, 7, 7});
+        jobs->push_back(Job{"cycles-alpha", dim, alpha, represent_alpha}.keeping_diagram().large(large));
         jobs->push_back(Job{"vineyard", dim, few, vineyard}.large(dim > 2).tries(dim > 2 ? 40 : 100));
         jobs->push_back(Job{"analyse", dim, few, analyse}.large(large).tries(100));
         jobs->push_back(Job{"measure", dim, few, measure}.large(large).tries(100));

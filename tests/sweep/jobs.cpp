@@ -4,6 +4,7 @@
 #include <map>
 
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 #include "sweep/harness.hpp"
 
@@ -31,9 +32,10 @@ inputs::Points repeated_points(const Job& job) { return inputs::repeated(job.dim
 inputs::Points spread_points(const Job& job) { return inputs::geometric(job.dim, 20, job.points - 1); }
 // The same with gaps that are just too narrow: Steiner points release a cage.
 inputs::Points narrow_pairs(const Job& job) {
-    const double gap[] = {0, 0, 0.07, 0x1.bda73b8bfa5b9p-4, 0.0625, 0x1.c1a8aed55a266p-4, 0x1.2bc89d5a28729p-4};
-    const std::uint64_t seed[] = {0, 0, 1, 572, 641, 185, 795};
-    return inputs::close_pairs(job.dim, job.points / 2, gap[job.dim], seed[job.dim]);
+    const double gap =
+        by_dimension<double>(job.dim, {0.07, 0x1.bda73b8bfa5b9p-4, 0.0625, 0x1.c1a8aed55a266p-4, 0x1.2bc89d5a28729p-4});
+    const std::uint64_t seed = by_dimension<std::uint64_t>(job.dim, {1, 572, 641, 185, 795});
+    return inputs::close_pairs(job.dim, job.points / 2, gap, seed);
 }
 inputs::Points close_pairs(const Job& job) { return inputs::close_pairs(job.dim, job.points / 2, 0.02, 2); }
 
@@ -227,7 +229,7 @@ const inputs::Points& Run::points() const { return made<uniform_points>(job); }
 
 void add_mesh_jobs(std::vector<Job>* jobs) {
     jobs->insert(jobs->end(), std::begin(low_dimensions), std::end(low_dimensions));
-    for (int dim = 5; dim <= 6; ++dim) {
+    for (const int dim : dimensions(5, 6)) {
         jobs->push_back({"delaunay", dim, 9, delaunay});
         jobs->push_back({"repeated", dim, 8, repeated});
         jobs->push_back({"alpha", dim, 8, alpha});
