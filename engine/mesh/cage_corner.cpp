@@ -27,8 +27,7 @@ template <int D> bool find_boundary_cell(Store<D>& store, const Cage& cage, Cell
 }  // namespace
 
 // Cells on the boundary are connected.
-template <int D>
-bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, Corner<D>* corner) {
+template <int D> bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, Corner<D>* corner) {
     const double* const centre = store.point(cage.centre);
     CellId first;
     if (!find_boundary_cell<D>(store, cage, &first)) return false;
@@ -51,8 +50,7 @@ bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, 
     return true;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*);
+#define NETMESH_INSTANTIATE(D) template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
