@@ -35,7 +35,8 @@ function(netmesh_can_finish out out_ok out_why)
     "template <class T> T twice(T x) { return x + x; }\ntemplate double twice<double>(double);\n"
     "extern \"C\" double netmesh_b(double x) { return twice(x); }\n")
   foreach(unit a b)
-    execute_process(COMMAND ${CMAKE_CXX_COMPILER} ${user_flags} ${NETMESH_ENGINE_FLAGS} -c ${dir}/${unit}.cpp -o ${dir}/${unit}.o
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} ${user_flags} ${NETMESH_ENGINE_FLAGS}
+        -c ${dir}/${unit}.cpp -o ${dir}/${unit}.o
       RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
     if(failed)
       set(${out_why} "the compiler refuses a small file" PARENT_SCOPE)
@@ -87,5 +88,11 @@ else()
   message(STATUS "netmesh: ${NETMESH_WHY}; libnetmesh.a keeps its inner symbols global")
   add_library(netmesh STATIC $<TARGET_OBJECTS:netmesh_engine>)
 endif()
+add_library(netmesh::netmesh ALIAS netmesh)
 set_target_properties(netmesh PROPERTIES LINKER_LANGUAGE CXX)
 target_include_directories(netmesh PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include>)
+if(NETMESH_VALIDATE)
+  add_library(netmesh_validate STATIC ${PROJECT_SOURCE_DIR}/platform/validate.c)
+  target_link_libraries(netmesh_engine PUBLIC netmesh_validate)
+  target_link_libraries(netmesh PUBLIC netmesh_validate)
+endif()

@@ -1,9 +1,8 @@
-# cmake --install: archive, the two headers, what find_package and pkg-config read. Everything is relative to the prefix, so an
-# installation may be moved.
+# cmake --install: archive, the two headers, what find_package and pkg-config read. Everything is relative to the
+# prefix, so an installation may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-add_library(netmesh::netmesh ALIAS netmesh)
 target_include_directories(netmesh PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS netmesh EXPORT netmesh-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/engine/include/netmesh.h ${PROJECT_SOURCE_DIR}/engine/include/netmesh.hpp

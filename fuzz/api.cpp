@@ -1,45 +1,25 @@
-// Bytes to a sequence of calls on one context, in any order, with good arguments and bad ones. The block, and each
-// array, is allocated at its exact size, so that AddressSanitizer sees every access outside. Each call must end in a
-// known status that is not NETMESH_INTERNAL, with a text, and results must be readable as far as the report says.
+// Bytes to a sequence of calls on one context, in any order, with good arguments and bad ones. The block, each array and
+// each request is allocated at its exact size, so that AddressSanitizer sees every access outside. Each call must end in
+// a known status that is not NETMESH_INTERNAL, with a text, and results must be readable as far as the report says.
 #include <cstring>
 #include <vector>
 
-#include "fuzz/decoder.hpp"
-#include "netmesh.h"
+#include "common/read.hpp"
+#include "fuzz/choices.hpp"
 
 namespace {
 
+using fuzz::Choices;
 using fuzz::require;
 using fuzz::Tape;
 
-// A job of a fuzzer may not take long: so many polls, then it is cancelled.
-int poll_budget(void* user, const netmesh_progress* progress) {
-    require(progress->stage <= NETMESH_STAGE_COUNT);
-    int* const left = static_cast<int*>(user);
-    return --*left < 0;
-}
-
-struct Well {
-    int kind;
-};
-double size_of(void* user, const double* x) {
-    const double r = std::fabs(x[0]) + std::fabs(x[1]);
-    switch (static_cast<Well*>(user)->kind) {
-    case 0: return 1 + r / 8;
-    case 1: return std::numeric_limits<double>::infinity();
-    case 2: return 0;
-    case 3: return std::numeric_limits<double>::quiet_NaN();
-    default: return x[0];
-    }
-}
-double function_of(void* user, const double* x) {
-    const double r = std::fabs(x[0]) + std::fabs(x[1]);
-    switch (static_cast<Well*>(user)->kind) {
-    case 0: return r / 2;
-    case 1: return 1;
-    case 2: return -1;
-    case 3: return std::numeric_limits<double>::quiet_NaN();
-    default: return r > 2 ? std::numeric_limits<double>::infinity() : 0;
+// The corpus numbers jobs: 2 a mesh, 3 for persistence, 5 for the tight filter; others are no purpose of a mesh.
+netmesh_purpose purpose_of(std::uint32_t job) {
+    switch (job) {
+    case 2: return NETMESH_PURPOSE_MESH;
+    case 3: return NETMESH_PURPOSE_PERSIST;
+    case 5: return NETMESH_PURPOSE_TIGHT;
+    default: return static_cast<netmesh_purpose>(3 + job);
     }
 }
 
@@ -74,56 +54,29 @@ private:
     netmesh_status ended(netmesh_status status) {
         require(static_cast<unsigned>(status) <= NETMESH_NOT_A_COMPLEX && status != NETMESH_INTERNAL);
         require(netmesh_status_text(status) != nullptr);
-        const netmesh_detail detail = netmesh_get_detail(context_);
-        require(detail.message != nullptr);
+        const netmesh_detail detail = detail_of(context_);
+        require(detail.message != nullptr && detail.field < NETMESH_FIELD_COUNT);
+        require(netmesh_field_text(detail.field) != nullptr);
         if (status != NETMESH_OK) require(detail.status == status);
         return status;
     }
 
-    netmesh_options make_options() {
-        netmesh_options o;
-        netmesh_options_init(&o, dim_);
-        polls_left_ = 1;
-        well_.kind = 0;
-        o.poll = poll_budget;
-        o.user = &polls_left_;
-        if (tape_.below(4) != 0) return o;
-        switch (tape_.below(18)) {
-        case 0: o.dim = dim_ = 2 + tape_.below(5); break;
-        case 1: o.dim = tape_.byte(); break;
-        case 2: o.struct_bytes = tape_.byte(); break;
-        case 3: o.tau = tape_.number(); break;
-        case 4: o.domain_factor = tape_.number(); break;
-        case 5: o.eps = tape_.number(); break;
-        case 6: o.theta = tape_.number(); break;
-        case 7: o.k = tape_.byte(); break;
-        case 8: polls_left_ = 0; break;
-        case 9: o.finish = tape_.below(3); break;
-        case 10: o.over_refine_eps = tape_.number(); break;
-        case 11:
-            o.size = size_of;
-            o.size_user = &well_;
-            well_.kind = static_cast<int>(tape_.below(5));
-            break;
-        case 12: o.seed = tape_.byte(); break;
-        case 13: o.tau = 2 + tape_.byte() / 64.0; break;
-        case 14: o.ratio = 1.75 + tape_.byte() / 64.0; break;
-        case 15:
-            o.ratio = 2 + tape_.byte() / 64.0;
-            o.focus_ratio = o.ratio - tape_.byte() / 256.0;
-            o.focus_from = std::ldexp(1.0, static_cast<int>(tape_.below(16)) - 8);
-            o.focus_to = o.focus_from * (1 + tape_.byte() / 16.0);
-            break;
-        case 16: o.audit = tape_.below(5); break;
-        default:
-            (tape_.byte() & 1 ? o.ratio : o.focus_ratio) = tape_.number();
-            (tape_.byte() & 1 ? o.focus_from : o.focus_to) = tape_.number();
-            break;
-        }
-        return o;
+    Choices choose() {
+        handed_.clear();
+        return Choices::read(tape_, &dim_, &polls_left_, &well_);
     }
-    const netmesh_options* maybe(const netmesh_options& options) { return tape_.rarely() ? nullptr : &options; }
-
+    // What a call gets for its request.
+    template <class Request> const Request* maybe(const Request& request, const Choices& c) {
+        return tape_.rarely() ? nullptr : handed_.over(request, c);
+    }
+    // With the fields that requests of points have in common.
+    template <class Request> Request on_points(Request request, const Choices& c, const std::vector<double>& x) {
+        request.dim = c.dim;
+        request.monitor = c.monitor;
+        request.points = x.data();
+        request.point_count = c.dim == 0 ? 0 : x.size() / c.dim;
+        return request;
+    }
     std::vector<double> make_points(std::uint32_t dim) {
         std::vector<double> x;
         const std::uint32_t n = tape_.below(14);
@@ -131,108 +84,143 @@ private:
         return std::vector<double>(x);  // no spare capacity
     }
     netmesh_report report() {
-        netmesh_report r;
-        r.struct_bytes = sizeof r;
+        auto r = netmesh::sized<netmesh_report>();
         require(netmesh_get_report(context_, &r) == NETMESH_OK);
         return r;
     }
+    netmesh_status checked(std::uint32_t what, const netmesh_mesh_request& mesh, const Choices& c) {
+        netmesh::requests::Check request;
+        request.what = what;
+        request.monitor = c.monitor;
+        request.mesh = handed_.over(mesh, c);
+        return ended(netmesh_check(context_, &request));
+    }
 
     void triangulate() {
-        const netmesh_options o = make_options();
-        const std::vector<double> x = make_points(o.dim);
-        const std::size_t n = o.dim == 0 ? 0 : x.size() / o.dim;
-        if (ended(netmesh_delaunay(context_, tape_.rarely() ? nullptr : x.data(), n, maybe(o))) == NETMESH_OK) {
-            const netmesh_status status = ended(netmesh_check(context_, 7, &o));
+        const Choices c = choose();
+        const std::vector<double> x = make_points(c.dim);
+        netmesh_delaunay_request request = on_points(netmesh::requests::Delaunay(c.dim), c, x);
+        request.seed = c.seed;
+        if (tape_.rarely()) request.points = nullptr;
+        if (ended(netmesh_delaunay(context_, maybe<netmesh_delaunay_request>(request, c))) == NETMESH_OK) {
+            const netmesh_status status = checked(7, c.mesh_request(), c);
             require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY || status == NETMESH_INVALID_ARGUMENT ||
                     status == NETMESH_CANCELLED);
         }
     }
     void make_mesh() {
-        netmesh_options o = make_options();
-        o.method = static_cast<netmesh_method>(tape_.below(4));
-        const std::vector<double> x = make_points(o.dim);
-        const std::size_t n = o.dim == 0 ? 0 : x.size() / o.dim;
-        const auto job = static_cast<netmesh_job>(tape_.rarely() ? tape_.byte() : 2 + tape_.below(4));
-        ended(netmesh_mesh(context_, tape_.rarely() ? nullptr : x.data(), n, job, maybe(o)));
+        const Choices c = choose();
+        const auto method = static_cast<netmesh_method>(tape_.below(4));
+        const std::vector<double> x = make_points(c.dim);
+        netmesh_mesh_request request = on_points(c.mesh_request(), c, x);
+        request.method = method;
+        request.purpose = purpose_of(tape_.rarely() ? tape_.byte() : 2 + tape_.below(4));
+        if (tape_.rarely()) request.points = nullptr;
+        ended(netmesh_mesh(context_, maybe(request, c)));
     }
     void fit() {
-        netmesh_options o = make_options();
+        Choices c = choose();
         if (polls_left_ > 0) polls_left_ = 30;  // some runs
-        if (tape_.byte() & 1) o.ratio = 2 + tape_.byte() / 64.0;
+        if (tape_.byte() & 1) c.certificate.ratio = 2 + tape_.byte() / 64.0;
         if (tape_.byte() & 1) {
-            o.focus_from = std::ldexp(1.0, static_cast<int>(tape_.below(16)) - 8);
-            o.focus_to = o.focus_from * (1 + tape_.byte() / 16.0);
+            c.certificate.focus_from = std::ldexp(1.0, static_cast<int>(tape_.below(16)) - 8);
+            c.certificate.focus_to = c.certificate.focus_from * (1 + tape_.byte() / 16.0);
         }
-        const std::vector<double> x = make_points(o.dim);
-        const std::size_t n = o.dim == 0 ? 0 : x.size() / o.dim;
-        const std::uint32_t degree = tape_.below(8);
-        const int zeros = tape_.byte() & 1, bounds = tape_.byte() & 1;
-        if (ended(netmesh_fit(context_, tape_.rarely() ? nullptr : x.data(), n, degree, zeros, bounds, maybe(o))) !=
-            NETMESH_OK)
-            return;
+        const std::vector<double> x = make_points(c.dim);
+        netmesh_fit_request request = on_points(netmesh::requests::Fit(c.dim), c, x);
+        request.seed = c.seed;
+        request.ratio = c.certificate.ratio;
+        request.focus_from = c.certificate.focus_from;
+        request.focus_to = c.certificate.focus_to;
+        request.max_degree = tape_.below(8);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        request.bounds = tape_.byte() & 1;
+        if (tape_.rarely()) request.points = nullptr;
+        if (ended(netmesh_fit(context_, maybe<netmesh_fit_request>(request, c))) != NETMESH_OK) return;
         const netmesh_report r = report();
-        require(r.certified_ratio <= r.ratio && r.has_diagram != 0);
-        o.ratio = r.ratio;
-        o.focus_ratio = r.focus_ratio;
-        o.focus_from = r.focus_from;
-        o.focus_to = r.focus_to;
-        const netmesh_status status = ended(netmesh_check(context_, 15, &o));
-        require(status != NETMESH_CHECK_FAILED);
+        require(r.diagram.present != 0 && r.diagram.certified_ratio <= r.mesh.certificate.ratio);
+        netmesh_mesh_request made = c.mesh_request();
+        made.certificate = r.mesh.certificate;
+        require(checked(15, made, c) != NETMESH_CHECK_FAILED);
     }
     void persist() {
-        const netmesh_options o = make_options();
-        const auto filter = static_cast<netmesh_filter>(tape_.below(14));
-        const auto values = static_cast<netmesh_values>(tape_.rarely() ? tape_.byte() : tape_.below(2));
-        const std::uint32_t degree = tape_.below(8);
-        ended(netmesh_persist(context_, filter, values, degree, tape_.byte() & 1, maybe(o)));
+        const Choices c = choose();
+        netmesh::requests::Persist request(static_cast<netmesh_filter>(tape_.below(14)));
+        request.monitor = c.monitor;
+        request.k = c.k;
+        request.values = static_cast<netmesh_values>(tape_.rarely() ? tape_.byte() : tape_.below(2));
+        request.max_degree = tape_.below(8);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        ended(netmesh_persist(context_, maybe<netmesh_persist_request>(request, c)));
     }
     void persist_points() {
-        const netmesh_options o = make_options();
+        const Choices c = choose();
         const auto filter = static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 9 + tape_.below(4));
-        const auto values = static_cast<netmesh_values>(tape_.below(3));
-        const std::uint32_t k = tape_.below(6), degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
-        const int zeros = tape_.byte() & 1, cycles = tape_.byte() & 1;
-        const std::vector<double> x = make_points(o.dim);
-        const std::size_t n = o.dim == 0 ? 0 : x.size() / o.dim;
-        ended(netmesh_persist_points(context_, x.data(), n, filter, values, k, degree, zeros, cycles, maybe(o)));
+        netmesh_points_request request = netmesh::requests::Points(c.dim, filter);
+        request.values = static_cast<netmesh_values>(tape_.below(3));
+        request.k = tape_.below(6);
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        request.representatives = tape_.byte() & 1;
+        const std::vector<double> x = make_points(c.dim);
+        request = on_points(request, c, x);
+        ended(netmesh_persist_points(context_, maybe(request, c)));
     }
-    void homology() {
-        const netmesh_options o = make_options();
+    // A complex of few vertices: subsets are frequent. Entries grow with the size unless a byte says otherwise.
+    struct Complex {
         std::vector<std::uint32_t> vertices;
         std::vector<std::uint64_t> starts = {0};
-        std::vector<double> values;
+        std::vector<double> entries;
+    };
+    Complex make_complex() {
+        Complex made;
         const std::uint32_t count = tape_.below(40);
         for (std::uint32_t i = 0; i < count; ++i) {
-            // A mask of few vertices: subsets are frequent. Values grow with the size unless the byte says otherwise.
             const std::uint32_t mask = tape_.below(32), how = tape_.byte();
             double size = 0;
             for (std::uint32_t v = 0; v < 5; ++v) {
                 if (mask >> v & 1) {
-                    vertices.push_back(how == 200 ? UINT32_MAX : v);
+                    made.vertices.push_back(how == 200 ? UINT32_MAX : v);
                     ++size;
                 }
             }
-            starts.push_back(how == 201 ? starts.back() / 2 : vertices.size());
-            values.push_back(how >= 250 ? tape_.number() : size);
+            made.starts.push_back(how == 201 ? made.starts.back() / 2 : made.vertices.size());
+            made.entries.push_back(how >= 250 ? tape_.number() : size);
         }
-        const std::vector<std::uint32_t> v(vertices);
-        const std::vector<std::uint64_t> s(starts);
-        const std::vector<double> t(values);
-        const std::uint32_t degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
-        const int zeros = tape_.byte() & 1, cycles = tape_.byte() & 1;
-        ended(netmesh_homology(context_, v.data(), s.data(), t.data(), count, degree, zeros, cycles, maybe(o)));
+        return Complex(static_cast<const Complex&>(made));  // no spare capacity
+    }
+    void homology() {
+        const Choices c = choose();
+        const Complex complex = make_complex();
+        netmesh::requests::Homology request;
+        request.monitor = c.monitor;
+        request.vertices = complex.vertices.data();
+        request.starts = complex.starts.data();
+        request.entries = complex.entries.data();
+        request.simplex_count = complex.entries.size();
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        request.representatives = tape_.byte() & 1;
+        ended(netmesh_homology(context_, maybe<netmesh_homology_request>(request, c)));
     }
     void vineyard() {
-        const netmesh_options o = make_options();
-        const auto filter = static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 4 + tape_.below(2));
-        const std::uint32_t first = tape_.below(4), last = first + tape_.below(4);
-        ended(netmesh_vineyard(context_, filter, first, last, static_cast<netmesh_values>(tape_.below(3)),
-                               tape_.below(7), maybe(o)));
+        const Choices c = choose();
+        netmesh::requests::Vineyard request(
+            static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 4 + tape_.below(2)));
+        request.monitor = c.monitor;
+        request.k_first = tape_.below(4);
+        request.k_last = request.k_first + tape_.below(4);
+        request.values = static_cast<netmesh_values>(tape_.below(3));
+        request.max_degree = tape_.below(7);
+        ended(netmesh_vineyard(context_, maybe<netmesh_vineyard_request>(request, c)));
     }
     void persist_function() {
-        const netmesh_options o = make_options();
+        const Choices c = choose();
         well_.kind = static_cast<int>(tape_.below(5));
-        netmesh_function f = {function_of, &well_, 1, 0, 1};
+        netmesh::requests::Function f;
+        f.evaluate = fuzz::function_of;
+        f.user = &well_;
+        f.lipschitz = f.cut = 1;
         switch (tape_.below(6)) {
         case 0: f.evaluate = nullptr; break;
         case 1: f.lipschitz = tape_.number(); break;
@@ -240,162 +228,211 @@ private:
         case 3: f.cut = tape_.number(); break;
         default: break;
         }
-        ended(netmesh_persist_function(context_, tape_.rarely() ? nullptr : &f,
-                                       static_cast<netmesh_values>(tape_.below(3)), tape_.below(7), tape_.byte() & 1,
-                                       maybe(o)));
+        netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
+        request.monitor = c.monitor;
+        request.function = tape_.rarely() ? nullptr : handed_.over<netmesh_function>(f, c);
+        request.values = static_cast<netmesh_values>(tape_.below(3));
+        request.max_degree = tape_.below(7);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        ended(netmesh_persist(context_, maybe<netmesh_persist_request>(request, c)));
     }
     void persist_scales() {
-        const netmesh_options o = make_options();
-        const std::vector<double> x = make_points(o.dim);
-        const std::size_t n = o.dim == 0 ? 0 : x.size() / o.dim;
-        const auto values = static_cast<netmesh_values>(tape_.below(3));
-        ended(netmesh_persist_scales(context_, x.data(), n, values, tape_.below(7), tape_.byte() & 1, maybe(o)));
+        const Choices c = choose();
+        const std::vector<double> x = make_points(c.dim);
+        netmesh_scales_request request = on_points(netmesh::requests::Scales(c.dim), c, x);
+        request.seed = c.seed;
+        request.tau = c.tau;
+        request.eps = c.eps;
+        request.theta = c.theta;
+        request.values = static_cast<netmesh_values>(tape_.below(3));
+        request.max_degree = tape_.below(7);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        ended(netmesh_persist_scales(context_, maybe(request, c)));
+    }
+    void represent() {
+        const Choices c = choose();
+        netmesh::requests::Represent request;
+        request.monitor = c.monitor;
+        ended(netmesh_represent(context_, maybe<netmesh_represent_request>(request, c)));
+    }
+    void bound_bars() {
+        const Choices c = choose();
+        netmesh::requests::Bounds request;
+        request.monitor = c.monitor;
+        ended(netmesh_bound_bars(context_, maybe<netmesh_bounds_request>(request, c)));
     }
     void analyse() {
-        const netmesh_options o = make_options();
+        const Choices c = choose();
         static const double tolerances[] = {0, 16, 4, 1, -1};
-        netmesh_analysis a;
-        a.struct_bytes = tape_.rarely() ? tape_.byte() : sizeof a;
-        const std::uint32_t what = tape_.below(10);
-        const double tolerance = tolerances[tape_.below(5)];
-        ended(netmesh_analyse(context_, what, tolerance, maybe(o), tape_.rarely() ? nullptr : &a));
+        const std::uint32_t bytes =
+            tape_.rarely() ? tape_.byte() : static_cast<std::uint32_t>(sizeof(netmesh_analysis));
+        netmesh_analysis* const analysis = handed_.over(netmesh_analysis{}, bytes);
+        netmesh::requests::Analyse request;
+        request.what = tape_.below(10);
+        request.tolerance = tolerances[tape_.below(5)];
+        request.monitor = c.monitor;
+        const netmesh_mesh_request mesh = c.mesh_request();
+        request.mesh = handed_.over(mesh, c);
+        const netmesh_analyse_request* const handed = tape_.rarely() ? nullptr : &request;
+        ended(netmesh_analyse(context_, handed, tape_.rarely() ? nullptr : analysis));
     }
     void orders() {
         const netmesh_report r = report();
-        std::vector<std::uint32_t> order(r.inputs);
-        std::vector<double> theta(r.inputs);
+        std::vector<std::uint32_t> order(r.mesh.inputs);
+        std::vector<double> theta(r.mesh.inputs);
         const netmesh_status status = ended(netmesh_well_paced_order(context_, order.data(), theta.data()));
-        require(status != NETMESH_OK || r.cells != 0);
+        require(status != NETMESH_OK || r.mesh.present != 0);
         if (status != NETMESH_OK) return;
         if (tape_.byte() & 1) order[0] = tape_.byte();
         ended(netmesh_pace(context_, order.data(), theta.data()));
     }
     void measure() {
         const netmesh_report r = report();
-        std::vector<double> ratios(r.vertices);
-        std::vector<std::uint32_t> domains(r.vertices);
+        std::vector<double> ratios(r.mesh.vertices);
+        std::vector<std::uint32_t> domains(r.mesh.vertices);
         ended(netmesh_measure_cells(context_, ratios.data(), domains.data()));
     }
 
+    // A mesh to load.
+    struct Arrays {
+        std::uint32_t dim;
+        std::vector<double> vertices;
+        std::vector<std::uint8_t> markers;
+        std::vector<std::uint32_t> cells;
+        std::uint64_t cell_count;
+        double domain[NETMESH_DIM_MAX + 1];
+    };
+    Arrays held(const netmesh_report& r) {
+        Arrays a = {};
+        a.dim = r.mesh.present != 0 ? r.input.dim : 2;
+        for (const netmesh_vertex& v : read_all(context_, netmesh_get_vertex)) {
+            a.vertices.insert(a.vertices.end(), v.coordinates, v.coordinates + a.dim);
+            a.markers.push_back(static_cast<std::uint8_t>(v.marker));
+        }
+        for (const netmesh_cell& c : read_all(context_, netmesh_get_cell))
+            a.cells.insert(a.cells.end(), c.vertices, c.vertices + a.dim + 1);
+        a.cell_count = r.mesh.cells;
+        require(a.markers.size() == r.mesh.vertices && a.cells.size() == a.cell_count * (a.dim + 1));
+        std::memcpy(a.domain, r.mesh.domain, sizeof a.domain);
+        return a;
+    }
+    // Arbitrary cells on arbitrary points.
+    void invent(Arrays* a) {
+        a->vertices = make_points(a->dim);
+        a->markers.assign(a->vertices.size() / a->dim, 0);
+        a->cells.resize((a->dim + 1) * tape_.below(6));
+        for (std::uint32_t& v : a->cells) v = tape_.below(12);
+        a->cell_count = a->cells.size() / (a->dim + 1);
+        for (double& x : a->domain) x = tape_.number();
+    }
+    void change_one(Arrays* a) {
+        const std::size_t low = tape_.byte(), at = low + 256u * tape_.byte();
+        switch (tape_.below(7)) {
+        case 0: a->cells[at % a->cells.size()] = tape_.byte(); break;
+        case 1: a->vertices[at % a->vertices.size()] = tape_.number(); break;
+        case 2: a->markers[at % a->markers.size()] = tape_.byte(); break;
+        case 3: a->domain[at % (a->dim + 1)] = tape_.number(); break;
+        case 4: --a->cell_count; break;
+        case 5: a->cells[at % a->cells.size()] = UINT32_MAX; break;
+        default: break;
+        }
+    }
     // What the context holds, a byte of it changed or not.
     void load() {
-        const netmesh_options o = make_options();
+        Choices c = choose();
         const netmesh_report r = report();
-        const std::uint32_t dim = r.dim >= 2 ? r.dim : 2;
-        const std::uint64_t count = r.cells != 0 ? r.vertices : 0;
-        std::vector<double> vertices(count * dim);
-        std::vector<std::uint8_t> markers(count);
-        std::vector<std::uint32_t> cells(r.cells * (dim + 1));
-        for (std::uint64_t i = 0; i < count; ++i) {
-            netmesh_vertex v;
-            require(netmesh_get_vertex(context_, i, &v) == NETMESH_OK);
-            std::memcpy(&vertices[i * dim], v.coordinates, dim * sizeof(double));
-            markers[i] = static_cast<std::uint8_t>(v.marker);
-        }
-        for (std::uint64_t i = 0; i < r.cells; ++i) {
-            netmesh_cell c;
-            require(netmesh_get_cell(context_, i, &c) == NETMESH_OK);
-            std::memcpy(&cells[i * (dim + 1)], c.vertices, (dim + 1) * sizeof(std::uint32_t));
-        }
-        double domain[NETMESH_DIM_MAX + 1];
-        std::memcpy(domain, r.domain, sizeof domain);
-        std::uint64_t cell_count = r.cells;
-        if (r.cells == 0) {  // arbitrary cells on arbitrary points
-            vertices = make_points(dim);
-            markers.assign(vertices.size() / dim, 0);
-            cells.resize((dim + 1) * tape_.below(6));
-            for (std::uint32_t& v : cells) v = tape_.below(12);
-            cell_count = cells.size() / (dim + 1);
-            for (double& x : domain) x = tape_.number();
+        Arrays a = held(r);
+        if (r.mesh.present == 0) {
+            if (r.input.dim >= 2) a.dim = r.input.dim;
+            invent(&a);
         } else {
-            const std::size_t at = tape_.byte() + 256u * tape_.byte();
-            switch (tape_.below(7)) {
-            case 0: cells[at % cells.size()] = tape_.byte(); break;
-            case 1: vertices[at % vertices.size()] = tape_.number(); break;
-            case 2: markers[at % markers.size()] = tape_.byte(); break;
-            case 3: domain[at % (dim + 1)] = tape_.number(); break;
-            case 4: --cell_count; break;
-            case 5: cells[at % cells.size()] = UINT32_MAX; break;
-            default: break;
-            }
+            change_one(&a);
         }
-        const std::vector<double> v(vertices);
+        const std::vector<double> vertices(a.vertices);  // no spare capacity
         const std::uint8_t null = tape_.below(8) == 7 ? tape_.byte() : std::uint8_t{0};
-        const bool with_domain = r.is_mesh != 0 || (tape_.byte() & 1) != 0;
-        netmesh_options used = o;
-        if (r.cells != 0 && o.dim != dim && o.dim > dim) used.dim = dim;  // the arrays have rows of dim numbers
-        if (r.cells == 0 && o.dim > dim) used.dim = dim;
-        ended(netmesh_load(context_, null & 1 ? nullptr : v.data(), null & 2 ? nullptr : markers.data(), markers.size(),
-                           null & 4 ? nullptr : cells.data(), cell_count, with_domain ? domain : nullptr,
-                           null & 8 ? nullptr : &used));
+        const bool with_domain = r.mesh.is_mesh != 0 || (tape_.byte() & 1) != 0;
+        if (c.dim > a.dim) c.dim = a.dim;  // the arrays have rows of so many numbers
+        netmesh::requests::Load request(c.dim);
+        request.dim = c.dim;
+        request.monitor = c.monitor;
+        request.vertices = null & 1 ? nullptr : vertices.data();
+        request.markers = null & 2 ? nullptr : a.markers.data();
+        request.vertex_count = a.markers.size();
+        request.cells = null & 4 ? nullptr : a.cells.data();
+        request.cell_count = a.cell_count;
+        request.domain = with_domain ? a.domain : nullptr;
+        request.mesh = handed_.over(c.mesh_request(), c);
+        ended(netmesh_load(context_, null & 8 ? nullptr : &request));
     }
     void load_cages() {
-        const netmesh_options o = make_options();
-        std::vector<netmesh_cage> cages;
-        const netmesh_report r = report();
-        for (std::uint64_t i = 0; i < r.cages; ++i) {
-            netmesh_cage c;
-            require(netmesh_get_cage(context_, i, &c) == NETMESH_OK);
-            cages.push_back(c);
+        const Choices c = choose();
+        std::vector<netmesh_cage> cages = read_all(context_, netmesh_get_cage);
+        require(cages.size() == report().mesh.hierarchy.cages);
+        if (tape_.byte() & 1) {
+            const std::uint32_t centre = tape_.below(16), parent = tape_.below(3);
+            cages.push_back({sizeof(netmesh_cage), centre, parent, tape_.number()});
         }
-        if (tape_.byte() & 1) cages.push_back({tape_.below(16), tape_.below(3), tape_.number()});
         const std::vector<netmesh_cage> list(cages);
-        ended(netmesh_load_cages(context_, list.data(), list.size(), maybe(o)));
+        netmesh::requests::Cages request;
+        request.monitor = c.monitor;
+        request.cages = list.data();
+        request.cage_count = list.size();
+        ended(netmesh_load_cages(context_, maybe<netmesh_cages_request>(request, c)));
     }
     void check() {
-        const netmesh_options o = make_options();
-        ended(netmesh_check(context_, tape_.below(40), maybe(o)));
+        const Choices c = choose();
+        netmesh::requests::Check request;
+        request.what = tape_.below(40);
+        request.monitor = c.monitor;
+        request.mesh = handed_.over(c.mesh_request(), c);
+        ended(netmesh_check(context_, tape_.rarely() ? nullptr : &request));
     }
 
     // Everything that the report announces can be read, and the next one behind it cannot.
-    void read_all() {
+    void read_results() {
         const netmesh_report r = report();
-        netmesh_vertex v;
-        // Without cells there are no vertices to read: the report counts those of a complex.
-        const std::uint64_t vertices = r.cells != 0 ? r.vertices : 0;
-        for (std::uint64_t i = 0; i < vertices; ++i) require(netmesh_get_vertex(context_, i, &v) == NETMESH_OK);
-        require(netmesh_get_vertex(context_, vertices, &v) != NETMESH_OK);
-        netmesh_cell c;
-        for (std::uint64_t i = 0; i < r.cells; ++i) {
-            require(netmesh_get_cell(context_, i, &c) == NETMESH_OK);
-            for (std::uint32_t j = 0; j <= r.dim; ++j)
-                require(c.vertices[j] < r.vertices && (c.neighbours[j] < r.cells || c.neighbours[j] == NETMESH_NONE));
-        }
-        require(netmesh_get_cell(context_, r.cells, &c) != NETMESH_OK);
+        netmesh::for_each_figure(r, [](const netmesh_figure& f) { require(f.path != nullptr && f.values != nullptr); });
+        require(read_all(context_, netmesh_get_vertex).size() == r.mesh.vertices);
+        const std::vector<netmesh_cell> cells = read_all(context_, netmesh_get_cell);
+        require(cells.size() == r.mesh.cells);
+        for (const netmesh_cell& c : cells)
+            for (std::uint32_t j = 0; j <= r.input.dim; ++j)
+                require(c.vertices[j] < r.mesh.vertices &&
+                        (c.neighbours[j] < r.mesh.cells || c.neighbours[j] == NETMESH_NONE));
         std::uint64_t pairs = 0;
-        for (const std::uint64_t n : r.pairs) pairs += n;
-        if (r.has_diagram == 0) pairs = 0;
-        for (std::uint64_t i = 0; i < pairs; ++i) read_pair(i);
-        netmesh_pair pair;
-        require(netmesh_get_pair(context_, pairs, &pair) != NETMESH_OK);
-        netmesh_vine_point p;
-        const std::uint64_t vine_points = r.has_vineyard != 0 ? r.vine_points : 0;
-        for (std::uint64_t i = 0; i < vine_points; ++i) require(netmesh_get_vine_point(context_, i, &p) == NETMESH_OK);
-        require(netmesh_get_vine_point(context_, vine_points, &p) != NETMESH_OK);
+        for (const std::uint64_t n : r.diagram.pairs) pairs += n;
+        const std::vector<netmesh_pair> list = read_all(context_, netmesh_get_pair);
+        require(list.size() == pairs);
+        for (std::uint64_t i = 0; i < pairs; ++i) read_pair(i, list[i]);
+        require(read_all(context_, netmesh_get_vine_point).size() == r.vineyard.points);
+        require(read_all(context_, netmesh_get_cage).size() == r.mesh.hierarchy.cages);
         double ratio;
         netmesh_get_vine_ratio(context_, tape_.byte(), &ratio);
-        netmesh_cage cage;
-        require(netmesh_get_cage(context_, r.cages, &cage) != NETMESH_OK);
+        read_far_behind();
+    }
+    void read_far_behind() {
+        auto v = netmesh::sized<netmesh_vertex>();
+        auto c = netmesh::sized<netmesh_cell>();
+        auto pair = netmesh::sized<netmesh_pair>();
         require(netmesh_get_vertex(context_, UINT64_MAX - tape_.byte(), &v) != NETMESH_OK);
         require(netmesh_get_cell(context_, UINT64_MAX - tape_.byte(), &c) != NETMESH_OK);
         require(netmesh_get_pair(context_, UINT64_MAX - tape_.byte(), &pair) != NETMESH_OK);
         require(netmesh_get_pair(context_, 0, nullptr) != NETMESH_OK);
     }
-    void read_pair(std::uint64_t i) {
-        netmesh_pair pair;
-        require(netmesh_get_pair(context_, i, &pair) == NETMESH_OK && pair.death >= pair.birth);
-        netmesh_bar_bounds bounds;
+    void read_pair(std::uint64_t i, const netmesh_pair& pair) {
+        require(pair.death >= pair.birth);
+        auto bounds = netmesh::sized<netmesh_bar_bounds>();
         netmesh_get_bar_bounds(context_, i, &bounds);
-        netmesh_scale_step step;
+        auto step = netmesh::sized<netmesh_scale_step>();
         if (netmesh_get_scale_step(context_, i, &step) == NETMESH_OK)
             require(step.from <= step.reach && step.ratio >= 1);
         std::uint64_t simplices = 0;
         if (netmesh_get_cycle(context_, i, &simplices) != NETMESH_OK) return;
-        netmesh_simplex s;
-        for (std::uint64_t j = 0; j < simplices; ++j) {
-            require(netmesh_get_cycle_simplex(context_, i, j, &s) == NETMESH_OK);
+        const std::vector<netmesh_simplex> cycle = cycle_of(context_, i);
+        require(cycle.size() == simplices);
+        for (const netmesh_simplex& s : cycle)
             for (std::uint32_t a = 1; a <= pair.degree; ++a) require(s.vertices[a - 1] < s.vertices[a]);
-        }
+        auto s = netmesh::sized<netmesh_simplex>();
         require(netmesh_get_cycle_simplex(context_, i, simplices, &s) != NETMESH_OK);
     }
 
@@ -408,12 +445,42 @@ private:
         block_ = other;
         require(netmesh_adopt(block_, &context_) == NETMESH_OK && context_ != nullptr);
     }
+    // The corpus numbers jobs: 1 and 4 are triangulations, 6 is scale by scale, the others are meshes.
+    void plan_job(std::uint32_t job, const Choices& c, std::uint64_t n) {
+        netmesh::requests::Delaunay delaunay(c.dim);
+        delaunay.point_count = n;
+        delaunay.purpose = job == 4 ? NETMESH_PURPOSE_PERSIST : NETMESH_PURPOSE_MESH;
+        netmesh::requests::Scales scales(c.dim);
+        scales.point_count = n;
+        scales.tau = c.tau;
+        scales.eps = c.eps;
+        scales.theta = c.theta;
+        netmesh_mesh_request mesh = c.mesh_request();
+        mesh.point_count = n;
+        mesh.purpose = purpose_of(job);
+        if (job == 1 || job == 4) {
+            netmesh_plan_delaunay(maybe<netmesh_delaunay_request>(delaunay, c));
+        } else if (job == 6) {
+            netmesh_plan_scales(maybe<netmesh_scales_request>(scales, c));
+        } else {
+            netmesh_plan_mesh(maybe(mesh, c));
+        }
+    }
     void plan() {
-        const netmesh_options o = make_options();
+        const Choices c = choose();
         const std::uint64_t n = tape_.rarely() ? UINT64_MAX / (tape_.byte() + 1u) : tape_.byte();
-        netmesh_plan_bytes(static_cast<netmesh_job>(tape_.below(9)), maybe(o), n);
-        netmesh_points_bytes(static_cast<netmesh_filter>(tape_.below(16)), maybe(o), n, tape_.byte(), tape_.byte());
-        netmesh_homology_bytes(n, UINT64_MAX / (tape_.byte() + 1u));
+        plan_job(tape_.below(9), c, n);
+        netmesh_points_request points = netmesh::requests::Points(c.dim, static_cast<netmesh_filter>(tape_.below(16)));
+        points.dim = c.dim;
+        points.point_count = n;
+        const netmesh_points_request* const handed = tape_.rarely() ? nullptr : &points;
+        points.k = tape_.byte();
+        points.max_degree = tape_.byte();
+        netmesh_plan_points(handed);
+        netmesh::requests::Homology homology;
+        homology.simplex_count = n;
+        homology.vertex_count = UINT64_MAX / (tape_.byte() + 1u);
+        netmesh_plan_homology(&homology);
     }
 
     void call() {
@@ -428,16 +495,8 @@ private:
         case 7: return homology();
         case 8: return vineyard();
         case 9:
-        case 10: {
-            const netmesh_options o = make_options();
-            ended(netmesh_represent(context_, maybe(o)));
-            return;
-        }
-        case 11: {
-            const netmesh_options o = make_options();
-            ended(netmesh_bound_bars(context_, maybe(o)));
-            return;
-        }
+        case 10: return represent();
+        case 11: return bound_bars();
         case 12: return analyse();
         case 13: return check();
         case 14: return load();
@@ -449,18 +508,19 @@ private:
         case 20: return move();
         case 21: return plan();
         case 22: return fit();
-        case 23: return tape_.rarely() ? start() : read_all();
-        default: return read_all();
+        case 23: return tape_.rarely() ? start() : read_results();
+        default: return read_results();
         }
     }
 
     Tape tape_;
+    fuzz::Handed handed_;
     void* block_;
     std::size_t block_bytes_ = 0;
     netmesh_context* context_ = nullptr;
     std::uint32_t dim_ = 2;
     int polls_left_ = 0;
-    Well well_ = {0};
+    fuzz::Well well_ = {0};
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/bottleneck.hpp"
 #include "fuzz/decoder.hpp"
-#include "netmesh.h"
 
 namespace {
 
@@ -69,7 +69,9 @@ Diagram decode_diagram(fuzz::Tape& tape, bool log) {
     const std::uint32_t count = tape.below(4);
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint8_t how = tape.byte();
-        netmesh_pair p = {how & 1u, fuzz::coordinate(tape.byte()), fuzz::coordinate(tape.byte())};
+        netmesh_pair p = bar(how & 1u, 0, 0);
+        p.birth = fuzz::coordinate(tape.byte());
+        p.death = fuzz::coordinate(tape.byte());
         if (how % 8 == 7) {  // neighbours in the last place, of few values
             p.birth = 1 + std::ldexp(how >> 4, -52);
             p.death = p.birth * (1 + (how & 16));
@@ -82,17 +84,6 @@ Diagram decode_diagram(fuzz::Tape& tape, bool log) {
     return Diagram(result);
 }
 
-netmesh_status distance(const Diagram& a, const Diagram& b, std::uint32_t degree, bool log, netmesh_distance* result) {
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
-    void* const scratch = std::malloc(bytes);
-    require(scratch != nullptr);
-    const netmesh_status status =
-        netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), degree,
-                           log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN, scratch, bytes, nullptr, nullptr, result);
-    std::free(scratch);
-    return status;
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -102,9 +93,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Diagram a = decode_diagram(tape, log);
     const Diagram b = decode_diagram(tape, log);
 
-    netmesh_distance found = {-1, -1}, turned = {-1, -1};
-    require(distance(a, b, degree, log, &found) == NETMESH_OK);
-    require(distance(b, a, degree, log, &turned) == NETMESH_OK);
+    const netmesh_scale scaling = log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN;
+    const Distance found = bottleneck(a, b, scaling, degree), turned = bottleneck(b, a, scaling, degree);
+    require(found.status == NETMESH_OK && turned.status == NETMESH_OK);
     require(found.value == turned.value && found.exponent == turned.exponent);
     const Scale scale = {log};
     Real expected = scale.least();
@@ -130,7 +121,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         case 2: p.birth = std::numeric_limits<double>::infinity(); break;
         default: p.death = std::nextafter(p.birth, -std::numeric_limits<double>::infinity()); break;
         }
-        require(distance(a, b, NETMESH_ALL_DEGREES, log, &found) == NETMESH_INVALID_ARGUMENT);
+        require(bottleneck(a, b, scaling).status == NETMESH_INVALID_ARGUMENT);
     }
     return 0;
 }

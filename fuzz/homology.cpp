@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fuzz/decoder.hpp"
-#include "netmesh.h"
+#include "netmesh.hpp"
 
 namespace {
 
@@ -69,7 +69,7 @@ std::vector<netmesh_pair> naive_diagram(const std::vector<Simplex>& order, std::
     const auto add = [&](std::uint32_t birth, double death) {
         const std::uint32_t degree = size_of(order[birth].mask) - 1;
         if (degree <= max_degree && (keep_zero || death != order[birth].value))
-            pairs.push_back({degree, order[birth].value, death});
+            pairs.push_back({sizeof(netmesh_pair), degree, order[birth].value, death});
     };
     for (std::uint32_t j = 0; j < order.size(); ++j) {
         Column column = boundary(order, order[j].mask);
@@ -98,8 +98,9 @@ void check_cycle(const netmesh_context* context, std::uint64_t index, const netm
     std::map<std::vector<std::uint32_t>, int> faces;
     double last = -std::numeric_limits<double>::infinity();
     for (std::uint64_t i = 0; i < count; ++i) {
-        netmesh_simplex s;
+        auto s = netmesh::sized<netmesh_simplex>();
         require(netmesh_get_cycle_simplex(context, index, i, &s) == NETMESH_OK);
+        require(s.degree == pair.degree);
         last = std::max(last, s.value);
         for (std::uint32_t skip = 0; skip <= pair.degree && pair.degree > 0; ++skip) {
             std::vector<std::uint32_t> face;
@@ -117,7 +118,7 @@ void check_cycle(const netmesh_context* context, std::uint64_t index, const netm
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::Tape tape(data, size);
     const std::uint32_t max_degree = tape.below(6);
-    const int keep_zero = tape.byte() & 1, representatives = tape.byte() & 1;
+    const std::uint32_t keep_zero = tape.byte() & 1, representatives = tape.byte() & 1;
     const std::uint32_t rotation = tape.byte();
     const std::uint32_t labels = tape.byte() & 1 ? 1000000007u : 1u;  // vertices need not be numbered from 0
     const std::vector<Simplex> order = decode_complex(tape);
@@ -139,21 +140,25 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     void* const block = std::malloc(bytes);
     netmesh_context* context;
     require(block != nullptr && netmesh_init(block, bytes, &context) == NETMESH_OK);
-    netmesh_options options;
-    netmesh_options_init(&options, 2);
     const std::vector<std::uint32_t> v(vertices);  // no spare capacity
-    require(netmesh_homology(context, v.data(), starts.data(), values.data(), order.size(), max_degree, keep_zero,
-                             representatives, &options) == NETMESH_OK);
+    netmesh::requests::Homology request;
+    request.vertices = v.data();
+    request.starts = starts.data();
+    request.entries = values.data();
+    request.simplex_count = order.size();
+    request.max_degree = max_degree;
+    request.keep_zero_pairs = keep_zero;
+    request.representatives = representatives;
+    require(netmesh_homology(context, &request) == NETMESH_OK);
     const std::vector<netmesh_pair> expected = naive_diagram(order, max_degree, keep_zero != 0);
+    auto pair = netmesh::sized<netmesh_pair>();
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        netmesh_pair pair;
         require(netmesh_get_pair(context, i, &pair) == NETMESH_OK);
         require(pair.degree == expected[i].degree && pair.birth == expected[i].birth &&
                 pair.death == expected[i].death);
         if (representatives != 0) check_cycle(context, i, pair);
     }
-    netmesh_pair none;
-    require(netmesh_get_pair(context, expected.size(), &none) != NETMESH_OK);
+    require(netmesh_get_pair(context, expected.size(), &pair) != NETMESH_OK);
     std::free(block);
     return 0;
 }

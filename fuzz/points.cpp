@@ -6,14 +6,59 @@
 #include <vector>
 
 #include "fuzz/decoder.hpp"
-#include "netmesh.h"
+#include "netmesh.hpp"
+#include "vocabulary/dimension.hpp"
 
 using fuzz::coordinate;
 using fuzz::require;
 
+namespace {
+
+bool fits_or_not(netmesh_status status) { return status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY; }
+bool meshed_or_refused(netmesh_status status) {
+    return fits_or_not(status) || status == NETMESH_OUT_OF_RANGE || status == NETMESH_TOO_CLOSE;
+}
+
+void triangulate(netmesh_context* context, const netmesh_mesh_request& of) {
+    netmesh::requests::Delaunay request(of.dim);
+    request.points = of.points;
+    request.point_count = of.point_count;
+    netmesh_status status = netmesh_delaunay(context, &request);
+    require(fits_or_not(status) || status == NETMESH_FLAT);
+    if (status != NETMESH_OK) return;
+    netmesh::requests::Check check;
+    check.what = NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY;
+    require(netmesh_check(context, &check) == NETMESH_OK);
+    const netmesh::requests::Persist alpha(NETMESH_FILTER_ALPHA);
+    require(fits_or_not(netmesh_persist(context, &alpha)));
+}
+
+// Whether there is a mesh.
+bool mesh_and_check(netmesh_context* context, const netmesh_mesh_request& request) {
+    const netmesh_status status = netmesh_mesh(context, &request);
+    require(meshed_or_refused(status));
+    if (status != NETMESH_OK) return false;
+    netmesh::requests::Check check;
+    check.mesh = &request;
+    require(fits_or_not(netmesh_check(context, &check)));
+    return true;
+}
+
+void persist(netmesh_context* context, double tau) {
+    const netmesh::requests::Persist complete(NETMESH_FILTER_COMPLETE);
+    const netmesh_status status = netmesh_persist(context, &complete);
+    require(fits_or_not(status));
+    auto report = netmesh::sized<netmesh_report>();
+    require(netmesh_get_report(context, &report) == NETMESH_OK);
+    if (status == NETMESH_OK) require(report.diagram.certified_ratio >= 1 && report.mesh.aspect_ratio_max <= tau);
+}
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 3) return 0;
     const std::uint32_t dim = 2 + data[0] % 5;
+    if (!netmesh::serves_dimension(dim)) return 0;
     const std::size_t block_bytes = std::size_t{4096} << (data[0] / 5 % 9);
     const std::size_t points_max = dim < 5 ? 24 : 9;
     std::vector<double> points;
@@ -24,40 +69,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     void* const block = std::aligned_alloc(16, block_bytes);
     netmesh_context* context;
     require(block != nullptr && netmesh_init(block, block_bytes, &context) == NETMESH_OK);
-    netmesh_options options;
-    netmesh_options_init(&options, dim);
-    options.tau = dim == 2 ? 2.3 : dim < 5 ? 3.2 : 4;
-    constexpr std::uint32_t triangulation =
-        NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY;
-
-    netmesh_status status = netmesh_delaunay(context, points.data(), n, &options);
-    require(status == NETMESH_OK || status == NETMESH_FLAT || status == NETMESH_OUT_OF_MEMORY);
-    if (status == NETMESH_OK) {
-        require(netmesh_check(context, triangulation, &options) == NETMESH_OK);
-        status = netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, dim, 0, &options);
-        require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY);
-    }
-    status = netmesh_mesh(context, points.data(), n, NETMESH_JOB_PERSIST, &options);
-    require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY || status == NETMESH_OUT_OF_RANGE ||
-            status == NETMESH_TOO_CLOSE);
-    if (status == NETMESH_OK) {
-        status = netmesh_check(context, NETMESH_CHECK_ALL, &options);
-        require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY);
-        status = netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, dim, 0, &options);
-        require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY);
-        netmesh_report report;
-        report.struct_bytes = sizeof report;
-        require(netmesh_get_report(context, &report) == NETMESH_OK);
-        if (status == NETMESH_OK) require(report.certified_ratio >= 1 && report.aspect_ratio_max <= options.tau);
-    }
-    options.ratio = 1.5 + 0.5 * static_cast<double>(n % 5);
-    status = netmesh_mesh(context, points.data(), n, NETMESH_JOB_PERSIST, &options);
-    require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY || status == NETMESH_OUT_OF_RANGE ||
-            status == NETMESH_TOO_CLOSE);
-    if (status == NETMESH_OK) {
-        status = netmesh_check(context, NETMESH_CHECK_ALL, &options);
-        require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY);
-    }
+    netmesh::requests::Mesh request(dim);
+    request.points = points.data();
+    request.point_count = n;
+    request.purpose = NETMESH_PURPOSE_PERSIST;
+    request.tau = dim == 2 ? 2.3 : dim < 5 ? 3.2 : 4;
+    triangulate(context, request);
+    if (mesh_and_check(context, request)) persist(context, request.tau);
+    request.certificate.ratio = 1.5 + 0.5 * static_cast<double>(n % 5);
+    mesh_and_check(context, request);
     std::free(block);
     return 0;
 }

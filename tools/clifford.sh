@@ -1,6 +1,7 @@
 #!/bin/sh
-# The experiment of section 7.7 from a bare machine: 2,000 points of a curve on the Clifford torus in R^4, their mesh and
-# its persistent homology. Leaves clifford.pers (the diagram) and clifford.svg (barcode and diagram) in this directory.
+# The experiment of section 7.7 from a bare machine: 2,000 points of a curve on the Clifford torus in R^4, their mesh
+# and its persistent homology. Leaves clifford.pers (the diagram) and clifford.svg (barcode and diagram) in this
+# directory.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 

@@ -1,12 +1,14 @@
-// The command line as the commands see it. The table in options.cpp is the one place where an option is declared: the
-// parser and the help text both come from it.
+// The command line as the commands see it. The tables of option_table.cpp are the one place where commands and options
+// are declared: the parser and the help text both come from there.
 #pragma once
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "netmesh.h"
+#include "tools/filters.hpp"
 #include "tools/outcome.hpp"
 
 namespace netmesh::tool {
@@ -16,6 +18,7 @@ enum class Command { none, mesh, delaunay, persist, homology, distance, size, ch
 struct Options {
     Command command = Command::none;
     std::vector<std::string> positionals;
+    std::vector<std::pair<std::string, std::string>> given;  // options and their values, as they were written
     bool help = false, version = false;
 
     std::string out;  // empty: stdout
@@ -52,27 +55,30 @@ struct Options {
 // fault. Positionals are counted; whether required options are there is for the command to say.
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
 
+// The option that a field of the library's requests comes from, as the user wrote it: "--k 15". Its name alone when it
+// was not given, nothing when the field comes from no option.
+std::string option_of(const Options& options, netmesh_field field);
+
+// What a diagram is of, with the defaults of the command.
+netmesh_filter default_filter(Command command);
+FilterChoice choice_of(const Options& options);
+inline netmesh_filter filter_of(const Options& options) { return choice_of(options).filter; }
+
 // Whether the mesh is refined by the certificate, and what is wrong with the options that say how.
 bool refines_by_certificate(const Options& options);
 Outcome check_ratio(const Options& options);
 
-// Whether --eps is a promise about the diagram (tight, scales) and not a size of cells; and what is wrong with --eps and
-// --theta for the filter asked for.
+// Whether --eps is a promise about the diagram and not a size of cells; and what is wrong with --eps and --theta for
+// the filter asked for.
 bool promises_accuracy(const Options& options);
 Outcome check_accuracy(const Options& options);
 
-const char* command_name(Command command);
-const char* method_name(netmesh_method method);
-const char* filter_name(netmesh_filter filter);
-const char* values_name(netmesh_values values);
-// Filters on the points themselves, without a triangulation.
-bool is_points_filter(netmesh_filter filter);
-bool is_barycentric(netmesh_filter filter);
 // Highest degree when none is asked for: 1 where the complex grows with it, otherwise D - 1.
 std::uint32_t max_degree_of(const Options& options, std::uint32_t dim);
-// The function that a certified ratio is about: "closed offsets of the points in R^3", "sublevel sets of d_5 in R^3", ...
-std::string reference_name(const netmesh_report& report);
+// What is wrong with --max-degree and --k for a filter on the points themselves.
+Outcome check_max_degree(const Options& options);
 
+const char* command_name(Command command);
 // What --help prints, for the program (Command::none) or one command.
 std::string help_text(Command command);
 std::string version_text();

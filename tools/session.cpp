@@ -1,17 +1,13 @@
 #include "tools/session.hpp"
 
-#include <cmath>
-
 #include "platform/interrupt.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/requests.hpp"
 
 namespace netmesh::tool {
 
 namespace {
 
-// What a user can get wrong of netmesh_delaunay and netmesh_mesh: the number of points, and an --eps too small for them; of
-// netmesh_persist: k.
-constexpr std::uint64_t argument_point_count = 3, argument_size = 6, argument_k = 7, argument_scale_size = 8;
 constexpr std::size_t least_lazy_bytes = std::size_t{1} << 30;
 
 }  // namespace
@@ -23,31 +19,7 @@ std::size_t lazy_bytes(std::size_t plan, std::size_t physical) {
 }
 
 Session::Session(const Options& options, std::uint32_t dim)
-    : memory_bytes_(options.memory_bytes), dim_(dim), bar_(!options.quiet) {
-    netmesh_options_init(&engine_options_, dim);
-    if (options.tau) engine_options_.tau = *options.tau;
-    (promises_accuracy(options) ? engine_options_.eps : engine_options_.over_refine_eps) = options.eps;
-    engine_options_.theta = options.theta;
-    engine_options_.seed = options.seed;
-    engine_options_.method = options.method.value_or(NETMESH_METHOD_SVR);
-    engine_options_.finish = options.finish ? 1 : 0;
-    engine_options_.audit = options.audit;
-    engine_options_.k = options.k.value_or(1);
-    engine_options_.poll = poll;
-    engine_options_.user = this;
-    if (refines_by_certificate(options)) {
-        set_goal(options.ratio.value_or(options.fit ? 0 : default_ratio()), options.focus, options.from, options.to);
-    }
-}
-
-double Session::default_ratio() const { return std::sqrt(2 + netmesh_tau(&engine_options_)); }
-
-void Session::set_goal(double ratio, double focus, double from, double to) {
-    engine_options_.ratio = ratio;
-    engine_options_.focus_ratio = focus;
-    engine_options_.focus_from = from;
-    engine_options_.focus_to = to;
-}
+    : options_(options), mesh_(watched(mesh_request(options, dim))), bar_(!options.quiet) {}
 
 int Session::poll(void* self, const netmesh_progress* progress) {
     Session& session = *static_cast<Session*>(self);
@@ -66,27 +38,15 @@ netmesh_status Session::call(netmesh_stage stage, const std::function<netmesh_st
     return status;
 }
 
-netmesh_report Session::report() const {
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
-    netmesh_get_report(context_, &report);
-    return report;
-}
-
 netmesh_status Session::attempt(std::size_t bytes, const Work& work) {
-    context_ = nullptr;
+    engine_ = Engine(nullptr, 0);
     if (!block_.reserve(bytes)) return NETMESH_OUT_OF_MEMORY;
-    const netmesh_status status = netmesh_init(block_.base(), block_.bytes(), &context_);
-    if (status != NETMESH_OK) context_ = nullptr;
-    return status == NETMESH_OK ? work(*this) : status;
+    engine_ = Engine(block_.base(), block_.bytes());
+    return engine_.status() == NETMESH_OK ? work(*this) : engine_.status();
 }
 
-Outcome Session::run(netmesh_job job, const PointCloud& cloud, const Work& work) {
-    return run_planned(netmesh_plan_bytes(job, &engine_options_, cloud.rows()), cloud, work);
-}
-
-Outcome Session::run_planned(std::size_t plan, const PointCloud& cloud, const Work& work) {
-    if (memory_bytes_ != 0) return explain(attempt(memory_bytes_, work), cloud, plan);
+Outcome Session::run(std::size_t plan, const PointCloud& cloud, const Work& work) {
+    if (options_.memory_bytes != 0) return explain(attempt(options_.memory_bytes, work), cloud, plan);
     const std::size_t physical = platform::physical_memory_bytes();
     std::size_t bytes = lazy_bytes(plan, physical);
     while (!block_.reserve(bytes)) {  // a limit on address space, or strict accounting
@@ -106,25 +66,43 @@ Outcome Session::run_planned(std::size_t plan, const PointCloud& cloud, const Wo
 std::string Session::memory_message(std::size_t plan) const {
     std::string text = "netmesh: ";
     if (block_.base() == nullptr) {
-        text += memory_bytes_ == 0 ? "the system refuses to reserve memory"
-                                   : "the system refuses to reserve " + std::to_string(memory_bytes_) + " bytes";
+        text += options_.memory_bytes == 0
+                    ? "the system refuses to reserve memory"
+                    : "the system refuses to reserve " + std::to_string(options_.memory_bytes) + " bytes";
     } else {
         text += std::to_string(block_.bytes()) + " bytes of memory are too few";
     }
-    const netmesh_detail detail = context_ == nullptr ? netmesh_detail{} : netmesh_get_detail(context_);
+    const std::uint64_t wanted = engine_.detail().bytes_wanted;
     if (last_.stage != NETMESH_STAGE_NONE) {
         text += "; it got to " + grouped_text(last_.done);
         if (last_.total > 0) text += " of " + grouped_text(last_.total);
         text += std::string(" in stage ") + stage_name(last_.stage);
         if (last_.vertices > 0) text += " with " + grouped_text(last_.vertices) + " vertices";
     }
-    if (detail.bytes_wanted > 0) text += "; it takes more than " + std::to_string(detail.bytes_wanted - 1) + " bytes";
+    if (wanted > 0) text += "; it takes more than " + std::to_string(wanted - 1) + " bytes";
     if (plan != SIZE_MAX && plan > block_.bytes()) text += "; plan for " + std::to_string(plan) + " bytes";
     return text;
 }
 
+// What the points do not allow is bad data; what no points would, bad usage.
+Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud& cloud,
+                                  const std::string& said) const {
+    const std::string option = option_of(options_, detail.field);
+    switch (detail.field) {
+    case NETMESH_FIELD_POINT_COUNT: return data_error(cloud.name + ": " + said);
+    case NETMESH_FIELD_K:
+    case NETMESH_FIELD_K_FIRST:
+    case NETMESH_FIELD_K_LAST: return data_error(cloud.name + ": " + option + ": " + said);
+    case NETMESH_FIELD_SIZES:
+        return data_error(cloud.where(detail.index_a) + ": " + option + ": near this point " + said);
+    default: break;
+    }
+    return option.empty() ? Outcome{Exit::internal, "netmesh: internal error: " + said}
+                          : usage_error(option + ": " + said);
+}
+
 Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::size_t plan) const {
-    netmesh_detail detail = context_ == nullptr ? netmesh_detail{} : netmesh_get_detail(context_);
+    const netmesh_detail detail = engine_.detail();
     const std::string said =
         detail.message == nullptr || detail.message[0] == '\0' ? netmesh_status_text(status) : detail.message;
     switch (status) {
@@ -136,15 +114,10 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
         return data_error(cloud.where(detail.index_a) +
                           ": outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
                           "2^-500 (3.1e-151)");
-    case NETMESH_INVALID_ARGUMENT:
-        if (detail.index_a == argument_point_count || detail.index_a == argument_k)
-            return data_error(cloud.name + ": " + said);
-        if (detail.index_a == argument_size || detail.index_a == argument_scale_size)
-            return data_error(cloud.where(detail.index_b) + ": near this point " + said);
-        return {Exit::internal, "netmesh: internal error: " + said};
+    case NETMESH_INVALID_ARGUMENT: return explain_argument(detail, cloud, said);
     case NETMESH_FLAT:
-        return {Exit::degenerate, cloud.name + ": flat: fewer than " + std::to_string(dim_ + 1) +
-                                      " affinely independent points in dimension " + std::to_string(dim_) +
+        return {Exit::degenerate, cloud.name + ": flat: fewer than " + std::to_string(mesh_.dim + 1) +
+                                      " affinely independent points in dimension " + std::to_string(mesh_.dim) +
                                       ", so there is no Delaunay triangulation"};
     case NETMESH_TOO_CLOSE:
         return {Exit::degenerate, cloud.where(detail.index_b) + ": this point and the one of " +

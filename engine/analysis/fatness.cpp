@@ -1,11 +1,11 @@
 #include "analysis/fatness.hpp"
 
-#include "delaunay/load.hpp"
 #include "analysis/in_ball.hpp"
-#include "delaunay/kernel.hpp"
+#include "delaunay/cell_list.hpp"
+#include "delaunay/load.hpp"
 #include "numerics/elementary.hpp"
-#include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -46,7 +46,7 @@ template <int D> struct Points {
 template <int D> class Fatness {
 public:
     Fatness(Store<D>& store, const Domain<D>& domain, Arena& arena, FatnessAnalysis* analysis)
-        : store_(store), domain_(domain), arena_(arena), kernel_(store, 1, true), analysis_(*analysis) {}
+        : store_(store), domain_(domain), arena_(arena), analysis_(*analysis) {}
 
     Status open();
     // Two passes: fatness first, then what depends on its maximum.
@@ -60,12 +60,11 @@ private:
     void add_clipped(VertexId v, CellId c, Points<D>* corners);
     double clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners, Points<D> neighbours);
     void add(const CellMeasure& m, int which);
-    void compare(const CellMeasure& m, int part);
+    void compare(const CellMeasure& m, int which);
 
     Store<D>& store_;
     const Domain<D>& domain_;
     Arena& arena_;
-    Kernel<D> kernel_;
     FatnessAnalysis& analysis_;
     std::uint8_t* part_;  // [vertices]: the smallest part that the vertex belongs to
 };
@@ -171,14 +170,14 @@ double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> c
 template <int D> Status Fatness<D>::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
     *m = {0, {0, 0}, {0, 0}, 0, 0, infinity, 0, 0, {true, true}};
     *clipped = 0;
-    if (!kernel_.visit_star(v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
+    if (!visit_star(store_, v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
     ArenaScope scope(arena_);
     const bool clips = part_[v] == part_bounded && domain_.radius > 0;
     Points<D> corners, neighbours, cut;
     if (!corners.take(arena_, m->corners) || !neighbours.take(arena_, std::size_t{m->corners} * D + clipping_rounds) ||
         !cut.take(arena_, clips ? std::size_t{m->corners} * 2 * D : 0))
         return Status::out_of_memory;
-    const bool room = kernel_.visit_star(v, [&](CellId c) {
+    const bool room = visit_star(store_, v, [&](CellId c) {
         collect(v, c, m, &neighbours);
         corners.add(store_.cell(c).centre, store_.point(v));
         if (clips && balls) add_clipped(v, c, &cut);
@@ -280,8 +279,7 @@ template <int D> Status Fatness<D>::run(Monitor& monitor) {
 }  // namespace
 
 template <int D>
-Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work,
-                       FatnessAnalysis* analysis) {
+Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work, FatnessAnalysis* analysis) {
     ArenaScope scope(work.arena);
     recompute_balls<D>(store);
     Fatness<D> fatness(store, domain, work.arena, analysis);
@@ -289,12 +287,12 @@ Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& wor
     return status == Status::ok ? fatness.run(work.monitor) : status;
 }
 
-const char* violated_fatness_bound(const FatPart& a) {
-    if (!(static_cast<double>(a.edges) <= a.edges_bound)) return "more edges than fat cells have (5.3.1)";
-    if (!(a.faces <= a.faces_bound)) return "more faces than fat cells have (5.3.2)";
-    if (!(a.degree_share <= 1)) return "more neighbours than a fat cell has (5.3.3)";
-    if (!(a.planar_share <= 1)) return "more neighbours than a fat cell in the plane has (5.4.5)";
-    if (!(a.corners_share <= 1)) return "fewer corners than a fat cell has (5.5.1)";
+const char* violated_fatness_bound(const FatPart& part) {
+    if (!(static_cast<double>(part.edges) <= part.edges_bound)) return "more edges than fat cells have (5.3.1)";
+    if (!(part.faces <= part.faces_bound)) return "more faces than fat cells have (5.3.2)";
+    if (!(part.degree_share <= 1)) return "more neighbours than a fat cell has (5.3.3)";
+    if (!(part.planar_share <= 1)) return "more neighbours than a fat cell in the plane has (5.4.5)";
+    if (!(part.corners_share <= 1)) return "fewer corners than a fat cell has (5.5.1)";
     return nullptr;
 }
 

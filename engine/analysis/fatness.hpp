@@ -2,9 +2,9 @@
 #pragma once
 #include <cstdint>
 
-#include "vocabulary/monitor.hpp"
-#include "mesh/domain.hpp"
 #include "memory/work.hpp"
+#include "mesh/domain.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -40,8 +40,7 @@ struct FatnessAnalysis {
 // solved for anew; uses vertex.next and cell.mark. O(cells) plus the balls, about 2 D^2 multiply-adds a cell and vertex
 // times the steps of both searches. Scratch: 1 byte a vertex, and the largest star. out_of_memory, cancelled.
 template <int D>
-Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work,
-                       FatnessAnalysis* analysis);
+Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work, FatnessAnalysis* analysis);
 
 // The bound that does not hold, null when all do.
 const char* violated_fatness_bound(const FatPart& part);

@@ -165,7 +165,8 @@ template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureInteg
 
 template <int D>
 Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs, const double* centre,
-                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, const Work& work, FeatureIntegral* integral) {
+                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, const Work& work,
+                        FeatureIntegral* integral) {
     ArenaScope scope(work.arena);
     Boxes<D> boxes(store, tree, centre, radius, balls);
     Status status = boxes.open(work.arena, inputs);
@@ -184,8 +185,7 @@ Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::ui
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const double*,            \
-                                        const double*, int, double, std::uint64_t, const Work&,                   \
-                                        FeatureIntegral*);
+                                        const double*, int, double, std::uint64_t, const Work&, FeatureIntegral*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -2,9 +2,9 @@
 #pragma once
 #include <cstdint>
 
-#include "vocabulary/monitor.hpp"
-#include "mesh/input_tree.hpp"
 #include "memory/work.hpp"
+#include "mesh/input_tree.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -24,6 +24,7 @@ struct FeatureIntegral {
 // boxes, some 2,200 levels. out_of_memory, cancelled.
 template <int D>
 Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs, const double* centre,
-                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, const Work& work, FeatureIntegral* integral);
+                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, const Work& work,
+                        FeatureIntegral* integral);
 
 }  // namespace netmesh

@@ -1,6 +1,6 @@
 #include "analysis/pacing.hpp"
-#include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -107,7 +107,8 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
 }
 
 template <int D>
-Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work, std::uint32_t* order) {
+Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work,
+                            std::uint32_t* order) {
     ArenaScope scope(work.arena);
     // Squared distance to the points ordered so far, -1 for those themselves; its maximum over each range.
     double* const near2 = work.arena.take_high<double>(count);
@@ -166,8 +167,9 @@ Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status pace<D>(const Store<D>&, const InputTree<D>&, const std::uint32_t*, std::uint32_t, const Work&, double*);                                                                        \
-    template Status farthest_first_order<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const Work&,     \
+    template Status pace<D>(const Store<D>&, const InputTree<D>&, const std::uint32_t*, std::uint32_t, const Work&,    \
+                            double*);                                                                                  \
+    template Status farthest_first_order<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const Work&,          \
                                             std::uint32_t*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -2,9 +2,9 @@
 #pragma once
 #include <cstdint>
 
-#include "vocabulary/monitor.hpp"
-#include "mesh/input_tree.hpp"
 #include "memory/work.hpp"
+#include "mesh/input_tree.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 
@@ -27,6 +27,7 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
 // Cost O(n log n) for each factor of two in the spread at most, O(n log n) on inputs of moderate spread. Scratch: 20
 // bytes a point. out_of_memory, cancelled.
 template <int D>
-Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work, std::uint32_t* order);
+Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work,
+                            std::uint32_t* order);
 
 }  // namespace netmesh

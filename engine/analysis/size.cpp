@@ -121,7 +121,8 @@ const char* violated_size_bound(const SizeAnalysis& a) {
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status analyse_size<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const SizeOptions&, const Work&, SizeAnalysis*);
+    template Status analyse_size<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const SizeOptions&, const Work&, \
+                                    SizeAnalysis*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

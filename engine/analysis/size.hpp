@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "analysis/feature_integral.hpp"
-#include "mesh/sizing.hpp"
 #include "memory/work.hpp"
+#include "mesh/sizing.hpp"
 
 namespace netmesh {
 

@@ -1,9 +1,9 @@
 #include "analysis/structure.hpp"
 
+#include "delaunay/cell_list.hpp"
 #include "delaunay/load.hpp"
-#include "delaunay/kernel.hpp"
-#include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -49,12 +49,11 @@ template <int D> Status measure_stars(Store<D>& store, Arena& arena, StructureAn
         for (int i = 0; i <= D; ++i)
             for (int j = 0; j <= D && store.cell(c).neighbour[i] == none; ++j)
                 if (j != i) open[store.cell(c).vertex[j]] = 1;
-    Kernel<D> kernel(store, 1, true);
     std::uint64_t stars = 0;
     for (VertexId v(0); v < count; ++v) {
         if (open[v]) continue;
         std::uint64_t degree = 0, star = 0;
-        const bool room = kernel.visit_star(v, [&](CellId c) {
+        const bool room = visit_star(store, v, [&](CellId c) {
             ++star;
             for (const VertexId w : store.cell(c).vertex) {
                 if (w == v || store.vertex(w).next == v) continue;

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "delaunay/store.hpp"
-#include "vocabulary/monitor.hpp"
 #include "memory/work.hpp"
+#include "vocabulary/monitor.hpp"
 
 namespace netmesh {
 

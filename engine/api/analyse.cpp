@@ -1,27 +1,30 @@
-#include "vocabulary/dimension.hpp"
+// Analyses of the triangulation or mesh that the context holds, and orderings of its inputs.
 #include "analysis/fatness.hpp"
 #include "analysis/pacing.hpp"
 #include "analysis/size.hpp"
 #include "analysis/structure.hpp"
-#include "api/dispatch.hpp"
-#include "numerics/fingerprint.hpp"
+#include "api/figures.hpp"
+#include "api/measure.hpp"
+#include "api/requests.hpp"
+#include "mesh/input_tree.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr std::uint64_t boxes_max = std::uint64_t{1} << 22;
 
-void keep_size(const SizeAnalysis& from, netmesh_analysis* to) {
-    to->size = from.size;
-    to->size_lower = from.size_lower;
-    to->size_upper = from.size_upper;
+void give_size(const SizeAnalysis& from, netmesh_size_analysis* to) {
+    to->present = 1;
+    to->vertices = from.size;
+    to->lower = from.size_lower;
+    to->upper = from.size_upper;
     to->feature_ratio = from.feature_ratio;
     to->feature_ratio_bound = from.feature_ratio_bound;
     to->theta = from.theta;
     to->theta_limit = from.theta_limit;
     to->theta_log_sum = from.theta_log_sum;
     for (int k = 0; k < FeatureIntegral::balls_max; ++k) {
-        to->radius[k] = from.radius[k];
+        to->radii[k] = from.radius[k];
         to->integral_lower[k] = from.integral.lower[k];
         to->integral_upper[k] = from.integral.upper[k];
     }
@@ -30,7 +33,8 @@ void keep_size(const SizeAnalysis& from, netmesh_analysis* to) {
     to->boxes = from.integral.boxes;
 }
 
-void keep_structure(const StructureAnalysis& from, netmesh_analysis* to) {
+void give_structure(const StructureAnalysis& from, netmesh_structure_analysis* to) {
+    to->present = 1;
     to->degree_max = from.degree_max;
     to->degree_mean = from.degree_mean;
     to->star_max = from.star_max;
@@ -60,7 +64,8 @@ netmesh_fatness fatness_of(const FatPart& from) {
     return to;
 }
 
-void keep_fatness(const FatnessAnalysis& from, netmesh_analysis* to) {
+void give_fatness(const FatnessAnalysis& from, netmesh_fatness_analysis* to) {
+    to->present = 1;
     to->bounded = fatness_of(from.bounded);
     to->inside = fatness_of(from.inside);
     to->clipped_cells = from.clipped;
@@ -68,71 +73,58 @@ void keep_fatness(const FatnessAnalysis& from, netmesh_analysis* to) {
     to->clipped_beta_mean = from.clipped_mean;
 }
 
-void add_fatness(Fingerprint* f, const netmesh_fatness& part) {
-    f->add(part.cells);
-    f->add(part.edges);
-    f->add(part.degree_max);
-    const double figures[] = {part.beta_max,    part.beta_mean,    part.aspect_ratio_max, part.edges_bound,  part.faces,
-                              part.faces_bound, part.degree_share, part.planar_share,     part.corners_share};
-    for (const double x : figures) f->add(x);
-}
-
-std::uint64_t fingerprint_of(const netmesh_analysis& a) {
-    Fingerprint f;
-    const std::uint64_t counts[] = {a.what,       a.size,    a.boxes, a.degree_max,        a.star_max,
-                                    a.ply_points, a.ply_max, a.balls, a.intersections_max, a.clipped_cells};
-    const double figures[] = {
-        a.size_lower,  a.size_upper,    a.feature_ratio,      a.feature_ratio_bound, a.theta,
-        a.theta_limit, a.theta_log_sum, a.pace_lower,         a.pace_upper,          a.degree_mean,
-        a.star_mean,   a.ply_mean,      a.intersections_mean, a.clipped_beta_max,    a.clipped_beta_mean};
-    for (const std::uint64_t count : counts) f.add(count);
-    for (const double x : figures) f.add(x);
-    for (int k = 0; k < 3; ++k) {
-        f.add(a.radius[k]);
-        f.add(a.integral_lower[k]);
-        f.add(a.integral_upper[k]);
+template <int D>
+Status analyse_sizes(const Context& context, const Store<D>& store, const Promises& promises, double tolerance,
+                     const Work& work, netmesh_size_analysis* to) {
+    SizeAnalysis size;
+    const double wanted = tolerance > 0 ? tolerance : figures<D>.integral_tolerance;
+    const Status status = analyse_size<D>(store, domain_of<D>(context.mesh), context.input.distinct,
+                                          {promises.tau, promises.sizes, wanted, boxes_max}, work, &size);
+    if (status != Status::ok) return status;
+    if (cage_count_of(context) > 0 || context.mesh.goal.ratio > 0) {
+        // Cells are of quality in their own domains alone, or none is promised, which is what lets a mesh be smaller.
+        size.size_lower = 0;
+        size.size_upper = size.feature_ratio_bound = infinity;
     }
-    add_fatness(&f, a.bounded);
-    add_fatness(&f, a.inside);
-    return f.value();
+    give_size(size, to);
+    return status;
 }
 
 template <int D>
-Status analyse(netmesh_context* context, std::uint32_t what, double tolerance, const netmesh_options& options,
+Status analyse(Context& context, const netmesh_analyse_request& request, const Promises& promises,
                netmesh_analysis* analysis) {
-    Store<D> store(context->arena, context->store);
-    Domain<D> domain = {};
-    if (context->is_mesh) domain = domain_of<D>(*context);
-    Monitor monitor = monitor_of(options);
+    Monitor monitor = monitor_of(request.monitor);
+    const Work work = {context.arena, monitor};
+    Store<D> store(context.arena, context.mesh.store);
+    const Domain<D> domain = domain_of<D>(context.mesh);
     monitor.begin(NETMESH_STAGE_ANALYSE, 0);
     Status status = Status::ok;
-    if ((what & NETMESH_ANALYSE_SIZE) != 0) {
-        SizeAnalysis size;
-        const double wanted = tolerance > 0 ? tolerance : figures<D>.integral_tolerance;
-        status =
-            analyse_size<D>(store, domain, context->inputs, {tau_of(options), size_rule_of(options), wanted, boxes_max},
-                            {context->arena, monitor}, &size);
-        if (context->hierarchy.cages > 0 || context->goal.ratio > 0) {
-            // Cells are of quality in their own domains alone, or none is promised, which is what lets a mesh be smaller.
-            size.size_lower = 0;
-            size.size_upper = size.feature_ratio_bound = infinity;
-        }
-        if (status == Status::ok) keep_size(size, analysis);
-    }
-    if (status == Status::ok && (what & NETMESH_ANALYSE_STRUCTURE) != 0) {
+    if ((request.what & NETMESH_ANALYSE_SIZE) != 0)
+        status = analyse_sizes<D>(context, store, promises, request.tolerance, work, &analysis->size);
+    if (status == Status::ok && (request.what & NETMESH_ANALYSE_STRUCTURE) != 0) {
         StructureAnalysis structure;
-        status = analyse_structure<D>(store, domain.centre, domain.radius, {context->arena, monitor}, &structure);
-        if (status == Status::ok) keep_structure(structure, analysis);
+        status = analyse_structure<D>(store, domain.centre, domain.radius, work, &structure);
+        if (status == Status::ok) give_structure(structure, &analysis->structure);
     }
-    if (status == Status::ok && (what & NETMESH_ANALYSE_FATNESS) != 0) {
+    if (status == Status::ok && (request.what & NETMESH_ANALYSE_FATNESS) != 0) {
         FatnessAnalysis fatness;
-        status = analyse_fatness<D>(store, domain, {context->arena, monitor}, &fatness);
-        if (status == Status::ok) keep_fatness(fatness, analysis);
+        status = analyse_fatness<D>(store, domain, work, &fatness);
+        if (status == Status::ok) give_fatness(fatness, &analysis->fatness);
     }
     return status;
 }
 
-const char* text_of(Status status) { return netmesh_status_text(static_cast<netmesh_status>(status)); }
+const char* const no_triangulation = "there is no triangulation or mesh";
+
+// False: not a permutation of 0 .. count-1. Scratch: `seen`, a byte each.
+bool is_permutation(const std::uint32_t* order, std::uint32_t count, std::uint8_t* seen) {
+    for (std::uint32_t i = 0; i < count; ++i) seen[i] = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (order[i] >= count || seen[order[i]] != 0) return false;
+        seen[order[i]] = 1;
+    }
+    return true;
+}
 
 }  // namespace
 }  // namespace netmesh
@@ -141,74 +133,71 @@ using namespace netmesh;
 
 extern "C" {
 
-netmesh_status netmesh_analyse(netmesh_context* context, uint32_t what, double tolerance,
-                               const netmesh_options* options, netmesh_analysis* analysis) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (what == 0 || (what & ~static_cast<uint32_t>(NETMESH_ANALYSE_ALL)) != 0)
-        return finish(context, Status::invalid_argument, "unknown analyses", 2);
-    if (!(tolerance >= 0)) return finish(context, Status::invalid_argument, "tolerance is negative", 3);
-    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 4);
-    if (analysis == nullptr || analysis->struct_bytes != sizeof(netmesh_analysis))
-        return finish(context, Status::invalid_argument, "analysis is null or its size is not set", 5);
-    if (context->dim == 0 || context->store.cell_slots == 0)
-        return finish(context, Status::no_result, "there is no triangulation or mesh");
-    if ((what & NETMESH_ANALYSE_SIZE) != 0 && !context->is_mesh)
+netmesh_status netmesh_analyse(netmesh_context* context, const netmesh_analyse_request* from,
+                               netmesh_analysis* analysis) {
+    netmesh_analyse_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    if (request.what == 0 || (request.what & ~static_cast<uint32_t>(NETMESH_ANALYSE_ALL)) != 0)
+        return refuse(context, NETMESH_FIELD_WHAT, "unknown analyses");
+    if (!(request.tolerance >= 0)) return refuse(context, NETMESH_FIELD_TOLERANCE, "tolerance is negative");
+    if (!has_room(analysis)) return refuse(context, NETMESH_FIELD_RESULT, "analysis is null or its size is not set");
+    if (!context->mesh.present) return finish(context, Status::no_result, no_triangulation);
+    if ((request.what & NETMESH_ANALYSE_SIZE) != 0 && !context->mesh.is_mesh)
         return finish(context, Status::no_result, "the size analysis needs a mesh");
-    *analysis = netmesh_analysis{};
-    analysis->struct_bytes = sizeof(netmesh_analysis);
-    analysis->what = what;
-    const Status status = with_dimension(context->dim, [&](auto dimension) {
-        return analyse<decltype(dimension)::value>(context, what, tolerance, *options, analysis);
+    Promises promises;
+    const Complaint complaint = read_promises(request.mesh, context->input.dim, &promises);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    netmesh_analysis found = {};
+    found.what = request.what;
+    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
+        return analyse<decltype(dimension)::value>(*context, request, promises, &found);
     });
-    if (status == Status::ok) analysis->fingerprint = fingerprint_of(*analysis);
-    return finish(context, status, text_of(status));
+    if (status == Status::ok) found.fingerprint = fingerprint_of(found);
+    give_result(found, analysis);
+    return finish(context, status);
 }
 
 netmesh_status netmesh_well_paced_order(netmesh_context* context, uint32_t* order, double* theta) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (order == nullptr) return finish(context, Status::invalid_argument, "order is null", 2);
-    if (context->dim == 0 || context->store.cell_slots == 0)
-        return finish(context, Status::no_result, "there is no triangulation or mesh");
-    const Status status = with_dimension(context->dim, [&](auto dimension) {
+    if (order == nullptr) return refuse(context, NETMESH_FIELD_ORDER, "order is null");
+    if (!context->mesh.present) return finish(context, Status::no_result, no_triangulation);
+    const std::uint32_t inputs = context->input.distinct;
+    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         ArenaScope scope(context->arena);
-        const Store<D> store(context->arena, context->store);
+        const Store<D> store(context->arena, context->mesh.store);
         InputTree<D> tree;
         Monitor monitor;
-        if (tree.build(store, context->arena, context->inputs) != Status::ok) return Status::out_of_memory;
-        const Status ordered = farthest_first_order<D>(store, tree, context->inputs, {context->arena, monitor}, order);
+        if (tree.build(store, context->arena, inputs) != Status::ok) return Status::out_of_memory;
+        const Status ordered = farthest_first_order<D>(store, tree, inputs, {context->arena, monitor}, order);
         if (ordered != Status::ok || theta == nullptr) return ordered;
-        return pace<D>(store, tree, order, context->inputs, {context->arena, monitor}, theta);
+        return pace<D>(store, tree, order, inputs, {context->arena, monitor}, theta);
     });
-    return finish(context, status, text_of(status));
+    return finish(context, status);
 }
 
 netmesh_status netmesh_pace(netmesh_context* context, const uint32_t* order, double* theta) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (order == nullptr) return finish(context, Status::invalid_argument, "order is null", 2);
-    if (theta == nullptr) return finish(context, Status::invalid_argument, "theta is null", 3);
-    if (context->dim == 0 || context->store.cell_slots == 0)
-        return finish(context, Status::no_result, "there is no triangulation or mesh");
-    const Status status = with_dimension(context->dim, [&](auto dimension) {
+    if (order == nullptr) return refuse(context, NETMESH_FIELD_ORDER, "order is null");
+    if (theta == nullptr) return refuse(context, NETMESH_FIELD_THETAS, "theta is null");
+    if (!context->mesh.present) return finish(context, Status::no_result, no_triangulation);
+    const std::uint32_t inputs = context->input.distinct;
+    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         ArenaScope scope(context->arena);
-        const Store<D> store(context->arena, context->store);
+        const Store<D> store(context->arena, context->mesh.store);
         InputTree<D> tree;
         Monitor monitor;
-        const std::uint32_t inputs = context->inputs;
         std::uint8_t* const seen = context->arena.template take_low<std::uint8_t>(inputs);
         if (seen == nullptr) return Status::out_of_memory;
-        for (std::uint32_t i = 0; i < inputs; ++i) seen[i] = 0;
-        for (std::uint32_t i = 0; i < inputs; ++i) {
-            if (order[i] >= inputs || seen[order[i]]) return Status::invalid_argument;
-            seen[order[i]] = 1;
-        }
+        if (!is_permutation(order, inputs, seen)) return Status::invalid_argument;
         if (tree.build(store, context->arena, inputs) != Status::ok) return Status::out_of_memory;
         return pace<D>(store, tree, order, inputs, {context->arena, monitor}, theta);
     });
     if (status == Status::invalid_argument)
-        return finish(context, status, "order is not a permutation of the inputs", 2);
-    return finish(context, status, text_of(status));
+        return refuse(context, NETMESH_FIELD_ORDER, "order is not a permutation of the inputs");
+    return finish(context, status);
 }
 
 }  // extern "C"

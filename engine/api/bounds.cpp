@@ -1,11 +1,24 @@
-#include "api/dispatch.hpp"
+// Where the true bars surely are, of the diagram that the context holds.
+#include "api/measure.hpp"
+#include "api/requests.hpp"
 #include "jobs/bound_bars.hpp"
 
 namespace netmesh {
 namespace {
 
-const Pair* pairs_of(const netmesh_context* context) {
-    return reinterpret_cast<const Pair*>(reinterpret_cast<const unsigned char*>(context) + context->pairs_offset);
+Status bound(netmesh_context* context, Monitor& monitor, BoundedBars* bars) {
+    const KeptDiagram& diagram = context->diagram;
+    const Work work = {context->arena, monitor};
+    const Filter* const filter = find_filter(diagram.filter);
+    const BoundBarsRequest request = {{diagram.filter, values_of(diagram.values), diagram.k},
+                                      {diagram.pairs.in(context), diagram.pairs.count}};
+    if (filter == nullptr || !filter->has(filter_trait::bounds_by_scale))
+        return bound_bars_by_ratio(diagram.certified_ratio, request.bars, work, bars);
+    return with_dimension(context->input.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->mesh.store);
+        return bound_bars<D>(filtered_mesh_of<D>(*context, store), request, work, bars);
+    });
 }
 
 }  // namespace
@@ -13,58 +26,22 @@ const Pair* pairs_of(const netmesh_context* context) {
 
 using namespace netmesh;
 
-extern "C" {
-
-netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_options* options) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 2);
-    if (!context->has_diagram) return finish(context, Status::no_result, "there is no diagram");
-    if (context->has_bounds) return finish(context, Status::ok, "");
-    Monitor monitor = monitor_of(*options);
-    const Work work = {context->arena, monitor};
-    const BarList bars = {pairs_of(context), context->pair_count};
-    BoundedBars bounded = {};
-    const Filter* const row = find_filter(context->filter);
-    Status status;
-    if (row != nullptr && row->has(filter_trait::bounds_by_scale)) {
-        const FilterRequest filter = {
-            row->id, context->values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified,
-            context->k};
-        status = with_dimension(context->dim, [&](auto dimension) {
-            constexpr int D = decltype(dimension)::value;
-            Store<D> store(context->arena, context->store);
-            return bound_bars<D>({store, domain_of<D>(*context), context->inputs}, {filter, bars}, work, &bounded);
-        });
-    } else {
-        status = bound_bars_by_ratio(context->certified_ratio, bars, work, &bounded);
+extern "C" netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_bounds_request* from) {
+    netmesh_bounds_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    if (!context->diagram.present) return finish(context, Status::no_result, "there is no diagram");
+    if (context->bounds.present) return finish(context, Status::ok);
+    const std::size_t low = context->arena.low_mark();
+    Monitor monitor = monitor_of(request.monitor);
+    BoundedBars bars = {};
+    const Status status = bound(context, monitor, &bars);
+    if (status != Status::ok) {
+        context->arena.release_low(low);
+        return finish(context, status);
     }
-    if (status != Status::ok)
-        return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
-    context->has_bounds = true;
-    context->bounds_offset = context->arena.offset_of(bounded.bounds);
-    context->curve_offset = context->arena.offset_of(bounded.curve.steps);
-    context->curve_steps = bounded.curve.count;
-    return finish(context, Status::ok, "");
+    context->bounds.present = true;
+    context->bounds.bars = Slice<BarBounds>::of(context->arena, bars.bounds, context->diagram.pairs.count);
+    context->bounds.steps = Slice<ScaleStep>::of(context->arena, bars.curve.steps, bars.curve.count);
+    return finish(context, status);
 }
-
-netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds) {
-    if (bounds == nullptr || context == nullptr || context->magic != context_magic || !context->has_bounds ||
-        index >= context->pair_count)
-        return NETMESH_INVALID_ARGUMENT;
-    const BarBounds& b = reinterpret_cast<const BarBounds*>(reinterpret_cast<const unsigned char*>(context) +
-                                                            context->bounds_offset)[index];
-    *bounds = {b.birth_low, b.birth_high, b.death_low, b.death_high, b.certain_after, b.certain};
-    return NETMESH_OK;
-}
-
-netmesh_status netmesh_get_scale_step(const netmesh_context* context, uint64_t index, netmesh_scale_step* step) {
-    if (step == nullptr || context == nullptr || context->magic != context_magic || !context->has_bounds ||
-        index >= context->curve_steps)
-        return NETMESH_INVALID_ARGUMENT;
-    const ScaleStep& s = reinterpret_cast<const ScaleStep*>(reinterpret_cast<const unsigned char*>(context) +
-                                                            context->curve_offset)[index];
-    *step = {s.from, s.reach, step_ratio(s, context->certified_ratio)};
-    return NETMESH_OK;
-}
-
-}  // extern "C"

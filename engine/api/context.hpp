@@ -1,88 +1,135 @@
-// What a context remembers between calls, at the start of the caller's block. Counts, offsets and values only.
+// What a context remembers between calls, at the start of the caller's block: a header, the arena, and a sum of
+// results. Each result says itself whether it is there, holds counts, offsets and values only, and is forgotten by
+// `= {}`.
 #pragma once
 #include <cstdint>
 
+#include "api/slice.hpp"
 #include "delaunay/store.hpp"
+#include "diagram/pair.hpp"
 #include "homology/cycles/cycles.hpp"
-#include "homology/persistence.hpp"
 #include "include/netmesh.h"
+#include "jobs/bar_bounds.hpp"
+#include "jobs/k_vineyard.hpp"
 #include "memory/arena.hpp"
-#include "mesh/domain.hpp"
+#include "mesh/cage.hpp"
 #include "mesh/mesh_request.hpp"
 
 namespace netmesh {
 
-constexpr std::uint64_t context_magic = 0x6E65746D65736801u;
+constexpr std::uint64_t context_magic = 0x6E65746D65736802u;
 
 // The block while a result is held:
 //
 //   | Context | cages | cells | filter values | pairs |        gap        | vertices |
-//             ^ start         ^ mesh_mark
+//             ^ start         ^ mesh.low_end
 //
 // (cages that were loaded stand behind the cells), with representatives, where pairs are listed once more,
 //
-//   | Context | cages | cells | filter values | pairs | pairs | cycles |                 gap                    | vertices |
+//   | Context | cages | cells | filter values | pairs | pairs | cycles |            gap               | vertices |
 //
 // of an alpha complex or with pairs of zero length
 //
-//   | Context | cages | cells | filter values | pairs | facets, values | KeptComplex | pairs |   gap   | cycles | vertices |
+//   | Context | cages | cells | filter values | pairs | facets, values | pairs |   gap   | cycles | vertices |
 //
 // or, after homology of a complex, the parts in brackets when representatives are kept:
 //
-//   | Context | [ facets, values | KeptComplex ] | pairs |        gap        | [ cycles ] |
+//   | Context | [ facets, values ] | pairs |        gap        | [ cycles ] |
+
+// The points or simplices that the other results are made from.
+struct KeptInput {
+    bool present = false;
+    bool is_complex = false;  // there is the diagram of a complex, on the points or of simplices, and no mesh
+    std::uint32_t dim = 0;    // 0: a complex given by its simplices
+    std::uint64_t points = 0, duplicates = 0, fingerprint = 0;
+    std::uint32_t distinct = 0;  // inputs of a mesh, vertices of a complex
+};
+
+// A Delaunay triangulation or a mesh.
+struct KeptMesh {
+    bool present = false;
+    bool is_mesh = false;       // has a domain, and what is said below `store`
+    bool is_loaded = false;     // came through netmesh_load
+    std::uint64_t low_end = 0;  // of the arena, with the mesh alone
+    StoreState store = {};
+    double centre[NETMESH_DIM_MAX] = {}, radius = 0, enclosing_radius = 0;  // the domain
+    netmesh_method method = NETMESH_METHOD_SVR;
+    double tau = 0, aspect_ratio_max = 0;
+    RatioGoal goal = {};  // ratio 0: the mesh is not refined by the certificate
+    double size_eps = 0, size_ratio_max = 0;
+    Slice<Cage> cages;
+    HierarchyCounts hierarchy = {};
+    std::uint32_t audited = 0;  // a union of netmesh_audit_what
+    MeshAudit audit = {};
+};
+
+struct KeptDiagram {
+    bool present = false;
+    bool keeps_zero = false;
+    netmesh_filter filter = NETMESH_FILTER_NONE;
+    netmesh_values values = NETMESH_VALUES_CERTIFIED;
+    std::uint32_t max_degree = 0, k = 0;
+    Slice<Pair> pairs;
+    Slice<double> vertex_values;  // of a filter on meshes: one for each vertex
+    std::uint64_t simplices = 0;
+    double certified_ratio = 0, certified_ratio_best = 0, certified_from = 0;
+};
+
+struct KeptBounds {
+    bool present = false;
+    Slice<BarBounds> bars;
+    Slice<ScaleStep> steps;
+};
+
+struct KeptVineyard {
+    bool present = false;
+    netmesh_filter filter = NETMESH_FILTER_NONE;
+    netmesh_values values = NETMESH_VALUES_CERTIFIED;
+    std::uint32_t max_degree = 0, k_first = 0, k_last = 0, vines = 0;
+    Slice<double> ratios;  // [k_last - k_first + 1]
+    Slice<VinePoint> points;
+    std::uint64_t simplices = 0, transpositions = 0;
+    double certified_ratio = 0;
+};
+
+struct KeptScales {
+    bool present = false;
+    std::uint32_t count = 0, points_max = 0, vertices_max = 0;
+    std::uint64_t vertices = 0;
+    double separation = 0;
+};
+
+// A complex that was listed simplex by simplex; of[k] in homology's FilteredComplex.
 struct KeptComplex {
-    std::uint32_t dimension;
-    std::uint32_t count[FilteredComplex::dimension_max + 1];
-    std::uint64_t rows[FilteredComplex::dimension_max + 1], values[FilteredComplex::dimension_max + 1];  // offsets
+    std::uint32_t dimension = 0;
+    Slice<std::uint32_t> rows[FilteredComplex::dimension_max + 1];
+    Slice<double> values[FilteredComplex::dimension_max + 1];
+};
+
+// Representatives of the diagram's pairs.
+struct KeptCycles {
+    bool present = false;
+    bool is_listed = false;      // cycles name simplices of `complex`; else they hold vertices of the mesh
+    std::uint64_t high_end = 0;  // of the arena, above the cycles
+    CycleStore store = {};
+    KeptComplex complex;
 };
 
 struct Context {
     std::uint64_t magic;
     std::uint64_t block_bytes;
-    Arena arena;
     std::uint64_t start;  // low end of an empty context
+    Arena arena;
     netmesh_detail detail;
+    bool complete;  // the job ran to its end
 
-    std::uint32_t dim;  // 0: holds no triangulation
-    bool is_mesh, complete, has_values, has_diagram;
-    StoreState store;
-    std::uint64_t points, duplicates, input_fingerprint;
-    std::uint32_t inputs;
-    RatioGoal goal;  // ratio 0: the mesh is not refined by the certificate
-    double tau, aspect_ratio_max, size_ratio_max, over_refine_eps;
-    double domain_centre[NETMESH_DIM_MAX], domain_radius, enclosing_radius;
-
-    netmesh_method method;
-    std::uint32_t audit;  // what was audited
-    std::uint64_t cages_offset;
-    HierarchyCounts hierarchy;
-    MeshAudit mesh_audit;
-
-    std::uint64_t mesh_mark;  // low end of the mesh alone
-    std::uint64_t values_offset, pairs_offset, pair_count, simplices;
-    netmesh_filter filter;
-    netmesh_values values;
-    std::uint32_t max_degree, k;
-    double certified_ratio, certified_ratio_best, certified_from;
-
-    bool is_complex, has_cycles;  // then dim is 0
-    std::uint32_t point_dim;      // of the points the complex is made of, 0 for one given by its simplices
-    bool keeps_zero;
-    std::uint64_t kept_offset, result_fingerprint, cycles_high;  // kept_offset: 0 when no complex is kept
-                                                                 // cycles_high: the high end below which cycles lie
-    CycleStore cycles;
-    std::uint32_t scales, scale_points_max, scale_vertices_max;  // scales 0: another filter
-    std::uint64_t scale_vertices;
-    double separation;
-
-    bool is_loaded;  // the mesh came through netmesh_load
-
-    bool has_bounds;
-    std::uint64_t bounds_offset, curve_offset, curve_steps;
-
-    bool has_vineyard;
-    std::uint32_t k_first, k_last, vines;
-    std::uint64_t vine_ratios_offset, vine_points_offset, vine_points, transpositions;
+    KeptInput input;
+    KeptMesh mesh;
+    KeptDiagram diagram;
+    KeptBounds bounds;
+    KeptVineyard vineyard;
+    KeptScales scales;
+    KeptCycles cycles;
 };
 
 }  // namespace netmesh

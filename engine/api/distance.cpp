@@ -1,23 +1,66 @@
-#include "api/dispatch.hpp"
+// Distances between diagrams. No context is needed.
+#include "api/call.hpp"
 #include "diagram/bottleneck.hpp"
+
+namespace netmesh {
+namespace {
+
+Complaint read_request(const netmesh_bottleneck_request* from, netmesh_bottleneck_request* request) {
+    const netmesh_field fault = read_struct(from, request, sizeof *request);
+    if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
+    if (request->pairs_a == nullptr && request->count_a > 0) return {NETMESH_FIELD_PAIRS_A, "pairs_a is null"};
+    if (request->pairs_b == nullptr && request->count_b > 0) return {NETMESH_FIELD_PAIRS_B, "pairs_b is null"};
+    if (request->pair_bytes < sizeof(netmesh_pair))
+        return {NETMESH_FIELD_PAIR_BYTES, "pair_bytes is not the size of a pair"};
+    if (!in_range(request->scale, NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG))
+        return {NETMESH_FIELD_SCALE, "unknown scale"};
+    if (reinterpret_cast<std::uintptr_t>(request->scratch) % Arena::alignment != 0 ||
+        (request->scratch == nullptr && request->scratch_bytes > 0))
+        return {NETMESH_FIELD_SCRATCH, "scratch is null or not 16-byte aligned"};
+    return {};
+}
+
+Complaint complaint_about_pairs(const PairView& a, const PairView& b, bool log_scale) {
+    if (!are_diagram(a, log_scale)) return {NETMESH_FIELD_PAIRS_A, "a birth is not finite, or a death before it"};
+    if (!are_diagram(b, log_scale)) return {NETMESH_FIELD_PAIRS_B, "a birth is not finite, or a death before it"};
+    return {};
+}
+
+}  // namespace
+}  // namespace netmesh
 
 using namespace netmesh;
 
 extern "C" {
 
-size_t netmesh_bottleneck_bytes(uint64_t count_a, uint64_t count_b) { return bottleneck_bytes(count_a, count_b); }
+size_t netmesh_bottleneck_bytes(const netmesh_bottleneck_request* from) {
+    netmesh_bottleneck_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    return bottleneck_bytes(request.count_a, request.count_b);
+}
 
-netmesh_status netmesh_bottleneck(const netmesh_pair* a, size_t count_a, const netmesh_pair* b, size_t count_b,
-                                  uint32_t degree, netmesh_scale scale, void* scratch, size_t scratch_bytes,
-                                  netmesh_poll poll, void* user, netmesh_distance* distance) {
-    if ((a == nullptr && count_a > 0) || (b == nullptr && count_b > 0) || distance == nullptr ||
-        !in_range(scale, NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG) || (scratch == nullptr && scratch_bytes > 0) ||
-        reinterpret_cast<std::uintptr_t>(scratch) % Arena::alignment != 0) {
-        return NETMESH_INVALID_ARGUMENT;
+netmesh_status netmesh_bottleneck(const netmesh_bottleneck_request* from, netmesh_distance* distance,
+                                  netmesh_detail* detail) {
+    netmesh_bottleneck_request request;
+    netmesh_distance found = {};
+    Complaint complaint = read_request(from, &request);
+    if (complaint.text == nullptr && !has_room(distance)) complaint = {NETMESH_FIELD_RESULT, "distance has no size"};
+    Status status = Status::invalid_argument;
+    if (complaint.text == nullptr) {
+        const PairView a = {request.pairs_a, request.pair_bytes, request.count_a};
+        const PairView b = {request.pairs_b, request.pair_bytes, request.count_b};
+        Monitor monitor = monitor_of(request.monitor);
+        status = bottleneck(a, b, request.degree, request.scale == NETMESH_SCALE_LOG, request.scratch,
+                            request.scratch_bytes, monitor, &found);
+        if (status == Status::invalid_argument)
+            complaint = complaint_about_pairs(a, b, request.scale == NETMESH_SCALE_LOG);
     }
-    Monitor monitor(poll, user);
-    return static_cast<netmesh_status>(bottleneck(a, count_a, b, count_b, degree, scale == NETMESH_SCALE_LOG, scratch,
-                                                  scratch_bytes, monitor, distance));
+    if (status == Status::ok) give_result(found, distance);
+    netmesh_detail said = detail_of(status, complaint.text);
+    said.field = complaint.field;
+    if (status == Status::out_of_memory) said.bytes_wanted = bottleneck_bytes(request.count_a, request.count_b);
+    give_result(said, detail);
+    return said.status;
 }
 
 }  // extern "C"

@@ -1,40 +1,78 @@
 // Budget mode: the best certified diagram that fits in the block.
-#include "api/dispatch.hpp"
 #include "jobs/fit.hpp"
+#include "api/requests.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr double coarsest_ratio = 4;
 
+// Mesh, diagram and bounds of one goal, in place of what the context held.
+class FitRun {
+public:
+    FitRun(netmesh_context* context, const netmesh_fit_request& request) : context_(context), request_(request) {}
+
+    Status make(const RatioGoal& goal) const {
+        netmesh_status status = mesh(goal);
+        if (status == NETMESH_OK) status = persist();
+        if (status == NETMESH_OK && request_.bounds != 0) status = bound();
+        return static_cast<Status>(status);
+    }
+
+private:
+    netmesh_status mesh(const RatioGoal& goal) const {
+        netmesh_mesh_request asked;
+        netmesh_mesh_request_init(&asked, sizeof asked, request_.dim);
+        asked.monitor = request_.monitor;
+        asked.points = request_.points;
+        asked.point_count = request_.point_count;
+        asked.seed = request_.seed;
+        asked.purpose = NETMESH_PURPOSE_PERSIST;
+        asked.certificate = {goal.ratio, goal.focus, goal.from, goal.to};
+        return netmesh_mesh(context_, &asked);
+    }
+    netmesh_status persist() const {
+        netmesh_persist_request asked;
+        netmesh_persist_request_init(&asked, sizeof asked);
+        asked.monitor = request_.monitor;
+        asked.max_degree = request_.max_degree;
+        asked.keep_zero_pairs = request_.keep_zero_pairs;
+        return netmesh_persist(context_, &asked);
+    }
+    netmesh_status bound() const {
+        netmesh_bounds_request asked;
+        netmesh_bounds_request_init(&asked, sizeof asked);
+        asked.monitor = request_.monitor;
+        return netmesh_bound_bars(context_, &asked);
+    }
+
+    netmesh_context* context_;
+    const netmesh_fit_request& request_;
+};
+
+Complaint complaint_about(const netmesh_fit_request& request) {
+    const Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    if (complaint.text != nullptr) return complaint;
+    if (request.ratio != 0 && !is_valid_ratio(request.ratio))
+        return {NETMESH_FIELD_RATIO, "ratio is not a finite number above the root of 2"};
+    const bool focused = request.focus_from != 0 || request.focus_to != 0;
+    if (focused && !(request.focus_from > 0 && request.focus_from < request.focus_to))
+        return {NETMESH_FIELD_FOCUS_FROM, "not 0 < focus_from < focus_to"};
+    return {};
+}
+
 }  // namespace
 }  // namespace netmesh
 
 using namespace netmesh;
 
-extern "C" netmesh_status netmesh_fit(netmesh_context* context, const double* points, size_t n, uint32_t max_degree,
-                                      int keep_zero_pairs, int bounds, const netmesh_options* options) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    const auto refuse = [&](const char* message) { return finish(context, Status::invalid_argument, message, 7); };
-    if (!usable(options)) return refuse("options are not initialised or the dimension is not 2..6");
-    const bool focused = options->focus_from != 0 || options->focus_to != 0;
-    if (options->focus_ratio != 0) return refuse("focus_ratio is what is to be found");
-    if (focused && !(options->focus_from > 0 && options->focus_from < options->focus_to))
-        return refuse("not 0 < focus_from < focus_to");
-    const RatioLadder ladder(options->ratio != 0 ? options->ratio : coarsest_ratio, options->focus_from,
-                             options->focus_to);
-    const auto climb = [&](const RatioGoal& goal) {
-        netmesh_options asked = *options;
-        asked.ratio = goal.ratio;
-        asked.focus_ratio = goal.focus;
-        asked.focus_from = goal.from;
-        asked.focus_to = goal.to;
-        netmesh_status status = netmesh_mesh(context, points, n, NETMESH_JOB_PERSIST, &asked);
-        if (status == NETMESH_OK)
-            status = netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, max_degree,
-                                     keep_zero_pairs, &asked);
-        if (status == NETMESH_OK && bounds != 0) status = netmesh_bound_bars(context, &asked);
-        return static_cast<Status>(status);
-    };
-    return static_cast<netmesh_status>(fit(ladder, climb));
+extern "C" netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fit_request* from) {
+    netmesh_fit_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    const Complaint complaint = complaint_about(request);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    const RatioLadder ladder(request.ratio != 0 ? request.ratio : coarsest_ratio, request.focus_from, request.focus_to);
+    const FitRun run(context, request);
+    return static_cast<netmesh_status>(fit(ladder, [&](const RatioGoal& goal) { return run.make(goal); }));
 }

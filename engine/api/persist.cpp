@@ -1,83 +1,53 @@
-#include "api/dispatch.hpp"
+// Persistence on the triangulation or mesh that the context holds.
+#include "api/measure.hpp"
+#include "api/requests.hpp"
 #include "jobs/persist_filter.hpp"
 
 namespace netmesh {
 namespace {
 
-struct Request {
-    netmesh_filter filter;
-    netmesh_values values;
-    std::uint32_t max_degree;
-    bool keep_zero;
-};
-
-FilterValues kind_of(netmesh_values values) {
-    return values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified;
-}
-
 bool is_length(double x) { return x >= 0 && is_finite(x); }
 
-// What every persistence job checks. Enumerations come as they came from outside, see in_range.
-netmesh_status check_request(netmesh_context* context, const netmesh_filter& filter, const netmesh_values& values,
-                             std::uint64_t values_position, const netmesh_options* options,
-                             std::uint64_t options_position) {
-    if (!usable(options))
-        return finish(context, Status::invalid_argument, "options are not initialised", options_position);
-    const Filter* const row = find_filter(filter);
-    if (row == nullptr || (row->source != FilterSource::mesh && row->source != FilterSource::delaunay))
-        return finish(context, Status::invalid_argument, "unknown filter", 2);
-    if (!in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS))
-        return finish(context, Status::invalid_argument, "unknown kind of values", values_position);
-    if (context->dim == 0 || !context->complete)
-        return finish(context, Status::no_result, "there is no complete triangulation or mesh");
-    if (context->store.cell_slots == 0) return finish(context, Status::no_result, "there is no triangulation or mesh");
-    const bool alpha = row->source == FilterSource::delaunay;
-    if (alpha == context->is_mesh)
-        return finish(context, Status::no_result,
-                      alpha ? "the alpha filter needs a Delaunay triangulation of the points alone"
-                            : "this filter needs a mesh");
-    if (context->hierarchy.cages > 0)
-        return finish(context, Status::no_result, "this filter needs a mesh without cages");
-    return NETMESH_OK;
+// The caller's function, as this version knows it.
+Complaint read_function(const netmesh_function* from, netmesh_function* function) {
+    if (from == nullptr) return {NETMESH_FIELD_FUNCTION, "the function is null"};
+    const netmesh_field fault = read_struct(from, function, sizeof *function);
+    if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
+    if (function->evaluate == nullptr) return {NETMESH_FIELD_FUNCTION, "the function is null"};
+    if (!is_length(function->lipschitz)) return {NETMESH_FIELD_LIPSCHITZ, "lipschitz is not finite and >= 0"};
+    if (!is_length(function->distance_factor))
+        return {NETMESH_FIELD_DISTANCE_FACTOR, "distance_factor is not finite and >= 0"};
+    if (!is_length(function->cut)) return {NETMESH_FIELD_CUT, "cut is not finite and >= 0"};
+    return {};
 }
 
-netmesh_status keep_diagram(netmesh_context* context, const Request& request, std::uint32_t k, Status status,
-                            const FilterDiagram& outcome) {
-    if (status != Status::ok) {
-        clear_diagram(context);
-        return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
-    }
-    if (outcome.value != nullptr) {
-        context->has_values = true;
-        context->values_offset = context->arena.offset_of(outcome.value);
-    }
-    context->has_diagram = true;
-    context->keeps_zero = request.keep_zero;
-    context->pairs_offset = context->arena.offset_of(outcome.pairs.pairs);
-    context->pair_count = outcome.pairs.count;
-    context->simplices = outcome.simplices;
-    context->filter = request.filter;
-    context->values = request.values;
-    context->max_degree = request.max_degree;
-    context->k = k;
-    context->certified_ratio = outcome.certificate.ratio;
-    context->certified_ratio_best = outcome.certificate.ratio_best;
-    context->certified_from = outcome.certificate.from;
-    return finish(context, Status::ok, "");
+// Why the context's result is not what the filter needs; null when it is.
+const char* missing_result(const netmesh_context* context, const Filter& filter) {
+    if (!context->complete) return "there is no complete triangulation or mesh";
+    if (!context->mesh.present) return "there is no triangulation or mesh";
+    if (filter.source == FilterSource::delaunay && context->mesh.is_mesh)
+        return "the alpha filter needs a Delaunay triangulation of the points alone";
+    if (filter.source == FilterSource::mesh && !context->mesh.is_mesh) return "this filter needs a mesh";
+    return context->mesh.cages.count > 0 ? "this filter needs a mesh without cages" : nullptr;
 }
 
-template <int D>
-netmesh_status persist_on(netmesh_context* context, const Request& request, const FilterRequest& filter,
-                          Monitor& monitor) {
-    Store<D> store(context->arena, context->store);
-    FilterDiagram diagram;
-    const Status status = persist_filter<D>({store, domain_of<D>(*context), context->inputs},
-                                            {filter, {request.max_degree, request.keep_zero}},
-                                            {context->arena, monitor}, &diagram);
-    const netmesh_status result = keep_diagram(context, request, filter.k, status, diagram);
-    return status == Status::not_finite
-               ? finish(context, status, "the function is not finite and >= 0 at a vertex", diagram.culprit)
-               : result;
+void keep_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
+                  const FilterDiagram& diagram) {
+    const Arena& arena = context->arena;
+    KeptDiagram& kept = context->diagram;
+    kept.present = true;
+    kept.keeps_zero = request.diagram.keep_zero;
+    kept.filter = request.filter.filter;
+    kept.values = values;
+    kept.max_degree = request.diagram.max_degree;
+    kept.k = request.filter.k;
+    kept.pairs = Slice<Pair>::of(arena, diagram.pairs.pairs, diagram.pairs.count);
+    if (diagram.value != nullptr)
+        kept.vertex_values = Slice<double>::of(arena, diagram.value, context->mesh.store.vertex_count);
+    kept.simplices = diagram.simplices;
+    kept.certified_ratio = diagram.certificate.ratio;
+    kept.certified_ratio_best = diagram.certificate.ratio_best;
+    kept.certified_from = diagram.certificate.from;
 }
 
 }  // namespace
@@ -85,47 +55,39 @@ netmesh_status persist_on(netmesh_context* context, const Request& request, cons
 
 using namespace netmesh;
 
-extern "C" {
-
-netmesh_status netmesh_persist(netmesh_context* context, netmesh_filter filter, netmesh_values values,
-                               uint32_t max_degree, int keep_zero_pairs, const netmesh_options* options) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    const netmesh_status checked = check_request(context, filter, values, 3, options, 6);
-    if (checked != NETMESH_OK) return checked;
-    if (filter == NETMESH_FILTER_FUNCTION)
-        return finish(context, Status::invalid_argument, "functions go to netmesh_persist_function", 2);
-    const bool counts = find_filter(filter)->has(filter_trait::needs_k);
-    const std::uint32_t k = !counts ? 0 : options->k > 1 ? options->k : 1;
-    if (k > context->inputs)
-        return finish(context, Status::invalid_argument, "k is more than the number of different points", 7);
-    const Request request = {filter, values, max_degree < context->dim ? max_degree : context->dim - 1,
-                             keep_zero_pairs != 0};
+extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmesh_persist_request* from) {
+    netmesh_persist_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    const Filter* const filter = find_filter(request.filter);
+    if (filter == nullptr || (filter->source != FilterSource::mesh && filter->source != FilterSource::delaunay))
+        return refuse(context, NETMESH_FIELD_FILTER, "not a filter on a triangulation or mesh");
+    netmesh_function function = {};
+    Complaint complaint = complaint_about_values(request.values);
+    if (complaint.text == nullptr && filter->has(filter_trait::needs_function))
+        complaint = read_function(request.function, &function);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    const char* const missing = missing_result(context, *filter);
+    if (missing != nullptr) return finish(context, Status::no_result, missing);
+    const std::uint32_t k = !filter->has(filter_trait::needs_k) ? 0 : request.k > 1 ? request.k : 1;
+    if (k > context->input.distinct)
+        return refuse(context, NETMESH_FIELD_K, "k is more than the number of different points");
+    const PersistRequest wanted = {{request.filter, values_of(request.values), k, &function},
+                                   {degree_of(request.max_degree, context->input.dim), request.keep_zero_pairs != 0}};
     clear_diagram(context);
-    Monitor monitor = monitor_of(*options);
-    return with_dimension(context->dim, [&](auto dimension) {
+    Monitor monitor = monitor_of(request.monitor);
+    FilterDiagram diagram;
+    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
-        return persist_on<D>(context, request, {filter, kind_of(values), k}, monitor);
+        Store<D> store(context->arena, context->mesh.store);
+        return persist_filter<D>(filtered_mesh_of<D>(*context, store), wanted, {context->arena, monitor}, &diagram);
     });
-}
-
-netmesh_status netmesh_persist_function(netmesh_context* context, const netmesh_function* function,
-                                        netmesh_values values, uint32_t max_degree, int keep_zero_pairs,
-                                        const netmesh_options* options) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (function == nullptr || function->evaluate == nullptr || !is_length(function->lipschitz) ||
-        !is_length(function->distance_factor) || !is_length(function->cut))
-        return finish(context, Status::invalid_argument, "the function is null, or its numbers are not finite and >= 0",
-                      2);
-    const netmesh_status checked = check_request(context, NETMESH_FILTER_FUNCTION, values, 3, options, 6);
-    if (checked != NETMESH_OK) return checked;
-    const Request request = {NETMESH_FILTER_FUNCTION, values, max_degree < context->dim ? max_degree : context->dim - 1,
-                             keep_zero_pairs != 0};
+    if (status == Status::ok) {
+        keep_diagram(context, wanted, request.values, diagram);
+        return finish(context, status);
+    }
     clear_diagram(context);
-    Monitor monitor = monitor_of(*options);
-    return with_dimension(context->dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        return persist_on<D>(context, request, {NETMESH_FILTER_FUNCTION, kind_of(values), 0, function}, monitor);
-    });
+    if (status == Status::not_finite)
+        return finish(context, status, "the function is not finite and >= 0 at a vertex", diagram.culprit);
+    return finish(context, status);
 }
-
-}  // extern "C"

@@ -1,17 +1,31 @@
-#include "vocabulary/dimension.hpp"
-#include "api/dispatch.hpp"
+// Bytes of block to plan for. How many vertices and cells there will be, and what reductions fill in, is measured on
+// uniform points (vocabulary/dimension.hpp); what one of them takes is the size of what is placed.
+#include "api/plan.hpp"
+
+#include "api/mesh_rules.hpp"
+#include "complex/triangulation.hpp"
+#include "delaunay/store.hpp"
 #include "filtration/tight_filter.hpp"
+#include "mesh/cage.hpp"
 
 namespace netmesh {
 namespace {
 
-// Measured on uniform points; the margin covers other seeds and small sets.
+// Covers other seeds and small sets.
 constexpr double margin = 1.3;
-constexpr double gradient_bytes_per_simplex = 8;
-constexpr double alpha_bytes_per_simplex = 48;
-constexpr double hierarchy_bytes_per_point = 44;
-// Audits: scratch for each vertex and cell, and what is left of the block when lists have taken their share of it.
-constexpr double audit_bytes_per_vertex = 40, audit_bytes_per_cell = 16, audit_bytes_per_point = 24;
+// Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
+constexpr double boundary_cells = 64;
+constexpr double block_overhead = 16384;
+
+constexpr double word = sizeof(std::uint32_t), number = sizeof(double);
+constexpr double order_bytes = word + word + 1;        // a point: its order, its nearest, a mark
+constexpr double hierarchy_bytes = 9 * word + number;  // a point: trees of inputs and cages while it meshes
+constexpr double filter_bytes = 3 * number;            // a vertex: value, out-radius, reach
+constexpr double gradient_bytes = 2 * word;            // a simplex: critical simplices and their columns
+constexpr double alpha_bytes = 12 * word;              // a simplex: rows, values, order, columns and fill
+constexpr double scale_bytes = 8 * word;               // a point: of the partition into scales
+constexpr double audit_vertex_bytes = 5 * number, audit_cell_bytes = 4 * word, audit_point_bytes = 6 * word;
+constexpr double ball_entry_bytes = 4 * word;  // an input in a D-ball, and as much to sort it again
 
 double power_in_eighths(double x, int k) {
     const double root = square_root(square_root(square_root(x)));
@@ -20,59 +34,120 @@ double power_in_eighths(double x, int k) {
     return p;
 }
 
-template <int D>
-double planned_bytes(netmesh_job job, netmesh_method method, std::uint32_t audit, double tau, double eps,
-                     double points) {
-    const bool tight = job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES;
-    const bool meshes = job == NETMESH_JOB_MESH || job == NETMESH_JOB_PERSIST || tight;
-    double vertices = points, cells = points * figures<D>.delaunay_cells_per_point;
-    if (meshes) {
-        vertices = points * (1 + figures<D>.growth / power_in_eighths(tau - 2, figures<D>.growth_eighths)) + 100;
-        double fine = eps > 0 ? (points + (tight ? figures<D>.tight_surroundings : 0)) * figures<D>.over_refined : 0;
-        for (int k = 0; k < D && eps > 0; ++k) fine /= eps;
-        if (fine > vertices) vertices = fine;
-        cells = vertices * figures<D>.mesh_cells_per_vertex;
-    }
-    double bytes = vertices * sizeof(Vertex<D>) + cells * sizeof(Cell<D>) + 9 * points;
-    if (meshes && (method == NETMESH_METHOD_NETMESH || audit != 0)) bytes += hierarchy_bytes_per_point * points;
-    if (meshes && audit != 0) {
-        bytes += audit_bytes_per_vertex * vertices + audit_bytes_per_cell * cells + audit_bytes_per_point * points;
-        const double lists = 16 * figures<D>.audit_balls_per_point * points;
+// How much of everything there will be.
+struct Amounts {
+    double points, vertices, cells;
+};
+
+// What is planned for, besides vertices and cells.
+struct Planned {
+    bool hierarchy = false, audit = false;
+    bool filter = false;  // values and diagram of a filter on a mesh
+    bool alpha = false;
+    bool scales = false;
+};
+
+template <int D> Amounts delaunay_amounts(double points) {
+    return {points, points, points * figures<D>.delaunay_cells_per_point};
+}
+
+// Of a mesh of aspect ratio tau; eps: over-refined to that many f_P, 0: not; surroundings: points that a larger domain
+// counts for.
+template <int D> Amounts mesh_amounts(double points, double tau, double eps, double surroundings) {
+    double vertices = points * (1 + figures<D>.growth / power_in_eighths(tau - 2, figures<D>.growth_eighths)) + 100;
+    double fine = eps > 0 ? (points + surroundings) * figures<D>.over_refined : 0;
+    for (int k = 0; k < D && eps > 0; ++k) fine /= eps;
+    if (fine > vertices) vertices = fine;
+    return {points, vertices, vertices * figures<D>.mesh_cells_per_vertex};
+}
+
+template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
+    double bytes = n.vertices * sizeof(Vertex<D>) + n.cells * sizeof(Cell<D>) + order_bytes * n.points;
+    if (planned.hierarchy || planned.audit) bytes += hierarchy_bytes * n.points;
+    if (planned.audit) {
+        bytes += audit_vertex_bytes * n.vertices + audit_cell_bytes * n.cells + audit_point_bytes * n.points;
+        // Lists take their share of what is left of the block.
+        const double lists = ball_entry_bytes * figures<D>.audit_balls_per_point * n.points;
         if (bytes < 3 * lists) bytes = 3 * lists;
         bytes += bytes / 3;
     }
-    const double simplices = cells * figures<D>.simplices_per_cell;
-    if (job == NETMESH_JOB_PERSIST || tight) bytes += 24 * vertices + gradient_bytes_per_simplex * simplices;
-    if (job == NETMESH_JOB_PERSIST_ALPHA) bytes += alpha_bytes_per_simplex * simplices;
-    if (job == NETMESH_JOB_PERSIST_SCALES) bytes += points * (sizeof(Vertex<D>) + 32);
-    // Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
-    return margin * bytes + sizeof(netmesh_context) + 16384 + 64 * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
+    const double simplices = n.cells * figures<D>.simplices_per_cell;
+    if (planned.filter) bytes += filter_bytes * n.vertices + gradient_bytes * simplices;
+    if (planned.alpha) bytes += alpha_bytes * simplices;
+    if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + scale_bytes);
+    return margin * bytes + sizeof(netmesh_context) + block_overhead +
+           boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
+}
+
+bool is_plannable(std::uint32_t dim, std::size_t points) {
+    return complaint_about_dim(dim).text == nullptr && points > 0 && points <= NETMESH_POINTS_MAX;
+}
+
+// A mesh that certifies a ratio takes no more than one of the aspect ratio that proves it.
+double equivalent_tau(const netmesh_mesh_request& request) {
+    const double ratio = request.certificate.ratio, equivalent = ratio * ratio - 2;
+    if (!(ratio > 0)) return tau_of(request.dim, request.tau);
+    return equivalent > 2.1 ? equivalent : 2.1;
 }
 
 }  // namespace
+
+std::size_t whole_bytes(double bytes) {
+    if (!(bytes < 0x1p62) || bytes >= static_cast<double>(SIZE_MAX / 2)) return SIZE_MAX;
+    return (static_cast<std::size_t>(bytes) + Arena::alignment) & ~(Arena::alignment - 1);
+}
+
 }  // namespace netmesh
 
 using namespace netmesh;
 
-extern "C" size_t netmesh_plan_bytes(netmesh_job job, const netmesh_options* options, uint64_t points) {
-    if (!usable(options) || points == 0 || points > (uint64_t{1} << 28)) return 0;
-    if (!in_range(job, NETMESH_JOB_DELAUNAY, NETMESH_JOB_PERSIST_SCALES)) return 0;
-    if (!in_range(options->method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE)) return 0;
-    // A mesh that certifies a ratio takes no more than one of the aspect ratio that proves it.
-    const double equivalent = options->ratio * options->ratio - 2;
-    const double tau = options->ratio > 0 ? (equivalent > 2.1 ? equivalent : 2.1) : tau_of(*options);
-    if (!(tau > 2) || !is_finite(tau)) return 0;
-    if (!(options->over_refine_eps >= 0)) return 0;
-    double size = options->over_refine_eps;
-    if (job == NETMESH_JOB_PERSIST_TIGHT || job == NETMESH_JOB_PERSIST_SCALES) {
-        if (!is_valid_eps(eps_of(*options))) return 0;
-        const double tight = tight_size(eps_of(*options));
-        if (!(size > 0 && size < tight)) size = tight;
-    }
-    const double bytes = with_dimension(options->dim, [&](auto dimension) {
-        return planned_bytes<decltype(dimension)::value>(job, options->method, options->audit, tau, size,
-                                                         static_cast<double>(points));
-    });
-    if (!(bytes < 0x1p62) || bytes >= static_cast<double>(SIZE_MAX / 2)) return SIZE_MAX;
-    return (static_cast<size_t>(bytes) + Arena::alignment) & ~(Arena::alignment - 1);
+extern "C" {
+
+size_t netmesh_plan_delaunay(const netmesh_delaunay_request* from) {
+    netmesh_delaunay_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    if (!is_plannable(request.dim, request.point_count)) return 0;
+    if (!in_range(request.purpose, NETMESH_PURPOSE_MESH, NETMESH_PURPOSE_PERSIST)) return 0;
+    Planned planned;
+    planned.alpha = request.purpose == NETMESH_PURPOSE_PERSIST;
+    return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        return block_bytes<D>(delaunay_amounts<D>(static_cast<double>(request.point_count)), planned);
+    }));
 }
+
+size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
+    netmesh_mesh_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    if (!is_plannable(request.dim, request.point_count)) return 0;
+    const double tau = equivalent_tau(request);
+    if (complaint_about_numbers(request).text != nullptr || !is_valid_tau(tau)) return 0;
+    const bool tight = request.purpose == NETMESH_PURPOSE_TIGHT;
+    Planned planned;
+    planned.hierarchy = request.method == NETMESH_METHOD_HIERARCHY;
+    planned.audit = request.audit != 0;
+    planned.filter = request.purpose != NETMESH_PURPOSE_MESH;
+    return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        const double points = static_cast<double>(request.point_count);
+        const double surroundings = tight ? figures<D>.tight_surroundings : 0;
+        return block_bytes<D>(mesh_amounts<D>(points, tau, sizes_of(request).eps, surroundings), planned);
+    }));
+}
+
+size_t netmesh_plan_scales(const netmesh_scales_request* from) {
+    netmesh_scales_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    if (!is_plannable(request.dim, request.point_count)) return 0;
+    const double tau = tau_of(request.dim, request.tau), eps = eps_of(request.eps);
+    if (!is_valid_tau(tau) || !is_valid_eps(eps)) return 0;
+    Planned planned;
+    planned.filter = planned.scales = true;
+    return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        const double points = static_cast<double>(request.point_count);
+        return block_bytes<D>(mesh_amounts<D>(points, tau, tight_size(eps), figures<D>.tight_surroundings), planned);
+    }));
+}
+
+}  // extern "C"

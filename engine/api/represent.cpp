@@ -1,22 +1,22 @@
-// Cycles for the diagram of a triangulation, from its complex made explicit.
-#include "api/complex_job.hpp"
+// Representatives of the diagram of the triangulation or mesh that the context holds.
 #include "jobs/represent.hpp"
+#include "api/keep_complex.hpp"
+#include "api/measure.hpp"
+#include "api/requests.hpp"
 
 namespace netmesh {
 namespace {
 
-Status represent_bars(netmesh_context* context, const Work& work, Representation* out) {
-    Arena& arena = context->arena;
-    const auto* const before = reinterpret_cast<const Pair*>(arena.at(context->pairs_offset));
-    RepresentRequest request = {{context->filter, FilterValues::certified, context->k},
-                                nullptr,
-                                {context->max_degree, context->keeps_zero},
-                                {before, context->pair_count}};
-    if (context->has_values) request.value = reinterpret_cast<const double*>(arena.at(context->values_offset));
-    return with_dimension(context->dim, [&](auto d) {
-        constexpr int D = decltype(d)::value;
-        Store<D> store(arena, context->store);
-        return represent<D>({store, domain_of<D>(*context), context->inputs}, request, work, out);
+Status find_cycles(netmesh_context* context, Monitor& monitor, Representation* made) {
+    const KeptDiagram& diagram = context->diagram;
+    const RepresentRequest request = {{diagram.filter, values_of(diagram.values), diagram.k},
+                                      diagram.vertex_values.in(context),
+                                      {diagram.max_degree, diagram.keeps_zero},
+                                      {diagram.pairs.in(context), diagram.pairs.count}};
+    return with_dimension(context->input.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->mesh.store);
+        return represent<D>(filtered_mesh_of<D>(*context, store), request, {context->arena, monitor}, made);
     });
 }
 
@@ -25,27 +25,20 @@ Status represent_bars(netmesh_context* context, const Work& work, Representation
 
 using namespace netmesh;
 
-extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netmesh_options* options) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (!usable(options)) return finish(context, Status::invalid_argument, "options are not initialised", 2);
-    if (context->dim == 0 || !context->has_diagram || context->store.cell_slots == 0 ||
-        (!context->has_values && context->filter != NETMESH_FILTER_ALPHA))
+extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netmesh_represent_request* from) {
+    netmesh_represent_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    if (!context->mesh.present || !context->diagram.present)
         return finish(context, Status::no_result, "there is no diagram of a triangulation or mesh");
-    if (context->has_cycles) return finish(context, Status::ok, "");
-    const std::size_t low = context->arena.low_mark(), high = context->arena.high_mark();
-    Monitor monitor = monitor_of(*options);
+    if (context->cycles.present) return finish(context, Status::ok);
+    const std::size_t high = context->arena.high_mark();
+    Monitor monitor = monitor_of(request.monitor);
     Representation made = {};
-    Status status = represent_bars(context, {context->arena, monitor}, &made);
-    context->kept_offset = 0;
-    if (status == Status::ok && made.is_listed && !keep_complex(context, made.complex)) status = Status::out_of_memory;
-    if (status != Status::ok) {
-        context->arena.release_low(low);
-        context->arena.release_high(high);
-        return finish(context, status, netmesh_status_text(static_cast<netmesh_status>(status)));
-    }
-    context->has_cycles = true;
-    context->cycles_high = high;
-    context->cycles = made.cycles;
-    context->pairs_offset = context->arena.offset_of(made.pairs.pairs);
-    return finish(context, Status::ok, "");
+    const Status status = find_cycles(context, monitor, &made);
+    if (status != Status::ok) return finish(context, status);
+    context->diagram.pairs = Slice<Pair>::of(context->arena, made.pairs.pairs, made.pairs.count);
+    keep_cycles(context, made.cycles, high);
+    if (made.is_listed) keep_complex(context, made.complex);
+    return finish(context, status);
 }

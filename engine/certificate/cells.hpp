@@ -8,12 +8,12 @@
 
 namespace netmesh {
 
-template <int D> std::uint32_t nearest_input(const Store<D>& store, std::uint32_t v) {
-    return store.vertex(v).marker == Marker::input ? v : store.vertex(v).origin;
+template <int D> VertexId nearest_input(const Store<D>& store, VertexId v) {
+    return store.vertex(v).marker == Marker::input ? v : VertexId(store.vertex(v).origin);
 }
 
 // The distance from v to its nearest input; 0 for inputs.
-template <int D> double distance_to_inputs(const Store<D>& store, std::uint32_t v) {
+template <int D> double distance_to_inputs(const Store<D>& store, VertexId v) {
     return distance<D>(store.point(v), store.point(nearest_input<D>(store, v)));
 }
 
@@ -21,14 +21,14 @@ template <int D> double distance_to_inputs(const Store<D>& store, std::uint32_t 
 // input or more; reach may be null. The unbounded sides of cells on the hull are not seen. O(cells).
 template <int D> void measure_cells(const Store<D>& store, double* out_radius, double* reach) {
     const std::uint32_t count = store.state.vertex_count;
-    for (std::uint32_t v = 0; v < count; ++v) out_radius[v] = 0;
-    for (std::uint32_t v = 0; v < count && reach != nullptr; ++v) reach[v] = 0;
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+    for (VertexId v(0); v < count; ++v) out_radius[v] = 0;
+    for (VertexId v(0); v < count && reach != nullptr; ++v) reach[v] = 0;
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
         const Cell<D>& cell = store.cell(c);
         const double radius = square_root(cell.radius2);
         const double doubt = static_cast<double>(cell.error) * radius;
         const double r = (radius + doubt) * up;
-        for (const std::uint32_t v : cell.vertex) {
+        for (const VertexId v : cell.vertex) {
             if (!(r <= out_radius[v])) out_radius[v] = r;
             if (reach == nullptr) continue;
             const double far = (distance<D>(cell.centre, store.point(nearest_input<D>(store, v))) + doubt) * up;

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "certificate/interval.hpp"
+#include "vocabulary/ids.hpp"
 
 namespace netmesh {
 
@@ -56,12 +57,12 @@ template <class IntervalOf>
 Certificate clamp_values(std::uint32_t count, double cut, FilterValues values, IntervalOf&& interval, double* value,
                          Interval* intervals) {
     Clamp clamp(values);
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         const Interval i = interval(v);
         if (i.hi > i.lo * clamp.widest()) clamp.show(i);  // products first: most intervals need no division
     }
     clamp.fix_ratio();
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         const Interval i = interval(v);
         if (intervals != nullptr) intervals[v] = i;
         value[v] = clamp.value(value[v] < cut ? value[v] : cut, i);

@@ -7,8 +7,8 @@
 
 namespace netmesh {
 
-// It stands in the store's gap and marks the cells that it holds. There is one at a time: the next list, and the kernel's
-// next search, are written to the same place.
+// It stands in the store's gap and marks the cells that it holds. There is one at a time: the next list, and the
+// kernel's next search, are written to the same place.
 template <int D> class CellList {
 public:
     explicit CellList(Store<D>& store)
@@ -37,5 +37,20 @@ private:
     const std::uint32_t stamp_;
     std::uint32_t size_ = 0;
 };
+
+// Calls visit(cell) for each cell at vertex v, ghosts included, from Vertex::cell on. Stops early, returning false,
+// when the gap is too small for the list of them. In a compact store v must not be on the hull.
+template <int D, class Visit> bool visit_star(Store<D>& store, VertexId v, Visit&& visit) {
+    CellList<D> star(store);
+    if (!star.add(store.vertex(v).cell)) return false;
+    for (std::uint32_t k = 0; k < star.size(); ++k) {
+        const CellId c = star[k];
+        const Cell<D>& cell = store.cell(c);
+        visit(c);
+        for (int i = 0; i <= D; ++i)
+            if (cell.vertex[i] != v && !star.add(cell.neighbour[i].cell())) return false;
+    }
+    return true;
+}
 
 }  // namespace netmesh

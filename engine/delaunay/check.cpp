@@ -134,6 +134,59 @@ template <int D> CheckResult check_delaunay(const Store<D>& store) {
     return {nullptr, none};
 }
 
+#ifdef NETMESH_VALIDATE
+namespace {
+
+template <int D> const char* violation_at(const Store<D>& store, CellId c) {
+    const Cell<D>& cell = store.cell(c);
+    int infinite = 0;
+    for (int i = 0; i <= D; ++i) {
+        infinite += cell.vertex[i] == none;
+        if (cell.vertex[i] != none && cell.vertex[i] >= store.state.vertex_count) return "a vertex does not exist";
+        for (int j = 0; j < i; ++j)
+            if (cell.vertex[i] == cell.vertex[j]) return "a cell has a vertex twice";
+    }
+    for (std::uint32_t i = 0; i <= D; ++i) {
+        const FacetId facet = cell.neighbour[i];
+        const CellId n = facet.cell();
+        if (n >= store.state.cell_slots || n == c || !store.is_live(n) || facet.position() > D)
+            return "a neighbour does not exist";
+        if (store.cell(n).neighbour[facet.position()] != FacetId(c, i)) return "neighbours are not mutual";
+        for (std::uint32_t k = 0; k <= D; ++k)
+            if (k != i && position_of<D>(store.cell(n), cell.vertex[k]) < 0) return "neighbours do not share a facet";
+    }
+    if (infinite != 0) return nullptr;
+    PredicateCounts counts = {};
+    const double* p[D + 1];
+    points_of<D>(store, c, p);
+    if (orient<D>(p, counts) != Sign::positive) return "a cell is not positively oriented";
+    for (const FacetId facet : cell.neighbour) {
+        const VertexId q = store.cell(facet.cell()).vertex[facet.position()];
+        if (q != none && in_ball<D>(p, store.point(q), counts) == Sign::positive)
+            return "a vertex lies inside the ball of a cell";
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+template <int D> const char* violation_in_use(const Store<D>& store) {
+    if (store.state.cell_slots > validated_cells_max) return nullptr;
+    std::uint32_t free = 0;
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
+        const bool live = store.is_live(c);
+        free += !live;
+        const char* const violation = live ? violation_at<D>(store, c) : nullptr;
+        if (violation != nullptr) return violation;
+    }
+    return free == store.state.cells_free ? nullptr : "the count of free cells is wrong";
+}
+
+#define NETMESH_INSTANTIATE(D) template const char* violation_in_use<D>(const Store<D>&);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+#endif
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template CheckResult check_combinatorial<D>(const Store<D>&);                                                      \
     template CheckResult check_geometric<D>(const Store<D>&);                                                          \

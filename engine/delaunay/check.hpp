@@ -11,7 +11,8 @@ struct CheckResult {
     std::uint32_t cell;     // where; `none` when it is not about one cell
 };
 
-// On a compact store, O(cells) each (in-ball and orientation tests: one a facet). The first violation found is returned.
+// On a compact store, O(cells) each (in-ball and orientation tests: one a facet). The first violation found is
+// returned.
 
 // Vertices distinct and in range, neighbours mutual with equal facets, each vertex's cell at that vertex.
 template <int D> CheckResult check_combinatorial(const Store<D>& store);
@@ -23,5 +24,13 @@ template <int D> CheckResult check_geometric(const Store<D>& store);
 // No vertex opposite a facet strictly inside the ball on the other side; with the above, by Delaunay's lemma, no vertex
 // strictly inside any ball. Needs check_geometric.
 template <int D> CheckResult check_delaunay(const Store<D>& store);
+
+#ifdef NETMESH_VALIDATE
+// What is wrong with a store in use, ghosts and free slots included: counts, vertices, mutual neighbours, orientation
+// and the Delaunay property, all exactly; null when all is well or when it has more than validated_cells_max slots.
+// O(cells).
+constexpr std::uint32_t validated_cells_max = 3000;
+template <int D> const char* violation_in_use(const Store<D>& store);
+#endif
 
 }  // namespace netmesh

@@ -1,5 +1,6 @@
 #include "delaunay/kernel.hpp"
 
+#include "delaunay/check.hpp"
 #include "delaunay/planar.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -23,7 +24,8 @@ template <int D>
     solve_sphere<D>(p, error_max, cell);
 }
 
-// Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for. Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
+// Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for.
+// Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
 template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp, CellId made, FacetId origin) {
     Cell<D>& fresh = cells[made];
     const Cell<D>* const start = &cells[origin.cell()];
@@ -231,6 +233,7 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
 // keeps the orientation. The old cell's neighbour across the facet becomes the new cell.
 template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
+    NETMESH_ASSERT(cavity.cells > 0 && cavity.facets > D);
     if constexpr (D == 2) {
         PlanarCavity<D>::fill(*this, cavity, id);
     } else {
@@ -264,12 +267,13 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
         }
         for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
         for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
-        if (stars_)
+        if (vertex_cells_ == VertexCells::kept)
             for (std::ptrdiff_t k = 0; k < facets; ++k)
                 for (const VertexId v : cells[end[-k].made].vertex)
                     if (v != none) store_.vertex(v).cell = end[-k].made;
         store_.state.last_cell = end[1 - facets].made;
     }
+    NETMESH_VALIDATE_WHOLE(violation_in_use<D>(store_));
 }
 
 #define NETMESH_INSTANTIATE(D) template class Kernel<D>;

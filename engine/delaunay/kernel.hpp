@@ -9,8 +9,8 @@
 
 namespace netmesh {
 
-// What an insertion would replace: the cells in conflict with the new point and the facets that bound them. Their list stands
-// in the store's gap until the next search.
+// What an insertion would replace: the cells in conflict with the new point and the facets that bound them. Their list
+// stands in the store's gap until the next search.
 struct Cavity {
     std::uint32_t cells;
     std::uint32_t facets;
@@ -31,6 +31,9 @@ struct PlanarLine {
     FacetId waiting;  // stack of facets still to be crossed
 };
 
+// Whether insertions keep Vertex::cell up to date, which visit_star and visit_neighbours need.
+enum class VertexCells : bool { ignored, kept };
+
 // What the kernel does in the plane, see planar.hpp. For D = 2.
 template <int D> class Kernel;
 template <int D> struct PlanarCavity {
@@ -40,16 +43,16 @@ template <int D> struct PlanarCavity {
 
 template <int D> class Kernel {
 public:
-    // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts are
-    // decided exactly whatever it is; corners that results depend on want it small.
-    // stars: keep Vertex::cell up to date, which visit_star needs.
-    Kernel(Store<D>& store, double error_max, bool stars) : store_(store), error_max_(error_max), stars_(stars) {}
+    // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts
+    // are decided exactly whatever it is; corners that results depend on want it small.
+    Kernel(Store<D>& store, double error_max, VertexCells vertex_cells)
+        : store_(store), error_max_(error_max), vertex_cells_(vertex_cells) {}
 
     // Makes the D+1 points with these indices, affinely independent, the first cell with its ghosts. out_of_memory.
     Status start(const VertexId* ids);
 
-    // Does the open ball of cell c contain point q with index id, ties broken by index? A ghost is in conflict with what
-    // lies strictly beyond its facet, or in the facet's plane and inside the ball of the cell behind it.
+    // Does the open ball of cell c contain point q with index id, ties broken by index? A ghost is in conflict with
+    // what lies strictly beyond its facet, or in the facet's plane and inside the ball of the cell behind it.
     bool in_conflict(CellId c, const double* q, VertexId id) {
         double bound;
         const double value = power<D>(store_.cell(c), q, &bound);
@@ -85,16 +88,16 @@ public:
     void fill(const Cavity& cavity, VertexId id);
     CellId new_cell(std::uint32_t k) const { return line(k).made; }
 
-    // Calls visit(w) once for each neighbour w of the vertex that filled the cavity; needs stars. Filling leaves each of them
-    // pointing at one of the new cells: there it is visited.
+    // Calls visit(w) once for each neighbour w of the vertex that filled the cavity; needs VertexCells::kept. Filling
+    // leaves each of them pointing at one of the new cells: there it is visited.
     template <class Visit> void visit_neighbours(const Cavity& cavity, VertexId v, Visit&& visit) const {
         for (std::uint32_t k = 0; k < cavity.facets; ++k)
             for (const VertexId w : store_.cell(new_cell(k)).vertex)
                 if (w != v && w != none && store_.vertex(w).cell == new_cell(k)) visit(w);
     }
 
-    // Calls visit(cell) for each cell at vertex v, ghosts included; stops early, returning false, when the gap is too small.
-    template <class Visit> bool visit_star(VertexId v, Visit&& visit);
+    // The cells at vertex v, see visit_star; needs VertexCells::kept.
+    template <class Visit> bool visit_star(VertexId v, Visit&& visit) { return netmesh::visit_star(store_, v, visit); }
 
 private:
     friend struct PlanarCavity<D>;
@@ -116,20 +119,7 @@ private:
     Store<D>& store_;
     double error_max_;
     std::uint64_t steps_ = 0;
-    bool stars_;
+    VertexCells vertex_cells_;
 };
-
-template <int D> template <class Visit> bool Kernel<D>::visit_star(VertexId v, Visit&& visit) {
-    CellList<D> star(store_);
-    if (!star.add(store_.vertex(v).cell)) return false;
-    for (std::uint32_t k = 0; k < star.size(); ++k) {
-        const CellId c = star[k];
-        const Cell<D>& cell = store_.cell(c);
-        visit(c);
-        for (int i = 0; i <= D; ++i)
-            if (cell.vertex[i] != v && !star.add(cell.neighbour[i].cell())) return false;
-    }
-    return true;
-}
 
 }  // namespace netmesh

@@ -8,9 +8,9 @@
 
 namespace netmesh {
 
-// Fills an empty store: coordinates[vertex_count][D], cells[cell_count][D+1]. Cells are turned to positive orientation and
-// linked by their facets, balls and nearest2 computed; vertex.marker is input, origin the vertex itself. Scratch: 24 bytes a
-// facet. out_of_memory, check_failed (*why says what).
+// Fills an empty store: coordinates[vertex_count][D], cells[cell_count][D+1]. Cells are turned to positive orientation
+// and linked by their facets, balls and nearest2 computed; vertex.marker is input, origin the vertex itself. Scratch:
+// 24 bytes a facet. out_of_memory, check_failed (*why says what).
 template <int D>
 Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vertex_count, const std::uint32_t* cells,
                   std::uint32_t cell_count, CheckResult* why);
@@ -18,8 +18,9 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
 // nearest2 of every vertex anew, over the edges of cells. O(cells).
 template <int D> void measure_edges(Store<D>& store);
 
-// The ball of every cell of a compact store anew, from its vertices alone: what is read off then depends neither on how the
-// triangulation was made nor on what was cached, and is the same after it has been written to a file and loaded. O(cells).
+// The ball of every cell of a compact store anew, from its vertices alone: what is read off then depends neither on how
+// the triangulation was made nor on what was cached, and is the same after it has been written to a file and loaded.
+// O(cells).
 template <int D> void recompute_balls(Store<D>& store);
 
 }  // namespace netmesh

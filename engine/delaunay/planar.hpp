@@ -1,5 +1,5 @@
-// The plane's own way of finding and filling a cavity: its boundary is a cycle, so nothing has to be searched for. A part of
-// kernel.cpp; templates, so that nothing of it is made where the plane is not served.
+// The plane's own way of finding and filling a cavity: its boundary is a cycle, so nothing has to be searched for. A
+// part of kernel.cpp; templates, so that nothing of it is made where the plane is not served.
 #pragma once
 #include "delaunay/kernel.hpp"
 
@@ -35,8 +35,8 @@ inline bool circumscribe(const double* q, const PlanarEdge& a, const PlanarEdge&
 }
 
 // In the plane the cells in conflict form a tree, as no vertex is inside the cavity. It is searched depth first and
-// counterclockwise, so no cell is met twice, none has to be marked, and the bounding facets come in their order. Facets that are
-// found and facets that wait number two more than the cells.
+// counterclockwise, so no cell is met twice, none has to be marked, and the bounding facets come in their order. Facets
+// that are found and facets that wait number two more than the cells.
 template <int D>
 bool PlanarCavity<D>::find(Kernel<D>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity) {
     constexpr std::uint32_t next[4] = {1, 2, 0, 0};
@@ -72,13 +72,15 @@ bool PlanarCavity<D>::find(Kernel<D>& kernel, const double* q, VertexId id, Cell
     return true;
 }
 
-// In the plane the facets come counterclockwise, so each new cell (id, a, b) has its neighbours before and after it; and as
-// its ball is solved from its points, which costs no more than from other balls, it can take the place of an old cell at once.
+// In the plane the facets come counterclockwise, so each new cell (id, a, b) has its neighbours before and after it;
+// and as its ball is solved from its points, which costs no more than from other balls, it can take the place of an old
+// cell at once.
 template <int D> void PlanarCavity<D>::fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id) {
     Store<D>& store = kernel.store_;
     Cell<D>* const cells = &store.cell(0);
     PlanarLine* const end = kernel.list_end();
     const std::ptrdiff_t facets = cavity.facets;
+    const bool keeps = kernel.vertex_cells_ == VertexCells::kept;
     end[2 - facets].made = store.new_cell();
     end[1 - facets].made = store.new_cell();
     store.state.cells_created += cavity.cells;
@@ -106,12 +108,12 @@ template <int D> void PlanarCavity<D>::fill(Kernel<D>& kernel, const Cavity& cav
             const double* const p[3] = {q, store.point(a), store.point(b)};
             solve_sphere<D>(p, kernel.error_max_, fresh);
         }
-        if (kernel.stars_ && a != none) store.vertex(a).cell = n;
+        if (keeps && a != none) store.vertex(a).cell = n;
         before = n;
         a = b;
         from = to;
     }
-    if (kernel.stars_) store.vertex(id).cell = before;
+    if (keeps) store.vertex(id).cell = before;
     store.state.last_cell = before;
 }
 

@@ -8,8 +8,8 @@
 namespace netmesh {
 namespace {
 
-// Three levels of the plane's curve at once. state: bit 1 exchanges the axes, bit 0 reflects both. step[64 * state + six
-// interleaved bits, x first] is 4 * (their position along the curve) + the next state.
+// Three levels of the plane's curve at once. state: bit 1 exchanges the axes, bit 0 reflects both. step[64 * state +
+// six interleaved bits, x first] is 4 * (their position along the curve) + the next state.
 struct PlanarCurve {
     std::uint8_t step[256];
     constexpr PlanarCurve() : step{} {
@@ -60,8 +60,8 @@ template <int D> struct Curve {
     }
 
 private:
-    // In any dimension (J. Skilling, Programming the Hilbert curve, 2004): undo the rotations bit plane by bit plane, then
-    // Gray decode and interleave.
+    // In any dimension (J. Skilling, Programming the Hilbert curve, 2004): undo the rotations bit plane by bit plane,
+    // then Gray decode and interleave.
     static std::uint64_t general_position(std::uint32_t* x, int bits) {
         for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1) {
             const std::uint32_t p = q - 1;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double u = unit_roundoff;
 
-// Divides each edge, and with it its equation, by a power of two of its own, so that lengths of any ratio do not meet in
-// one product. False when an edge vanishes or all are too short for their squares.
+// Divides each edge, and with it its equation, by a power of two of its own, so that lengths of any ratio do not meet
+// in one product. False when an edge vanishes or all are too short for their squares.
 template <int D> bool rescale(double (&a)[D + 1][D + 1], double* lengths2) {
     double longest = 0;
     *lengths2 = 1;
@@ -41,8 +41,8 @@ template <int D> void forget_sphere(const double* const* p, Cell<D>& cell) {
     cell.error = static_cast<float>(infinity);
 }
 
-// Makes the ball of p0 + x. The two terms of the error are the shape's, shape2 its square, and the rounding of the centre's
-// coordinates. False when it is above error_max.
+// Makes the ball of p0 + x. The two terms of the error are the shape's, shape2 its square, and the rounding of the
+// centre's coordinates. False when it is above error_max.
 template <int D> bool keep_sphere(const double* p0, const double* x, double shape2, double error_max, Cell<D>& cell) {
     double radius2 = 0, size2 = 0;
     for (int j = 0; j < D; ++j) {
@@ -60,8 +60,8 @@ template <int D> bool keep_sphere(const double* p0, const double* x, double shap
 
 constexpr double error_limit = 0.25;  // beyond it the bounds' own assumptions fail
 
-// The same in integers, for cells that only their last bits keep from being flat. They have a corner to be measured as long as
-// coordinates and edges are of comparable size.
+// The same in integers, for cells that only their last bits keep from being flat. They have a corner to be measured as
+// long as coordinates and edges are of comparable size.
 template <int D> [[gnu::noinline]] bool solve_sphere_exactly(const double* const* p, Cell<D>& cell) {
     constexpr int edge_bits = (Integer512::bits - 16) / (D + 1);  // D! D 2^(edge_bits (D + 1)) < 2^511
     int quantum = 1024, highest = -1074;
@@ -139,8 +139,8 @@ template <int D> [[gnu::noinline]] void solve_sphere_precisely(const double* con
 }  // namespace
 
 // The centre is p0 + x, where the edges e_i from p0 satisfy e_i . x = |e_i|^2 / 2: Cramer's rule on the matrix with the
-// edges in its columns and their half squares b in its last row. Without a branch, so that it costs little more than its
-// products.
+// edges in its columns and their half squares b in its last row. Without a branch, so that it costs little more than
+// its products.
 template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell) {
     double a[D + 1][D + 1], minors[D + 1];
     bool plain = true;

@@ -1,9 +1,9 @@
 // Circumscribed balls in floating point, each with a proven bound on the error of its centre.
 //
 // Why a bound on the centre is enough. For a ball (c, r^2) whose true centre is c*, with |c - c*| <= error * r, the
-// function f(q) = (|q-c|^2 - r^2) - (|q-c*|^2 - r*^2) is affine, has gradient 2(c* - c), and vanishes at the vertex from
-// which r^2 was measured. So |f(q)| <= 2 |q - v| error r <= error (|q-c|^2 + 3 r^2): power() decides the sign of the true
-// power of q whenever it is larger than that plus the rounding of its own evaluation.
+// function f(q) = (|q-c|^2 - r^2) - (|q-c*|^2 - r*^2) is affine, has gradient 2(c* - c), and vanishes at the vertex
+// from which r^2 was measured. So |f(q)| <= 2 |q - v| error r <= error (|q-c|^2 + 3 r^2): power() decides the sign of
+// the true power of q whenever it is larger than that plus the rounding of its own evaluation.
 #pragma once
 #include <cstdint>
 
@@ -11,8 +11,8 @@
 
 namespace netmesh {
 
-// Computed power |q - centre|^2 - radius2 of q, and in *bound what its error cannot exceed (NaN or infinite when nothing
-// is known). A caller compares with > and < so that NaN decides nothing.
+// Computed power |q - centre|^2 - radius2 of q, and in *bound what its error cannot exceed (NaN or infinite when
+// nothing is known). A caller compares with > and < so that NaN decides nothing.
 template <int D> inline double power(const Cell<D>& cell, const double* q, double* bound) {
     double d2 = 0;
     for (int i = 0; i < D; ++i) {
@@ -31,14 +31,15 @@ template <int D> inline void make_ghost(Cell<D>& cell) {
 }
 
 // What the error bound of solve_sphere multiplies. A minor of order k of edges e_i is computed with at most
-// (D+1)(D+2)/2 + D + 8 roundings on each of its products, entries and b included, and the products' absolute values add up
-// to at most c_k |e_1| ... |e_k|, c_k = k! / k^(k/2) (predicates/float_stage.hpp). With b in one row, b_i = |e_i|^2 / 2, they add
-// up to at most c_(D-1) |e_1| ... |e_D| sum |e_i| / 2, and |e_i| <= 2 R. So each coordinate of the centre errs by at most
-// R k u (D c_(D-1) + c_D) |e_1| ... |e_D| / |det| (1 + small); sqrt(D) makes that Euclidean, 3 covers a determinant that is up
-// to half wrong and a radius that is up to a quarter wrong.
+// (D+1)(D+2)/2 + D + 8 roundings on each of its products, entries and b included, and the products' absolute values add
+// up to at most c_k |e_1| ... |e_k|, c_k = k! / k^(k/2) (predicates/float_stage.hpp). With b in one row, b_i = |e_i|^2
+// / 2, they add up to at most c_(D-1) |e_1| ... |e_D| sum |e_i| / 2, and |e_i| <= 2 R. So each coordinate of the centre
+// errs by at most R k u (D c_(D-1) + c_D) |e_1| ... |e_D| / |det| (1 + small); sqrt(D) makes that Euclidean, 3 covers a
+// determinant that is up to half wrong and a radius that is up to a quarter wrong.
 template <int D> constexpr double shape_factor() {
     constexpr double c[7] = {1, 1, 1, 1.15471, 1.5, 2.14664, 3.33334}, root[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
-    return 3 * root[D] * ((D + 1) * (D + 2) / 2 + D + 8) * unit_roundoff * (D * c[D - 1] + c[D]);
+    constexpr int roundings = (D + 1) * (D + 2) / 2 + D + 8;
+    return 3 * root[D] * roundings * unit_roundoff * (D * c[D - 1] + c[D]);
 }
 
 // Halves of squared edge lengths between which no product of up to D+1 entries of A and b underflows or overflows by
@@ -49,19 +50,21 @@ constexpr double edge_square_max = 0x1p150;
 // For corners that results depend on.
 constexpr double corner_error_max = 0x1p-22;
 
-// The ball through D+1 points by solving for its centre, in about 100 bits when the error bound in doubles is above error_max
-// (<= 1/4), in integers when that does not do either; error is +infinity, and centre a vertex, when no bound could be proven.
+// The ball through D+1 points by solving for its centre, in about 100 bits when the error bound in doubles is above
+// error_max
+// (<= 1/4), in integers when that does not do either; error is +infinity, and centre a vertex, when no bound could be
+// proven.
 template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell);
 
 // The ball through q and the facet shared by `inside` (conflicts with q) and `outside` (does not): it belongs to the
 // pencil spanned by the two balls, so its centre is a convex combination of theirs. Returns false when the bound so
 // obtained is above error_max; then nothing is written. No square system is solved: O(D).
 //
-// With a = power of q outside (>= 0) and b = -power inside, the new centre is w c_in + v c_out, w = a / (a + b), v = b / (a + b).
-// Errors e_in, e_out of the two centres leave w e_in + v e_out of its own, whose square is at most w e_in^2 + v e_out^2. Errors
-// alpha of a and beta of b move w by (v alpha - w beta) / (a + b), exactly so with the true w, v and the computed a + b; the
-// computed w, v are as good with the true a + b, which is 1.02 times smaller at most. Add the rounding of the centre's coordinates:
-// (x + y + z)^2 <= 2.2 x^2 + 2.2 y^2 + 11 z^2.
+// With a = power of q outside (>= 0) and b = -power inside, the new centre is w c_in + v c_out, w = a / (a + b), v = b
+// / (a + b). Errors e_in, e_out of the two centres leave w e_in + v e_out of its own, whose square is at most w e_in^2
+// + v e_out^2. Errors alpha of a and beta of b move w by (v alpha - w beta) / (a + b), exactly so with the true w, v
+// and the computed a + b; the computed w, v are as good with the true a + b, which is 1.02 times smaller at most. Add
+// the rounding of the centre's coordinates: (x + y + z)^2 <= 2.2 x^2 + 2.2 y^2 + 11 z^2.
 template <int D>
 inline bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, double error_max,
                           Cell<D>& cell) {

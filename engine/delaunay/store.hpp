@@ -69,13 +69,19 @@ public:
     Status open_cells();
     // Forgets all vertices from vertex_count on; there is nothing else at the high end.
     void truncate_vertices(std::uint32_t vertex_count);
-    // Ends the job: drops ghosts, fills free slots from the end, moves the cells down to `offset` and gives what is free to the
-    // gap. Hull facets then have neighbour `none`. O(cells), needs no memory.
+    // Ends the job: drops ghosts, fills free slots from the end, moves the cells down to `offset` and gives what is
+    // free to the gap. Hull facets then have neighbour `none`. O(cells), needs no memory.
     void compact(std::size_t offset);
 
-    CellT& cell(std::uint32_t c) const { return cells_[c]; }
+    CellT& cell(std::uint32_t c) const {
+        NETMESH_ASSERT(c < state.cell_slots || c == 0);
+        return cells_[c];
+    }
     CellT& cell(VertexId) const = delete;
-    VertexT& vertex(std::uint32_t v) const { return vertices_end_[-1 - static_cast<std::ptrdiff_t>(v)]; }
+    VertexT& vertex(std::uint32_t v) const {
+        NETMESH_ASSERT(v < state.vertex_count || v == 0);
+        return vertices_end_[-1 - static_cast<std::ptrdiff_t>(v)];
+    }
     VertexT& vertex(CellId) const = delete;
     const double* point(std::uint32_t v) const { return vertex(v).x; }
     const double* point(CellId) const = delete;

@@ -126,7 +126,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     VertexId ids[D + 1];
     if (!independent_points<D>(store, order, count, ids)) return Status::flat;
     if (store.open_cells() != Status::ok) return Status::out_of_memory;
-    Kernel<D> kernel(store, ball_error_max, false);
+    Kernel<D> kernel(store, ball_error_max, VertexCells::ignored);
     status = kernel.start(ids);
     if (status != Status::ok) return status;
 

@@ -24,8 +24,8 @@ Status take_input(Store<D>& store, const double* points, std::size_t n, std::uin
                   InputReport* input, std::uint32_t** order);
 
 // Triangulates points[n][D]. ok, flat (fewer than D+1 affinely independent points), out_of_memory, cancelled, and what
-// take_input says. Unless there is no first cell yet, the store is left compact and a Delaunay triangulation of what was
-// inserted; vertices not inserted have cell `none`.
+// take_input says. Unless there is no first cell yet, the store is left compact and a Delaunay triangulation of what
+// was inserted; vertices not inserted have cell `none`.
 template <int D>
 Status triangulate(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                    InputReport* input);

@@ -21,8 +21,7 @@ struct Scratch {
 };
 
 struct Side {
-    const netmesh_pair* pairs;
-    std::size_t pair_count;
+    PairView pairs;
     DiagramPoint* points;
     double* line;
     std::uint64_t *mark, *below;
@@ -56,14 +55,6 @@ struct Workspace {
 
 bool is_essential(const netmesh_pair& pair) { return pair.death == infinity; }
 
-bool valid(const netmesh_pair* pairs, std::size_t count, bool log_scale) {
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!is_finite(pairs[i].birth) || !(pairs[i].death >= pairs[i].birth)) return false;
-        if (log_scale && pairs[i].birth < 0) return false;
-    }
-    return true;
-}
-
 // Pairs that can only be matched with their own kind, so that one number of each is left and the order decides.
 enum class Kind { essential, essential_from_zero, from_zero };
 constexpr Kind kinds[] = {Kind::essential, Kind::essential_from_zero, Kind::from_zero};
@@ -71,8 +62,8 @@ constexpr Kind kinds[] = {Kind::essential, Kind::essential_from_zero, Kind::from
 // Collects and sorts the numbers of one kind in line; how many there are.
 std::size_t collect(const Side& side, std::uint32_t degree, bool log_scale, Kind kind) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < side.pair_count; ++i) {
-        const netmesh_pair& pair = side.pairs[i];
+    for (std::size_t i = 0; i < side.pairs.count; ++i) {
+        const netmesh_pair pair = side.pairs[i];
         if (pair.degree != degree || is_essential(pair) == (kind == Kind::from_zero)) continue;
         if ((log_scale && pair.birth == 0) == (kind == Kind::essential)) continue;
         if (kind == Kind::from_zero && pair.death == 0) continue;  // on the diagonal
@@ -85,8 +76,8 @@ std::size_t collect(const Side& side, std::uint32_t degree, bool log_scale, Kind
 // Keeps the pairs that may go to the diagonal and are not on it.
 std::uint32_t collect_points(const Side& side, std::uint32_t degree, bool log_scale) {
     std::uint32_t count = 0;
-    for (std::size_t i = 0; i < side.pair_count; ++i) {
-        const netmesh_pair& pair = side.pairs[i];
+    for (std::size_t i = 0; i < side.pairs.count; ++i) {
+        const netmesh_pair pair = side.pairs[i];
         if (pair.degree != degree || is_essential(pair) || pair.birth == pair.death) continue;
         if (log_scale && pair.birth == 0) continue;
         const std::uint64_t diagonal =
@@ -168,7 +159,7 @@ bool distance_in(Workspace& work, std::uint32_t degree, bool log_scale, Monitor&
 bool next_degree(const Workspace& work, std::uint64_t from, std::uint32_t* degree) {
     bool found = false;
     for (const Side& side : work.side) {
-        for (std::size_t i = 0; i < side.pair_count; ++i) {
+        for (std::size_t i = 0; i < side.pairs.count; ++i) {
             const std::uint32_t d = side.pairs[i].degree;
             if (d < from || (found && d >= *degree)) continue;
             *degree = d;
@@ -179,13 +170,23 @@ bool next_degree(const Workspace& work, std::uint64_t from, std::uint32_t* degre
 }
 
 netmesh_distance distance_of_key(std::uint64_t key, bool log_scale) {
-    if (key == key_of_infinity) return {infinity, 0};
-    if (!log_scale) return {double_of_bits(key), 0};
+    constexpr std::uint32_t bytes = sizeof(netmesh_distance);
+    if (key == key_of_infinity) return {bytes, 0, infinity};
+    if (!log_scale) return {bytes, 0, double_of_bits(key)};
     const std::uint64_t fraction = key & ((std::uint64_t{1} << 52) - 1);
-    return {double_of_bits(bits_of(1.0) | fraction), static_cast<std::int32_t>(key >> 52)};
+    return {bytes, static_cast<std::int32_t>(key >> 52), double_of_bits(bits_of(1.0) | fraction)};
 }
 
 }  // namespace
+
+bool are_diagram(const PairView& pairs, bool log_scale) {
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+        const netmesh_pair pair = pairs[i];
+        if (!is_finite(pair.birth) || !(pair.death >= pair.birth)) return false;
+        if (log_scale && pair.birth < 0) return false;
+    }
+    return true;
+}
 
 std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b) {
     if (count_a >= count_max || count_b >= count_max || (count_a + count_b) > SIZE_MAX / 1024) return SIZE_MAX;
@@ -195,18 +196,15 @@ std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b) {
     return memory.used;
 }
 
-Status bottleneck(const netmesh_pair* a, std::size_t count_a, const netmesh_pair* b, std::size_t count_b,
-                  std::uint32_t degree, bool log_scale, void* scratch, std::size_t scratch_bytes, Monitor& monitor,
-                  netmesh_distance* distance) {
-    if (!valid(a, count_a, log_scale) || !valid(b, count_b, log_scale)) return Status::invalid_argument;
-    if (bottleneck_bytes(count_a, count_b) > scratch_bytes) return Status::out_of_memory;
+Status bottleneck(const PairView& a, const PairView& b, std::uint32_t degree, bool log_scale, void* scratch,
+                  std::size_t scratch_bytes, Monitor& monitor, netmesh_distance* distance) {
+    if (!are_diagram(a, log_scale) || !are_diagram(b, log_scale)) return Status::invalid_argument;
+    if (bottleneck_bytes(a.count, b.count) > scratch_bytes) return Status::out_of_memory;
     Scratch memory = {static_cast<unsigned char*>(scratch), 0};
     Workspace work = {};
-    work.lay_out(memory, count_a, count_b);
+    work.lay_out(memory, static_cast<std::size_t>(a.count), static_cast<std::size_t>(b.count));
     work.side[0].pairs = a;
-    work.side[0].pair_count = count_a;
     work.side[1].pairs = b;
-    work.side[1].pair_count = count_b;
     std::uint64_t key = 0;
     std::uint64_t from = 0;
     const bool all = degree == NETMESH_ALL_DEGREES;

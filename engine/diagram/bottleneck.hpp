@@ -9,10 +9,26 @@
 
 namespace netmesh {
 
+// Pairs as the caller has them: `stride` bytes from one to the next, as its netmesh_pair may be of a later version.
+struct PairView {
+    const void* first;
+    std::size_t stride;  // >= sizeof(netmesh_pair)
+    std::uint64_t count;
+
+    netmesh_pair operator[](std::size_t i) const {
+        netmesh_pair pair;
+        __builtin_memcpy(&pair, static_cast<const unsigned char*>(first) + i * stride, sizeof pair);
+        return pair;
+    }
+};
+
+// Are births finite and deaths not before them; on the log scale, are births not negative?
+bool are_diagram(const PairView& pairs, bool log_scale);
+
 // Bytes of scratch for diagrams of so many pairs, SIZE_MAX when that does not fit.
 std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b);
 
-// The distance between a[count_a] and b[count_b] in one degree or, with NETMESH_ALL_DEGREES, the largest of all
+// The distance between a and b in one degree or, with NETMESH_ALL_DEGREES, the largest of all
 // degrees. scratch: 16-byte aligned. What the result means, and which pairs are admitted: netmesh_bottleneck in
 // netmesh.h.
 //
@@ -21,8 +37,7 @@ std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b);
 // A matching that covers one diagram's points off the diagonal and one that covers the other's together contain one
 // that covers both (Mendelsohn and Dulmage), so the two are sought apart and points of the diagonal never appear.
 // invalid_argument, out_of_memory, cancelled.
-Status bottleneck(const netmesh_pair* a, std::size_t count_a, const netmesh_pair* b, std::size_t count_b,
-                  std::uint32_t degree, bool log_scale, void* scratch, std::size_t scratch_bytes, Monitor& monitor,
-                  netmesh_distance* distance);
+Status bottleneck(const PairView& a, const PairView& b, std::uint32_t degree, bool log_scale, void* scratch,
+                  std::size_t scratch_bytes, Monitor& monitor, netmesh_distance* distance);
 
 }  // namespace netmesh

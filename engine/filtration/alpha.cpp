@@ -32,9 +32,9 @@ template <int K, int D> Circumsphere circumsphere(const double* const* point) {
     }
 }
 
-// Settles the K-faces and hands their values down.
+// Gives the K-faces their values and hands them down to their facets.
 template <int K, int D>
-bool settle(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, Monitor& monitor,
+bool give_values(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, Monitor& monitor,
             double* const* value) {
     constexpr std::uint32_t chunk = 1024;
     const std::uint32_t count = faces.count[K];
@@ -62,10 +62,10 @@ bool settle(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, 
 }
 
 template <int K, int D>
-bool settle_from(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, Monitor& monitor,
+bool give_values_from(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, Monitor& monitor,
                  double* const* value) {
-    if (!settle<K, D>(faces, points, done, monitor, value)) return false;
-    if constexpr (K > 1) return settle_from<K - 1, D>(faces, points, done + faces.count[K], monitor, value);
+    if (!give_values<K, D>(faces, points, done, monitor, value)) return false;
+    if constexpr (K > 1) return give_values_from<K - 1, D>(faces, points, done + faces.count[K], monitor, value);
     return true;
 }
 
@@ -78,7 +78,7 @@ Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdi
     for (std::uint32_t i = 0; i < faces.count[0]; ++i) value[0][i] = 0;
     for (int k = 1; k <= D; ++k)
         for (std::uint32_t i = 0; i < faces.count[k]; ++i) value[k][i] = infinity;
-    return settle_from<D, D>(faces, points, 0, monitor, value) ? Status::ok : Status::cancelled;
+    return give_values_from<D, D>(faces, points, 0, monitor, value) ? Status::ok : Status::cancelled;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

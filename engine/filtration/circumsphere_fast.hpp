@@ -4,6 +4,7 @@
 
 namespace netmesh {
 
+// As dot of numerics/vector.hpp, without the sum's first addition to 0, which shows in this place.
 template <int D> inline double inner_product(const double* a, const double* b) {
     double s = a[0] * b[0];
     for (int d = 1; d < D; ++d) s += a[d] * b[d];

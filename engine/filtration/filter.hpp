@@ -30,7 +30,7 @@ enum : std::uint32_t {
     zero_at_inputs = 1 << 8,
     // Inputs enter alone at 0 and their stars later. Inputs of the basic filter have the value 0 as their stars do.
     inputs_enter_first = 1 << 9,
-    bounds_by_scale = 1 << 10,  // bars are bounded by the intervals of all cells, not by the ratio alone
+    bounds_by_scale = 1 << 10,    // bars are bounded by the intervals of all cells, not by the ratio alone
     has_tighter_cells = 1 << 11,  // its intervals are those of single cells, which tighten_cell_bounds.hpp narrows
 };
 }  // namespace filter_trait
@@ -60,7 +60,7 @@ template <int D> struct FilteredMesh {
 struct FilterRequest {
     netmesh_filter filter;  // of source mesh
     FilterValues values;
-    std::uint32_t k = 0;                        // of filters that need it, at most the number of inputs; 0 counts as 1
+    std::uint32_t k = 0;                         // of filters that need it, at most the number of inputs; 0 counts as 1
     const netmesh_function* function = nullptr;  // of the filter FUNCTION
 };
 

@@ -1,5 +1,7 @@
 #include "filtration/filters.hpp"
 
+#include <type_traits>
+
 #include "filtration/function_filter.hpp"
 #include "filtration/mesh_filter.hpp"
 #include "filtration/tight_filter.hpp"
@@ -53,10 +55,11 @@ const std::uint32_t filter_count = rows;
 const Filter& filter_row(std::uint32_t index) { return table[index]; }
 
 const Filter* find_filter(const netmesh_filter& filter) {
-    std::uint32_t number;  // C++ must not read an enumeration that holds a value of none of its names
-    static_assert(sizeof number == sizeof filter, "an enumeration of C is an int");
+    // As a number: C++ must not read an enumeration whose value is none of its names.
+    std::underlying_type_t<netmesh_filter> number;
     __builtin_memcpy(&number, &filter, sizeof number);
-    return number - 1 < rows ? &table[number - 1] : nullptr;
+    const std::uint32_t index = static_cast<std::uint32_t>(number) - 1;
+    return index < rows ? &table[index] : nullptr;
 }
 
 const Filter& evaluated_filter(netmesh_filter filter, std::uint32_t k) {

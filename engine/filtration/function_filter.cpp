@@ -29,7 +29,7 @@ Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, 
     if (out_radius == nullptr || neighbours == nullptr || tree.build(store, work.arena, mesh.inputs) != Status::ok)
         return Status::out_of_memory;
     work.monitor.begin(NETMESH_STAGE_CERTIFY, count);
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         out->value[v] = input_distance<D>(tree, distance, store.point(v), neighbours);
         if (work.monitor.advance(v, 10 + distance.k)) return Status::cancelled;
     }
@@ -37,7 +37,7 @@ Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, 
     // The root mean square of k distances: the sum of their squares has D + 2 roundings in each and k - 1 of its own,
     // then come a quotient and a root, (k + D + 2) / 2 + 1 in all. D <= 6.
     const double doubt = (distance.k + 16.0) * unit_roundoff;
-    const auto interval = [&](std::uint32_t v) {
+    const auto interval = [&](VertexId v) {
         const double most = out->value[v] * (1 + doubt), least = out->value[v] * (1 - doubt);
         return cut_at(mesh.cut(), store.vertex(v).marker == Marker::exempt
                                       ? unbounded_interval(least)
@@ -62,14 +62,14 @@ Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds
         bounds.distance_factor > 0 ? down / (1 + bounds.distance_factor * bounds.lipschitz * up) * down : 0;
     // Is v's cell outside the domain? Yes when v is farther from all of the domain than some input is, as the frame is.
     const double beyond = (2 * mesh.domain.radius + mesh.domain.enclosing_radius) * up;
-    const auto is_outside = [&](std::uint32_t v) {
+    const auto is_outside = [&](VertexId v) {
         const double away = square_root(mesh.domain.distance2(store.point(v))) * down;
         if (away > beyond) return true;
         return store.vertex(v).marker != Marker::exempt && away - out_radius[v] > mesh.domain.radius * up;
     };
-    for (std::uint32_t v = 0; v < count; ++v)
+    for (VertexId v(0); v < count; ++v)
         if (is_outside(v)) value[v] = cut;
-    const auto interval = [&](std::uint32_t v) {
+    const auto interval = [&](VertexId v) {
         if (is_outside(v)) return Interval{cut, cut};
         if (store.vertex(v).marker == Marker::exempt) return Interval{0, cut};
         const double f = value[v], change = bounds.lipschitz * out_radius[v] * up;
@@ -85,7 +85,7 @@ template <int D>
 Status function_filter(const FilteredMesh<D>& mesh, const netmesh_function& function, FilterValues values,
                        const Work& work, Evaluation* out) {
     work.monitor.begin(NETMESH_STAGE_CERTIFY, mesh.vertices());
-    for (std::uint32_t v = 0; v < mesh.vertices(); ++v) {
+    for (VertexId v(0); v < mesh.vertices(); ++v) {
         const double f = out->value[v] = value_at(function, mesh.store.point(v));
         out->culprit = v;
         if (!is_finite(f) || f < 0) return Status::not_finite;

@@ -13,7 +13,7 @@ template <int D> struct CellBounds {
     double* reach;       // largest distance from a corner of v's cell to v's nearest input, or more
 
     // lo_v and hi_v, both cut at rho.
-    Interval interval(std::uint32_t v) const {
+    Interval interval(VertexId v) const {
         const Vertex<D>& vertex = store.vertex(v);
         if (vertex.marker == Marker::input)
             return cut_at(rho, input_interval(square_root(vertex.nearest2), out_radius[v]));
@@ -22,7 +22,7 @@ template <int D> struct CellBounds {
                                                            : steiner_interval(d, out_radius[v], reach[v]));
     }
     // The thesis's own value: s of 7.4.2.
-    double own_value(std::uint32_t v) const {
+    double own_value(VertexId v) const {
         const Vertex<D>& vertex = store.vertex(v);
         const double s =
             vertex.marker == Marker::input ? 0.5 * square_root(vertex.nearest2) : distance_to_inputs<D>(store, v);
@@ -42,10 +42,10 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     if (bounds.out_radius == nullptr || bounds.reach == nullptr) return Status::out_of_memory;
     measure_cells<D>(store, bounds.out_radius, bounds.reach);
 
-    const auto is_zero = [&](std::uint32_t v) { return basic && store.vertex(v).marker == Marker::input; };
+    const auto is_zero = [&](VertexId v) { return basic && store.vertex(v).marker == Marker::input; };
     double from = 0;
     Clamp clamp(values);
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         const Interval i = bounds.interval(v);
         if (!is_zero(v)) {
             clamp.show(i);
@@ -54,7 +54,7 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
         }
     }
     clamp.fix_ratio();
-    for (std::uint32_t v = 0; v < count; ++v) {
+    for (VertexId v(0); v < count; ++v) {
         const Interval i = bounds.interval(v);
         if (out->interval != nullptr) out->interval[v] = i;
         out->value[v] = is_zero(v) ? 0 : clamp.value(bounds.own_value(v), i);

@@ -13,15 +13,15 @@ public:
 
     Status open(Arena& arena);
     // What the mesh says about v: F on its cell, or on its clump's, is at most hi; lo stands for r_p there.
-    Interval interval(std::uint32_t v) const {
-        const std::uint32_t p = clump_[v];
+    Interval interval(VertexId v) const {
+        const VertexId p = clump_[v];
         if (p != none) return cut_at(rho_, {inner_[p], outer_[p]});
         const double d = distance_to_inputs<D>(store_, v);
         return cut_at(rho_, {cell_distance(d, v), store_.vertex(v).marker == Marker::exempt ? infinity : reach_[v]});
     }
     // s'(v), cut.
-    double own_value(std::uint32_t v) const {
-        const std::uint32_t n = nearest_input<D>(store_, v);
+    double own_value(VertexId v) const {
+        const VertexId n = nearest_input<D>(store_, v);
         const double d = distance<D>(store_.point(v), store_.point(n));
         const double s = d > half_[n] ? d : half_[n];
         return s < rho_ ? s : rho_;
@@ -29,18 +29,18 @@ public:
 
 private:
     // Lower bound of the distance to v's cell from an input at distance d of v, not v itself.
-    double cell_distance(double d, std::uint32_t v) const {
+    double cell_distance(double d, VertexId v) const {
         return store_.vertex(v).marker == Marker::exempt ? least_distance_unbounded(d)
                                                          : least_distance(d, out_radius_[v]);
     }
-    void gather(const InputTree<D>& tree);
-    void look_outside();
+    void gather_clumps(const InputTree<D>& tree);
+    void bound_by_outside();
 
     const Store<D>& store_;
     double rho_;
     std::uint32_t inputs_;
     double *out_radius_ = nullptr, *reach_ = nullptr;               // [vertex]
-    std::uint32_t* clump_ = nullptr;                                // [vertex] its input, `none`: in no clump
+    VertexId* clump_ = nullptr;                                     // [vertex] its input, `none`: in no clump
     double *half_ = nullptr, *inner_ = nullptr, *outer_ = nullptr;  // [input] f_P / 2, r_p, hi(W)
 };
 
@@ -48,7 +48,7 @@ template <int D> Status Clumps<D>::open(Arena& arena) {
     const std::uint32_t count = store_.state.vertex_count;
     out_radius_ = arena.take_high<double>(count);
     reach_ = arena.take_high<double>(count);
-    clump_ = arena.take_high<std::uint32_t>(count);
+    clump_ = arena.take_high<VertexId>(count);
     half_ = arena.take_high<double>(inputs_);
     inner_ = arena.take_high<double>(inputs_);
     outer_ = arena.take_high<double>(inputs_);
@@ -57,26 +57,27 @@ template <int D> Status Clumps<D>::open(Arena& arena) {
         outer_ == nullptr || tree.build(store_, arena, inputs_) != Status::ok)
         return Status::out_of_memory;
     measure_cells<D>(store_, out_radius_, reach_);
-    gather(tree);
-    look_outside();
+    gather_clumps(tree);
+    bound_by_outside();
     return Status::ok;
 }
 
 // The clumps, hi(W), and what r_p has from the other inputs' distances to W.
-template <int D> void Clumps<D>::gather(const InputTree<D>& tree) {
-    for (std::uint32_t p = 0; p < inputs_; ++p) {
+template <int D> void Clumps<D>::gather_clumps(const InputTree<D>& tree) {
+    for (VertexId p(0); p < inputs_; ++p) {
         double d2;
         tree.nearest(store_.point(p), none, p, &d2);
         half_[p] = 0.5 * square_root(d2);
         inner_[p] = infinity;
         outer_[p] = 0;
     }
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        const std::uint32_t n = nearest_input<D>(store_, v);
+    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
+        const VertexId n = nearest_input<D>(store_, v);
         const bool joins =
             store_.vertex(v).marker != Marker::exempt && distance<D>(store_.point(v), store_.point(n)) <= half_[n];
-        clump_[v] = joins ? n : none;
+        clump_[v] = none;
         if (!joins) continue;
+        clump_[v] = n;
         double d2;
         tree.nearest(store_.point(v), none, n, &d2);
         const double others = cell_distance(square_root(d2), v);
@@ -87,13 +88,13 @@ template <int D> void Clumps<D>::gather(const InputTree<D>& tree) {
 
 // What r_p has from the cells outside W: the way from p to the nearest of them leaves W into a cell that is adjacent to
 // W.
-template <int D> void Clumps<D>::look_outside() {
-    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
+template <int D> void Clumps<D>::bound_by_outside() {
+    for (CellId c(0); c < store_.state.cell_slots; ++c) {
         const Cell<D>& cell = store_.cell(c);
-        for (const std::uint32_t w : cell.vertex) {
-            const std::uint32_t p = clump_[w];
+        for (const VertexId w : cell.vertex) {
+            const VertexId p = clump_[w];
             if (p == none) continue;
-            for (const std::uint32_t u : cell.vertex) {
+            for (const VertexId u : cell.vertex) {
                 if (clump_[u] == p) continue;
                 const double away = cell_distance(distance<D>(store_.point(p), store_.point(u)), u);
                 if (away < inner_[p]) inner_[p] = away;
@@ -112,9 +113,9 @@ Status tight_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work
     Clumps<D> clumps(mesh.store, rho, mesh.inputs);
     const Status status = clumps.open(work.arena);
     if (status != Status::ok) return status;
-    for (std::uint32_t v = 0; v < mesh.vertices(); ++v) out->value[v] = clumps.own_value(v);
+    for (VertexId v(0); v < mesh.vertices(); ++v) out->value[v] = clumps.own_value(v);
     out->certificate = clamp_values(
-        mesh.vertices(), rho, values, [&](std::uint32_t v) { return clumps.interval(v); }, out->value, out->interval);
+        mesh.vertices(), rho, values, [&](VertexId v) { return clumps.interval(v); }, out->value, out->interval);
     return Status::ok;
 }
 

@@ -1,7 +1,7 @@
 #include "filtration/tighten_cell_bounds.hpp"
 
-#include "delaunay/kernel.hpp"
 #include "certificate/cells.hpp"
+#include "delaunay/cell_list.hpp"
 #include "filtration/nearest_in_hull.hpp"
 #include "mesh/input_tree.hpp"
 #include "vocabulary/dimension.hpp"
@@ -12,10 +12,10 @@ namespace {
 template <int D> class CellTightener {
 public:
     CellTightener(Store<D>& store, std::uint32_t inputs, double cut, Arena& arena)
-        : store_(store), kernel_(store, 1, true), inputs_(inputs), cut_(cut), arena_(arena) {}
+        : store_(store), inputs_(inputs), cut_(cut), arena_(arena) {}
 
     Status open();
-    Status tighten(std::uint32_t v, Interval* interval);
+    Status tighten(VertexId v, Interval* interval);
 
 private:
     // A range of the tree and a box that holds it.
@@ -23,9 +23,9 @@ private:
         TreeRange range;
         double low[D], high[D];
     };
-    bool gather(std::uint32_t v, bool* known);
-    double input_distance_low(std::uint32_t v, double least);
-    double input_distance_high(std::uint32_t v);
+    bool gather(VertexId v, bool* known);
+    double input_distance_low(VertexId v, double least);
+    double input_distance_high(VertexId v);
     void from_vertex(std::uint32_t input, double* q) const {
         for (int k = 0; k < D; ++k) q[k] = store_.point(input)[k] - at_[k];
     }
@@ -34,7 +34,6 @@ private:
     double farthest_corner(const double* mean, double square, std::uint32_t* corner) const;
 
     Store<D>& store_;
-    Kernel<D> kernel_;
     std::uint32_t inputs_;
     double cut_;
     Arena& arena_;
@@ -56,26 +55,26 @@ template <int D> Status CellTightener<D>::open() {
     const std::uint32_t count = store_.state.vertex_count;
     degree_ = arena_.take_low<std::uint32_t>(count);
     if (degree_ == nullptr || tree_.build(store_, arena_, inputs_) != Status::ok) return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < count; ++v) degree_[v] = 0;
-    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
-        for (const std::uint32_t v : store_.cell(c).vertex) ++degree_[v];
-    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
+    for (VertexId v(0); v < count; ++v) degree_[v] = 0;
+    for (CellId c(0); c < store_.state.cell_slots; ++c)
+        for (const VertexId v : store_.cell(c).vertex) ++degree_[v];
+    for (CellId c(0); c < store_.state.cell_slots; ++c)
         for (int i = 0; i <= D; ++i)
             for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
                 if (j != i) degree_[store_.cell(c).vertex[j]] = 0;
     std::uint32_t most = 0;
-    for (std::uint32_t v = 0; v < count; ++v)
+    for (VertexId v(0); v < count; ++v)
         if (store_.vertex(v).marker == Marker::steiner && degree_[v] > most) most = degree_[v];
     corner_ = arena_.take_low<double>(std::size_t{most} * D);
     return corner_ == nullptr ? Status::out_of_memory : Status::ok;
 }
 
 // The corners of v's cell. False: no room to visit the star.
-template <int D> bool CellTightener<D>::gather(std::uint32_t v, bool* known) {
+template <int D> bool CellTightener<D>::gather(VertexId v, bool* known) {
     at_ = store_.point(v);
     corners_ = 0;
     out_radius_ = doubt_ = 0;
-    const bool room = kernel_.visit_star(VertexId(v), [&](CellId c) {
+    const bool room = visit_star(store_, VertexId(v), [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         const double radius = square_root(cell.radius2), error = static_cast<double>(cell.error) * radius;
         if (!(error <= doubt_)) doubt_ = error;
@@ -132,7 +131,7 @@ template <int D> double CellTightener<D>::box_distance(const Part& part) const {
 }
 
 // At most the least distance of an input from v's cell; `least` is known already.
-template <int D> double CellTightener<D>::input_distance_low(std::uint32_t v, double least) {
+template <int D> double CellTightener<D>::input_distance_low(VertexId v, double least) {
     half_spaces_ = 0;
     least_ = 2 * cut_;
     bound_input(nearest_input<D>(store_, v));
@@ -184,7 +183,7 @@ double CellTightener<D>::farthest_corner(const double* mean, double square, std:
 
 // At least the largest distance of a point of v's cell to its nearest input. A mixture of inputs is known by the mean
 // of its points and of their squares.
-template <int D> double CellTightener<D>::input_distance_high(std::uint32_t v) {
+template <int D> double CellTightener<D>::input_distance_high(VertexId v) {
     constexpr int rounds = 8;
     constexpr double steps[] = {1, 0.7, 0.5, 0.35, 0.25, 0.15, 0.08};
     std::uint32_t near = nearest_input<D>(store_, v);
@@ -221,7 +220,7 @@ template <int D> double CellTightener<D>::input_distance_high(std::uint32_t v) {
     return (square_root(worst + sum_slack * (largest + out_radius_ * out_radius_)) + doubt_) * up;
 }
 
-template <int D> Status CellTightener<D>::tighten(std::uint32_t v, Interval* interval) {
+template <int D> Status CellTightener<D>::tighten(VertexId v, Interval* interval) {
     if (degree_[v] == 0) return Status::ok;
     bool known;
     if (!gather(v, &known)) return Status::out_of_memory;
@@ -241,7 +240,7 @@ template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const W
     CellTightener<D> tightener(mesh.store, mesh.inputs, cut, work.arena);
     Status status = tightener.open();
     work.monitor.begin(NETMESH_STAGE_CERTIFY, mesh.vertices());
-    for (std::uint32_t v = mesh.inputs; v < mesh.vertices() && status == Status::ok; ++v) {
+    for (VertexId v(mesh.inputs); v < mesh.vertices() && status == Status::ok; ++v) {
         if (store.vertex(v).marker != Marker::steiner || !(interval[v].lo < cut)) continue;
         status = tightener.tighten(v, &interval[v]);
         if (status == Status::ok && work.monitor.advance(v, 200)) status = Status::cancelled;
@@ -249,8 +248,7 @@ template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const W
     return status;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status tighten_cell_bounds<D>(const FilteredMesh<D>&, const Work&, Interval*);
+#define NETMESH_INSTANTIATE(D) template Status tighten_cell_bounds<D>(const FilteredMesh<D>&, const Work&, Interval*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -1,5 +1,12 @@
-// netmesh for C++: the C interface of netmesh.h with spans of results and typed calls. Header only, nothing numeric in it,
-// no exceptions, no allocation. See netmesh.h for what each call does, costs and returns.
+// netmesh for C++: the C interface of netmesh.h with requests that are born initialised, results as values and loops
+// over them. Header only, nothing numeric in it, no exceptions, no allocation. See netmesh.h for what each call does,
+// costs and returns; every call of it stands here.
+//
+//     netmesh::Engine engine(block, block_bytes);
+//     netmesh::requests::Mesh mesh(3);
+//     mesh.points = points;
+//     mesh.point_count = n;
+//     if (engine.mesh(mesh) != NETMESH_OK) puts(engine.detail().message);
 #ifndef NETMESH_HPP
 #define NETMESH_HPP
 
@@ -10,34 +17,112 @@
 
 namespace netmesh {
 
-struct Options : netmesh_options {
-    explicit Options(std::uint32_t dim) : netmesh_options{} { netmesh_options_init(this, dim); }
+// The structs of netmesh.h with their defaults. Each converts to the struct of the same name.
+namespace requests {
+
+struct Delaunay : netmesh_delaunay_request {
+    explicit Delaunay(std::uint32_t d) { netmesh_delaunay_request_init(this, sizeof(netmesh_delaunay_request), d); }
+};
+struct Mesh : netmesh_mesh_request {
+    explicit Mesh(std::uint32_t d) { netmesh_mesh_request_init(this, sizeof(netmesh_mesh_request), d); }
+};
+struct Load : netmesh_load_request {
+    explicit Load(std::uint32_t d) { netmesh_load_request_init(this, sizeof(netmesh_load_request), d); }
+};
+struct Cages : netmesh_cages_request {
+    Cages() { netmesh_cages_request_init(this, sizeof(netmesh_cages_request), sizeof(netmesh_cage)); }
+};
+struct Check : netmesh_check_request {
+    Check() { netmesh_check_request_init(this, sizeof(netmesh_check_request)); }
+};
+struct Function : netmesh_function {
+    Function() { netmesh_function_init(this, sizeof(netmesh_function)); }
+};
+struct Persist : netmesh_persist_request {
+    explicit Persist(netmesh_filter f = NETMESH_FILTER_COMPLETE) {
+        netmesh_persist_request_init(this, sizeof(netmesh_persist_request));
+        filter = f;
+    }
+};
+struct Bounds : netmesh_bounds_request {
+    Bounds() { netmesh_bounds_request_init(this, sizeof(netmesh_bounds_request)); }
+};
+struct Represent : netmesh_represent_request {
+    Represent() { netmesh_represent_request_init(this, sizeof(netmesh_represent_request)); }
+};
+struct Fit : netmesh_fit_request {
+    explicit Fit(std::uint32_t d) { netmesh_fit_request_init(this, sizeof(netmesh_fit_request), d); }
+};
+struct Vineyard : netmesh_vineyard_request {
+    explicit Vineyard(netmesh_filter f) { netmesh_vineyard_request_init(this, sizeof(netmesh_vineyard_request), f); }
+};
+struct Scales : netmesh_scales_request {
+    explicit Scales(std::uint32_t d) { netmesh_scales_request_init(this, sizeof(netmesh_scales_request), d); }
+};
+struct Points : netmesh_points_request {
+    Points(std::uint32_t d, netmesh_filter f) {
+        netmesh_points_request_init(this, sizeof(netmesh_points_request), d, f);
+    }
+};
+struct Homology : netmesh_homology_request {
+    Homology() { netmesh_homology_request_init(this, sizeof(netmesh_homology_request)); }
+};
+struct Bottleneck : netmesh_bottleneck_request {
+    Bottleneck() { netmesh_bottleneck_request_init(this, sizeof(netmesh_bottleneck_request), sizeof(netmesh_pair)); }
+};
+struct Analyse : netmesh_analyse_request {
+    Analyse() { netmesh_analyse_request_init(this, sizeof(netmesh_analyse_request)); }
 };
 
-// Bytes to plan for, netmesh_plan_bytes.
-inline std::size_t plan_bytes(netmesh_job job, const netmesh_options& options, std::uint64_t points) {
-    return netmesh_plan_bytes(job, &options, points);
+}  // namespace requests
+
+// An empty struct for a result, with its size set: sized<netmesh_report>().
+template <class Struct> Struct sized() {
+    Struct s = {};
+    s.struct_bytes = sizeof s;
+    return s;
 }
 
-// Bottleneck distance, netmesh_bottleneck; scratch of netmesh_bottleneck_bytes(count_a, count_b), 16-byte aligned.
-inline netmesh_status bottleneck(const netmesh_pair* a, std::size_t count_a, const netmesh_pair* b, std::size_t count_b,
-                                 void* scratch, std::size_t scratch_bytes, netmesh_distance* distance,
-                                 netmesh_scale scale = NETMESH_SCALE_PLAIN,
-                                 std::uint32_t degree = NETMESH_ALL_DEGREES) {
-    return netmesh_bottleneck(a, count_a, b, count_b, degree, scale, scratch, scratch_bytes, nullptr, nullptr,
-                              distance);
-}
-
-// Bytes of block to plan for, netmesh_homology_bytes and netmesh_points_bytes.
-inline std::size_t homology_bytes(std::uint64_t count, std::uint64_t vertices) {
-    return netmesh_homology_bytes(count, vertices);
-}
-inline std::size_t points_bytes(netmesh_filter filter, const netmesh_options& options, std::uint64_t points,
-                                std::uint32_t max_degree = 1, std::uint32_t k = 1) {
-    return netmesh_points_bytes(filter, &options, points, k, max_degree);
-}
-
+// Of the library, which may differ from NETMESH_VERSION.
+inline std::uint32_t version() { return netmesh_version(); }
+inline const char* version_text() { return netmesh_version_text(); }
 inline const char* status_text(netmesh_status status) { return netmesh_status_text(status); }
+inline const char* field_text(netmesh_field field) { return netmesh_field_text(field); }
+inline double tau(const netmesh_mesh_request& request) { return netmesh_tau(&request); }
+
+// Bytes of block to plan for.
+inline std::size_t plan(const netmesh_delaunay_request& request) { return netmesh_plan_delaunay(&request); }
+inline std::size_t plan(const netmesh_mesh_request& request) { return netmesh_plan_mesh(&request); }
+inline std::size_t plan(const netmesh_scales_request& request) { return netmesh_plan_scales(&request); }
+inline std::size_t plan(const netmesh_points_request& request) { return netmesh_plan_points(&request); }
+inline std::size_t plan(const netmesh_homology_request& request) { return netmesh_plan_homology(&request); }
+
+// Bottleneck distance, with request.scratch of bottleneck_bytes(request).
+inline std::size_t bottleneck_bytes(const netmesh_bottleneck_request& request) {
+    return netmesh_bottleneck_bytes(&request);
+}
+inline netmesh_status bottleneck(const netmesh_bottleneck_request& request, netmesh_distance* distance,
+                                 netmesh_detail* detail = nullptr) {
+    distance->struct_bytes = sizeof *distance;
+    if (detail != nullptr) detail->struct_bytes = sizeof *detail;
+    return netmesh_bottleneck(&request, distance, detail);
+}
+
+// Calls visit(netmesh_filter_info) for each filter.
+template <class Visit> void for_each_filter(Visit&& visit) {
+    netmesh_filter_info info = sized<netmesh_filter_info>();
+    for (std::uint32_t i = 0; netmesh_get_filter_info(i, &info) == NETMESH_OK; ++i) visit(info);
+}
+
+// Calls visit(netmesh_figure) for each figure of a report or an analysis.
+template <class Visit> void for_each_figure(const netmesh_report& report, Visit&& visit) {
+    netmesh_figure figure = sized<netmesh_figure>();
+    for (std::uint32_t i = 0; netmesh_get_report_figure(&report, i, &figure) == NETMESH_OK; ++i) visit(figure);
+}
+template <class Visit> void for_each_figure(const netmesh_analysis& analysis, Visit&& visit) {
+    netmesh_figure figure = sized<netmesh_figure>();
+    for (std::uint32_t i = 0; netmesh_get_analysis_figure(&analysis, i, &figure) == NETMESH_OK; ++i) visit(figure);
+}
 
 // A context in a block that the caller keeps alive. Copying the object copies the handle, not the context.
 class Engine {
@@ -53,44 +138,35 @@ public:
     netmesh_status status() const { return status_; }
     netmesh_context* context() const { return context_; }
 
-    netmesh_status delaunay(const double* points, std::size_t n, const netmesh_options& options) {
-        return status_ = netmesh_delaunay(context_, points, n, &options);
+    // Jobs.
+    netmesh_status delaunay(const netmesh_delaunay_request& r) { return status_ = netmesh_delaunay(context_, &r); }
+    netmesh_status mesh(const netmesh_mesh_request& r) { return status_ = netmesh_mesh(context_, &r); }
+    netmesh_status load(const netmesh_load_request& r) { return status_ = netmesh_load(context_, &r); }
+    netmesh_status load_cages(const netmesh_cages_request& r) { return status_ = netmesh_load_cages(context_, &r); }
+    netmesh_status check(const netmesh_check_request& r = requests::Check()) {
+        return status_ = netmesh_check(context_, &r);
     }
-    netmesh_status mesh(const double* points, std::size_t n, const netmesh_options& options,
-                        netmesh_job for_job = NETMESH_JOB_MESH) {
-        return status_ = netmesh_mesh(context_, points, n, for_job, &options);
+    netmesh_status persist(const netmesh_persist_request& r = requests::Persist()) {
+        return status_ = netmesh_persist(context_, &r);
     }
-    netmesh_status persist(netmesh_filter filter, const netmesh_options& options,
-                           netmesh_values values = NETMESH_VALUES_CERTIFIED,
-                           std::uint32_t max_degree = NETMESH_DIM_MAX) {
-        return status_ = netmesh_persist(context_, filter, values, max_degree, 0, &options);
+    netmesh_status bound_bars(const netmesh_bounds_request& r = requests::Bounds()) {
+        return status_ = netmesh_bound_bars(context_, &r);
     }
-    // Takes over a mesh; domain: D centre coordinates and a radius, or null for a Delaunay triangulation.
-    netmesh_status load(const double* vertices, const std::uint8_t* markers, std::size_t vertex_count,
-                        const std::uint32_t* cells, std::size_t cell_count, const double* domain,
-                        const netmesh_options& options) {
-        return status_ = netmesh_load(context_, vertices, markers, vertex_count, cells, cell_count, domain, &options);
+    netmesh_status represent(const netmesh_represent_request& r = requests::Represent()) {
+        return status_ = netmesh_represent(context_, &r);
     }
-    netmesh_status load_cages(const netmesh_cage* cages, std::size_t count, const netmesh_options& options) {
-        return status_ = netmesh_load_cages(context_, cages, count, &options);
+    netmesh_status fit(const netmesh_fit_request& r) { return status_ = netmesh_fit(context_, &r); }
+    netmesh_status vineyard(const netmesh_vineyard_request& r) { return status_ = netmesh_vineyard(context_, &r); }
+    netmesh_status persist_scales(const netmesh_scales_request& r) {
+        return status_ = netmesh_persist_scales(context_, &r);
     }
-    netmesh_status persist_function(const netmesh_function& function, const netmesh_options& options,
-                                    netmesh_values values = NETMESH_VALUES_CERTIFIED,
-                                    std::uint32_t max_degree = NETMESH_DIM_MAX) {
-        return status_ = netmesh_persist_function(context_, &function, values, max_degree, 0, &options);
+    netmesh_status persist_points(const netmesh_points_request& r) {
+        return status_ = netmesh_persist_points(context_, &r);
     }
-    netmesh_status persist_scales(const double* points, std::size_t n, const netmesh_options& options,
-                                  netmesh_values values = NETMESH_VALUES_CERTIFIED,
-                                  std::uint32_t max_degree = NETMESH_DIM_MAX) {
-        return status_ = netmesh_persist_scales(context_, points, n, values, max_degree, 0, &options);
-    }
-    netmesh_status vineyard(netmesh_filter filter, std::uint32_t k_first, std::uint32_t k_last,
-                            const netmesh_options& options, netmesh_values values = NETMESH_VALUES_CERTIFIED,
-                            std::uint32_t max_degree = NETMESH_DIM_MAX) {
-        return status_ = netmesh_vineyard(context_, filter, k_first, k_last, values, max_degree, &options);
-    }
-    netmesh_status bound_bars(const netmesh_options& options) {
-        return status_ = netmesh_bound_bars(context_, &options);
+    netmesh_status homology(const netmesh_homology_request& r) { return status_ = netmesh_homology(context_, &r); }
+    netmesh_status analyse(netmesh_analysis* analysis, const netmesh_analyse_request& r = requests::Analyse()) {
+        analysis->struct_bytes = sizeof *analysis;
+        return status_ = netmesh_analyse(context_, &r, analysis);
     }
     // ratios[vertices], domains[vertices].
     netmesh_status measure_cells(double* ratios, std::uint32_t* domains) {
@@ -103,86 +179,49 @@ public:
     netmesh_status pace(const std::uint32_t* order, double* theta) {
         return status_ = netmesh_pace(context_, order, theta);
     }
-    netmesh_status homology(const std::uint32_t* vertices, const std::uint64_t* starts, const double* values,
-                            std::uint64_t count, const netmesh_options& options, bool representatives = false,
-                            std::uint32_t max_degree = NETMESH_DEGREE_MAX) {
-        return status_ = netmesh_homology(context_, vertices, starts, values, count, max_degree, 0,
-                                          representatives ? 1 : 0, &options);
-    }
-    // k is read by the barycentric filters alone.
-    netmesh_status persist_points(const double* points, std::size_t n, netmesh_filter filter,
-                                  const netmesh_options& options, std::uint32_t max_degree = 1, std::uint32_t k = 1,
-                                  bool representatives = false, netmesh_values values = NETMESH_VALUES_CERTIFIED) {
-        return status_ = netmesh_persist_points(context_, points, n, filter, values, k, max_degree, 0,
-                                                representatives ? 1 : 0, &options);
-    }
-    netmesh_status represent(const netmesh_options& options) { return status_ = netmesh_represent(context_, &options); }
-    netmesh_status check(const netmesh_options& options, std::uint32_t what = NETMESH_CHECK_ALL) {
-        return status_ = netmesh_check(context_, what, &options);
-    }
-    netmesh_status analyse(netmesh_analysis* analysis, const netmesh_options& options,
-                           std::uint32_t what = NETMESH_ANALYSE_ALL, double tolerance = 0) {
-        analysis->struct_bytes = sizeof *analysis;
-        return status_ = netmesh_analyse(context_, what, tolerance, &options, analysis);
-    }
 
-    netmesh_detail detail() const { return netmesh_get_detail(context_); }
+    // Results.
+    netmesh_detail detail() const {
+        netmesh_detail d = sized<netmesh_detail>();
+        netmesh_get_detail(context_, &d);
+        return d;
+    }
     netmesh_report report() const {
-        netmesh_report r = {};
-        r.struct_bytes = sizeof r;
+        netmesh_report r = sized<netmesh_report>();
         netmesh_get_report(context_, &r);
         return r;
     }
-    // Calls visit(netmesh_pair) for each pair of the diagram, in order.
-    template <class Visit> void for_each_pair(Visit&& visit) const {
-        netmesh_pair pair;
-        for (std::uint64_t i = 0; netmesh_get_pair(context_, i, &pair) == NETMESH_OK; ++i) visit(pair);
-    }
-    // Calls visit(index, netmesh_vertex), visit(index, netmesh_cell) for each vertex, cell.
-    template <class Visit> void for_each_vertex(Visit&& visit) const {
-        netmesh_vertex vertex;
-        for (std::uint64_t i = 0; netmesh_get_vertex(context_, i, &vertex) == NETMESH_OK; ++i) visit(i, vertex);
-    }
-    template <class Visit> void for_each_cell(Visit&& visit) const {
-        netmesh_cell cell;
-        for (std::uint64_t i = 0; netmesh_get_cell(context_, i, &cell) == NETMESH_OK; ++i) visit(i, cell);
-    }
-
-    // Calls visit(index, netmesh_bar_bounds) for each pair, visit(netmesh_scale_step), after bound_bars.
-    template <class Visit> void for_each_bar_bounds(Visit&& visit) const {
-        netmesh_bar_bounds bounds;
-        for (std::uint64_t i = 0; netmesh_get_bar_bounds(context_, i, &bounds) == NETMESH_OK; ++i) visit(i, bounds);
-    }
-    template <class Visit> void for_each_scale_step(Visit&& visit) const {
-        netmesh_scale_step step;
-        for (std::uint64_t i = 0; netmesh_get_scale_step(context_, i, &step) == NETMESH_OK; ++i) visit(step);
-    }
-    // Calls visit(netmesh_simplex) for each simplex of the representative of a pair.
+    // Calls visit(index, item) for each vertex, cell, cage, pair, bar, step of the ratio and point of a vine, in order.
+    template <class Visit> void for_each_vertex(Visit&& visit) const { for_each(netmesh_get_vertex, visit); }
+    template <class Visit> void for_each_cell(Visit&& visit) const { for_each(netmesh_get_cell, visit); }
+    template <class Visit> void for_each_cage(Visit&& visit) const { for_each(netmesh_get_cage, visit); }
+    template <class Visit> void for_each_pair(Visit&& visit) const { for_each(netmesh_get_pair, visit); }
+    template <class Visit> void for_each_bar_bounds(Visit&& visit) const { for_each(netmesh_get_bar_bounds, visit); }
+    template <class Visit> void for_each_scale_step(Visit&& visit) const { for_each(netmesh_get_scale_step, visit); }
+    template <class Visit> void for_each_vine_point(Visit&& visit) const { for_each(netmesh_get_vine_point, visit); }
+    // Calls visit(index, netmesh_simplex) for each simplex of the representative of a pair.
     template <class Visit> netmesh_status for_each_in_cycle(std::uint64_t pair, Visit&& visit) const {
-        std::uint64_t count;
+        std::uint64_t count = 0;
         const netmesh_status status = netmesh_get_cycle(context_, pair, &count);
-        netmesh_simplex simplex;
+        netmesh_simplex simplex = sized<netmesh_simplex>();
         for (std::uint64_t i = 0; status == NETMESH_OK && i < count; ++i)
-            if (netmesh_get_cycle_simplex(context_, pair, i, &simplex) == NETMESH_OK) visit(simplex);
+            if (netmesh_get_cycle_simplex(context_, pair, i, &simplex) == NETMESH_OK) visit(i, simplex);
         return status;
-    }
-    // Calls visit(netmesh_vine_point) in the order of vines and k.
-    template <class Visit> void for_each_vine_point(Visit&& visit) const {
-        netmesh_vine_point point;
-        for (std::uint64_t i = 0; netmesh_get_vine_point(context_, i, &point) == NETMESH_OK; ++i) visit(point);
     }
     // Of the diagram at one k of the vineyard; 0 where there is none.
     double vine_ratio(std::uint32_t k) const {
         double ratio = 0;
         return netmesh_get_vine_ratio(context_, k, &ratio) == NETMESH_OK ? ratio : 0;
     }
-    template <class Visit> void for_each_cage(Visit&& visit) const {
-        netmesh_cage cage;
-        for (std::uint64_t i = 0; netmesh_get_cage(context_, i, &cage) == NETMESH_OK; ++i) visit(i, cage);
-    }
 
 private:
     Engine() = default;
+    template <class Item, class Visit>
+    void for_each(netmesh_status (*get)(const netmesh_context*, std::uint64_t, Item*), Visit& visit) const {
+        Item item = sized<Item>();
+        for (std::uint64_t i = 0; get(context_, i, &item) == NETMESH_OK; ++i) visit(i, item);
+    }
+
     netmesh_context* context_ = nullptr;
     netmesh_status status_ = NETMESH_NO_RESULT;
 };

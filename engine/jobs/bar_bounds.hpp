@@ -13,8 +13,8 @@
 #pragma once
 #include <cstdint>
 
-#include "diagram/pair.hpp"
 #include "certificate/interval.hpp"
+#include "diagram/pair.hpp"
 #include "memory/arena.hpp"
 #include "vocabulary/status.hpp"
 

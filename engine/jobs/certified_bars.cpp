@@ -195,8 +195,8 @@ void Ledger::conclude(BarBounds* bounds) const {
 
 // Where the next sequence goes through: the middle, then the quarters, of the longest bar worth it that has no claim,
 // as far as no sequence went near there; 0 for nowhere.
-double next_scale(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree,
-                  const double* gone, int sequences) {
+double next_scale(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree, const double* gone,
+                  int sequences) {
     double best = shortest, scale = 0;
     for (std::uint64_t i = 0; i < bars.count; ++i) {
         const Pair& bar = bars.pairs[i];

@@ -121,7 +121,8 @@ void drop_rounding(PairList* list) {
 }
 
 template <int D>
-Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out) {
+Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work,
+                     CountedPairs* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     if (request.max_degree >= D) request.max_degree = D - 1;
     PairList& found = out->pairs;

@@ -7,9 +7,9 @@
 
 namespace netmesh {
 
-// Persistent homology of an alpha filtration in degrees 0..max_degree (at most D-1; larger is clamped). Without keep_zero
-// also pairs shorter than the rounding errors of their values (2^-36 relative) are left out, which no input can be known to
-// have. Counted are the simplices of dimensions 0..max_degree+1, which are what is filtered.
+// Persistent homology of an alpha filtration in degrees 0..max_degree (at most D-1; larger is clamped). Without
+// keep_zero also pairs shorter than the rounding errors of their values (2^-36 relative) are left out, which no input
+// can be known to have. Counted are the simplices of dimensions 0..max_degree+1, which are what is filtered.
 //
 // The diagram is put at the arena's low end in the canonical order (diagram/pair.hpp), everything else is given back;
 // without Status::ok nothing stays. It does not depend on the order in which cells are stored.

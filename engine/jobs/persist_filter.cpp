@@ -12,9 +12,9 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     *out = FilterDiagram{};
     const Store<D>& store = mesh.store;
     CountedPairs found = {};
-    if (request.filter.filter == NETMESH_FILTER_ALPHA) {
-        const Status status = persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram,
-                                               work, &found);
+    if (find_filter(request.filter.filter)->source == FilterSource::delaunay) {
+        const Status status =
+            persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram, work, &found);
         out->pairs = found.pairs;
         out->simplices = found.simplices;
         return status;

@@ -1,5 +1,6 @@
 #include "jobs/persist_points.hpp"
 
+#include "filtration/filters.hpp"
 #include "filtration/point_complexes.hpp"
 #include "filtration/rips_graph.hpp"
 #include "numerics/fingerprint.hpp"
@@ -64,7 +65,7 @@ Status take_points(const PointsRequest& request, Arena& arena, PointSet* out, st
 }
 
 bool is_barycentric(const PointsFilter& filter) {
-    return filter.filter == NETMESH_FILTER_BARYCENTRIC_CECH || filter.filter == NETMESH_FILTER_BARYCENTRIC_RIPS;
+    return find_filter(filter.filter)->has(filter_trait::needs_k);
 }
 
 // Dimension of the complex on n points, and of the nested sets in it.
@@ -94,9 +95,7 @@ Status make_complex(const PointSet& points, const PointsFilter& filter, const Wo
     Status status;
     switch (filter.filter) {
     case NETMESH_FILTER_RIPS: status = rips_complex<D>(x, points.count, dimension, work, made); break;
-    case NETMESH_FILTER_BARYCENTRIC_RIPS:
-        status = full_rips_complex<D>(x, points.count, dimension, work, made);
-        break;
+    case NETMESH_FILTER_BARYCENTRIC_RIPS: status = full_rips_complex<D>(x, points.count, dimension, work, made); break;
     default: status = cech_complex<D>(x, points.count, dimension, work, made); break;
     }
     if (status != Status::ok || !is_barycentric(filter)) return status;
@@ -106,7 +105,6 @@ Status make_complex(const PointSet& points, const PointsFilter& filter, const Wo
     }
     return status;
 }
-
 
 Status persist_listed(const PointsRequest& request, const PointSet& set, const Work& work, PointsDiagram* out) {
     const PointsFilter& filter = request.filter;

@@ -54,8 +54,7 @@ void join_ratios(std::uint32_t clusters, double separation, ScalesResult* result
 
 template <int D> class ScalesJoin {
 public:
-    ScalesJoin(const Store<D>& points, const ScalesRequest& request, const Work& work,
-               ScalesResult* result)
+    ScalesJoin(const Store<D>& points, const ScalesRequest& request, const Work& work, ScalesResult* result)
         : points_(points), request_(request), arena_(work.arena), monitor_(work.monitor), result_(result) {}
 
     // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way.
@@ -173,8 +172,7 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_scales<D>(const Store<D>&, std::uint32_t, const ScalesRequest&, const Work&,          \
-                                      ScalesResult*);
+    template Status persist_scales<D>(const Store<D>&, std::uint32_t, const ScalesRequest&, const Work&, ScalesResult*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

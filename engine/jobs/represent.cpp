@@ -13,11 +13,11 @@ Status represent_listed(const FilteredMesh<D>& mesh, const RepresentRequest& req
                         const Work& work, Representation* out) {
     const Store<D>& store = mesh.store;
     const std::uint32_t dimension = request.diagram.max_degree + 1;
-    const bool alpha = request.filter.filter == NETMESH_FILTER_ALPHA;
-    Status status = alpha ? alpha_complex<D>({store.view(), store.point(0), Store<D>::vertex_stride}, dimension, work,
-                                             &out->complex)
-                          : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, work,
-                                                  &out->complex);
+    const bool alpha = find_filter(request.filter.filter)->source == FilterSource::delaunay;
+    Status status =
+        alpha
+            ? alpha_complex<D>({store.view(), store.point(0), Store<D>::vertex_stride}, dimension, work, &out->complex)
+            : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, work, &out->complex);
     if (status != Status::ok) return status;
     Representatives found = {};
     status = persist_with_cycles(out->complex.filtered(), request.diagram, work, &found);
@@ -54,7 +54,8 @@ template <int D>
 Status represent(const FilteredMesh<D>& mesh, const RepresentRequest& request, const Work& work, Representation* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     const std::uint32_t zero_born = zero_born_count(request.filter.filter, request.filter.k, mesh.inputs);
-    out->is_listed = request.filter.filter == NETMESH_FILTER_ALPHA || request.diagram.keep_zero;
+    const bool alpha = find_filter(request.filter.filter)->source == FilterSource::delaunay;
+    out->is_listed = alpha || request.diagram.keep_zero;
     Status status = out->is_listed ? represent_listed<D>(mesh, request, zero_born, work, out)
                                    : represent_lower_star<D>(mesh, request, zero_born, work, out);
     if (status == Status::ok && !same_bars(request.bars, out->pairs)) status = Status::internal;

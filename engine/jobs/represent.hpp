@@ -1,8 +1,8 @@
 // A cycle for each bar of a diagram that persist_filter made.
 #pragma once
+#include "complex/listed_complex.hpp"
 #include "filtration/filters.hpp"
 #include "homology/cycles/cycles.hpp"
-#include "complex/listed_complex.hpp"
 #include "jobs/bar_bounds.hpp"
 
 namespace netmesh {
@@ -15,9 +15,9 @@ struct RepresentRequest {
 };
 
 struct Representation {
-    PairList pairs;      // the same bars once more, with their cycles
-    CycleStore cycles;   // of cycle_of with the complex when it is listed, else of lower_star_cycle
-    bool is_listed;      // the complex was made explicit: alpha, and where pairs of zero length are kept
+    PairList pairs;     // the same bars once more, with their cycles
+    CycleStore cycles;  // of cycle_of with the complex when it is listed, else of lower_star_cycle
+    bool is_listed;     // the complex was made explicit: alpha, and where pairs of zero length are kept
     ListedComplex complex;
 };
 

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "vocabulary/validate.hpp"
+
 namespace netmesh {
 
 #ifdef NETMESH_SWEEP
@@ -25,6 +27,7 @@ public:
 
     // Takes over [base, base + bytes). base must be 16-byte aligned; the tail past a multiple of 16 is unused.
     void adopt(void* base, std::size_t bytes) {
+        NETMESH_ASSERT(reinterpret_cast<std::uintptr_t>(base) % alignment == 0);
         base_ = static_cast<unsigned char*>(base);
         size_ = bytes & ~(alignment - 1);
         low_ = 0;
@@ -62,6 +65,7 @@ public:
     }
     // Makes the last piece at the low (high) end longer by exactly this many bytes (a multiple of 8). False: no room.
     bool extend_low(std::size_t bytes) {
+        NETMESH_ASSERT(bytes % 8 == 0);
         std::size_t need;
         if (!fits(bytes, 1, 0, &need)) return false;
         low_ += bytes;
@@ -69,6 +73,7 @@ public:
         return true;
     }
     bool extend_high(std::size_t bytes) {
+        NETMESH_ASSERT(bytes % 8 == 0);
         std::size_t need;
         if (!fits(bytes, 1, 0, &need)) return false;
         high_ -= bytes;
@@ -83,8 +88,15 @@ public:
 
     std::size_t low_mark() const { return low_; }
     std::size_t high_mark() const { return high_; }
-    void release_low(std::size_t mark) { low_ = mark; }
-    void release_high(std::size_t mark) { high_ = mark; }
+    // Gives back what was taken since the mark; or, for owners that know what else stands there, sets the end anew.
+    void release_low(std::size_t mark) {
+        NETMESH_ASSERT(mark <= high_);
+        low_ = mark;
+    }
+    void release_high(std::size_t mark) {
+        NETMESH_ASSERT(low_ <= mark && mark <= size_);
+        high_ = mark;
+    }
     unsigned char* at(std::size_t offset) const { return base_ + offset; }
     std::size_t offset_of(const void* p) const {
         return static_cast<std::size_t>(static_cast<const unsigned char*>(p) - base_);

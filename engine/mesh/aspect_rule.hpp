@@ -7,17 +7,17 @@
 
 namespace netmesh {
 
-// A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad, by D: the cell
-// then loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof. Smaller
-// values make more layers of vertices, larger ones more vertices a layer.
+// A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad, by D: the
+// cell then loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
+// Smaller values make more layers of vertices, larger ones more vertices a layer.
 template <int D> constexpr double pull_back = figures<D>.pull_back;
 
-// What is refined is the corner of a clipped cell: a Voronoi corner inside the ball that the cell is clipped to, or a point
-// where a Voronoi edge crosses its sphere.
+// What is refined is the corner of a clipped cell: a Voronoi corner inside the ball that the cell is clipped to, or a
+// point where a Voronoi edge crosses its sphere.
 //
 // `Rule` also has
 //
-//   bool may_be_bad(double corner2, const Vertex<D>& v)   can a corner at this squared distance from v make its cell bad?
+//   bool may_be_bad(double corner2, const Vertex<D>& v)   can a corner at this squared distance from v spoil its cell?
 template <int D, class Rule> class AspectRule : public Refinement<D, Rule> {
     using Base = Refinement<D, Rule>;
 
@@ -49,8 +49,8 @@ protected:
         for (int i = 0; i <= D; ++i)
             if (positions >> i & 1u) this->queue_.push(cell.vertex[i]);
     }
-    // The corner is outside of the ball: which of its edges cross the sphere too far from these vertices? A crossing on an
-    // edge from an old outer cell need not be looked at: the edge has only become shorter.
+    // The corner is outside of the ball: which of its edges cross the sphere too far from these vertices? A crossing
+    // on an edge from an old outer cell need not be looked at: the edge has only become shorter.
     void queue_bad_crossings(const Domain<D>& ball, const Cell<D>& cell, unsigned positions) {
         for (int i = 0; i <= D; ++i) {
             const unsigned others = positions & ~(1u << i);

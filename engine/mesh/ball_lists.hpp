@@ -1,4 +1,5 @@
-// Point location as in the thesis (4.7.2): every input that is not inserted yet is stored in all D-balls that contain it.
+// Point location as in the thesis (4.7.2): every input that is not inserted yet is stored in all D-balls that contain
+// it.
 #pragma once
 #include <cstdint>
 
@@ -22,17 +23,17 @@ struct LocationAudit {
 
 template <int D> class BallLists {
 public:
-    // Takes, at the low end, up to a quarter of what is free for the lists and 8 bytes for each cell that will fit: before
-    // the store's cells are opened. out_of_memory.
+    // Takes, at the low end, up to a quarter of what is free for the lists and 8 bytes for each cell that will fit:
+    // before the store's cells are opened. out_of_memory.
     Status open(Store<D>& store, Arena& arena, std::uint32_t inputs);
     bool is_open() const { return entries_ != nullptr; }
     // Stores all inputs in the balls of the cells that there are. Whether the lists sufficed.
     bool start(Kernel<D>& kernel);
 
-    // Around each insertion, of vertex v into this cavity. Between them inputs out of balls that are gone wait; then each is
-    // looked at for every new ball, and so is what the ball behind the new one's outer facet holds, as the two old balls
-    // at a facet cover the new one. v is inside the hull, so neither the cavity nor what fills it has infinite cells. False
-    // when the lists do not suffice; they are of no use then.
+    // Around each insertion, of vertex v into this cavity. Between them inputs out of balls that are gone wait; then
+    // each is looked at for every new ball, and so is what the ball behind the new one's outer facet holds, as the two
+    // old balls at a facet cover the new one. v is inside the hull, so neither the cavity nor what fills it has
+    // infinite cells. False when the lists do not suffice; they are of no use then.
     void detach(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v);
     bool attach(Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v);
 
@@ -43,8 +44,8 @@ public:
 
     // Largest number of inputs in a ball. O(cells).
     std::uint32_t load() const;
-    // A sample of every ball with more than `most` inputs, net_size of them or all; what was drawn for one ball counts for the
-    // others. chosen[]: room for all inputs. Returns how many. O(cells + entries).
+    // A sample of every ball with more than `most` inputs, net_size of them or all; what was drawn for one ball counts
+    // for the others. chosen[]: room for all inputs. Returns how many. O(cells + entries).
     std::uint32_t draw_nets(std::uint32_t most, std::uint64_t seed, std::uint32_t* chosen);
 
     void report(LocationAudit* audit) const;

@@ -5,21 +5,21 @@
 //   distance from the centre   0 ......... e r ............ r ................... 2 r / e .....
 //                              | the inputs | no input, shell | no vertex, no input | outside |
 //
-// (Other cages may reach in with their shells and Steiner points, not with their centres, and the shell of a cage that has been released
-// stays where it is.)
+// (Other cages may reach in with their shells and Steiner points, not with their centres, and the shell of a cage that
+// has been released stays where it is.)
 //
-// The shell is a net on the sphere of radius shell_factor * r: the 2 D corners of a cross-polytope, whose covering radius
-// sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. A smaller e
-// asks for wider gaps. A domain is a ball without the balls of the cages directly inside it; the outermost domain is the mesh's
-// own ball, domain.hpp. The cells inside a cage keep their quality clipped to the ball of radius e r, as those of the
-// outermost domain do clipped to its ball; the cells of a cage's vertices together make up one cell of the domain around
-// it, which keeps its quality too.
+// The shell is a net on the sphere of radius shell_factor * r: the 2 D corners of a cross-polytope, whose covering
+// radius sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. A
+// smaller e asks for wider gaps. A domain is a ball without the balls of the cages directly inside it; the outermost
+// domain is the mesh's own ball, domain.hpp. The cells inside a cage keep their quality clipped to the ball of radius
+// e r, as those of the outermost domain do clipped to its ball; the cells of a cage's vertices together make up one
+// cell of the domain around it, which keeps its quality too.
 #pragma once
 #include <cstdint>
 
 #include "delaunay/store.hpp"
-#include "numerics/vector.hpp"
 #include "mesh/domain.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 

@@ -1,7 +1,6 @@
 #include "mesh/cage_corner.hpp"
 
 #include "delaunay/cell_list.hpp"
-#include "delaunay/kernel.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -19,9 +18,8 @@ void offer_crossing(const Store<D>& store, const Domain<D>& ball, const double* 
 
 // A cell on the cage's boundary: there is one at any shell vertex. False when the gap is too small for the search.
 template <int D> bool find_boundary_cell(Store<D>& store, const Cage& cage, CellId* found) {
-    Kernel<D> kernel(store, corner_error_max, true);
     *found = none;
-    return kernel.visit_star(VertexId(cage.shell), [&](CellId c) {
+    return visit_star(store, VertexId(cage.shell), [&](CellId c) {
         if (*found == none && is_on_boundary<D>(store, cage, c)) *found = c;
     });
 }
@@ -29,8 +27,7 @@ template <int D> bool find_boundary_cell(Store<D>& store, const Cage& cage, Cell
 }  // namespace
 
 // Cells on the boundary are connected.
-template <int D>
-bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, Corner<D>* corner) {
+template <int D> bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, Corner<D>* corner) {
     const double* const centre = store.point(cage.centre);
     CellId first;
     if (!find_boundary_cell<D>(store, cage, &first)) return false;
@@ -53,8 +50,7 @@ bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, 
     return true;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*);
+#define NETMESH_INSTANTIATE(D) template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -11,8 +11,9 @@ namespace {
 // A Steiner point is put this much farther from its vertex than the nearest corner that can be bad.
 constexpr double overshoot = 1.1;
 
-// What R / r of an input's cell is held to, over what the certificate needs; but no less than a tau that is cheap to reach.
-// In between a filter value of its own, r, stays nearer to the one that it is given: most of the true error is there.
+// What R / r of an input's cell is held to, over what the certificate needs; but no less than a tau that is cheap to
+// reach. In between a filter value of its own, r, stays nearer to the one that it is given: most of the true error is
+// there.
 constexpr double input_share = 0.8, input_least = 2.2;
 
 // A ratio asked for, and the K of certificate_rule.hpp that goes with it.
@@ -56,7 +57,9 @@ public:
     bool must_yield(const Split<D>& split, const NearestInput& nearest) const {
         return nearest.distance2 < yield_radius * yield_radius * split.empty2;
     }
-    void note_steiner(VertexId v, const NearestInput& nearest) { input_distance2(store_.vertex(v)) = nearest.distance2; }
+    void note_steiner(VertexId v, const NearestInput& nearest) {
+        input_distance2(store_.vertex(v)) = nearest.distance2;
+    }
     void restore_distances() { measure_edges<D>(store_); }
 
 private:
@@ -65,8 +68,8 @@ private:
         Corner<D> from_input;  // from the nearest input; `distance2` is to that
     };
 
-    // While a mesh is refined the record of a Steiner vertex holds the squared distance to its nearest input where that to
-    // its nearest neighbour, of which this rule makes no use, belongs: also what the queue goes by.
+    // While a mesh is refined the record of a Steiner vertex holds the squared distance to its nearest input where
+    // that to its nearest neighbour, of which this rule makes no use, belongs: also what the queue goes by.
     static double& input_distance2(Vertex<D>& steiner) { return steiner.nearest2; }
     // Of an input to its nearest neighbour, of a Steiner vertex to its nearest input.
     static double local_distance2(const Vertex<D>& vertex) { return vertex.nearest2; }

@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
-#include "numerics/vector.hpp"
 #include "mesh/domain.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 
@@ -22,7 +22,8 @@ template <int D> struct Corner {
 };
 
 // Offers where edges of v's cell that end in corner c, which is outside the ball, cross its sphere. Crossings that
-// cannot be farther than least2 (squared) are left out. For stores in use: behind each facet of c is a cell, infinite ones too.
+// cannot be farther than least2 (squared) are left out. For stores in use: behind each facet of c is a cell, infinite
+// ones too.
 template <int D>
 void offer_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, double least2,
                      Corner<D>* corner) {

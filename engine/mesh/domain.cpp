@@ -1,6 +1,6 @@
 #include "mesh/domain.hpp"
-#include "vocabulary/dimension.hpp"
 #include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "delaunay/store.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 
@@ -11,29 +12,22 @@ template <int D> struct Domain {
     double radius;
     double enclosing_radius;  // of a ball about `centre` that contains all inputs: rho of the certificate, or more
 
-    double distance2(const double* x) const {
-        double d2 = 0;
-        for (int k = 0; k < D; ++k) {
-            const double d = x[k] - centre[k];
-            d2 += d * d;
-        }
-        return d2;
-    }
+    double distance2(const double* x) const { return netmesh::distance2<D>(x, centre); }
     bool contains(const double* x) const { return distance2(x) <= radius * radius; }
 };
 
 // Smallest enclosing ball of vertices 0..count-1: exact up to rounding where the search converges, never too small by
-// more than rounding, as the radius is the largest distance from the centre found, enlarged by 8 u. Fischer and Gaertner's
-// bases by exhaustion over at most D+2 points; O(n) a step, few steps. A single point gets a radius of its own
-// magnitude, at least 1. domain.radius is left 0.
+// more than rounding, as the radius is the largest distance from the centre found, enlarged by 8 u. Fischer and
+// Gaertner's bases by exhaustion over at most D+2 points; O(n) a step, few steps. A single point gets a radius of its
+// own magnitude, at least 1. domain.radius is left 0.
 template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain);
 
 // The same for points[count][D], count >= 1: *radius is 0 for a single point.
 template <int D>
 void smallest_enclosing_ball(const double* points, std::uint32_t count, double* centre, double* radius);
 
-// The points (0, 1 or 2) in which the segment a-b crosses the domain's sphere, written to z. Measured from the nearer end, as
-// the other one may be farther away than its digits reach.
+// The points (0, 1 or 2) in which the segment a-b crosses the domain's sphere, written to z. Measured from the nearer
+// end, as the other one may be farther away than its digits reach.
 template <int D>
 inline int sphere_crossings(const Domain<D>& domain, const double* a, const double* b, double (&z)[2][D]) {
     if (domain.distance2(b) < domain.distance2(a)) {

@@ -10,8 +10,7 @@
 namespace netmesh {
 
 // A new vertex at x, not inserted yet. Room for it must be there.
-template <int D>
-inline VertexId make_vertex(Store<D>& store, const double* x, std::uint32_t origin, Marker marker) {
+template <int D> inline VertexId make_vertex(Store<D>& store, const double* x, std::uint32_t origin, Marker marker) {
     const VertexId made = store.new_vertex();
     Vertex<D>& v = store.vertex(made);
     for (int k = 0; k < D; ++k) v.x[k] = x[k];
@@ -25,13 +24,13 @@ inline VertexId make_vertex(Store<D>& store, const double* x, std::uint32_t orig
     return made;
 }
 
-// Frame distance over the radius of the domain: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii in
-// which everything stays (quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between domain and
-// frame.
+// Frame distance over the radius of the domain: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii
+// in which everything stays (quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between
+// domain and frame.
 template <int D> constexpr double frame_factor = figures<D>.frame_factor;
 
-// Starts the triangulation with 2 D exempt vertices at `reach` from the domain's centre along each axis; their nearest2 and
-// origin are final as long as no vertex comes nearer. out_of_memory.
+// Starts the triangulation with 2 D exempt vertices at `reach` from the domain's centre along each axis; their
+// nearest2 and origin are final as long as no vertex comes nearer. out_of_memory.
 template <int D>
 Status open_frame(Store<D>& store, Kernel<D>& kernel, const InputTree<D>& tree, const Domain<D>& domain, double reach);
 

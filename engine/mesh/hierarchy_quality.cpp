@@ -64,8 +64,8 @@ template <int D> Status Measurement<D>::open() {
     return Status::ok;
 }
 
-// Calls visit(vertex, squared distance) for each vertex within the ball, perhaps several times: any vertex has a Delaunay
-// neighbour nearer to the centre, so the cells at vertices of a ball are connected.
+// Calls visit(vertex, squared distance) for each vertex within the ball, perhaps several times: any vertex has a
+// Delaunay neighbour nearer to the centre, so the cells at vertices of a ball are connected.
 template <int D>
 template <class Visit>
 void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& visit) {

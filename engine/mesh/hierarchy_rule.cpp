@@ -9,8 +9,8 @@
 namespace netmesh {
 namespace {
 
-// Inputs waiting for one another, the next one on top. Two ring searches multiply the radius by more than the clearance, 8,
-// and distances span 2^1002: at most 2 * 1002 / 3 = 668 for one input.
+// Inputs waiting for one another, the next one on top. Two ring searches multiply the radius by more than the
+// clearance, 8, and distances span 2^1002: at most 2 * 1002 / 3 = 668 for one input.
 class Path {
 public:
     bool push(VertexId v) {
@@ -31,8 +31,8 @@ private:
 template <int D> class HierarchyRule : public AspectRule<D, HierarchyRule<D>> {
     using Base = AspectRule<D, HierarchyRule<D>>;
     using Base::domain_;
-    using Base::inserted_;
     using Base::inputs_;
+    using Base::inserted_;
     using Base::is_bad;
     using Base::kernel_;
     using Base::nearest_input;
@@ -89,8 +89,8 @@ private:
 
     Hierarchy<D> hierarchy_;
     Path path_;
-    // Of the input p whose turn it is: its nearest neighbour u in M_Omega, Omega the domain of p, the nearest distance of u in
-    // M_Omega, and the cage in Omega that has u for its centre, if one does.
+    // Of the input p whose turn it is: its nearest neighbour u in M_Omega, Omega the domain of p, the nearest distance
+    // of u in M_Omega, and the cage in Omega that has u for its centre, if one does.
     VertexId near_ = none;
     std::uint32_t near_cage_ = none;
     double near_nearest2_ = 0;
@@ -130,8 +130,8 @@ template <int D> Status HierarchyRule<D>::insert_input(VertexId p, CellId from, 
     return status == Status::ok ? this->finish_step(p, cleaning) : status;
 }
 
-// Finds the domain of p and its nearest neighbour in it from the nearest vertex, which is one of the cells in conflict. Those
-// are finite, as the frame's hull contains the domain.
+// Finds the domain of p and its nearest neighbour in it from the nearest vertex, which is one of the cells in
+// conflict. Those are finite, as the frame's hull contains the domain.
 template <int D> void HierarchyRule<D>::locate_domain(VertexId p, const Cavity& cavity) {
     const double* const x = store_.point(p);
     double best2 = infinity;
@@ -152,8 +152,8 @@ template <int D> void HierarchyRule<D>::locate_domain(VertexId p, const Cavity& 
     near_nearest2_ = hierarchy_.cage(near_cage_).nearest2;
 }
 
-// Climbs from p, which is not medial, through inputs farther and farther from its nearest neighbour, which are to be inserted
-// first, to the cage that contains them all, if there is room for one.
+// Climbs from p, which is not medial, through inputs farther and farther from its nearest neighbour, which are to be
+// inserted first, to the cage that contains them all, if there is room for one.
 template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity& cavity, bool cleaning) {
     locate_domain(p, cavity);
     if (store_.vertex(near_).marker != Marker::input) return Status::ok;
@@ -171,8 +171,8 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
     return Status::ok;
 }
 
-// The cage of the inputs within `reach` of the nearest neighbour of p. There are no vertices in it yet, but for those of a
-// cage about the same centre that p is outside of.
+// The cage of the inputs within `reach` of the nearest neighbour of p. There are no vertices in it yet, but for those
+// of a cage about the same centre that p is outside of.
 template <int D> Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
     if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
     const double radius = reach / cage_epsilon * (1 + tau_margin);
@@ -229,8 +229,8 @@ template <int D> Status HierarchyRule<D>::release_cage(std::uint32_t d) {
         store_.vertex(v).marker = Marker::steiner;
         queue_.push(v);
     }
-    // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are pushed. None
-    // is infinity, as the frame is around them.
+    // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are
+    // pushed. None is infinity, as the frame is around them.
     for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
         const bool fits = kernel_.visit_star(v, [&](CellId c) {
             for (const VertexId w : store_.cell(c).vertex)
@@ -357,8 +357,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
 template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>* split) {
     const Cage& cage = hierarchy_.cage(d);
     Corner<D> corner;
-    if (!find_cage_corner<D>(store_, cage, ball_of(hierarchy_.parent(d)), &corner))
-        return Verdict::out_of_memory;
+    if (!find_cage_corner<D>(store_, cage, ball_of(hierarchy_.parent(d)), &corner)) return Verdict::out_of_memory;
     const double inner = in_radius<D>(cage), whole = square_root(corner.distance2 > 0 ? corner.distance2 : 0);
     if (!(whole > tau_ * inner)) return Verdict::good;
     const double wanted = pull_back<D> * tau_ * inner;

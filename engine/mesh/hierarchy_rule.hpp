@@ -7,38 +7,39 @@
 
 namespace netmesh {
 
-// Afterwards quality is hierarchical (definition 4.5, clipped, see cage.hpp): tau bounds the aspect ratio of the cell of each
-// vertex that is not exempt, clipped to the ball of its domain, and of the cell of each cage, clipped to the ball of the
-// domain around it. Shell vertices are exempt. The cages stand at result->cages at the low end of the arena before the
-// cells, parents before or behind their children. vertex.nearest2 is final; where cages are left, vertex.origin is some input
-// near by and not always the nearest.
+// Afterwards quality is hierarchical (definition 4.5, clipped, see cage.hpp): tau bounds the aspect ratio of the cell
+// of each vertex that is not exempt, clipped to the ball of its domain, and of the cell of each cage, clipped to the
+// ball of the domain around it. Shell vertices are exempt. The cages stand at result->cages at the low end of the
+// arena before the cells, parents before or behind their children. vertex.nearest2 is final; where cages are left,
+// vertex.origin is some input near by and not always the nearest.
 //
 // Memory above that of the other methods: 44 bytes an input; with audits what they say.
 //
 // How the thesis's operations are carried out here, and why they differ where they do:
 //
-// InsertInput. The thesis makes a cage about the nearest neighbour u of an input p that is not medial, with a radius out of
-// |u - p|, and lets it grow when more inputs turn out to encroach on it from inside. Here the radius looks ahead: ring
-// searches among all inputs, inserted or not, climb from |u - p| outwards until the annulus that a cage needs is empty.
-// That is the radius that the cage keeps: no input ever encroaches on it, from inside or outside, so there is no GrowCage;
-// and as its whole clearance must be free of vertices, it is not born encroached (meshing by the trigger mediality <= e
-// alone would). The inputs met on the way are inserted before p, the farthest first, with or without a cage at the end: so
-// each input is medial up to a constant when its turn comes, and a set without gaps keeps its quality at every step.
-// The nearest neighbour in M_Omega: the nearest mesh vertex, or the centre of the largest cage that contains it but not p.
+// InsertInput. The thesis makes a cage about the nearest neighbour u of an input p that is not medial, with a radius
+// out of |u - p|, and lets it grow when more inputs turn out to encroach on it from inside. Here the radius looks
+// ahead: ring searches among all inputs, inserted or not, climb from |u - p| outwards until the annulus that a cage
+// needs is empty. That is the radius that the cage keeps: no input ever encroaches on it, from inside or outside, so
+// there is no GrowCage; and as its whole clearance must be free of vertices, it is not born encroached (meshing by the
+// trigger mediality <= e alone would). The inputs met on the way are inserted before p, the farthest first, with or
+// without a cage at the end: so each input is medial up to a constant when its turn comes, and a set without gaps
+// keeps its quality at every step. The nearest neighbour in M_Omega: the nearest mesh vertex, or the centre of the
+// largest cage that contains it but not p.
 //
-// ReleaseCage happens when a Steiner point comes nearer than a cage's clearance, which only gaps not much wider than a cage
-// needs let happen. Cages are never made again about the same inputs, as their shells stay as vertices, so refinement ends
-// where it would end without cages. The shell of a neighbouring cage and Steiner points inside it are as near as its
-// centre, up to a quarter, and do not count as encroaching. Vertices whose cells are no longer clipped to a released cage are
-// found by a look at all cells after the last insertion; those next to the shell at once.
+// ReleaseCage happens when a Steiner point comes nearer than a cage's clearance, which only gaps not much wider than a
+// cage needs let happen. Cages are never made again about the same inputs, as their shells stay as vertices, so
+// refinement ends where it would end without cages. The shell of a neighbouring cage and Steiner points inside it are
+// as near as its centre, up to a quarter, and do not count as encroaching. Vertices whose cells are no longer clipped
+// to a released cage are found by a look at all cells after the last insertion; those next to the shell at once.
 //
-// YieldingInsert. A shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the way to
-// the centre. A Steiner point yields to an input within nine tenths of its empty ball's radius and to no other: the rule by
-// f_P that quality_rule.hpp adds is for the proof of termination for tau near 2 without cages. An input that a Steiner point
-// yields to is inserted without going back to others: it is medial as it stands.
+// YieldingInsert. A shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the
+// way to the centre. A Steiner point yields to an input within nine tenths of its empty ball's radius and to no other:
+// the rule by f_P that quality_rule.hpp adds is for the proof of termination for tau near 2 without cages. An input
+// that a Steiner point yields to is inserted without going back to others: it is medial as it stands.
 //
-// FinishMesh releases all cages and cleans. Steiner points are pulled back towards their vertices, so the layers that grow
-// out of a shell are those that growing the cage step by step would give.
+// FinishMesh releases all cages and cleans. Steiner points are pulled back towards their vertices, so the layers that
+// grow out of a shell are those that growing the cage step by step would give.
 template <int D>
 Status mesh_by_hierarchy(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
                          const Work& work, MeshResult<D>* result);

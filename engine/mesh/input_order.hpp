@@ -6,8 +6,8 @@
 
 namespace netmesh {
 
-// The order given; or, where inputs are stored in D-balls, the rounds of SelectRound (4.7.5): a net is a sample of every ball
-// that holds more than half of the largest load, drawn again until the largest load has halved.
+// The order given; or, where inputs are stored in D-balls, the rounds of SelectRound (4.7.5): a net is a sample of
+// every ball that holds more than half of the largest load, drawn again until the largest load has halved.
 template <int D> class InputOrder {
 public:
     // order[inputs]: scratch with lists. lists that are not open: none.

@@ -10,8 +10,8 @@ struct Range {
     std::uint32_t begin, end;
 };
 
-// A range to be looked at, beyond planes across each axis at these distances from x. Squares are summed as those of distances are,
-// so that no distance to a point in the range is computed to be less than least2.
+// A range to be looked at, beyond planes across each axis at these distances from x. Squares are summed as those of
+// distances are, so that no distance to a point in the range is computed to be less than least2.
 template <int D> struct Waiting {
     Range range;
     double least2, offset[D];

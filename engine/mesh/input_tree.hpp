@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "delaunay/store.hpp"
+#include "numerics/vector.hpp"
 
 namespace netmesh {
 
@@ -26,28 +27,29 @@ struct Neighbour {
 
 template <int D> class InputTree {
 public:
-    // Over vertices 0..count-1, at the arena's low end; `rings`: to be asked for farthest_in_ring too. O(n log n). out_of_memory.
+    // Over vertices 0..count-1, at the arena's low end; `rings`: to be asked for farthest_in_ring too. O(n log n).
+    // out_of_memory.
     Status build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings = false);
 
     // The input nearest to x that is not `except`, smallest index among equals, in terms of the squared distance as
     // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
     std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
 
-    // The same among the inputs nearer to x than bound, of which there may be `none`. Where there is none, parts of the tree that are
-    // farther away are passed over at once.
+    // The same among the inputs nearer to x than bound, of which there may be `none`. Where there is none, parts of
+    // the tree that are farther away are passed over at once.
     std::uint32_t nearest_within(const double* x, double bound2, double* distance2) const;
 
-    // Its layout, for other searches: items of a range below the middle have an axis(middle) coordinate at most that of the
-    // middle item, those above at least.
+    // Its layout, for other searches: items of a range below the middle have an axis(middle) coordinate at most that
+    // of the middle item, those above at least.
     TreeRange root() const { return {0, count_}; }
     std::uint32_t item(std::uint32_t i) const { return items_[i]; }
     int axis(std::uint32_t middle) const { return axis_[middle]; }
-    // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index: unique,
-    // whatever the tree. Expected O(k log k + log n).
+    // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index:
+    // unique, whatever the tree. Expected O(k log k + log n).
     void nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const;
 
-    // The input farthest from x among those whose distance is above `inner` and at most `outer`, with its squared distance;
-    // `none` when there is none. Parts of the tree that cannot hold it are passed over at once.
+    // The input farthest from x among those whose distance is above `inner` and at most `outer`, with its squared
+    // distance; `none` when there is none. Parts of the tree that cannot hold it are passed over at once.
     std::uint32_t farthest_in_ring(const double* x, double inner, double outer, double* distance2) const;
 
     // How often an input has been looked at by searches so far.
@@ -58,16 +60,10 @@ private:
     void split(std::uint32_t begin, std::uint32_t end);
     double squared_distance(const double* x, std::uint32_t v) const {
         ++touches_;
-        const double* const p = store_->point(v);
-        double d2 = 0;
-        for (int k = 0; k < D; ++k) {
-            const double d = x[k] - p[k];
-            d2 += d * d;
-        }
-        return d2;
+        return netmesh::distance2<D>(x, store_->point(v));
     }
-    // Calls consider(input), which returns the squared distance or 0, for every input that can be nearer than bound2() or as
-    // near, near parts first.
+    // Calls consider(input), which returns the squared distance or 0, for every input that can be nearer than bound2()
+    // or as near, near parts first.
     template <class Consider, class Bound> void visit(const double* x, Consider&& consider, Bound&& bound2) const;
 
     const Store<D>* store_;

@@ -17,9 +17,9 @@ enum class MeshMethod {
     certificate,  // the coarsest mesh that proves a ratio: certificate_rule.hpp
 };
 
-// For the method certificate. With lo <= F <= hi on the cell of a vertex as in certificate/interval.hpp: hi <= ratio^2 lo
-// everywhere, and hi <= focus^2 lo in each Steiner cell that matters to scales of interest, those with hi > from and
-// lo < to.
+// For the method certificate. With lo <= F <= hi on the cell of a vertex as in certificate/interval.hpp: hi <= ratio^2
+// lo everywhere, and hi <= focus^2 lo in each Steiner cell that matters to scales of interest, those with hi > from
+// and lo < to.
 struct RatioGoal {
     double ratio;     // > sqrt 2
     double focus;     // > 1; 0: there are no scales of interest
@@ -28,14 +28,14 @@ struct RatioGoal {
 
 struct MeshRequest {
     MeshMethod method = MeshMethod::quality;
-    double tau = 0;                // > 2: the bound on clipped aspect ratios; not for the method certificate
-    double domain_factor = 1;      // domain radius over that of the smallest enclosing ball, >= 1; quality, hierarchy
-    bool certify_filter = false;   // quality: also bring the certified ratio of the complete filter below sqrt(2 + tau)
-    SizeRule size = {};            // quality, reference: bring the out-radius of clipped cells down to what it asks for
-    RatioGoal goal = {};           // certificate
-    bool finish = false;           // hierarchy: FinishMesh (4.7.6), release all cages and refine what they kept apart
-    bool audit_location = false;   // quality, hierarchy: see observers.hpp
-    bool audit_quality = false;    // quality, hierarchy
+    double tau = 0;               // > 2: the bound on clipped aspect ratios; not for the method certificate
+    double domain_factor = 1;     // domain radius over that of the smallest enclosing ball, >= 1; quality, hierarchy
+    bool certify_filter = false;  // quality: also bring the certified ratio of the complete filter below sqrt(2 + tau)
+    SizeRule size = {};           // quality, reference: bring the out-radius of clipped cells down to what it asks for
+    RatioGoal goal = {};          // certificate
+    bool finish = false;          // hierarchy: FinishMesh (4.7.6), release all cages and refine what they kept apart
+    bool audit_location = false;  // quality, hierarchy: see observers.hpp
+    bool audit_quality = false;   // quality, hierarchy
     std::uint64_t seed = 0;
 };
 
@@ -44,9 +44,9 @@ struct HierarchyCounts {
     std::uint32_t cages;  // left in the mesh
     std::uint32_t cages_made, cages_released;
     // Of inputs by point location: how often a search has looked at one (inserted or not), and cells and domains passed
-    // on the way to where one belongs. Nearly all of it is spent on looking for an input to yield to around each Steiner
-    // point: some 30 / 40 / 60 looks (D = 2 / 3 / 4) a vertex. So it depends on the spread as far as the size of the mesh
-    // does, and gaps of a few times the clusters, too narrow for cages, have the largest meshes.
+    // on the way to where one belongs. Nearly all of it is spent on looking for an input to yield to around each
+    // Steiner point: some 30 / 40 / 60 looks (D = 2 / 3 / 4) a vertex. So it depends on the spread as far as the size
+    // of the mesh does, and gaps of a few times the clusters, too narrow for cages, have the largest meshes.
     std::uint64_t touches;
 };
 

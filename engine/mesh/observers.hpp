@@ -1,4 +1,5 @@
-// What watches a mesh grow without having a say in it: point location in all D-balls, and quality after every insertion.
+// What watches a mesh grow without having a say in it: point location in all D-balls, and quality after every
+// insertion.
 #pragma once
 #include <cstdint>
 
@@ -9,11 +10,10 @@
 
 namespace netmesh {
 
-// Location: inputs are stored in all D-balls that contain them. They also have their turns in another order then, that of
-// rounds of range nets (input_order.hpp), as definition 4.7.5 is about that order: so an audit of location is of
-// another mesh, as good.
-// Quality: everything is measured after each insertion until the last input is in and clean, for small runs. The mesh is
-// byte for byte the one that is made without.
+// Location: inputs are stored in all D-balls that contain them. They also have their turns in another order then, that
+// of rounds of range nets (input_order.hpp), as definition 4.7.5 is about that order: so an audit of location is of
+// another mesh, as good. Quality: everything is measured after each insertion until the last input is in and clean,
+// for small runs. The mesh is byte for byte the one that is made without.
 template <int D> class Observers {
 public:
     explicit Observers(const MeshRequest& request)
@@ -23,8 +23,8 @@ public:
     Status open(Store<D>& store, std::uint32_t inputs);
     Status start(const Store<D>& store, Kernel<D>& kernel);
 
-    // Around each insertion into a cavity, where inputs are located. Before: false when an input is stored in other balls
-    // than those of its cavity. After: false when the lists do not suffice; the mesh is whole all the same.
+    // Around each insertion into a cavity, where inputs are located. Before: false when an input is stored in other
+    // balls than those of its cavity. After: false when the lists do not suffice; the mesh is whole all the same.
     bool locates() const { return lists_.is_open(); }
     bool before_fill(const Store<D>& store, const Kernel<D>& kernel, const Cavity& cavity, VertexId v);
     bool after_fill(Kernel<D>& kernel, const Cavity& cavity, VertexId v);
@@ -35,8 +35,8 @@ public:
     }
     BallLists<D>& lists() { return lists_; }
 
-    // After each step: vertex v has been inserted, and the shell of a cage before, if one was made. `cleaning`: not because
-    // an input had its turn. out_of_memory, internal (a cage is encroached).
+    // After each step: vertex v has been inserted, and the shell of a cage before, if one was made. `cleaning`: not
+    // because an input had its turn. out_of_memory, internal (a cage is encroached).
     bool measures() const { return measures_; }
     Status measure(Store<D>& store, const Cage* cages, std::uint32_t cages_made, const Domain<D>& domain, VertexId v,
                    bool cleaning);

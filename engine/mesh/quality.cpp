@@ -1,17 +1,14 @@
 #include "mesh/quality.hpp"
 
 #include "delaunay/sphere.hpp"
+#include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 template <int D> void raise(const Store<D>& store, const double* corner, std::uint32_t v, double* out2) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = corner[k] - store.point(v)[k];
-        d2 += d * d;
-    }
+    const double d2 = distance2<D>(corner, store.point(v));
     if (d2 > out2[v]) out2[v] = d2;
 }
 
@@ -98,11 +95,7 @@ template <int D> void recomputed_nearest2(const Store<D>& store, double* nearest
         for (int i = 0; i <= D; ++i)
             for (int j = 0; j <= D; ++j) {
                 if (i == j) continue;
-                double d2 = 0;
-                for (int k = 0; k < D; ++k) {
-                    const double d = store.point(cell.vertex[i])[k] - store.point(cell.vertex[j])[k];
-                    d2 += d * d;
-                }
+                const double d2 = distance2<D>(store.point(cell.vertex[i]), store.point(cell.vertex[j]));
                 if (d2 < nearest2[cell.vertex[i]]) nearest2[cell.vertex[i]] = d2;
             }
     }

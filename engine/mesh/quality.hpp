@@ -6,17 +6,18 @@
 
 namespace netmesh {
 
-// Out-radius over in-radius of clipped Voronoi cells (2.4, 7.3.1): out-radius to the farthest corner inside the domain or
-// crossing of a Voronoi edge with its sphere, in-radius half of vertex.nearest2's root.
-// Corners of cells so flat (heights of about 1e-13 of their edges) that doubles do not determine them are left out; the
-// certificate counts such a cell as reaching to rho.
-// *worst: the largest over inserted vertices that are not exempt; *vertex: where; 0 and `none` when there are none.
-// Needs a compact store with spheres and nearest2. O(cells); scratch: 8 bytes a vertex. out_of_memory.
+// Out-radius over in-radius of clipped Voronoi cells (2.4, 7.3.1): out-radius to the farthest corner inside the domain
+// or crossing of a Voronoi edge with its sphere, in-radius half of vertex.nearest2's root. Corners of cells so flat
+// (heights of about 1e-13 of their edges) that doubles do not determine them are left out; the certificate counts such
+// a cell as reaching to rho. *worst: the largest over inserted vertices that are not exempt; *vertex: where; 0 and
+// `none` when there are none. Needs a compact store with spheres and nearest2. O(cells); scratch: 8 bytes a vertex.
+// out_of_memory.
 template <int D>
 Status worst_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
                           std::uint32_t* vertex);
 
-// The same recomputed by the checker: from vertices, neighbour words and coordinates alone, corners by solving for them anew.
+// The same recomputed by the checker: from vertices, neighbour words and coordinates alone, corners by solving for
+// them anew.
 template <int D>
 Status recomputed_aspect_ratio(const Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
                                std::uint32_t* vertex);

@@ -18,21 +18,22 @@ struct QualityAudit {
                 // inserts (inputs that it yields to included), of inputs whose turn it is
 };
 
-// What `cage` cannot exceed: in radii, a shell vertex is at most shell_factor (1 + jitter) + e from the second input of its domain,
-// and an input (within e of the centre) or another shell vertex is the nearest neighbour that it is given.
+// What `cage` cannot exceed: in radii, a shell vertex is at most shell_factor (1 + jitter) + e from the second input
+// of its domain, and an input (within e of the centre) or another shell vertex is the nearest neighbour that it is
+// given.
 template <int D> double cage_insertion_bound();
 
-// What the last step has inserted: `vertex`, an input or not, and before it, of the vertices from first_made on, the shell of a
-// cage if one was made.
+// What the last step has inserted: `vertex`, an input or not, and before it, of the vertices from first_made on, the
+// shell of a cage if one was made.
 struct AuditStep {
     std::uint32_t first_made, vertex;
     bool cleaning;
 };
 
-// Adds one mesh to *audit. cages[0..made): those released have no shell. P is what of the inputs is inserted; f_P says nothing in
-// a domain of fewer than two, and is left out there. Works on a store in use as on a compact one. Cost: that of
-// measure_hierarchy, and the square of the largest domain's vertices. Scratch: 40 bytes a vertex, 8 a cell, 60 a cage.
-// out_of_memory.
+// Adds one mesh to *audit. cages[0..made): those released have no shell. P is what of the inputs is inserted; f_P says
+// nothing in a domain of fewer than two, and is left out there. Works on a store in use as on a compact one. Cost:
+// that of measure_hierarchy, and the square of the largest domain's vertices. Scratch: 40 bytes a vertex, 8 a cell, 60
+// a cage. out_of_memory.
 template <int D>
 Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, const Domain<D>& outermost, Arena& arena,
                      const AuditStep& step, QualityAudit* audit);

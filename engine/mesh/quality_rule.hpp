@@ -2,33 +2,34 @@
 #pragma once
 #include <cstddef>
 
-#include "mesh/mesh_request.hpp"
 #include "memory/work.hpp"
+#include "mesh/mesh_request.hpp"
 
 namespace netmesh {
 
-// For the methods quality and reference (reference_rule.hpp says what that one does otherwise). Afterwards the domain is the
-// ball in which each vertex that is not exempt has a clipped Voronoi cell of aspect ratio at most tau; vertex.nearest2 and
-// vertex.origin (nearest input) are final.
+// For the methods quality and reference (reference_rule.hpp says what that one does otherwise). Afterwards the domain
+// is the ball in which each vertex that is not exempt has a clipped Voronoi cell of aspect ratio at most tau;
+// vertex.nearest2 and vertex.origin (nearest input) are final.
 //
-// Each Steiner point x lies in the cell of some vertex v, at a distance l of at least (tau/2) times the distance from v to
-// its nearest neighbour, which is all that the size and termination proof of 3.3 asks for (every vertex stays in the
-// domain, so 3.6's packing argument applies with Omega the domain). Inputs that are not inserted yet count as inserted
-// first in that proof, so they must not be nearer to x than l either, or still no nearer than f_P(x) / (K - 1),
-// K = 2 tau / (tau - 2): x yields to an input for which neither holds, and f_P <= K f_M on all vertices for every tau > 2.
-// The frame of 2 D exempt vertices at four or more times the domain's radius is farther from every input than any other
-// input, as 3.3.2 requires.
+// Each Steiner point x lies in the cell of some vertex v, at a distance l of at least (tau/2) times the distance from
+// v to its nearest neighbour, which is all that the size and termination proof of 3.3 asks for (every vertex stays in
+// the domain, so 3.6's packing argument applies with Omega the domain). Inputs that are not inserted yet count as
+// inserted first in that proof, so they must not be nearer to x than l either, or still no nearer than f_P(x) / (K -
+// 1), K = 2 tau / (tau - 2): x yields to an input for which neither holds, and f_P <= K f_M on all vertices for every
+// tau > 2. The frame of 2 D exempt vertices at four or more times the domain's radius is farther from every input than
+// any other input, as 3.3.2 requires.
 //
-// With certify_filter a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners outside the
-// domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an input, else d_P(v).
-// Either means that its unclipped aspect ratio exceeds tau, so a Steiner point towards its farthest corner is as good for
-// the proof as any other. Such a cell has d_P(v) < 2 rho / (2 + tau), so everything stays within
-// 1 + (2 + 1.15 tau) / (2 + tau) < 2.2 enclosing radii, a compact set; only a thin layer around the domain is refined, only
-// as far as the certificate needs.
+// With certify_filter a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners
+// outside the domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an
+// input, else d_P(v). Either means that its unclipped aspect ratio exceeds tau, so a Steiner point towards its
+// farthest corner is as good for the proof as any other. Such a cell has d_P(v) < 2 rho / (2 + tau), so everything
+// stays within 1 + (2 + 1.15 tau) / (2 + tau) < 2.2 enclosing radii, a compact set; only a thin layer around the
+// domain is refined, only as far as the certificate needs.
 //
-// With a size rule (3.7) there is a second run, when all inputs are in: a cell is then also bad when its clipped out-radius
-// is above f(v), and its farthest corner (pole, where it has none), at a distance above f(v) from every vertex, is
-// inserted. So it ends as soon as f is bounded away from 0 on the domain, and 3.7.1 holds when f is Lipschitz.
+// With a size rule (3.7) there is a second run, when all inputs are in: a cell is then also bad when its clipped
+// out-radius is above f(v), and its farthest corner (pole, where it has none), at a distance above f(v) from every
+// vertex, is inserted. So it ends as soon as f is bounded away from 0 on the domain, and 3.7.1 holds when f is
+// Lipschitz.
 template <int D>
 Status mesh_by_quality(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
                        const Work& work, MeshResult<D>* result);

@@ -18,25 +18,27 @@
 
 namespace netmesh {
 
-// `Rule` is a class that derives from Refinement<D, Rule> and says which cells are bad and where to split them. It has to have
+// `Rule` is a class that derives from Refinement<D, Rule> and says which cells are bad and where to split them. It has
+// to have
 //
 //   double choose_domain()                           sets domain_.radius; the distance of the frame from the centre
 //   void queue_bad(CellId c)                         queues vertices whose cells new cell c may have made bad
 //   Verdict judge(VertexId v, Split<D>* split)       is the cell of v, which was queued, bad, and where is it split?
-//   bool must_yield(const Split<D>&, NearestInput)   must a Steiner point give way to the nearest input, not inserted yet?
+//   bool must_yield(const Split<D>&, NearestInput)   must a Steiner point give way to that input, not inserted yet?
 //
-// and may hide, with functions of its own, those below that say "unless the rule knows better". A mesh by some rule is made
-// by mesh_by_rule<D, Rule>.
+// and may hide, with functions of its own, those below that say "unless the rule knows better". A mesh by some rule is
+// made by mesh_by_rule<D, Rule>.
 template <int D, class Rule> class Refinement {
 public:
     Refinement(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
-        : request_(request), result_(result), store_(store), kernel_(store, corner_error_max, true),
+        : request_(request), result_(result), store_(store), kernel_(store, corner_error_max, VertexCells::kept),
           monitor_(work.monitor), domain_(result.domain), observers_(request),
           sizes_(store, tree_, request.size, tau_margin) {}
 
     // The inputs are in the store and nothing else: may they be meshed? Then the domain and the frame around it.
     Status open();
-    // Inserts the inputs in the order of their turns and finishes the mesh. order[inputs]: scratch with an audit of location.
+    // Inserts the inputs in the order of their turns and finishes the mesh. order[inputs]: scratch with an audit of
+    // location.
     Status run(std::uint32_t* order);
     // The mesh is whole, compact from `low` on.
     Status close(std::size_t low, Status status);
@@ -68,8 +70,7 @@ public:
     // The input that a Steiner point yields to, none when it need not; then *nearest is its nearest input.
     VertexId yields_to(const Split<D>& split, NearestInput* nearest) const {
         nearest->input = VertexId(tree_.nearest(split.x, split.input, none, &nearest->distance2));
-        const bool yields =
-            store_.vertex(nearest->input).cell == none && rule().must_yield(split, *nearest);
+        const bool yields = store_.vertex(nearest->input).cell == none && rule().must_yield(split, *nearest);
         return yields ? nearest->input : VertexId(none);
     }
     // The record of a new Steiner point is there, its insertion follows.
@@ -85,7 +86,8 @@ public:
     std::uint32_t cages_made() const { return 0; }
     // What the rule leaves at the low end: the offset where the mesh begins.
     std::size_t keep_results(std::size_t low) { return low; }
-    // Makes vertex.nearest2 what it is called, when the rule has kept something else there. Whether the run ended well or not.
+    // Makes vertex.nearest2 what it is called, when the rule has kept something else there. Whether the run ended well
+    // or not.
     void restore_distances() {}
     // The radius that is promised for the domain, without the margin.
     double promised_radius() const { return domain_.radius; }
@@ -106,9 +108,7 @@ protected:
     Status clean();
     Status yielding_insert(const Split<D>& split);
 
-    VertexId nearest_input(VertexId v) const {
-        return VertexId(netmesh::nearest_input<D>(store_, v));
-    }
+    VertexId nearest_input(VertexId v) const { return VertexId(netmesh::nearest_input<D>(store_, v)); }
 
     const MeshRequest& request_;
     MeshResult<D>& result_;
@@ -182,7 +182,8 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
     return monitor_.advance(inserted_, 4 + 2 * cavity.facets) ? Status::cancelled : Status::ok;
 }
 
-// nearest2 of v and of its neighbours. Those to which it is nearer than any vertex before may have become bad and are queued.
+// nearest2 of v and of its neighbours. Those to which it is nearer than any vertex before may have become bad and are
+// queued.
 template <int D, class Rule> void Refinement<D, Rule>::update_nearest(const Cavity& cavity, VertexId v) {
     Vertex<D>& centre = store_.vertex(v);
     kernel_.visit_neighbours(cavity, v, [&](VertexId w) {

@@ -12,8 +12,9 @@ constexpr double coordinate_max = 0x1p500;
 constexpr double separation_min = 0x1p-500;
 constexpr double resolution = 64 * 0x1p-52;
 
-// The store holds inputs alone, `tree` is over them. out_of_range: a coordinate above 2^500 or two inputs closer than 2^-500;
-// too_close: two inputs closer than `finest` times the magnitude of their coordinates. Rows in *input. O(n log n).
+// The store holds inputs alone, `tree` is over them. out_of_range: a coordinate above 2^500 or two inputs closer than
+// 2^-500; too_close: two inputs closer than `finest` times the magnitude of their coordinates. Rows in *input. O(n log
+// n).
 template <int D>
 Status check_separation(const Store<D>& store, const InputTree<D>& tree, double finest, InputReport* input);
 

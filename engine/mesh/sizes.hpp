@@ -7,8 +7,8 @@
 
 namespace netmesh {
 
-// Sizes are asked for from start() on, when all inputs are in. A vertex has its size rounded down to 16 bits at hand; only
-// when a corner is beyond that the rule itself is evaluated again.
+// Sizes are asked for from start() on, when all inputs are in. A vertex has its size rounded down to 16 bits at hand;
+// only when a corner is beyond that the rule itself is evaluated again.
 template <int D> class Sizes {
 public:
     // Refinement stops a hair before the size asked for, more than the error of the corners that it sees.

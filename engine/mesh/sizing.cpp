@@ -81,8 +81,7 @@ template <int D> bool pole(const Domain<D>& domain, const double* v, const Flat<
 
 // Is v + x as near to v as to all other vertices of its star?
 template <int D>
-bool is_in_cell(const Store<D>& store, std::uint32_t v, const double* x, const CellId* star,
-                std::uint32_t count) {
+bool is_in_cell(const Store<D>& store, std::uint32_t v, const double* x, const CellId* star, std::uint32_t count) {
     const double* const p = store.point(v);
     double own2 = 0;
     for (int k = 0; k < D; ++k) own2 += x[k] * x[k];
@@ -152,8 +151,8 @@ Status worst_size_ratio(const Store<D>& store, const Domain<D>& domain, std::uin
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status worst_size_ratio<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const SizeRule&, Corners,    \
                                         Arena&, double*, std::uint32_t*);                                              \
-    template double farthest_pole<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const CellId*,                  \
-                                     std::uint32_t, double*, CellId*);
+    template double farthest_pole<D>(const Store<D>&, const Domain<D>&, std::uint32_t, const CellId*, std::uint32_t,   \
+                                     double*, CellId*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

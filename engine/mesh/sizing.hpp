@@ -51,8 +51,8 @@ Status worst_size_ratio(const Store<D>& store, const Domain<D>& domain, std::uin
 // Where a cell whose clipped part has no corner reaches farthest. Such a cell meets the domain's sphere in whole
 // spheres of its faces, and the farthest of their poles, as seen from v, is its farthest point: for each face (v and up
 // to D-1 others of a cell of its star) the point of the sphere on the face's flat that is opposite to v's foot, if it
-// is in Vor(v). star[-1 - k], k < count: the cells at v, all finite. Returns the squared distance from v, negative when there is no
-// pole, the pole in *x and a cell that it is near in *cell. O(2^D D^2 + D count) a cell of the star.
+// is in Vor(v). star[-1 - k], k < count: the cells at v, all finite. Returns the squared distance from v, negative
+// when there is no pole, the pole in *x and a cell that it is near in *cell. O(2^D D^2 + D count) a cell of the star.
 template <int D>
 double farthest_pole(const Store<D>& store, const Domain<D>& domain, std::uint32_t v, const CellId* star,
                      std::uint32_t count, double* x, CellId* cell);

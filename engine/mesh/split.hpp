@@ -8,12 +8,12 @@
 namespace netmesh {
 
 // An uninserted input is inserted in place of a Steiner point when it is nearer than this times the radius of the empty
-// ball (thesis 4.4). Larger values give smaller meshes, but from about .95 on refinement runs along curves from input to
-// input without a Steiner point: 1 makes meshes of curves smaller by a fifth, and takes time that grows with the square of
-// their number.
+// ball (thesis 4.4). Larger values give smaller meshes, but from about .95 on refinement runs along curves from input
+// to input without a Steiner point: 1 makes meshes of curves smaller by a fifth, and takes time that grows with the
+// square of their number.
 constexpr double yield_radius = 0.9;
-// Refinement stops a hair before what it is held to: more than the error of the corners that it sees, so the true ratios
-// keep the bound.
+// Refinement stops a hair before what it is held to: more than the error of the corners that it sees, so the true
+// ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;
 // So the interval of a cell is taken as its ends are computed, not rounded outwards (certificate/interval.hpp).
 constexpr double as_computed = 1;

@@ -1,5 +1,5 @@
-// Integers modulo 2^512 in two's complement: exact as long as a result is below 2^511 in magnitude. For rare questions; a
-// product takes 136 multiplications.
+// Integers modulo 2^512 in two's complement: exact as long as a result is below 2^511 in magnitude. For rare questions;
+// a product takes 136 multiplications.
 #pragma once
 #include <cstdint>
 
@@ -40,7 +40,8 @@ public:
         return c;
     }
 
-    // The number over 2^*exponent, to 2^-52 relative; below 2^97 in magnitude, and 2^32 or above when *exponent is not 0.
+    // The number over 2^*exponent, to 2^-52 relative; below 2^97 in magnitude, and 2^32 or above when *exponent is not
+    // 0.
     double leading(int* exponent) const {
         const bool negative = digit_[digits - 1] >> 31 != 0;
         const Integer512 size = negative ? zero() - *this : *this;

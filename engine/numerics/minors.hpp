@@ -53,8 +53,9 @@ private:
 
 template <int N, int K> inline constexpr MinorLevel<N, K> minor_level{};
 
-// All minors of order K from those of order K-1. Member K-1-J of a sum comes with sign (-1)^J, so that a sum starts with a
-// term that is not negated. T: double, straight-line code without a loop or a branch; or numbers of more digits, in loops.
+// All minors of order K from those of order K-1. Member K-1-J of a sum comes with sign (-1)^J, so that a sum starts
+// with a term that is not negated. T: double, straight-line code without a loop or a branch; or numbers of more digits,
+// in loops.
 template <int N, int K, class T> struct Minors {
     static constexpr const MinorLevel<N, K>& level = minor_level<N, K>;
 

@@ -30,8 +30,8 @@ template <int D, bool lifted> bool is_exact(const FloatResult& result, int quant
     return result.magnitude > 0 && exponent_of(result.magnitude) < 53 + quantum * degree;
 }
 
-// The same for the least quantum that will do, without looking for the quantum itself. Adding and subtracting 1.5 * 2^52 quanta
-// rounds a coordinate below 2^51 quanta to a multiple of the quantum.
+// The same for the least quantum that will do, without looking for the quantum itself. Adding and subtracting 1.5 *
+// 2^52 quanta rounds a coordinate below 2^51 quanta to a multiple of the quantum.
 template <int D, bool lifted> bool is_exact_at_once(const double* const* points, double magnitude) {
     constexpr int degree = lifted ? D + 2 : D;
     static_assert(degree >= 2, "a quantum between -563 and 486");

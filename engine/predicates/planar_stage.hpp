@@ -1,8 +1,9 @@
 // The plane's first stage: its permanents are cheap enough to bound the errors of the determinants themselves.
 //
-// With u = 2^-53 a product of differences carries 3 roundings, a term of the lifted determinant at most 10 (J. Shewchuk, Adaptive
-// precision floating-point arithmetic and fast robust geometric predicates, 1997), and 4 u and 11 u cover the bound's own. With
-// lifts up to 2^240 what underflows adds less than 2^-800. Overflow makes the bound infinite or NaN, which decides nothing.
+// With u = 2^-53 a product of differences carries 3 roundings, a term of the lifted determinant at most 10 (J.
+// Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997), and 4 u and 11 u
+// cover the bound's own. With lifts up to 2^240 what underflows adds less than 2^-800. Overflow makes the bound
+// infinite or NaN, which decides nothing.
 #pragma once
 #include "numerics/real.hpp"
 

@@ -49,8 +49,8 @@ template <int D> struct InBall {
         points[D + 1] = q;
         decision = decide_in_ball<D>(points, minors, &minors_exact);
     }
-    // Orientation of the cell with q in the place of point k. Moving q to the end as the base takes D - k transpositions,
-    // and the base at the end D more.
+    // Orientation of the cell with q in the place of point k. Moving q to the end as the base takes D - k
+    // transpositions, and the base at the end D more.
     int orient_with(int k) {
         if (minors_exact) return (k & 1) != 0 ? -sign_of(minors[D - k]) : sign_of(minors[D - k]);
         const double* const kept = points[k];

@@ -3,6 +3,8 @@
 #pragma once
 #include <cstdint>
 
+#include "vocabulary/validate.hpp"
+
 namespace netmesh {
 
 // No vertex, no cell, no facet, no index. As an index it is 0xFFFFFFFF.
@@ -26,14 +28,16 @@ template <class Kind> struct Id {
 using VertexId = Id<struct VertexKind>;
 using CellId = Id<struct CellKind>;
 
-// A facet of a cell: the cell, and the position in it of the vertex opposite the facet. Only this class knows how both fit
-// into one word: 8 * cell + position. That is why there are at most cells_max cells.
+// A facet of a cell: the cell, and the position in it of the vertex opposite the facet. Only this class knows how both
+// fit into one word: 8 * cell + position. That is why there are at most cells_max cells.
 class FacetId {
 public:
     static constexpr std::uint32_t cells_max = 0x1FFFFFFFu;
 
     FacetId() = default;
-    constexpr FacetId(CellId cell, std::uint32_t position) : word_(cell.index << 3 | position) {}
+    constexpr FacetId(CellId cell, std::uint32_t position) : word_(cell.index << 3 | position) {
+        NETMESH_ASSERT(position < 8 && cell.index <= cells_max);
+    }
     constexpr FacetId(None) : word_(none) {}
     constexpr CellId cell() const { return CellId(word_ >> 3); }
     constexpr std::uint32_t position() const { return word_ & 7u; }

@@ -21,8 +21,8 @@ public:
         progress_.vertices = vertices;
         progress_.cells = cells;
     }
-    // Reports that `done` units are done; `work` is what they cost since the last call, in units of roughly 100 ns. True
-    // when the caller wants to stop.
+    // Reports that `done` units are done; `work` is what they cost since the last call, in units of roughly 100 ns.
+    // True when the caller wants to stop.
     bool advance(std::uint64_t done, std::uint32_t work = 1) {
         if (countdown_ > work) {
             countdown_ -= work;

@@ -1,5 +1,5 @@
-// node check.mjs netmesh.wasm [GOLDEN]: the module imports nothing, its memory cannot grow, and its fingerprints are printed,
-// or compared with a golden file.
+// node check.mjs netmesh.wasm [GOLDEN]: the module imports nothing, its memory cannot grow, and its fingerprints are
+// printed, or compared with a golden file.
 import { readFileSync } from 'node:fs';
 
 const fail = message => { console.log('FAULT ' + message); process.exit(1); };
@@ -28,5 +28,6 @@ if (process.argv.length < 4) {
     lines.split('\n').forEach((line, i) => { if (line !== golden[i]) console.log('- ' + golden[i] + '\n+ ' + line); });
     fail('fingerprints differ');
 } else {
-    console.log(`no imports, ${bytes} bytes of memory for good, ${lines.trim().split('\n').length} lines equal, ${seconds.toFixed(2)} s`);
+    const count = lines.trim().split('\n').length;
+    console.log(`no imports, ${bytes} bytes of memory for good, ${count} lines equal, ${seconds.toFixed(2)} s`);
 }

@@ -12,8 +12,8 @@ template <int D> struct Held {
         netmesh::MeshRequest request = by_quality(tau);
         request.size = rule;
         netmesh::MeshResult<D> mesh;
-        const netmesh::Status status = netmesh::mesh_points<D>(store, points.data(), points.size() / D, request,
-                                                               {block.arena, monitor}, &mesh);
+        const netmesh::Status status =
+            netmesh::mesh_points<D>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &mesh);
         input = mesh.input;
         domain = mesh.domain;
         return status;

@@ -1,4 +1,5 @@
-// The analysis in every dimension: what coordinates do not resolve, what does not fit, what is stopped, what was loaded.
+// The analysis in every dimension: what coordinates do not resolve, what does not fit, what is stopped, what was
+// loaded.
 #include <doctest/doctest.h>
 
 #include "analysis/common.hpp"
@@ -9,13 +10,11 @@
 #include "analysis/size.hpp"
 #include "analysis/structure.hpp"
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
+#include "common/session.hpp"
 #include "numerics/elementary.hpp"
 
 using namespace netmesh;
-
-#define EVERY_DIMENSION                                                                                                \
-    std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>,                    \
-        std::integral_constant<int, 5>, std::integral_constant<int, 6>
 
 namespace {
 
@@ -64,7 +63,7 @@ struct Polls {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("the feature size integral does not know scale or place", T, EVERY_DIMENSION) {
+TEST_CASE_TEMPLATE_DEFINE("the feature size integral does not know scale or place", T, scale) {
     constexpr int D = T::value;
     const double radius[3] = {2, 3, 4};
     const double centre[D] = {};
@@ -106,20 +105,22 @@ TEST_CASE_TEMPLATE("the feature size integral does not know scale or place", T, 
         CHECK(here.lower[j] <= finer.upper[j]);
     }
 }
+TEST_CASE_TEMPLATE_APPLY(scale, Dimensions<>);
 
-TEST_CASE_TEMPLATE("a close pair shows in paces, a wide domain in the ball of vertices", T, EVERY_DIMENSION) {
+TEST_CASE_TEMPLATE_DEFINE("a close pair shows in paces, a wide domain in the ball of vertices", T, close_pair) {
     constexpr int D = T::value;
-    constexpr double gaps[] = {0, 0, 1e-4, 1e-6, 1e-12, 1e-24, 1e-3};
+    constexpr double gaps = by_dimension<double>(D, {1e-4, 1e-6, 1e-12, 1e-24, 1e-3});
     inputs::Points points = star<D>(1);
-    points[(D + 1) * D] = gaps[D];
+    points[(D + 1) * D] = gaps;
     Held<D> held(std::size_t{1} << 23);
     REQUIRE(held.triangulate(points) == Status::ok);
     held.domain.radius = 10;  // more than seven enclosing radii
     held.domain.enclosing_radius = 1;
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0}, {held.block.arena, held.monitor}, &a) == Status::ok);
+    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0},
+                            {held.block.arena, held.monitor}, &a) == Status::ok);
     CHECK(a.radius[ball_wide] == a.radius[ball_vertices]);
-    CHECK(a.theta == doctest::Approx(gaps[D]).epsilon(0.01));
+    CHECK(a.theta == doctest::Approx(gaps).epsilon(0.01));
     CHECK(a.theta_limit == doctest::Approx(2 * a.theta / (1 - 3 * a.theta)));
     const double gain = D * std::log(1 / a.theta) / std::pow(3, D) + std::pow(a.theta, D) - 1;
     if (gain > 0)
@@ -129,6 +130,7 @@ TEST_CASE_TEMPLATE("a close pair shows in paces, a wide domain in the ball of ve
     CHECK((gain > 0) == (D < 6));
     CHECK(a.integral.lower[ball_wide] >= a.pace_lower);
 }
+TEST_CASE_TEMPLATE_APPLY(close_pair, Dimensions<>);
 
 TEST_CASE("the bound on the feature ratio needs a tau that yields, and sizes below the feature size") {
     CHECK(feature_ratio_bound(2.0001, {}) == infinity);
@@ -141,7 +143,7 @@ TEST_CASE("the bound on the feature ratio needs a tau that yields, and sizes bel
     CHECK(feature_ratio_bound(3, rule) == 2 * bound);
 }
 
-TEST_CASE_TEMPLATE("balls whose squares no double holds", T, EVERY_DIMENSION) {
+TEST_CASE_TEMPLATE_DEFINE("balls whose squares no double holds", T, squares) {
     constexpr int D = T::value;
     inputs::Points points = inputs::uniform(D, 3 * D);
     StructureAnalysis a[2];
@@ -158,12 +160,13 @@ TEST_CASE_TEMPLATE("balls whose squares no double holds", T, EVERY_DIMENSION) {
     CHECK(a[1].balls == 0);
     CHECK(a[1].ply_max == 1);
 }
+TEST_CASE_TEMPLATE_APPLY(squares, Dimensions<>);
 
-TEST_CASE_TEMPLATE("structure in little memory, and stopped", T, EVERY_DIMENSION) {
+TEST_CASE_TEMPLATE_DEFINE("structure in little memory, and stopped", T, little_memory) {
     constexpr int D = T::value;
-    constexpr std::size_t few[] = {0, 0, 3000, 300, 40, 16, 12};
+    constexpr std::size_t few = by_dimension<std::size_t>(D, {3000, 300, 40, 16, 12});
     Held<D> held(std::size_t{1} << 23);
-    REQUIRE(held.triangulate(inputs::uniform(D, few[D])) == Status::ok);
+    REQUIRE(held.triangulate(inputs::uniform(D, few)) == Status::ok);
     const double centre[D] = {};
     StructureAnalysis whole, part;
     Polls polls;
@@ -194,12 +197,13 @@ TEST_CASE_TEMPLATE("structure in little memory, and stopped", T, EVERY_DIMENSION
     }
     CHECK(refused > 2);
 }
+TEST_CASE_TEMPLATE_APPLY(little_memory, Dimensions<>);
 
-TEST_CASE_TEMPLATE("fatness of cells in a wide domain", T, EVERY_DIMENSION) {
+TEST_CASE_TEMPLATE_DEFINE("fatness of cells in a wide domain", T, wide_domain) {
     constexpr int D = T::value;
-    constexpr std::size_t few[] = {0, 0, 20, 10, 7, 8, 8};
+    constexpr std::size_t few = by_dimension<std::size_t>(D, {20, 10, 7, 8, 8});
     Held<D> held(std::size_t{1} << 23);
-    REQUIRE(held.mesh(inputs::uniform(D, few[D]), D < 6 ? 2.2 : 3) == Status::ok);
+    REQUIRE(held.mesh(inputs::uniform(D, few), D < 6 ? 2.2 : 3) == Status::ok);
     FatnessAnalysis narrow, wide;
     REQUIRE(analyse_fatness<D>(held.store, held.domain, {held.block.arena, held.monitor}, &narrow) == Status::ok);
     held.domain.radius *= 8;
@@ -214,8 +218,9 @@ TEST_CASE_TEMPLATE("fatness of cells in a wide domain", T, EVERY_DIMENSION) {
     REQUIRE(analyse_fatness<D>(held.store, held.domain, {held.block.arena, held.monitor}, &wide) == Status::ok);
     CHECK(wide.inside.cells == wide.bounded.cells);
 }
+TEST_CASE_TEMPLATE_APPLY(wide_domain, Dimensions<>);
 
-TEST_CASE_TEMPLATE("in-balls of cells that are open", T, EVERY_DIMENSION) {
+TEST_CASE_TEMPLATE_DEFINE("in-balls of cells that are open", T, open_in_balls) {
     constexpr int D = T::value;
     // One half-space, a wedge, a slab: what is found is inside, and in a slab it is as large as can be.
     for (int planes = 1; planes <= 3; ++planes) {
@@ -237,8 +242,9 @@ TEST_CASE_TEMPLATE("in-balls of cells that are open", T, EVERY_DIMENSION) {
         if (planes == 3) CHECK(radius == doctest::Approx(1.5));
     }
 }
+TEST_CASE_TEMPLATE_APPLY(open_in_balls, Dimensions<>);
 
-TEST_CASE_TEMPLATE("paces of a line's points one after the other", T, EVERY_DIMENSION) {
+TEST_CASE_TEMPLATE_DEFINE("paces of a line's points one after the other", T, line) {
     constexpr int D = T::value;
     const std::uint32_t n = 13000;
     inputs::Points points(std::size_t{n} * D, 1.0);
@@ -256,9 +262,10 @@ TEST_CASE_TEMPLATE("paces of a line's points one after the other", T, EVERY_DIME
     CHECK(pace<D>(cloud.store, cloud.tree, order.data(), n, {cloud.block.arena, stopping}, theta.data()) ==
           Status::cancelled);
 }
+TEST_CASE_TEMPLATE_APPLY(line, Dimensions<>);
 
 TEST_CASE("a vertex in no cell changes no figure") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         REQUIRE(s.mesh(inputs::uniform(dim, dim == 2 ? 8 : 4)) == NETMESH_OK);
@@ -267,10 +274,9 @@ TEST_CASE("a vertex in no cell changes no figure") {
         s.reserve(std::size_t{1} << 22);
         for (int extra = 0; extra < 2; ++extra) {
             REQUIRE(mesh.load(s) == NETMESH_OK);
-            netmesh_analysis a = {};
-            a.struct_bytes = sizeof a;
-            REQUIRE(netmesh_analyse(s.context, NETMESH_ANALYSE_ALL, 100, &s.options, &a) == NETMESH_OK);
-            CHECK(a.size_lower < a.size_upper);
+            netmesh_analysis a;
+            REQUIRE(s.analyse(&a, NETMESH_ANALYSE_ALL, 100) == NETMESH_OK);
+            CHECK(a.size.lower < a.size.upper);
             print[extra] = a.fingerprint;
             for (int k = 0; k < dim; ++k) mesh.vertices.push_back(mesh.domain[static_cast<std::size_t>(k)] + 0.01);
             mesh.markers.push_back(1);
@@ -280,39 +286,38 @@ TEST_CASE("a vertex in no cell changes no figure") {
 }
 
 TEST_CASE("tolerances of their own, and meshes of which sizes say nothing") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
-        netmesh_analysis a = {};
-        a.struct_bytes = sizeof a;
+        netmesh_analysis a;
         const auto analyse = [&](double tolerance) {
-            REQUIRE(netmesh_analyse(s.context, NETMESH_ANALYSE_SIZE, tolerance, &s.options, &a) == NETMESH_OK);
+            REQUIRE(s.analyse(&a, NETMESH_ANALYSE_SIZE, tolerance) == NETMESH_OK);
             CHECK(a.what == NETMESH_ANALYSE_SIZE);
-            CHECK(a.ply_points == 0);
-            CHECK(a.integral_lower[0] < a.integral_upper[0]);
+            CHECK(a.structure.ply_points == 0);
+            CHECK(a.size.integral_lower[0] < a.size.integral_upper[0]);
         };
         const inputs::Points points = inputs::uniform(dim, 2);
         s.reserve(std::size_t{1} << 22);
         REQUIRE(s.mesh(points) == NETMESH_OK);
         analyse(0);
-        CHECK(a.size_lower > 0);
-        CHECK(std::isfinite(a.size_upper));
-        s.options.ratio = 3;  // its quality is not the aspect ratio
-        REQUIRE(s.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_OK);
+        CHECK(a.size.lower > 0);
+        CHECK(std::isfinite(a.size.upper));
+        s.request.certificate.ratio = 3;  // its quality is not the aspect ratio
+        REQUIRE(s.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
         analyse(40);
-        CHECK(a.size_lower == 0);
-        CHECK(std::isinf(a.size_upper));
-        CHECK(std::isinf(a.feature_ratio_bound));
-        s.options.ratio = 0;
-        s.options.method = NETMESH_METHOD_NETMESH;
+        CHECK(a.size.lower == 0);
+        CHECK(std::isinf(a.size.upper));
+        CHECK(std::isinf(a.size.feature_ratio_bound));
+        s.request.certificate.ratio = 0;
+        s.request.method = NETMESH_METHOD_HIERARCHY;
         REQUIRE(s.mesh(inputs::geometric(dim, 40, 3)) == NETMESH_OK);
-        REQUIRE(s.report().cages > 0);
+        REQUIRE(s.report().mesh.hierarchy.cages > 0);
         analyse(40);
-        CHECK(a.size_lower == 0);
-        CHECK(std::isinf(a.size_upper));
+        CHECK(a.size.lower == 0);
+        CHECK(std::isinf(a.size.upper));
         std::uint32_t order[] = {0, 1, 4, 2};  // there is no input 4
         double theta[4];
-        REQUIRE(s.report().inputs == 4);
+        REQUIRE(s.report().mesh.inputs == 4);
         CHECK(netmesh_pace(s.context, order, theta) == NETMESH_INVALID_ARGUMENT);
         order[2] = 3;
         CHECK(netmesh_pace(s.context, order, theta) == NETMESH_OK);

@@ -4,6 +4,7 @@
 
 #include "analysis/common.hpp"
 #include "analysis/in_ball.hpp"
+#include "common/dimensions.hpp"
 
 using namespace netmesh;
 
@@ -62,9 +63,7 @@ TEST_CASE_TEMPLATE_DEFINE("in-balls against all sets of constraints", T, in_ball
         CHECK(radius == doctest::Approx(in_radius_by_exhaustion<D>(w)).epsilon(1e-9));
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(in_balls, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(in_balls, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("cells of the integer grid are cubes: fatness sqrt D", T, cubes) {
     constexpr int D = T::value;
@@ -79,18 +78,16 @@ TEST_CASE_TEMPLATE_DEFINE("cells of the integer grid are cubes: fatness sqrt D",
     CHECK(a.inside.cells == 0);
     CHECK(a.clipped == 0);
 }
-TEST_CASE_TEMPLATE_INVOKE(cubes, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(cubes, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("bounds of chapter 5 hold on meshes and triangulations", T, bounds) {
     constexpr int D = T::value;
-    constexpr std::size_t sizes[] = {0, 0, 400, 150, 40, 12, 6};
-    constexpr double taus[] = {0, 0, 2.5, 2.5, 3.08, 4, 4};
-    for (const inputs::Points& points : {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D] / 2),
+    constexpr std::size_t sizes = by_dimension<std::size_t>(D, {400, 150, 40, 12, 6});
+    constexpr double taus = by_dimension<double>(D, {2.5, 2.5, 3.08, 4, 4});
+    for (const inputs::Points& points : {inputs::uniform(D, sizes), inputs::clusters(D, sizes / 2),
                                          inputs::zoom(D, D < 4 ? 40 : 4, 1), inputs::grid(D, D < 4 ? 4 : 2)}) {
         Held<D> held;
-        REQUIRE(held.mesh(points, taus[D]) == Status::ok);
+        REQUIRE(held.mesh(points, taus) == Status::ok);
         const FatnessAnalysis a = analyse<D>(held);
         for (const FatPart* part : {&a.bounded, &a.inside}) {
             CHECK(violated_fatness_bound(*part) == nullptr);
@@ -99,7 +96,7 @@ TEST_CASE_TEMPLATE_DEFINE("bounds of chapter 5 hold on meshes and triangulations
         }
         CHECK(a.bounded.cells >= a.inside.cells);
         CHECK(a.bounded.cells >= a.clipped);
-        CHECK(a.inside.aspect_max <= taus[D] * (1 + 1e-5));
+        CHECK(a.inside.aspect_max <= taus * (1 + 1e-5));
         if (D == 2) CHECK(a.inside.cells > 0);
         if (a.inside.cells > 0) CHECK(a.clipped_max >= a.inside.beta_max * (1 - 1e-9));
         CHECK(a.clipped_max < 6);
@@ -109,9 +106,7 @@ TEST_CASE_TEMPLATE_DEFINE("bounds of chapter 5 hold on meshes and triangulations
         CHECK(violated_fatness_bound(analyse<D>(triangulated).bounded) == nullptr);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(bounds, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(bounds, Dimensions<>);
 
 TEST_CASE("degrees and edges of a part are those of the triangulation") {
     Held<3> held;

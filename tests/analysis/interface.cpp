@@ -4,49 +4,51 @@
 #include <cmath>
 #include <cstring>
 
+#include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
 
 netmesh_analysis analysed(Session& session, std::uint32_t what = NETMESH_ANALYSE_ALL, double tolerance = 0) {
-    netmesh_analysis a = {};
-    a.struct_bytes = sizeof a;
-    REQUIRE(netmesh_analyse(session.context, what, tolerance, &session.options, &a) == NETMESH_OK);
+    netmesh_analysis a;
+    REQUIRE(session.analyse(&a, what, tolerance) == NETMESH_OK);
     return a;
 }
 
-netmesh_status check_bounds(Session& session) {
-    return netmesh_check(session.context, NETMESH_CHECK_BOUNDS, &session.options);
-}
+netmesh_status check_bounds(Session& session) { return session.check(NETMESH_CHECK_BOUNDS); }
 
 }  // namespace
 
 TEST_CASE("a mesh's size stands between its bounds, and checks include them") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         INFO("D = " << dim);
-        const std::size_t n[] = {0, 0, 300, 80, 25, 10, 6};
+        const std::size_t n = by_dimension<std::size_t>(dim, {300, 80, 25, 10, 6});
         Session session(dim);
         session.reserve(std::size_t{1} << 25);  // for the check as well
-        REQUIRE(session.mesh(inputs::clusters(dim, n[dim])) == NETMESH_OK);
+        REQUIRE(session.mesh(inputs::clusters(dim, n)) == NETMESH_OK);
         const netmesh_analysis a = analysed(session, NETMESH_ANALYSE_ALL, 40);
         const netmesh_report r = session.report();
         CHECK(a.what == NETMESH_ANALYSE_ALL);
-        CHECK(a.size == r.inputs + r.steiner);
-        CHECK(a.size_lower < static_cast<double>(a.size));
-        CHECK(static_cast<double>(a.size) < a.size_upper);
-        CHECK(a.radius[0] == r.domain[dim]);
-        for (int k = 0; k < 3; ++k) CHECK(a.integral_lower[k] < a.integral_upper[k]);
-        CHECK(a.bounded.cells <= a.size);
-        CHECK(a.bounded.cells > 0);
-        CHECK(a.star_max > a.degree_max - 1);
-        CHECK(a.ply_max >= a.ply_mean);
-        CHECK(a.intersections_max >= a.intersections_mean);
+        CHECK(a.size.vertices == r.mesh.inputs + r.mesh.steiner);
+        CHECK(a.size.lower < static_cast<double>(a.size.vertices));
+        CHECK(static_cast<double>(a.size.vertices) < a.size.upper);
+        CHECK(a.size.radii[0] == r.mesh.domain[dim]);
+        for (int k = 0; k < 3; ++k) CHECK(a.size.integral_lower[k] < a.size.integral_upper[k]);
+        CHECK(a.fatness.bounded.cells <= a.size.vertices);
+        CHECK(a.fatness.bounded.cells > 0);
+        CHECK(a.structure.star_max > a.structure.degree_max - 1);
+        CHECK(a.structure.ply_max >= a.structure.ply_mean);
+        CHECK(a.structure.intersections_max >= a.structure.intersections_mean);
         CHECK(session.check() == NETMESH_OK);
         CHECK(check_bounds(session) == NETMESH_OK);
         // The analysis changes nothing.
         CHECK(session.report().fingerprint == r.fingerprint);
         CHECK(analysed(session, NETMESH_ANALYSE_ALL, 40).fingerprint == a.fingerprint);
-        CHECK(analysed(session, NETMESH_ANALYSE_STRUCTURE).size == 0);
+        const netmesh_analysis structure = analysed(session, NETMESH_ANALYSE_STRUCTURE);
+        CHECK(structure.structure.present == 1);
+        CHECK(structure.size.present == 0);
+        CHECK(structure.size.vertices == 0);
     }
 }
 
@@ -56,9 +58,9 @@ TEST_CASE("a wanted tolerance is reached on small inputs") {
     double width = HUGE_VAL;
     for (double tolerance : {1.0, 0.2, 0.05}) {
         const netmesh_analysis a = analysed(session, NETMESH_ANALYSE_SIZE, tolerance);
-        CHECK(a.integral_upper[0] / a.integral_lower[0] < 1 + 1.5 * tolerance);
-        CHECK(a.integral_upper[0] - a.integral_lower[0] < width);
-        width = a.integral_upper[0] - a.integral_lower[0];
+        CHECK(a.size.integral_upper[0] / a.size.integral_lower[0] < 1 + 1.5 * tolerance);
+        CHECK(a.size.integral_upper[0] - a.size.integral_lower[0] < width);
+        width = a.size.integral_upper[0] - a.size.integral_lower[0];
     }
 }
 
@@ -74,27 +76,21 @@ TEST_CASE("planted: a mesh without Steiner points, far from quality") {
     CHECK(check_bounds(made) == NETMESH_OK);
     Session session(2);
     REQUIRE(session.delaunay(points) == NETMESH_OK);
-    std::vector<std::uint32_t> cells;
-    netmesh_cell cell;
-    for (std::uint64_t c = 0; netmesh_get_cell(session.context, c, &cell) == NETMESH_OK; ++c)
-        cells.insert(cells.end(), cell.vertices, cell.vertices + 3);
-    const std::vector<std::uint8_t> markers(10, 0);
-    const netmesh_report r = made.report();
-    const double domain[3] = {r.domain[0], r.domain[1], r.domain[2]};
-    REQUIRE(netmesh_load(session.context, points.data(), markers.data(), 10, cells.data(), cells.size() / 3, domain,
-                         &session.options) == NETMESH_OK);
+    Arrays planted(session);
+    planted.domain = Arrays(made).domain;
+    REQUIRE(planted.load(session) == NETMESH_OK);
     CHECK(check_bounds(session) == NETMESH_CHECK_FAILED);
-    CHECK(std::strstr(netmesh_get_detail(session.context).message, "3.4.2") != nullptr);
+    CHECK(std::strstr(session.detail().message, "3.4.2") != nullptr);
 }
 
 TEST_CASE("planted: a mesh denser than the feature size allows") {
     Session session(2);
-    session.options.over_refine_eps = 0.02;
+    session.request.sizes.eps = 0.02;
     REQUIRE(session.mesh(inputs::uniform(2, 12)) == NETMESH_OK);
     CHECK(check_bounds(session) == NETMESH_OK);
-    session.options.over_refine_eps = 0;
+    session.request.sizes.eps = 0;
     CHECK(check_bounds(session) == NETMESH_CHECK_FAILED);
-    CHECK(std::strstr(netmesh_get_detail(session.context).message, "3.3.2") != nullptr);
+    CHECK(std::strstr(session.detail().message, "3.3.2") != nullptr);
 }
 
 TEST_CASE("planted: a staircase of fat cells about one vertex") {
@@ -116,14 +112,16 @@ TEST_CASE("planted: a staircase of fat cells about one vertex") {
             cells.insert(cells.end(), {ring(k, i), ring(k + 1, i + 1), ring(k, i + 1)});
         }
     }
-    const std::vector<std::uint8_t> markers(1 + 3 * n, 0);
     Session session(2);
-    REQUIRE(netmesh_load(session.context, x.data(), markers.data(), 1 + 3 * n, cells.data(), cells.size() / 3, nullptr,
-                         &session.options) == NETMESH_OK);
-    CHECK(netmesh_check(session.context, NETMESH_CHECK_COMBINATORIAL, &session.options) == NETMESH_OK);
+    Arrays planted(2);
+    planted.vertices = x;
+    planted.markers.assign(1 + 3 * n, 0);
+    planted.cells = cells;
+    REQUIRE(planted.load(session) == NETMESH_OK);
+    CHECK(session.check(NETMESH_CHECK_COMBINATORIAL) == NETMESH_OK);
     CHECK(check_bounds(session) == NETMESH_CHECK_FAILED);
-    CHECK(std::strstr(netmesh_get_detail(session.context).message, "5.") != nullptr);
-    CHECK(analysed(session, NETMESH_ANALYSE_FATNESS).bounded.degree_max == 360);
+    CHECK(std::strstr(session.detail().message, "5.") != nullptr);
+    CHECK(analysed(session, NETMESH_ANALYSE_FATNESS).fatness.bounded.degree_max == 360);
 }
 
 TEST_CASE("well-paced orderings and paces of given ones") {
@@ -135,7 +133,7 @@ TEST_CASE("well-paced orderings and paces of given ones") {
     REQUIRE(netmesh_well_paced_order(session.context, order.data(), theta.data()) == NETMESH_OK);
     REQUIRE(netmesh_pace(session.context, order.data(), again.data()) == NETMESH_OK);
     CHECK(theta == again);
-    CHECK(*std::min_element(theta.begin(), theta.end()) == analysed(session, NETMESH_ANALYSE_SIZE, 10).theta);
+    CHECK(*std::min_element(theta.begin(), theta.end()) == analysed(session, NETMESH_ANALYSE_SIZE, 10).size.theta);
     CHECK(netmesh_well_paced_order(session.context, order.data(), nullptr) == NETMESH_OK);
     order[5] = order[6];
     CHECK(netmesh_pace(session.context, order.data(), again.data()) == NETMESH_INVALID_ARGUMENT);
@@ -148,24 +146,31 @@ TEST_CASE("well-paced orderings and paces of given ones") {
 
 TEST_CASE("arguments") {
     Session session(2);
-    netmesh_analysis a = {};
-    a.struct_bytes = sizeof a;
+    netmesh_analysis a;
     std::uint32_t order[40];
-    CHECK(netmesh_analyse(session.context, 7, 0, &session.options, &a) == NETMESH_NO_RESULT);
+    CHECK(session.analyse(&a, 7, 0) == NETMESH_NO_RESULT);
     CHECK(netmesh_well_paced_order(session.context, order, nullptr) == NETMESH_NO_RESULT);
     REQUIRE(session.delaunay(inputs::uniform(2, 40)) == NETMESH_OK);
-    CHECK(netmesh_analyse(session.context, NETMESH_ANALYSE_SIZE, 0, &session.options, &a) == NETMESH_NO_RESULT);
-    CHECK(netmesh_analyse(session.context, 6, 0, &session.options, &a) == NETMESH_OK);
-    CHECK(a.inside.cells == 0);
-    CHECK(a.bounded.cells > 0);
-    CHECK(netmesh_analyse(session.context, 0, 0, &session.options, &a) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_analyse(session.context, 8, 0, &session.options, &a) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_analyse(session.context, 6, -1, &session.options, &a) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_analyse(session.context, 6, std::nan(""), &session.options, &a) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_analyse(session.context, 6, 0, nullptr, &a) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_analyse(session.context, 6, 0, &session.options, nullptr) == NETMESH_INVALID_ARGUMENT);
-    a.struct_bytes = 4;
-    CHECK(netmesh_analyse(session.context, 6, 0, &session.options, &a) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.analyse(&a, NETMESH_ANALYSE_SIZE, 0) == NETMESH_NO_RESULT);
+    CHECK(session.analyse(&a, 6, 0) == NETMESH_OK);
+    CHECK(a.fatness.inside.cells == 0);
+    CHECK(a.fatness.bounded.cells > 0);
+    CHECK(session.analyse(&a, 0, 0) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.analyse(&a, 8, 0) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.analyse(&a, 6, -1) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.analyse(&a, 6, std::nan("")) == NETMESH_INVALID_ARGUMENT);
+    netmesh::requests::Analyse request;
+    request.what = 6;
+    CHECK(netmesh_analyse(session.context, nullptr, &a) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_REQUEST);
+    CHECK(netmesh_analyse(session.context, &request, nullptr) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_RESULT);
+    a.struct_bytes = 0;
+    CHECK(netmesh_analyse(session.context, &request, &a) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_RESULT);
+    request.struct_bytes = 0;
+    CHECK(netmesh_analyse(session.context, &request, &a) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_STRUCT_BYTES);
 }
 
 TEST_CASE("any block that holds the mesh: the analysis fits or says so, and the mesh stays") {
@@ -175,16 +180,14 @@ TEST_CASE("any block that holds the mesh: the analysis fits or says so, and the 
     for (std::size_t bytes = std::size_t{1} << 20; bytes > 8192; bytes = bytes * 15 / 16) {
         Session session(2);
         session.reserve(bytes);
-        if (netmesh_mesh(session.context, points.data(), 30, NETMESH_JOB_MESH, &session.options) != NETMESH_OK)
-            continue;
+        if (session.mesh_in_block(points) != NETMESH_OK) continue;
         const std::uint64_t fingerprint = session.report().fingerprint;
-        netmesh_analysis a = {};
-        a.struct_bytes = sizeof a;
-        const netmesh_status status = netmesh_analyse(session.context, 7, 0.5, &session.options, &a);
+        netmesh_analysis a;
+        const netmesh_status status = session.analyse(&a, 7, 0.5);
         REQUIRE((status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY));
         CHECK(session.report().fingerprint == fingerprint);
         if (status == NETMESH_OUT_OF_MEMORY) {
-            CHECK(netmesh_get_detail(session.context).bytes_wanted > bytes);
+            CHECK(session.detail().bytes_wanted > bytes);
             ++refused;
             continue;
         }
@@ -198,12 +201,11 @@ TEST_CASE("any block that holds the mesh: the analysis fits or says so, and the 
 TEST_CASE("an analysis can be cancelled") {
     Session session(3);
     REQUIRE(session.mesh(inputs::uniform(3, 300)) == NETMESH_OK);
-    session.options.poll = [](void*, const netmesh_progress* progress) {
+    session.request.monitor.poll = [](void*, const netmesh_progress* progress) {
         return static_cast<int>(progress->stage == NETMESH_STAGE_ANALYSE);
     };
-    netmesh_analysis a = {};
-    a.struct_bytes = sizeof a;
-    CHECK(netmesh_analyse(session.context, 7, 0, &session.options, &a) == NETMESH_CANCELLED);
-    session.options.poll = nullptr;
+    netmesh_analysis a;
+    CHECK(session.analyse(&a, 7, 0) == NETMESH_CANCELLED);
+    session.request.monitor.poll = nullptr;
     CHECK(session.check() == NETMESH_OK);
 }

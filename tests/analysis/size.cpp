@@ -4,6 +4,7 @@
 
 #include "analysis/common.hpp"
 #include "analysis/pacing.hpp"
+#include "common/dimensions.hpp"
 #include "numerics/elementary.hpp"
 
 using namespace netmesh;
@@ -43,7 +44,8 @@ template <int D> struct Ordered {
 template <int D>
 SizeAnalysis analyse(Held<D>& held, double tau, const SizeRule& rule = {}, double tolerance = infinity) {
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {tau, rule, tolerance, 1u << 20}, {held.block.arena, held.monitor}, &a) == Status::ok);
+    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {tau, rule, tolerance, 1u << 20},
+                            {held.block.arena, held.monitor}, &a) == Status::ok);
     return a;
 }
 
@@ -74,8 +76,8 @@ TEST_CASE_TEMPLATE_DEFINE("paces of an ordering and the farthest-first ordering 
             const std::vector<double> expected = thetas_by_scan(points, D, o.order);
             for (std::uint32_t i = 0; i < n; ++i) CHECK(o.theta[i] == doctest::Approx(expected[i]).epsilon(1e-14));
         }
-        REQUIRE(farthest_first_order<D>(o.held.store, o.tree, n, {o.held.block.arena, o.held.monitor}, o.order.data()) ==
-                Status::ok);
+        REQUIRE(farthest_first_order<D>(o.held.store, o.tree, n, {o.held.block.arena, o.held.monitor},
+                                        o.order.data()) == Status::ok);
         // Each point is one of those farthest from all before it.
         std::vector<double> near(n, HUGE_VAL);
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -90,8 +92,7 @@ TEST_CASE_TEMPLATE_DEFINE("paces of an ordering and the farthest-first ordering 
         for (std::uint32_t i = 0; i < n; ++i) REQUIRE(sorted[i] == i);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(paces, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>);
+TEST_CASE_TEMPLATE_APPLY(paces, Dimensions<2, 4>);
 
 TEST_CASE("no ordering of a few points that begins with a diameter beats the limit") {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -154,7 +155,8 @@ TEST_CASE("two points: the integral of 3.8.3") {
     Ordered<3> o({0, 0, 0, 1, 0, 0});
     const double centre[3] = {0, 0, 0}, radius[] = {1, 4, 16};
     FeatureIntegral integral;
-    REQUIRE(feature_integral<3>(o.held.store, o.tree, 2, centre, radius, 3, 0.3, 1u << 20, {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
+    REQUIRE(feature_integral<3>(o.held.store, o.tree, 2, centre, radius, 3, 0.3, 1u << 20,
+                                {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
     for (int k = 0; k < 3; ++k) {
         CHECK(integral.lower[k] < unit_ball_volume(3) * (1 + 3 * std::log(2 * radius[k])));
         // Far away f_P is about the distance: a factor of four in the radius adds 3 V ln 4.
@@ -164,9 +166,9 @@ TEST_CASE("two points: the integral of 3.8.3") {
 
 TEST_CASE_TEMPLATE_DEFINE("bounds of chapter 3 hold on every mesh", T, bounds) {
     constexpr int D = T::value;
-    constexpr std::size_t sizes[] = {0, 0, 400, 100, 30, 12, 4};
-    constexpr double taus[] = {0, 0, 2.5, 2.5, 3.08, 4, 4};
-    for (const inputs::Points& points : {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D] / 2),
+    constexpr std::size_t sizes = by_dimension<std::size_t>(D, {400, 100, 30, 12, 4});
+    constexpr double taus = by_dimension<double>(D, {2.5, 2.5, 3.08, 4, 4});
+    for (const inputs::Points& points : {inputs::uniform(D, sizes), inputs::clusters(D, sizes / 2),
                                          inputs::zoom(D,
                                                       D < 4    ? 40
                                                       : D == 6 ? 4
@@ -174,8 +176,8 @@ TEST_CASE_TEMPLATE_DEFINE("bounds of chapter 3 hold on every mesh", T, bounds) {
                                                       1),
                                          inputs::grid(D, D < 4 ? 5 : 2), inputs::Points(inputs::uniform(D, 2))}) {
         Held<D> held;
-        REQUIRE(held.mesh(points, taus[D]) == Status::ok);
-        const SizeAnalysis a = analyse<D>(held, taus[D]);
+        REQUIRE(held.mesh(points, taus) == Status::ok);
+        const SizeAnalysis a = analyse<D>(held, taus);
         CHECK(violated_size_bound(a) == nullptr);
         CHECK(a.size_lower > 0);
         CHECK(a.size_lower < static_cast<double>(a.size));
@@ -185,9 +187,7 @@ TEST_CASE_TEMPLATE_DEFINE("bounds of chapter 3 hold on every mesh", T, bounds) {
         CHECK(a.feature_ratio_bound < 30);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(bounds, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(bounds, Dimensions<>);
 
 TEST_CASE("the pace of inputs at geometric distances shows in the integral from below, too") {
     inputs::Points points;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "analysis/common.hpp"
+#include "common/dimensions.hpp"
 
 using namespace netmesh;
 
@@ -32,8 +33,8 @@ template <int D> void point_in_ball(inputs::Random& random, const double* centre
 
 TEST_CASE_TEMPLATE_DEFINE("ply and intersections by looking at all balls", T, all_balls) {
     constexpr int D = T::value;
-    constexpr std::size_t sizes[] = {0, 0, 60, 15, 5};
-    for (const inputs::Points& points : {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D])}) {
+    constexpr std::size_t sizes = by_dimension<std::size_t>(D, {60, 15, 5});
+    for (const inputs::Points& points : {inputs::uniform(D, sizes), inputs::clusters(D, sizes)}) {
         Held<D> held;
         REQUIRE(held.mesh(points, D == 4 ? 3.5 : 3) == Status::ok);
         const StructureAnalysis a = analyse<D>(held);
@@ -80,17 +81,16 @@ TEST_CASE_TEMPLATE_DEFINE("ply and intersections by looking at all balls", T, al
         if (D == 3) CHECK(2 * a.degree_mean - 4 == doctest::Approx(a.star_mean).epsilon(1e-12));
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(all_balls, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>);
+TEST_CASE_TEMPLATE_APPLY(all_balls, Dimensions<2, 4>);
 
 // 4.16.8, constructively: the ray from the nearest vertex v through the centre c of an empty ball leaves Vor(v) at c'
 // in the facet between v and u. c' is a convex combination of D corners of that facet (Caratheodory); their D-balls
 // cover ball(c', |c' - v|), which contains the empty ball, and share a neighbourhood of the midpoint of u and v.
 TEST_CASE_TEMPLATE_DEFINE("D-ball cover theorem", T, cover) {
     constexpr int D = T::value;
-    constexpr std::size_t sizes[] = {0, 0, 60, 30, 8};
+    constexpr std::size_t sizes = by_dimension<std::size_t>(D, {60, 30, 8});
     Held<D> held;
-    REQUIRE(held.mesh(inputs::clusters(D, sizes[D]), D == 4 ? 3.08 : 2.5) == Status::ok);
+    REQUIRE(held.mesh(inputs::clusters(D, sizes), D == 4 ? 3.08 : 2.5) == Status::ok);
     inputs::Random random(17);
     int covered = 0;
     for (int trial = 0; trial < 150; ++trial) {
@@ -167,5 +167,4 @@ TEST_CASE_TEMPLATE_DEFINE("D-ball cover theorem", T, cover) {
     }
     CHECK(covered > 140);
 }
-TEST_CASE_TEMPLATE_INVOKE(cover, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>);
+TEST_CASE_TEMPLATE_APPLY(cover, Dimensions<2, 4>);

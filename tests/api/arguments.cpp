@@ -1,46 +1,102 @@
-// What every call says to arguments that it cannot use: a status, the position of the argument, and the result that was
-// there stays.
+// What every call says to arguments that it cannot use: a status and the field at fault; the result that was there
+// stays.
 #include <doctest/doctest.h>
 
 #include <cfenv>
+#include <cstring>
 #include <limits>
+#include <utility>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
+#include "common/arrays.hpp"
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::size_t many = NETMESH_POINTS_MAX + 1;
 
 struct Fixture {
-    explicit Fixture(int dim) : session(dim), points(inputs::uniform(dim, 3)), n(3) {
+    explicit Fixture(int dim) : session(dim), points(inputs::uniform(dim, 3)), c(session.context) {
         session.reserve(std::size_t{1} << 22);
-        REQUIRE(session.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_OK);
+        c = session.context;
+        REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
         fingerprint = session.report().fingerprint;
     }
-    // `position` 0: of what the call says nothing (the context itself is none).
-    void refused(netmesh_status status, std::uint64_t position, netmesh_status expected = NETMESH_INVALID_ARGUMENT) {
-        CHECK(status == expected);
-        const netmesh_detail detail = netmesh_get_detail(session.context);
-        if (position != 0) CHECK(detail.index_a == position);
-        if (position != 0) CHECK(detail.message[0] != 0);
+    void refused(netmesh_status status, netmesh_field field) {
+        CHECK(status == NETMESH_INVALID_ARGUMENT);
+        const netmesh_detail detail = session.detail();
+        CHECK(detail.field == field);
+        CHECK(detail.message[0] != 0);
         CHECK(session.report().fingerprint == fingerprint);
     }
-    netmesh_options with(double netmesh_options::*field, double value) const {
-        netmesh_options o = session.options;
-        o.*field = value;
-        return o;
+    void ended(netmesh_status status, netmesh_status expected) {
+        CHECK(status == expected);
+        CHECK(session.detail().status == expected);
+        CHECK(session.detail().field == NETMESH_FIELD_NONE);
+        CHECK(session.report().fingerprint == fingerprint);
+    }
+    // A job refuses a null request, one without a size, and one that is larger and holds what nobody knows.
+    template <class Request> void needs_request(netmesh_status (*job)(netmesh_context*, const Request*), Request good) {
+        refused(job(c, nullptr), NETMESH_FIELD_REQUEST);
+        for (const std::uint32_t bytes : {0u, 3u, 1u << 20}) {
+            Request bad = good;
+            bad.struct_bytes = bytes;
+            refused(job(c, &bad), NETMESH_FIELD_STRUCT_BYTES);
+        }
+        struct {
+            Request request;
+            std::uint64_t later;
+        } newer = {good, 1};
+        newer.request.struct_bytes = sizeof newer;
+        refused(job(c, &newer.request), NETMESH_FIELD_STRUCT_BYTES);
+    }
+    // A job on points refuses these.
+    template <class Request> void needs_points(netmesh_status (*job)(netmesh_context*, const Request*), Request good) {
+        needs_request(job, good);
+        Request bad = good;
+        bad.points = nullptr;
+        refused(job(c, &bad), NETMESH_FIELD_POINTS);
+        for (const std::size_t count : {std::size_t{0}, many}) {
+            bad = good;
+            bad.point_count = count;
+            refused(job(c, &bad), NETMESH_FIELD_POINT_COUNT);
+        }
+        for (const std::uint32_t d : {1u, 7u}) {
+            bad = good;
+            bad.dim = d;
+            refused(job(c, &bad), NETMESH_FIELD_DIM);
+        }
     }
     Session session;
     inputs::Points points;
-    std::size_t n;
+    netmesh_context* c;
     std::uint64_t fingerprint;
 };
 
 double one(void*, const double*) { return 1; }
+
+netmesh_function constant_one() {
+    netmesh::requests::Function function;
+    function.evaluate = one;
+    function.lipschitz = function.cut = 1;
+    return function;
+}
+
+// Every call that takes a context and can say that it is none.
+template <class Request>
+void no_context(netmesh_context* c, netmesh_status (*job)(netmesh_context*, const Request*), const Request& request) {
+    CHECK(job(c, &request) == NETMESH_INVALID_ARGUMENT);
+}
+template <class Item>
+void no_context(netmesh_context* c, netmesh_status (*get)(const netmesh_context*, std::uint64_t, Item*)) {
+    auto item = netmesh::sized<Item>();
+    CHECK(get(c, 0, &item) == NETMESH_INVALID_ARGUMENT);
+}
 
 }  // namespace
 
@@ -58,248 +114,320 @@ TEST_CASE("blocks and contexts that are none") {
     CHECK(context == nullptr);
 
     netmesh_context* const not_one = reinterpret_cast<netmesh_context*>(block);
-    netmesh_options o;
-    netmesh_options_init(&o, 3);
-    const double x[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const inputs::Points x = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const std::uint8_t marker[3] = {};
     const std::uint32_t index[4] = {0, 1, 2, 3};
     const std::uint64_t start[2] = {0, 1};
     double number[9];
     std::uint32_t order[9];
-    netmesh_analysis analysis;
-    netmesh_report report;
-    netmesh_vertex vertex;
-    netmesh_cell cell;
-    netmesh_cage cage;
-    netmesh_pair pair;
-    netmesh_simplex simplex;
-    netmesh_scale_step step;
-    netmesh_bar_bounds bounds;
-    netmesh_vine_point vine_point;
     std::uint64_t count;
-    const netmesh_function f = {one, nullptr, 1, 0, 1};
-    constexpr netmesh_values values = NETMESH_VALUES_CERTIFIED;
+    Calls calls(3);
+    netmesh::requests::Load load(3);
+    load.vertices = x.data();
+    load.markers = marker;
+    load.vertex_count = 3;
+    load.cells = index;
+    load.cell_count = 1;
+    netmesh::requests::Homology homology;
+    homology.vertices = index;
+    homology.starts = start;
+    homology.entries = x.data();
+    homology.simplex_count = 1;
     for (netmesh_context* c : {static_cast<netmesh_context*>(nullptr), not_one}) {
-        report.struct_bytes = sizeof report;
-        CHECK(netmesh_delaunay(c, x, 3, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_mesh(c, x, 3, NETMESH_JOB_MESH, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_load(c, x, marker, 3, index, 1, nullptr, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_load_cages(c, &cage, 0, &o) == NETMESH_INVALID_ARGUMENT);
+        calls.context = c;
+        no_context(c, netmesh_delaunay, calls.delaunay_request(x));
+        no_context(c, netmesh_mesh, calls.mesh_request(x));
+        no_context<netmesh_load_request>(c, netmesh_load, load);
+        no_context<netmesh_cages_request>(c, netmesh_load_cages, netmesh::requests::Cages());
+        no_context(c, netmesh_persist, persist_by(NETMESH_FILTER_ALPHA));
+        no_context(c, netmesh_persist_scales, calls.scales_request(x));
+        no_context(c, netmesh_persist_points, calls.points_request(x, NETMESH_FILTER_RIPS));
+        no_context<netmesh_homology_request>(c, netmesh_homology, homology);
+        no_context<netmesh_fit_request>(c, netmesh_fit, on(x, netmesh::requests::Fit(3)));
+        CHECK(calls.vineyard(NETMESH_FILTER_KNN, 1, 1) == NETMESH_INVALID_ARGUMENT);
+        CHECK(calls.represent() == NETMESH_INVALID_ARGUMENT);
+        CHECK(calls.bound_bars() == NETMESH_INVALID_ARGUMENT);
+        CHECK(calls.check() == NETMESH_INVALID_ARGUMENT);
+        auto analysis = netmesh::sized<netmesh_analysis>();
+        CHECK(calls.analyse(&analysis) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_measure_cells(c, number, order) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_persist(c, NETMESH_FILTER_ALPHA, values, 1, 0, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_persist_function(c, &f, values, 1, 0, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_persist_scales(c, x, 3, values, 1, 0, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_persist_points(c, x, 3, NETMESH_FILTER_RIPS, values, 1, 1, 0, 0, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_homology(c, index, start, x, 1, 0, 0, 0, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_vineyard(c, NETMESH_FILTER_KNN, 1, 1, values, 1, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_represent(c, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_bound_bars(c, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_check(c, 1, &o) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_analyse(c, 1, 0, &o, &analysis) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_well_paced_order(c, order, number) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_pace(c, index, number) == NETMESH_INVALID_ARGUMENT);
+        auto report = netmesh::sized<netmesh_report>();
         CHECK(netmesh_get_report(c, &report) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_vertex(c, 0, &vertex) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_cell(c, 0, &cell) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_cage(c, 0, &cage) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_pair(c, 0, &pair) == NETMESH_INVALID_ARGUMENT);
+        no_context(c, netmesh_get_vertex);
+        no_context(c, netmesh_get_cell);
+        no_context(c, netmesh_get_cage);
+        no_context(c, netmesh_get_pair);
+        no_context(c, netmesh_get_bar_bounds);
+        no_context(c, netmesh_get_scale_step);
+        no_context(c, netmesh_get_vine_point);
+        auto simplex = netmesh::sized<netmesh_simplex>();
         CHECK(netmesh_get_cycle(c, 0, &count) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_get_cycle_simplex(c, 0, 0, &simplex) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_bar_bounds(c, 0, &bounds) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_scale_step(c, 0, &step) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_vine_point(c, 0, &vine_point) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_get_vine_ratio(c, 1, number) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_detail(c).status == NETMESH_OK);
+        auto detail = netmesh::sized<netmesh_detail>();
+        CHECK(netmesh_get_detail(c, &detail) == NETMESH_INVALID_ARGUMENT);
+        CHECK(detail.status == NETMESH_OK);
+        CHECK(detail.message != nullptr);
     }
     for (int status = 0; status <= NETMESH_NOT_A_COMPLEX + 1; ++status)
         CHECK(netmesh_status_text(static_cast<netmesh_status>(status))[0] != 0);
+    for (int field = 0; field <= NETMESH_FIELD_COUNT; ++field) {
+        const char* const text = netmesh_field_text(static_cast<netmesh_field>(field));
+        CHECK(text[0] != 0);
+        CHECK((std::strcmp(text, "unknown field") == 0) == (field == NETMESH_FIELD_COUNT));
+    }
+    CHECK(netmesh_version() == NETMESH_VERSION);
+    CHECK(std::strcmp(netmesh_version_text(), "0.2.0") == 0);
 }
 
 TEST_CASE("a context that holds nothing") {
     Session s(3);
     double number[4];
     std::uint32_t order[4] = {};
-    netmesh_analysis analysis;
-    analysis.struct_bytes = sizeof analysis;
-    netmesh_cage cage = {};
+    auto analysis = netmesh::sized<netmesh_analysis>();
+    Arrays cages(3);
+    cages.cages.push_back(netmesh::sized<netmesh_cage>());
     std::uint64_t count;
-    const netmesh_function f = {one, nullptr, 1, 0, 1};
+    const netmesh_function f = constant_one();
+    netmesh_persist_request by_function = persist_by(NETMESH_FILTER_FUNCTION);
+    by_function.function = &f;
     CHECK(netmesh_measure_cells(s.context, number, order) == NETMESH_NO_RESULT);
-    CHECK(netmesh_load_cages(s.context, &cage, 1, &s.options) == NETMESH_NO_RESULT);
-    CHECK(netmesh_persist(s.context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 1, 0, &s.options) ==
-          NETMESH_NO_RESULT);
-    CHECK(netmesh_persist_function(s.context, &f, NETMESH_VALUES_CERTIFIED, 1, 0, &s.options) == NETMESH_NO_RESULT);
-    CHECK(netmesh_vineyard(s.context, NETMESH_FILTER_KNN, 1, 1, NETMESH_VALUES_CERTIFIED, 1, &s.options) ==
-          NETMESH_NO_RESULT);
-    CHECK(netmesh_represent(s.context, &s.options) == NETMESH_NO_RESULT);
-    CHECK(netmesh_bound_bars(s.context, &s.options) == NETMESH_NO_RESULT);
-    CHECK(netmesh_check(s.context, 1, &s.options) == NETMESH_NO_RESULT);
-    CHECK(netmesh_analyse(s.context, 2, 0, &s.options, &analysis) == NETMESH_NO_RESULT);
+    CHECK(cages.load_cages(s) == NETMESH_NO_RESULT);
+    CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_NO_RESULT);
+    CHECK(s.persist(by_function) == NETMESH_NO_RESULT);
+    CHECK(s.vineyard(NETMESH_FILTER_KNN, 1, 1) == NETMESH_NO_RESULT);
+    CHECK(s.represent() == NETMESH_NO_RESULT);
+    CHECK(s.bound_bars() == NETMESH_NO_RESULT);
+    CHECK(s.check(1) == NETMESH_NO_RESULT);
+    CHECK(s.analyse(&analysis, 2) == NETMESH_NO_RESULT);
     CHECK(netmesh_well_paced_order(s.context, order, number) == NETMESH_NO_RESULT);
     CHECK(netmesh_pace(s.context, order, number) == NETMESH_NO_RESULT);
     CHECK(netmesh_get_cycle(s.context, 0, &count) == NETMESH_NO_RESULT);
+    const netmesh_report r = s.report();
+    CHECK(r.input.present + r.mesh.present + r.diagram.present + r.bounds.present + r.scales.present +
+              r.vineyard.present + r.simplicial_complex.present ==
+          0);
+    CHECK(r.fingerprint == 0);
+    CHECK(r.memory.block_bytes > 0);
 }
 
-TEST_CASE("points, jobs and options") {
-    for (int dim = 2; dim <= 6; ++dim) {
+TEST_CASE("points and what is asked of meshes") {
+    for (const int dim : dimensions()) {
         Fixture f(dim);
-        netmesh_context* const c = f.session.context;
-        const double* const x = f.points.data();
-        const netmesh_options o = f.session.options;
-        const std::size_t many = (std::size_t{1} << 28) + 1;
-        constexpr netmesh_job job = NETMESH_JOB_MESH;
-        f.refused(netmesh_delaunay(c, nullptr, f.n, &o), 2);
-        f.refused(netmesh_delaunay(c, x, 0, &o), 3);
-        f.refused(netmesh_delaunay(c, x, many, &o), 3);
-        f.refused(netmesh_delaunay(c, x, f.n, nullptr), 4);
-        netmesh_options bad = o;
-        bad.struct_bytes = 4;
-        f.refused(netmesh_delaunay(c, x, f.n, &bad), 4);
-        for (const std::uint32_t d : {1u, 7u}) {
-            bad = o;
-            bad.dim = d;
-            f.refused(netmesh_delaunay(c, x, f.n, &bad), 4);
-            f.refused(netmesh_mesh(c, x, f.n, job, &bad), 5);
-        }
-        f.refused(netmesh_mesh(c, nullptr, f.n, job, &o), 2);
-        f.refused(netmesh_mesh(c, x, 0, job, &o), 3);
-        for (const int wrong : {-1, 0, 1, 4, 6})
-            f.refused(netmesh_mesh(c, x, f.n, static_cast<netmesh_job>(wrong), &o), 4);
+        const netmesh_mesh_request good = f.session.mesh_request(f.points);
+        const auto refused = [&](auto change, netmesh_field field) {
+            netmesh_mesh_request bad = good;
+            change(bad);
+            f.refused(netmesh_mesh(f.c, &bad), field);
+            return bad;
+        };
+        f.needs_points(netmesh_delaunay, f.session.delaunay_request(f.points));
+        f.needs_points(netmesh_mesh, good);
+        for (const int wrong : {-1, 3})
+            refused([=](auto& r) { r.purpose = static_cast<netmesh_purpose>(wrong); }, NETMESH_FIELD_PURPOSE);
         for (const double tau : {2.0, -1.0, not_a_number, infinite}) {
-            bad = f.with(&netmesh_options::tau, tau);
-            f.refused(netmesh_mesh(c, x, f.n, job, &bad), 5);
-            f.refused(netmesh_persist_scales(c, x, f.n, NETMESH_VALUES_CERTIFIED, 1, 0, &bad), 7);
-            CHECK(netmesh_plan_bytes(job, &bad, 10) == 0);
+            const netmesh_mesh_request bad = refused([=](auto& r) { r.tau = tau; }, NETMESH_FIELD_TAU);
+            CHECK(netmesh_plan_mesh(&bad) == 0);
         }
-        for (const double eps : {-1.0, not_a_number, infinite}) {
-            bad = f.with(&netmesh_options::over_refine_eps, eps);
-            f.refused(netmesh_mesh(c, x, f.n, job, &bad), 5);
-        }
-        for (const double factor : {0.5, 9.0, not_a_number}) {
-            bad = f.with(&netmesh_options::domain_factor, factor);
-            f.refused(netmesh_mesh(c, x, f.n, job, &bad), 5);
-        }
+        for (const double eps : {-1.0, not_a_number, infinite})
+            refused([=](auto& r) { r.sizes.eps = eps; }, NETMESH_FIELD_SIZES);
+        for (const double factor : {0.5, 9.0, not_a_number})
+            refused([=](auto& r) { r.domain_factor = factor; }, NETMESH_FIELD_DOMAIN_FACTOR);
         for (const double eps : {-1.0, 0.75, not_a_number}) {
-            bad = f.with(&netmesh_options::eps, eps);
-            f.refused(netmesh_mesh(c, x, f.n, NETMESH_JOB_PERSIST_TIGHT, &bad), 5);
-            f.refused(netmesh_persist_scales(c, x, f.n, NETMESH_VALUES_CERTIFIED, 1, 0, &bad), 7);
-            CHECK(netmesh_plan_bytes(NETMESH_JOB_PERSIST_TIGHT, &bad, 10) == 0);
-        }
-        for (const double theta : {-1.0, 0.25, not_a_number}) {
-            bad = f.with(&netmesh_options::theta, theta);
-            f.refused(netmesh_persist_scales(c, x, f.n, NETMESH_VALUES_CERTIFIED, 1, 0, &bad), 7);
+            const auto tight = [=](auto& r) {
+                r.purpose = NETMESH_PURPOSE_TIGHT;
+                r.tight_eps = eps;
+            };
+            const netmesh_mesh_request bad = refused(tight, NETMESH_FIELD_TIGHT_EPS);
+            CHECK(netmesh_plan_mesh(&bad) == 0);
         }
         for (const int method : {-1, 3}) {
-            bad = o;
-            bad.method = static_cast<netmesh_method>(method);
-            f.refused(netmesh_mesh(c, x, f.n, job, &bad), 5);
-            CHECK(netmesh_plan_bytes(job, &bad, 10) == 0);
+            const netmesh_mesh_request bad =
+                refused([=](auto& r) { r.method = static_cast<netmesh_method>(method); }, NETMESH_FIELD_METHOD);
+            CHECK(netmesh_plan_mesh(&bad) == 0);
         }
-        bad = o;
-        bad.method = NETMESH_METHOD_NETMESH;
-        f.refused(netmesh_mesh(c, x, f.n, NETMESH_JOB_PERSIST, &bad), 4);
-        bad.over_refine_eps = 0.5;
-        f.refused(netmesh_mesh(c, x, f.n, job, &bad), 5);
+        const auto with_cages = [](auto& r) { r.method = NETMESH_METHOD_HIERARCHY; };
+        refused([=](auto& r) { with_cages(r), r.purpose = NETMESH_PURPOSE_PERSIST; }, NETMESH_FIELD_PURPOSE);
+        refused([=](auto& r) { with_cages(r), r.sizes.eps = 0.5; }, NETMESH_FIELD_SIZES);
+        refused([](auto& r) { r.audit = 4; }, NETMESH_FIELD_AUDIT);
+        const auto by_ratio = [](auto& r) { r.certificate.ratio = 3, r.purpose = NETMESH_PURPOSE_PERSIST; };
+        refused([=](auto& r) { by_ratio(r), r.certificate.ratio = 1.4; }, NETMESH_FIELD_RATIO);
+        refused([=](auto& r) { by_ratio(r), r.certificate.ratio = 0, r.certificate.focus_from = 1; },
+                NETMESH_FIELD_RATIO);
+        refused([=](auto& r) { by_ratio(r), r.certificate.focus_ratio = 3; }, NETMESH_FIELD_FOCUS_RATIO);
+        refused([=](auto& r) { by_ratio(r), r.certificate.focus_ratio = 2; }, NETMESH_FIELD_FOCUS_FROM);
+        refused([=](auto& r) { by_ratio(r), r.purpose = NETMESH_PURPOSE_MESH; }, NETMESH_FIELD_PURPOSE);
+        refused([=](auto& r) { by_ratio(r), r.method = NETMESH_METHOD_REFINE; }, NETMESH_FIELD_METHOD);
+        refused([=](auto& r) { by_ratio(r), r.sizes.eps = 1; }, NETMESH_FIELD_SIZES);
+    }
+}
 
-        f.refused(netmesh_persist_scales(c, nullptr, f.n, NETMESH_VALUES_CERTIFIED, 1, 0, &o), 2);
-        f.refused(netmesh_persist_scales(c, x, 0, NETMESH_VALUES_CERTIFIED, 1, 0, &o), 3);
-        f.refused(netmesh_persist_scales(c, x, many, NETMESH_VALUES_CERTIFIED, 1, 0, &o), 3);
-        f.refused(netmesh_persist_scales(c, x, f.n, static_cast<netmesh_values>(2), 1, 0, &o), 4);
-        f.refused(netmesh_persist_scales(c, x, f.n, NETMESH_VALUES_CERTIFIED, 1, 0, nullptr), 7);
-        constexpr netmesh_filter rips = NETMESH_FILTER_RIPS, bary = NETMESH_FILTER_BARYCENTRIC_CECH;
-        constexpr netmesh_values values = NETMESH_VALUES_CERTIFIED;
-        f.refused(netmesh_persist_points(c, nullptr, f.n, rips, values, 1, 1, 0, 0, &o), 2);
-        f.refused(netmesh_persist_points(c, x, 0, rips, values, 1, 1, 0, 0, &o), 3);
-        f.refused(netmesh_persist_points(c, x, many, rips, values, 1, 1, 0, 0, &o), 3);
-        f.refused(netmesh_persist_points(c, x, f.n, NETMESH_FILTER_ALPHA, values, 1, 1, 0, 0, &o), 4);
-        f.refused(netmesh_persist_points(c, x, f.n, rips, static_cast<netmesh_values>(7), 1, 1, 0, 0, &o), 5);
-        f.refused(netmesh_persist_points(c, x, f.n, bary, values, 0, 1, 0, 0, &o), 6);
-        f.refused(netmesh_persist_points(c, x, f.n, rips, values, 1, 31, 0, 0, &o), 7);
-        f.refused(netmesh_persist_points(c, x, f.n, rips, values, 1, 1, 0, 0, nullptr), 10);
-        CHECK(netmesh_points_bytes(rips, &o, 0, 1, 1) == 0);
-        CHECK(netmesh_points_bytes(rips, nullptr, 5, 1, 1) == 0);
-        CHECK(netmesh_points_bytes(rips, &o, many, 1, 1) == 0);
-        CHECK(netmesh_points_bytes(NETMESH_FILTER_ALPHA, &o, 5, 1, 1) == 0);
-        CHECK(netmesh_points_bytes(rips, &o, many - 1, 1, 30) == SIZE_MAX);
-        CHECK(netmesh_plan_bytes(job, nullptr, 10) == 0);
-        CHECK(netmesh_plan_bytes(job, &o, 0) == 0);
-        CHECK(netmesh_plan_bytes(job, &o, many) == 0);
-        CHECK(netmesh_plan_bytes(static_cast<netmesh_job>(7), &o, 10) == 0);
-        bad = f.with(&netmesh_options::over_refine_eps, -1);
-        CHECK(netmesh_plan_bytes(job, &bad, 10) == 0);
-        bad = f.with(&netmesh_options::over_refine_eps, 1e-9);
-        CHECK(netmesh_plan_bytes(NETMESH_JOB_PERSIST_TIGHT, &bad, many - 1) == SIZE_MAX);
-        CHECK(netmesh_plan_bytes(NETMESH_JOB_DELAUNAY, &o, 1) > 0);
+TEST_CASE("points scale by scale, to fit, and by themselves") {
+    for (const int dim : dimensions()) {
+        Fixture f(dim);
+        const netmesh_scales_request scales = f.session.scales_request(f.points);
+        const auto no_scales = [&](auto change, netmesh_field field) {
+            netmesh_scales_request bad = scales;
+            change(bad);
+            f.refused(netmesh_persist_scales(f.c, &bad), field);
+        };
+        f.needs_points(netmesh_persist_scales, scales);
+        for (const double tau : {2.0, -1.0, not_a_number, infinite})
+            no_scales([=](auto& r) { r.tau = tau; }, NETMESH_FIELD_TAU);
+        for (const double eps : {-1.0, 0.75, not_a_number}) no_scales([=](auto& r) { r.eps = eps; }, NETMESH_FIELD_EPS);
+        for (const double theta : {-1.0, 0.25, not_a_number})
+            no_scales([=](auto& r) { r.theta = theta; }, NETMESH_FIELD_THETA);
+        no_scales([](auto& r) { r.values = static_cast<netmesh_values>(2); }, NETMESH_FIELD_VALUES);
+
+        const netmesh_fit_request fit = on(f.points, netmesh::requests::Fit(static_cast<std::uint32_t>(dim)));
+        f.needs_points(netmesh_fit, fit);
+        netmesh_fit_request bad_fit = fit;
+        bad_fit.ratio = 1.2;
+        f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_RATIO);
+        bad_fit = fit;
+        bad_fit.focus_to = 1;
+        f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_FOCUS_FROM);
+
+        const netmesh_points_request rips = f.session.points_request(f.points, NETMESH_FILTER_RIPS);
+        const auto no_points = [&](auto change, netmesh_field field) {
+            netmesh_points_request bad = rips;
+            change(bad);
+            f.refused(netmesh_persist_points(f.c, &bad), field);
+            return bad;
+        };
+        const auto barycentric = [](auto& r) { r.filter = NETMESH_FILTER_BARYCENTRIC_CECH; };
+        f.needs_points(netmesh_persist_points, rips);
+        for (const netmesh_filter filter : {NETMESH_FILTER_NONE, NETMESH_FILTER_ALPHA, static_cast<netmesh_filter>(13)})
+            no_points([=](auto& r) { r.filter = filter; }, NETMESH_FIELD_FILTER);
+        no_points([](auto& r) { r.values = static_cast<netmesh_values>(7); }, NETMESH_FIELD_VALUES);
+        no_points([=](auto& r) { barycentric(r), r.k = 0; }, NETMESH_FIELD_K);
+        no_points([](auto& r) { r.max_degree = 31; }, NETMESH_FIELD_MAX_DEGREE);
+        no_points([=](auto& r) { barycentric(r), r.k = 31, r.max_degree = 0; }, NETMESH_FIELD_MAX_DEGREE);
+        no_points([=](auto& r) { barycentric(r), r.representatives = 1; }, NETMESH_FIELD_REPRESENTATIVES);
+    }
+}
+
+TEST_CASE("plans of what cannot be") {
+    for (std::uint32_t dim = 2; dim <= 6; ++dim) {
+        netmesh::requests::Points rips(dim, NETMESH_FILTER_RIPS);
+        CHECK(netmesh_plan_points(nullptr) == 0);
+        CHECK(netmesh_plan_points(&rips) == 0);
+        rips.point_count = many;
+        CHECK(netmesh_plan_points(&rips) == 0);
+        rips.point_count = many - 1;
+        rips.max_degree = 30;
+        CHECK(netmesh_plan_points(&rips) == SIZE_MAX);
+        rips.filter = NETMESH_FILTER_ALPHA;
+        CHECK(netmesh_plan_points(&rips) == 0);
+
+        netmesh::requests::Mesh mesh(dim);
+        CHECK(netmesh_plan_mesh(nullptr) == 0);
+        CHECK(netmesh_plan_mesh(&mesh) == 0);
+        mesh.point_count = many;
+        CHECK(netmesh_plan_mesh(&mesh) == 0);
+        mesh.point_count = many - 1;
+        mesh.purpose = static_cast<netmesh_purpose>(3);
+        CHECK(netmesh_plan_mesh(&mesh) == 0);
+        mesh.purpose = NETMESH_PURPOSE_TIGHT;
+        mesh.sizes.eps = -1;
+        CHECK(netmesh_plan_mesh(&mesh) == 0);
+        mesh.sizes.eps = 1e-9;
+        CHECK(netmesh_plan_mesh(&mesh) == SIZE_MAX);
+
+        netmesh::requests::Delaunay delaunay(dim);
+        CHECK(netmesh_plan_delaunay(nullptr) == 0);
+        CHECK(netmesh_plan_delaunay(&delaunay) == 0);
+        delaunay.point_count = 1;
+        CHECK(netmesh_plan_delaunay(&delaunay) > 0);
+        delaunay.purpose = NETMESH_PURPOSE_TIGHT;
+        CHECK(netmesh_plan_delaunay(&delaunay) == 0);
+
+        netmesh::requests::Scales scales(dim);
+        CHECK(netmesh_plan_scales(nullptr) == 0);
+        CHECK(netmesh_plan_scales(&scales) == 0);
+        scales.point_count = 10;
+        CHECK(netmesh_plan_scales(&scales) > 0);
+        scales.eps = 0.75;
+        CHECK(netmesh_plan_scales(&scales) == 0);
     }
 }
 
 TEST_CASE("what is planned grows with what is asked for") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (std::uint32_t dim = 2; dim <= 6; ++dim) {
         CAPTURE(dim);
-        netmesh_options o;
-        netmesh_options_init(&o, static_cast<std::uint32_t>(dim));
-        const auto plan = [&o](netmesh_job job, std::uint64_t points = 1000) {
-            return static_cast<double>(netmesh_plan_bytes(job, &o, points));
+        netmesh::requests::Mesh m(dim);
+        m.point_count = 1000;
+        const auto plan = [&m](netmesh_purpose purpose) {
+            m.purpose = purpose;
+            return static_cast<double>(netmesh_plan_mesh(&m));
         };
-        CHECK(plan(NETMESH_JOB_DELAUNAY) < plan(NETMESH_JOB_MESH));
-        CHECK(plan(NETMESH_JOB_MESH) < plan(NETMESH_JOB_PERSIST));
-        CHECK(plan(NETMESH_JOB_DELAUNAY) < plan(NETMESH_JOB_PERSIST_ALPHA));
-        CHECK(plan(NETMESH_JOB_PERSIST) < plan(NETMESH_JOB_PERSIST_TIGHT));
-        CHECK(plan(NETMESH_JOB_PERSIST_TIGHT) < plan(NETMESH_JOB_PERSIST_SCALES));
+        netmesh::requests::Delaunay d(dim);
+        netmesh::requests::Scales scales(dim);
+        d.point_count = scales.point_count = 1000;
+        const double delaunay = static_cast<double>(netmesh_plan_delaunay(&d));
+        d.purpose = NETMESH_PURPOSE_PERSIST;
+        CHECK(delaunay < plan(NETMESH_PURPOSE_MESH));
+        CHECK(plan(NETMESH_PURPOSE_MESH) < plan(NETMESH_PURPOSE_PERSIST));
+        CHECK(delaunay < static_cast<double>(netmesh_plan_delaunay(&d)));
+        CHECK(plan(NETMESH_PURPOSE_PERSIST) < plan(NETMESH_PURPOSE_TIGHT));
+        CHECK(plan(NETMESH_PURPOSE_TIGHT) < static_cast<double>(netmesh_plan_scales(&scales)));
         // A size smaller than the tight filter's counts, a larger one does not.
-        const double tight = plan(NETMESH_JOB_PERSIST_TIGHT);
-        o.over_refine_eps = 0.5;
-        CHECK(plan(NETMESH_JOB_PERSIST_TIGHT) == tight);
-        o.over_refine_eps = 0.01;
-        CHECK(plan(NETMESH_JOB_PERSIST_TIGHT) > tight);
-        o.over_refine_eps = 0;
-        const double mesh = plan(NETMESH_JOB_MESH);
-        o.method = NETMESH_METHOD_NETMESH;
-        const double caged = plan(NETMESH_JOB_MESH);
+        const double tight = plan(NETMESH_PURPOSE_TIGHT);
+        m.sizes.eps = 0.5;
+        CHECK(plan(NETMESH_PURPOSE_TIGHT) == tight);
+        m.sizes.eps = 0.01;
+        CHECK(plan(NETMESH_PURPOSE_TIGHT) > tight);
+        m.sizes.eps = 0;
+        const double mesh = plan(NETMESH_PURPOSE_MESH);
+        m.method = NETMESH_METHOD_HIERARCHY;
+        const double caged = plan(NETMESH_PURPOSE_MESH);
         CHECK(caged > mesh);
-        o.method = NETMESH_METHOD_SVR;
-        o.audit = NETMESH_AUDIT_LOCATION;
-        CHECK(plan(NETMESH_JOB_MESH) > caged);
+        m.method = NETMESH_METHOD_SVR;
+        m.audit = NETMESH_AUDIT_LOCATION;
+        CHECK(plan(NETMESH_PURPOSE_MESH) > caged);
         // Coarse meshes: the lists of balls of each point take most. They have a third of what is left.
-        o.tau = 1e6;
-        const double balls[] = {0, 0, 8, 24, 96, 480, 2400};
-        CHECK(plan(NETMESH_JOB_MESH, 100000) > 3 * 16 * balls[dim] * 100000);
+        m.tau = 1e6;
+        m.point_count = 100000;
+        const double balls = by_dimension<double>(dim, {8, 24, 96, 480, 2400});
+        CHECK(plan(NETMESH_PURPOSE_MESH) > 3 * 16 * balls * 100000);
     }
 }
 
 TEST_CASE("jobs that go beyond what they are for") {
-    for (int dim = 2; dim <= 3; ++dim) {
+    for (const int dim : dimensions(2, 3)) {
         CAPTURE(dim);
         Session s(dim);
         const inputs::Points points = inputs::uniform(dim, 1);
-        s.options.domain_factor = 5;  // more than the tight filter needs
-        s.options.over_refine_eps = 0.1;
-        REQUIRE(s.mesh(points, NETMESH_JOB_PERSIST_TIGHT) == NETMESH_OK);
-        CHECK(s.report().over_refine_eps == 0.1);
-        s.options.domain_factor = 0;
-        s.options.over_refine_eps = 0.5;
-        REQUIRE(s.mesh(points, NETMESH_JOB_PERSIST_TIGHT) == NETMESH_OK);
-        CHECK(s.report().over_refine_eps < 0.12);
-        s.options.audit = NETMESH_AUDIT_QUALITY;
-        CHECK(netmesh_mesh(s.context, points.data(), 1, NETMESH_JOB_MESH, &s.options) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_detail(s.context).index_a == 5);
+        s.request.domain_factor = 5;  // more than the tight filter needs
+        s.request.sizes.eps = 0.1;
+        REQUIRE(s.mesh(points, NETMESH_PURPOSE_TIGHT) == NETMESH_OK);
+        CHECK(s.report().mesh.sizes.eps == 0.1);
+        s.request.domain_factor = 0;
+        s.request.sizes.eps = 0.5;
+        REQUIRE(s.mesh(points, NETMESH_PURPOSE_TIGHT) == NETMESH_OK);
+        CHECK(s.report().mesh.sizes.eps < 0.12);
+        s.request.audit = NETMESH_AUDIT_QUALITY;
+        CHECK(s.mesh(points) == NETMESH_INVALID_ARGUMENT);
+        CHECK(s.detail().field == NETMESH_FIELD_AUDIT);
     }
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         const inputs::Points points = inputs::uniform(dim, 3);
         REQUIRE(s.mesh(points) == NETMESH_OK);
         const std::uint64_t print = s.report().fingerprint;
-        s.options.audit = NETMESH_AUDIT_QUALITY;
+        s.request.audit = NETMESH_AUDIT_QUALITY;
         REQUIRE(s.mesh(points) == NETMESH_OK);
-        CHECK(s.report().audit.meshes > 0);
-        CHECK(s.report().aspect_ratio_max <= netmesh_tau(&s.options));
-        s.options.audit = 0;
-        s.options.over_refine_eps = 1e-16;  // below what coordinates resolve
-        CHECK(netmesh_mesh(s.context, points.data(), 3, NETMESH_JOB_MESH, &s.options) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_detail(s.context).index_a == 6);
-        CHECK(s.report().cells == 0);
-        s.options.over_refine_eps = 0;
+        CHECK(s.report().mesh.audit.meshes > 0);
+        CHECK(s.report().mesh.aspect_ratio_max <= netmesh_tau(&s.request));
+        s.request.audit = 0;
+        s.request.sizes.eps = 1e-16;  // below what coordinates resolve
+        CHECK(s.mesh_in_block(points) == NETMESH_INVALID_ARGUMENT);
+        CHECK(s.detail().field == NETMESH_FIELD_SIZES);
+        CHECK(s.report().mesh.present == 0);
+        s.request.sizes.eps = 0;
         REQUIRE(s.mesh(points) == NETMESH_OK);
         CHECK(s.report().fingerprint == print);
     }
@@ -328,114 +456,150 @@ TEST_CASE("another floating-point mode is refused") {
 }
 
 TEST_CASE("dimensions that there are not") {
-    netmesh_options o;
-    netmesh_options_init(&o, 0);
-    CHECK(o.dim == NETMESH_DIM_MIN);
-    netmesh_options_init(&o, 100);
-    CHECK(o.dim == NETMESH_DIM_MAX);
+    CHECK(netmesh::requests::Mesh(0).dim == NETMESH_DIM_MIN);
+    CHECK(netmesh::requests::Mesh(100).dim == NETMESH_DIM_MAX);
 }
 
 TEST_CASE("points beyond what lists can number") {
-    // More points than a graph of edges is made for, and more simplices than 62 bits number: both are listed, one by one, until stopped.
+    // More points than a graph of edges is made for, and more simplices than 62 bits number: both are listed, one by
+    // one, until stopped.
     Session s(2);
     s.reserve(std::size_t{1} << 24);
-    s.options.poll = [](void*, const netmesh_progress* progress) {
+    s.request.monitor.poll = [](void*, const netmesh_progress* progress) {
         return int(progress->stage == NETMESH_STAGE_FILTER);
     };
     const auto rips = [&](std::size_t n, std::uint32_t degree) {
         const inputs::Points points = inputs::uniform(2, n);
-        return netmesh_persist_points(s.context, points.data(), n, NETMESH_FILTER_RIPS, NETMESH_VALUES_CERTIFIED, 1,
-                                      degree, 0, 0, &s.options);
+        const netmesh_points_request r = s.points_request(points, NETMESH_FILTER_RIPS, 1, degree);
+        return netmesh_persist_points(s.context, &r);
     };
     CHECK(rips(65537, 1) == NETMESH_CANCELLED);
     CHECK(rips(300, 30) == NETMESH_CANCELLED);
     const inputs::Points few = inputs::uniform(2, 3);
-    CHECK(netmesh_persist_points(s.context, few.data(), 3, NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_VALUES_CERTIFIED,
-                                 31, 0, 0, 0, &s.options) == NETMESH_INVALID_ARGUMENT);
+    const netmesh_points_request r = s.points_request(few, NETMESH_FILTER_BARYCENTRIC_CECH, 4, 0);
+    CHECK(netmesh_persist_points(s.context, &r) == NETMESH_INVALID_ARGUMENT);
+    CHECK(s.detail().field == NETMESH_FIELD_K);
 }
 
-TEST_CASE("steps after a mesh") {
-    for (int dim = 2; dim <= 6; ++dim) {
+TEST_CASE("filters after a mesh") {
+    for (const int dim : dimensions()) {
         Fixture f(dim);
-        netmesh_context* const c = f.session.context;
-        const netmesh_options o = f.session.options;
-        constexpr netmesh_filter complete = NETMESH_FILTER_COMPLETE, knn = NETMESH_FILTER_KNN;
-        constexpr netmesh_values values = NETMESH_VALUES_CERTIFIED;
+        Session& s = f.session;
         const auto wrong_values = static_cast<netmesh_values>(2);
-        f.refused(netmesh_persist(c, NETMESH_FILTER_NONE, values, 1, 0, &o), 2);
-        f.refused(netmesh_persist(c, NETMESH_FILTER_RIPS, values, 1, 0, &o), 2);
-        f.refused(netmesh_persist(c, NETMESH_FILTER_FUNCTION, values, 1, 0, &o), 2);
-        f.refused(netmesh_persist(c, complete, wrong_values, 1, 0, &o), 3);
-        f.refused(netmesh_persist(c, complete, values, 1, 0, nullptr), 6);
-        f.refused(netmesh_persist(c, NETMESH_FILTER_ALPHA, values, 1, 0, &o), 0, NETMESH_NO_RESULT);
-        netmesh_options bad = o;
-        bad.k = 4;
-        f.refused(netmesh_persist(c, knn, values, 1, 0, &bad), 7);
-        f.refused(netmesh_vineyard(c, complete, 1, 2, values, 1, &o), 2);
-        f.refused(netmesh_vineyard(c, knn, 0, 2, values, 1, &o), 3);
-        f.refused(netmesh_vineyard(c, knn, 2, 1, values, 1, &o), 4);
-        f.refused(netmesh_vineyard(c, knn, 1, 2, wrong_values, 1, &o), 5);
-        f.refused(netmesh_vineyard(c, knn, 1, 4, values, 1, &o), 7);
-        f.refused(netmesh_vineyard(c, knn, 1, 2, values, 1, nullptr), 8);
-        f.refused(netmesh_persist_function(c, nullptr, values, 1, 0, &o), 2);
-        netmesh_function function = {nullptr, nullptr, 1, 0, 1};
-        f.refused(netmesh_persist_function(c, &function, values, 1, 0, &o), 2);
-        for (double netmesh_function::*field :
-             {&netmesh_function::lipschitz, &netmesh_function::distance_factor, &netmesh_function::cut})
+        f.needs_request(netmesh_persist, persist_by(NETMESH_FILTER_COMPLETE));
+        for (const netmesh_filter filter :
+             {NETMESH_FILTER_NONE, NETMESH_FILTER_RIPS, NETMESH_FILTER_SCALES, static_cast<netmesh_filter>(13)})
+            f.refused(s.persist(filter), NETMESH_FIELD_FILTER);
+        f.refused(s.persist(persist_by(NETMESH_FILTER_COMPLETE, 0, wrong_values)), NETMESH_FIELD_VALUES);
+        f.ended(s.persist(NETMESH_FILTER_ALPHA), NETMESH_NO_RESULT);
+        f.refused(s.persist(persist_by(NETMESH_FILTER_KNN, 4)), NETMESH_FIELD_K);
+
+        netmesh::requests::Vineyard good(NETMESH_FILTER_KNN);
+        f.needs_request<netmesh_vineyard_request>(netmesh_vineyard, good);
+        f.refused(s.vineyard(NETMESH_FILTER_COMPLETE, 1, 2), NETMESH_FIELD_FILTER);
+        f.refused(s.vineyard(NETMESH_FILTER_KNN, 0, 2), NETMESH_FIELD_K_FIRST);
+        f.refused(s.vineyard(NETMESH_FILTER_KNN, 2, 1), NETMESH_FIELD_K_LAST);
+        f.refused(s.vineyard(NETMESH_FILTER_KNN, 1, 4), NETMESH_FIELD_K_LAST);
+        good.values = wrong_values;
+        f.refused(netmesh_vineyard(f.c, &good), NETMESH_FIELD_VALUES);
+
+        netmesh_function function = constant_one();
+        netmesh_persist_request by_function = persist_by(NETMESH_FILTER_FUNCTION);
+        f.refused(s.persist(by_function), NETMESH_FIELD_FUNCTION);
+        by_function.function = &function;
+        by_function.values = wrong_values;
+        f.refused(s.persist(by_function), NETMESH_FIELD_VALUES);
+        by_function.values = NETMESH_VALUES_CERTIFIED;
+        function.evaluate = nullptr;
+        f.refused(s.persist(by_function), NETMESH_FIELD_FUNCTION);
+        function = constant_one();
+        function.struct_bytes = 0;
+        f.refused(s.persist(by_function), NETMESH_FIELD_STRUCT_BYTES);
+        const std::pair<double netmesh_function::*, netmesh_field> numbers[] = {
+            {&netmesh_function::lipschitz, NETMESH_FIELD_LIPSCHITZ},
+            {&netmesh_function::distance_factor, NETMESH_FIELD_DISTANCE_FACTOR},
+            {&netmesh_function::cut, NETMESH_FIELD_CUT}};
+        for (const auto& [member, field] : numbers)
             for (const double number : {-1.0, not_a_number, infinite}) {
-                function = {one, nullptr, 1, 0, 1};
-                function.*field = number;
-                f.refused(netmesh_persist_function(c, &function, values, 1, 0, &o), 2);
+                function = constant_one();
+                function.*member = number;
+                f.refused(s.persist(by_function), field);
             }
-        function = {one, nullptr, 1, 0, 1};
-        f.refused(netmesh_persist_function(c, &function, wrong_values, 1, 0, &o), 3);
-        f.refused(netmesh_persist_function(c, &function, values, 1, 0, nullptr), 6);
-        f.refused(netmesh_represent(c, nullptr), 2);
-        f.refused(netmesh_represent(c, &o), 0, NETMESH_NO_RESULT);
-        f.refused(netmesh_bound_bars(c, nullptr), 2);
-        f.refused(netmesh_bound_bars(c, &o), 0, NETMESH_NO_RESULT);
-        f.refused(netmesh_check(c, 0, &o), 2);
-        f.refused(netmesh_check(c, 32, &o), 2);
-        f.refused(netmesh_check(c, 1, nullptr), 3);
-        netmesh_analysis analysis;
-        analysis.struct_bytes = sizeof analysis;
-        f.refused(netmesh_analyse(c, 0, 0, &o, &analysis), 2);
-        f.refused(netmesh_analyse(c, 8, 0, &o, &analysis), 2);
-        f.refused(netmesh_analyse(c, 2, -1, &o, &analysis), 3);
-        f.refused(netmesh_analyse(c, 2, 0, nullptr, &analysis), 4);
-        f.refused(netmesh_analyse(c, 2, 0, &o, nullptr), 5);
+        f.needs_request<netmesh_represent_request>(netmesh_represent, netmesh::requests::Represent());
+        f.needs_request<netmesh_bounds_request>(netmesh_bound_bars, netmesh::requests::Bounds());
+        f.ended(s.represent(), NETMESH_NO_RESULT);
+        f.ended(s.bound_bars(), NETMESH_NO_RESULT);
+    }
+}
+
+TEST_CASE("checks, analyses and cages after a mesh") {
+    for (const int dim : dimensions()) {
+        Fixture f(dim);
+        Session& s = f.session;
+        f.needs_request<netmesh_check_request>(netmesh_check, netmesh::requests::Check());
+        f.refused(s.check(0), NETMESH_FIELD_WHAT);
+        f.refused(s.check(32), NETMESH_FIELD_WHAT);
+        const netmesh::requests::Mesh other(static_cast<std::uint32_t>(dim == 6 ? 2 : dim + 1));
+        netmesh::requests::Check check;
+        check.mesh = &other;
+        f.refused(netmesh_check(f.c, &check), NETMESH_FIELD_MESH);
+        auto analysis = netmesh::sized<netmesh_analysis>();
+        f.refused(s.analyse(&analysis, 0), NETMESH_FIELD_WHAT);
+        f.refused(s.analyse(&analysis, 8), NETMESH_FIELD_WHAT);
+        f.refused(s.analyse(&analysis, 2, -1), NETMESH_FIELD_TOLERANCE);
+        const netmesh::requests::Analyse analyse;
+        f.refused(netmesh_analyse(f.c, nullptr, &analysis), NETMESH_FIELD_REQUEST);
+        f.refused(netmesh_analyse(f.c, &analyse, nullptr), NETMESH_FIELD_RESULT);
         analysis.struct_bytes = 1;
-        f.refused(netmesh_analyse(c, 2, 0, &o, &analysis), 5);
-        std::vector<double> number(f.session.report().vertices);
-        std::vector<std::uint32_t> index(f.session.report().vertices);
-        f.refused(netmesh_measure_cells(c, nullptr, index.data()), 2);
-        f.refused(netmesh_measure_cells(c, number.data(), nullptr), 3);
-        f.refused(netmesh_well_paced_order(c, nullptr, number.data()), 2);
-        f.refused(netmesh_pace(c, nullptr, number.data()), 2);
-        f.refused(netmesh_pace(c, index.data(), nullptr), 3);
-        f.refused(netmesh_pace(c, index.data(), number.data()), 2);  // 0, 0, 0 is no permutation
-        CHECK(netmesh_well_paced_order(c, index.data(), nullptr) == NETMESH_OK);
-        f.refused(netmesh_load_cages(c, nullptr, 1, &o), 2);
-        netmesh_cage cage = {0, NETMESH_NONE, 1};
-        f.refused(netmesh_load_cages(c, &cage, NETMESH_NONE, &o), 3);
-        f.refused(netmesh_load_cages(c, &cage, 1, nullptr), 4);
-        for (const netmesh_cage wrong : {netmesh_cage{0, NETMESH_NONE, -1}, netmesh_cage{1u << 20, NETMESH_NONE, 1},
-                                         netmesh_cage{0, NETMESH_NONE, not_a_number}})
-            f.refused(netmesh_load_cages(c, &wrong, 1, &o), 0, NETMESH_CHECK_FAILED);
+        f.refused(netmesh_analyse(f.c, &analyse, &analysis), NETMESH_FIELD_RESULT);
+
+        std::vector<double> number(s.report().mesh.vertices);
+        std::vector<std::uint32_t> index(s.report().mesh.vertices);
+        f.refused(netmesh_measure_cells(f.c, nullptr, index.data()), NETMESH_FIELD_RESULT);
+        f.refused(netmesh_measure_cells(f.c, number.data(), nullptr), NETMESH_FIELD_RESULT);
+        f.refused(netmesh_well_paced_order(f.c, nullptr, number.data()), NETMESH_FIELD_ORDER);
+        f.refused(netmesh_pace(f.c, nullptr, number.data()), NETMESH_FIELD_ORDER);
+        f.refused(netmesh_pace(f.c, index.data(), nullptr), NETMESH_FIELD_THETAS);
+        f.refused(netmesh_pace(f.c, index.data(), number.data()), NETMESH_FIELD_ORDER);  // 0, 0, 0
+        CHECK(netmesh_well_paced_order(f.c, index.data(), nullptr) == NETMESH_OK);
+
+        auto cage = netmesh::sized<netmesh_cage>();
+        netmesh::requests::Cages cages;
+        cages.cage_count = 1;
+        f.needs_request<netmesh_cages_request>(netmesh_load_cages, cages);
+        f.refused(netmesh_load_cages(f.c, &cages), NETMESH_FIELD_CAGES);
+        cages.cages = &cage;
+        cages.cage_bytes = 4;
+        f.refused(netmesh_load_cages(f.c, &cages), NETMESH_FIELD_CAGE_BYTES);
+        cages.cage_bytes = sizeof cage;
+        cages.cage_count = NETMESH_NONE;
+        f.refused(netmesh_load_cages(f.c, &cages), NETMESH_FIELD_CAGE_COUNT);
+        cages.cage_count = 1;
+        const std::pair<std::uint32_t, double> wrong[] = {{0, -1}, {1u << 20, 1}, {0, not_a_number}};
+        for (const auto& [centre, radius] : wrong) {
+            cage.centre = centre;
+            cage.radius = radius;
+            f.ended(netmesh_load_cages(f.c, &cages), NETMESH_CHECK_FAILED);
+        }
     }
 }
 
 TEST_CASE("what cannot be read") {
     Fixture f(3);
-    netmesh_context* const c = f.session.context;
+    Session& s = f.session;
+    netmesh_context* const c = f.c;
     netmesh_report report;
-    report.struct_bytes = 4;
-    netmesh_simplex simplex;
-    netmesh_bar_bounds bounds;
+    report.struct_bytes = 2;
+    auto simplex = netmesh::sized<netmesh_simplex>();
+    auto bounds = netmesh::sized<netmesh_bar_bounds>();
+    netmesh_vertex vertex;
+    vertex.struct_bytes = 0;
     std::uint64_t count;
     CHECK(netmesh_get_report(c, nullptr) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_report(c, &report) == NETMESH_INVALID_ARGUMENT);
+    CHECK(netmesh_get_detail(c, nullptr) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_vertex(c, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
+    CHECK(netmesh_get_vertex(c, 0, &vertex) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_cell(c, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_cage(c, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_pair(c, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
@@ -444,59 +608,105 @@ TEST_CASE("what cannot be read") {
     CHECK(netmesh_get_cycle(c, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_cycle_simplex(c, 0, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_bar_bounds(c, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
-    const netmesh_options& o = f.session.options;
-    REQUIRE(netmesh_persist(c, NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS, 2, 1, &o) == NETMESH_OK);
+    netmesh_persist_request all = persist_by(NETMESH_FILTER_BASIC, 0, NETMESH_VALUES_THESIS);
+    all.keep_zero_pairs = 1;
+    REQUIRE(s.persist(all) == NETMESH_OK);
     CHECK(netmesh_get_scale_step(c, 0, nullptr) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_bound_bars(c, &o) == NETMESH_OK);
-    CHECK(netmesh_represent(c, &o) == NETMESH_OK);
-    CHECK(netmesh_represent(c, &o) == NETMESH_OK);  // they are there already
-    const std::uint64_t pairs = f.session.pairs().size();
+    CHECK(s.bound_bars() == NETMESH_OK);
+    CHECK(s.represent() == NETMESH_OK);
+    CHECK(s.represent() == NETMESH_OK);  // they are there already
+    const std::uint64_t pairs = s.pairs().size();
     CHECK(netmesh_get_cycle(c, pairs, &count) == NETMESH_INVALID_ARGUMENT);
     REQUIRE(netmesh_get_cycle(c, 0, &count) == NETMESH_OK);
     CHECK(netmesh_get_cycle_simplex(c, 0, count, &simplex) == NETMESH_INVALID_ARGUMENT);
-    REQUIRE(netmesh_persist(c, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_THESIS, 2, 1, &o) == NETMESH_OK);
-    CHECK(netmesh_bound_bars(c, &o) == NETMESH_OK);
-    CHECK(netmesh_bound_bars(c, &o) == NETMESH_OK);
-    CHECK(netmesh_get_bar_bounds(c, f.session.pairs().size(), &bounds) == NETMESH_INVALID_ARGUMENT);
-    REQUIRE(netmesh_vineyard(c, NETMESH_FILTER_KNN, 2, 3, NETMESH_VALUES_CERTIFIED, 1, &o) == NETMESH_OK);
+    all.filter = NETMESH_FILTER_COMPLETE;
+    REQUIRE(s.persist(all) == NETMESH_OK);
+    CHECK(s.bound_bars() == NETMESH_OK);
+    CHECK(s.bound_bars() == NETMESH_OK);
+    CHECK(netmesh_get_bar_bounds(c, s.pairs().size(), &bounds) == NETMESH_INVALID_ARGUMENT);
+    REQUIRE(s.vineyard(NETMESH_FILTER_KNN, 2, 3) == NETMESH_OK);
     double ratio;
     CHECK(netmesh_get_vine_ratio(c, 1, &ratio) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_vine_ratio(c, 4, &ratio) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_get_vine_ratio(c, 3, &ratio) == NETMESH_OK);
 }
 
-TEST_CASE("complexes and distances") {
-    Session s(2);
+TEST_CASE("complexes") {
+    Fixture f(2);
     const std::uint32_t v[] = {0, 1, 0, 1};
     const std::uint64_t starts[] = {0, 1, 2, 4};
     const double t[] = {0, 0, 1};
-    const auto refused = [&](netmesh_status status, std::uint64_t position) {
-        CHECK(status == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_detail(s.context).index_a == position);
+    netmesh::requests::Homology good;
+    good.vertices = v;
+    good.starts = starts;
+    good.entries = t;
+    good.simplex_count = 3;
+    good.vertex_count = 4;
+    const auto refused = [&](auto change, netmesh_field field) {
+        netmesh_homology_request bad = good;
+        change(bad);
+        f.refused(netmesh_homology(f.c, &bad), field);
     };
-    refused(netmesh_homology(s.context, nullptr, starts, t, 3, 1, 0, 0, &s.options), 2);
-    refused(netmesh_homology(s.context, v, nullptr, t, 3, 1, 0, 0, &s.options), 3);
-    refused(netmesh_homology(s.context, v, starts, nullptr, 3, 1, 0, 0, &s.options), 4);
-    refused(netmesh_homology(s.context, v, starts, t, 0, 1, 0, 0, &s.options), 5);
-    refused(netmesh_homology(s.context, v, starts, t, 3, 1, 0, 0, nullptr), 9);
-    CHECK(netmesh_homology_bytes(0, 0) == 0);
-    CHECK(netmesh_homology_bytes(5, 4) == 0);
-    CHECK(netmesh_homology_bytes(1, UINT64_MAX) == 0);
+    f.needs_request<netmesh_homology_request>(netmesh_homology, good);
+    refused([](auto& r) { r.vertices = nullptr; }, NETMESH_FIELD_VERTICES);
+    refused([](auto& r) { r.starts = nullptr; }, NETMESH_FIELD_STARTS);
+    refused([](auto& r) { r.entries = nullptr; }, NETMESH_FIELD_ENTRIES);
+    refused([](auto& r) { r.simplex_count = 0; }, NETMESH_FIELD_SIMPLEX_COUNT);
+    refused([](auto& r) { r.vertex_count = 3; }, NETMESH_FIELD_VERTEX_COUNT);
+    const auto plan = [](std::uint64_t simplices, std::uint64_t vertices) {
+        netmesh::requests::Homology r;
+        r.simplex_count = simplices;
+        r.vertex_count = vertices;
+        return netmesh_plan_homology(&r);
+    };
+    CHECK(plan(0, 0) == 0);
+    CHECK(plan(5, 4) == 0);
+    CHECK(plan(1, UINT64_MAX) == 0);
+    CHECK(plan(3, 4) > 65536);
+    CHECK(netmesh_plan_homology(nullptr) == 0);
+    CHECK(netmesh_homology(f.c, &good) == NETMESH_OK);
+    CHECK(f.session.report().simplicial_complex.vertices == 2);
+}
 
-    const netmesh_pair a[] = {{0, 0, 1}};
+TEST_CASE("distances") {
+    const netmesh_pair a = bar(0, 0, 1);
     alignas(16) static unsigned char scratch[4096];
-    netmesh_distance d;
-    const auto distance = [&](const netmesh_pair* x, const netmesh_pair* y, int scale, void* where, std::size_t bytes,
-                              netmesh_distance* out) {
-        return netmesh_bottleneck(x, 1, y, 1, NETMESH_ALL_DEGREES, static_cast<netmesh_scale>(scale), where, bytes,
-                                  nullptr, nullptr, out);
+    netmesh::requests::Bottleneck good;
+    good.pairs_a = good.pairs_b = &a;
+    good.count_a = good.count_b = 1;
+    good.scratch = scratch;
+    good.scratch_bytes = sizeof scratch;
+    auto d = netmesh::sized<netmesh_distance>();
+    auto detail = netmesh::sized<netmesh_detail>();
+    const auto refused = [&](auto change, netmesh_field field) {
+        netmesh_bottleneck_request bad = good;
+        change(bad);
+        CHECK(netmesh_bottleneck(&bad, &d, &detail) == NETMESH_INVALID_ARGUMENT);
+        CHECK(detail.status == NETMESH_INVALID_ARGUMENT);
+        CHECK(detail.field == field);
+        CHECK(detail.message[0] != 0);
+        CHECK(netmesh_bottleneck(&bad, &d, nullptr) == NETMESH_INVALID_ARGUMENT);
     };
-    CHECK(distance(a, a, 0, scratch, sizeof scratch, &d) == NETMESH_OK);
-    CHECK(distance(nullptr, a, 0, scratch, sizeof scratch, &d) == NETMESH_INVALID_ARGUMENT);
-    CHECK(distance(a, nullptr, 0, scratch, sizeof scratch, &d) == NETMESH_INVALID_ARGUMENT);
-    CHECK(distance(a, a, 2, scratch, sizeof scratch, &d) == NETMESH_INVALID_ARGUMENT);
-    CHECK(distance(a, a, 0, nullptr, sizeof scratch, &d) == NETMESH_INVALID_ARGUMENT);
-    CHECK(distance(a, a, 0, scratch + 8, sizeof scratch - 8, &d) == NETMESH_INVALID_ARGUMENT);
-    CHECK(distance(a, a, 0, scratch, sizeof scratch, nullptr) == NETMESH_INVALID_ARGUMENT);
-    CHECK(distance(a, a, 0, nullptr, 0, &d) == NETMESH_OUT_OF_MEMORY);
+    CHECK(netmesh_bottleneck(&good, &d, &detail) == NETMESH_OK);
+    CHECK(detail.status == NETMESH_OK);
+    CHECK(d.value == 0);
+    refused([](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
+    refused([](auto& r) { r.pairs_a = nullptr; }, NETMESH_FIELD_PAIRS_A);
+    refused([](auto& r) { r.pairs_b = nullptr; }, NETMESH_FIELD_PAIRS_B);
+    refused([](auto& r) { r.pair_bytes = 8; }, NETMESH_FIELD_PAIR_BYTES);
+    refused([](auto& r) { r.scale = static_cast<netmesh_scale>(2); }, NETMESH_FIELD_SCALE);
+    refused([](auto& r) { r.scratch = nullptr; }, NETMESH_FIELD_SCRATCH);
+    refused([](auto& r) { r.scratch = scratch + 8; }, NETMESH_FIELD_SCRATCH);
+    const netmesh_pair late = bar(0, 2, 1), nowhere = bar(0, not_a_number, 1);
+    refused([&](auto& r) { r.pairs_a = &late; }, NETMESH_FIELD_PAIRS_A);
+    refused([&](auto& r) { r.pairs_b = &nowhere; }, NETMESH_FIELD_PAIRS_B);
+    CHECK(netmesh_bottleneck(nullptr, &d, &detail) == NETMESH_INVALID_ARGUMENT);
+    CHECK(detail.field == NETMESH_FIELD_REQUEST);
+    CHECK(netmesh_bottleneck(&good, nullptr, &detail) == NETMESH_INVALID_ARGUMENT);
+    CHECK(detail.field == NETMESH_FIELD_RESULT);
+    good.scratch = nullptr;
+    good.scratch_bytes = 0;
+    CHECK(netmesh_bottleneck(&good, &d, &detail) == NETMESH_OUT_OF_MEMORY);
+    CHECK(detail.bytes_wanted == netmesh_bottleneck_bytes(&good));
+    CHECK(netmesh_bottleneck_bytes(nullptr) == 0);
 }

@@ -3,19 +3,20 @@
 
 #include <cmath>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 TEST_CASE("bounds of bars") {
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 50);
-    netmesh_bar_bounds b;
-    CHECK(netmesh_bound_bars(session.context, &session.options) == NETMESH_NO_RESULT);
+    auto b = netmesh::sized<netmesh_bar_bounds>();
+    CHECK(session.bound_bars() == NETMESH_NO_RESULT);
     CHECK(netmesh_get_bar_bounds(session.context, 0, &b) == NETMESH_INVALID_ARGUMENT);
-    netmesh_scale_step step;
+    auto step = netmesh::sized<netmesh_scale_step>();
     CHECK(netmesh_get_scale_step(session.context, 0, &step) == NETMESH_INVALID_ARGUMENT);
 
     REQUIRE(session.alpha(points) == NETMESH_OK);
-    REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
+    REQUIRE(session.bound_bars() == NETMESH_OK);
     const std::vector<netmesh_pair> exact = session.pairs();
     for (std::size_t i = 0; i < exact.size(); ++i) {
         REQUIRE(netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK);
@@ -30,11 +31,10 @@ TEST_CASE("bounds of bars") {
 
     // No bar is bounded more widely than the ratio of the whole diagram says.
     for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
-        session.options.k = 4;
-        REQUIRE(session.mesh_and_persist(points, filter) == NETMESH_OK);
+        REQUIRE(session.mesh_and_persist(points, persist_by(filter, 4)) == NETMESH_OK);
         const std::uint64_t print = session.report().fingerprint;
-        const double c = session.report().certified_ratio * (1 + 1e-9);
-        REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
+        const double c = session.report().diagram.certified_ratio * (1 + 1e-9);
+        REQUIRE(session.bound_bars() == NETMESH_OK);
         CHECK(session.report().fingerprint == print);
         const std::vector<netmesh_pair> pairs = session.pairs();
         std::size_t certain = 0, by_ratio = 0;
@@ -59,17 +59,15 @@ TEST_CASE("bounds that do not fit leave the diagram") {
     const inputs::Points points = inputs::uniform(2, 30);
     Session roomy(2);
     REQUIRE(roomy.mesh_and_persist(points) == NETMESH_OK);
-    const std::uint64_t used = roomy.report().used_bytes, peak = roomy.report().peak_bytes;
+    const std::uint64_t used = roomy.report().memory.used_bytes, peak = roomy.report().memory.peak_bytes;
     bool refused = false;
     for (std::size_t bytes = used; bytes < peak + 100000 && !refused; bytes += 256) {
         Session session(2);
         session.reserve(bytes);
-        netmesh_status status = netmesh_mesh(session.context, points.data(), 30, NETMESH_JOB_PERSIST, &session.options);
-        if (status == NETMESH_OK)
-            status = netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0,
-                                     &session.options);
+        netmesh_status status = session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+        if (status == NETMESH_OK) status = session.persist();
         if (status != NETMESH_OK) continue;
-        const netmesh_status bound = netmesh_bound_bars(session.context, &session.options);
+        const netmesh_status bound = session.bound_bars();
         if (bound == NETMESH_OK) break;
         refused = true;
         CHECK(bound == NETMESH_OUT_OF_MEMORY);
@@ -81,12 +79,12 @@ TEST_CASE("bounds that do not fit leave the diagram") {
 TEST_CASE("the basic filter's bounds begin where its ratio does") {
     Session session(2);
     REQUIRE(session.mesh_and_persist(inputs::circle(40), NETMESH_FILTER_BASIC) == NETMESH_OK);
-    REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
-    const double from = session.report().certified_from;
+    REQUIRE(session.bound_bars() == NETMESH_OK);
+    const double from = session.report().diagram.certified_from;
     const std::vector<netmesh_pair> pairs = session.pairs();
     std::size_t born_at_zero = 0, certain = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        netmesh_bar_bounds b;
+        auto b = netmesh::sized<netmesh_bar_bounds>();
         REQUIRE(netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK);
         CHECK(b.birth_high >= from * (1 - 1e-9));
         born_at_zero += pairs[i].birth == 0;
@@ -99,9 +97,9 @@ TEST_CASE("the basic filter's bounds begin where its ratio does") {
 
 // The ratio at a scale as netmesh_scale_step says.
 static double ratio_at(const Session& session, double alpha) {
-    const double c = session.report().certified_ratio;
+    const double c = session.report().diagram.certified_ratio;
     double reach = alpha;
-    netmesh_scale_step step;
+    auto step = netmesh::sized<netmesh_scale_step>();
     for (std::uint64_t i = 0; netmesh_get_scale_step(session.context, i, &step) == NETMESH_OK && step.from <= alpha;
          ++i)
         reach = step.reach;
@@ -112,11 +110,11 @@ TEST_CASE("the ratio by scale") {
     Session session(2);
     session.bounds = true;
     for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_KNN}) {
-        session.options.k = 3;
-        REQUIRE(session.mesh_and_persist(inputs::shell(2, 80, 0.8, 1, 15), filter) == NETMESH_OK);
-        REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
-        const double c = session.report().certified_ratio;
-        netmesh_scale_step step, before = {-1, -1, 0};
+        REQUIRE(session.mesh_and_persist(inputs::shell(2, 80, 0.8, 1, 15), persist_by(filter, 3)) == NETMESH_OK);
+        REQUIRE(session.bound_bars() == NETMESH_OK);
+        const double c = session.report().diagram.certified_ratio;
+        auto step = netmesh::sized<netmesh_scale_step>(), before = step;
+        before.from = before.reach = -1;
         double worst = 0;
         std::uint64_t steps = 0;
         for (; netmesh_get_scale_step(session.context, steps, &step) == NETMESH_OK; ++steps) {
@@ -136,7 +134,7 @@ TEST_CASE("the ratio by scale") {
         // What a bar needs to be real by interleaving is the curve at its birth.
         const std::vector<netmesh_pair> pairs = session.pairs();
         for (std::size_t i = 0; i < pairs.size(); ++i) {
-            netmesh_bar_bounds b;
+            auto b = netmesh::sized<netmesh_bar_bounds>();
             REQUIRE(netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK);
             if (!(pairs[i].birth > 0)) continue;
             const double here = ratio_at(session, pairs[i].birth);
@@ -152,11 +150,11 @@ TEST_CASE("covers within and around the offsets find more than the bounds of all
     Session session(3);
     session.bounds = true;
     REQUIRE(session.mesh_and_persist(inputs::torus(250, 27)) == NETMESH_OK);
-    REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
+    REQUIRE(session.bound_bars() == NETMESH_OK);
     const std::vector<netmesh_pair> pairs = session.pairs();
     std::size_t by_covers = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        netmesh_bar_bounds b;
+        auto b = netmesh::sized<netmesh_bar_bounds>();
         REQUIRE(netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK);
         by_covers += b.certain == 1 && !(pairs[i].death > b.certain_after);
     }
@@ -177,17 +175,18 @@ static double fine_far_away(void* user, const double* x) {
 }
 
 TEST_CASE("one-dimensional classes of the Clifford torus and that of the 3-sphere around it are surely real") {
+    if (dimensions({4}).empty()) return;
     inputs::Points points = inputs::clifford(500);
     Session session(4);
     session.bounds = true;
-    session.options.tau = 4;
-    session.options.size = fine_far_away;
-    session.options.size_user = &points;
+    session.request.tau = 4;
+    session.request.sizes.size = fine_far_away;
+    session.request.sizes.user = &points;
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
     const std::vector<netmesh_pair> pairs = session.pairs();
     std::size_t certain[4] = {0, 0, 0, 0};
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        netmesh_bar_bounds b;
+        auto b = netmesh::sized<netmesh_bar_bounds>();
         REQUIRE(netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK);
         certain[pairs[i].degree] += b.certain;
     }

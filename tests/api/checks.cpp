@@ -5,43 +5,40 @@
 #include <string>
 
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
+#include "common/session.hpp"
 
 namespace {
 
-std::string said(const Session& s) { return netmesh_get_detail(s.context).message; }
-
-netmesh_status check(Session& s, std::uint32_t what) { return netmesh_check(s.context, what, &s.options); }
+std::string said(const Session& s) { return s.detail().message; }
 
 // As many as make Steiner points, with a tau that asks for them.
-constexpr std::size_t points_of[] = {0, 0, 8, 6, 6, 8, 5};
+std::size_t points_of(int dim) { return by_dimension<std::size_t>(dim, {8, 6, 6, 8, 5}); }
 
 struct Refined : Session {
     explicit Refined(int dim) : Session(dim) {
-        if (dim == 6) options.tau = 2.2;
+        if (dim == 6) request.tau = 2.2;
         reserve(std::size_t{1} << 25);
-        REQUIRE(mesh(inputs::uniform(dim, points_of[dim]), NETMESH_JOB_PERSIST) == NETMESH_OK);
-        REQUIRE(report().steiner > 0);
+        REQUIRE(mesh(inputs::uniform(dim, points_of(dim)), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        REQUIRE(report().mesh.steiner > 0);
     }
 };
 
 }  // namespace
 
 TEST_CASE("ratios asked of a loaded mesh") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Arrays mesh{Refined(dim)};
         Session s(dim);
         s.reserve(std::size_t{1} << 25);
-        s.options.ratio = 100;
+        s.request.certificate.ratio = 100;
         REQUIRE(mesh.load(s) == NETMESH_OK);
-        CHECK(s.report().tau == 0);
-        CHECK(check(s, NETMESH_CHECK_QUALITY) == NETMESH_OK);
+        CHECK(s.report().mesh.tau == 0);
+        CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_OK);
         const auto fails = [&](double ratio, double focus, double from, double to) {
-            s.options.ratio = ratio;
-            s.options.focus_ratio = focus;
-            s.options.focus_from = from;
-            s.options.focus_to = to;
-            return check(s, NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED ? said(s) : std::string();
+            s.request.certificate = {ratio, focus, from, to};
+            return s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED ? said(s) : std::string();
         };
         CHECK(fails(1.42, 0, 0, 0) == "the certified ratio is above the one asked for");
         CHECK(fails(100, 1.001, 1e-9, 1e9) == "a cell's ratio is above the one asked for at its scale");
@@ -49,35 +46,35 @@ TEST_CASE("ratios asked of a loaded mesh") {
         CHECK(fails(100, 1.001, 1e9, 2e9).empty());     // above all cells
         CHECK(fails(100, 1.001, 1e-12, 1e-9).empty());  // below
         for (std::uint8_t& m : mesh.markers) m = m == 2 ? 1 : m;
-        s.options.focus_ratio = 0;
+        s.request.certificate.focus_ratio = 0;
         REQUIRE(mesh.load(s) == NETMESH_OK);
-        CHECK(check(s, NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
+        CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         CHECK(said(s) == "a vertex of the mesh's hull is not exempt");
     }
 }
 
 TEST_CASE("quality and size asked of cells in a wider domain") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Arrays mesh{Refined(dim)};
         mesh.domain.back() *= 2;  // which holds corners that were clipped
         Session s(dim);
         s.reserve(std::size_t{1} << 25);
         REQUIRE(mesh.load(s) == NETMESH_OK);
-        CHECK(s.report().aspect_ratio_max > 2.0001);
-        s.options.tau = 2.0001;
-        CHECK(check(s, NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
+        CHECK(s.report().mesh.aspect_ratio_max > 2.0001);
+        s.request.tau = 2.0001;
+        CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         CHECK(said(s) == "a clipped Voronoi cell has an aspect ratio above tau");
-        s.options.tau = 1e9;
-        CHECK(check(s, NETMESH_CHECK_QUALITY) == NETMESH_OK);
-        s.options.over_refine_eps = 1e-3;
-        CHECK(check(s, NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
+        s.request.tau = 1e9;
+        CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_OK);
+        s.request.sizes.eps = 1e-3;
+        CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         CHECK(said(s) == "a clipped Voronoi cell is larger than the size asked for");
     }
 }
 
 TEST_CASE("a cell twice, apart from the mesh") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         REQUIRE(s.mesh(inputs::uniform(dim, 3)) == NETMESH_OK);
@@ -92,14 +89,14 @@ TEST_CASE("a cell twice, apart from the mesh") {
         s.reserve(std::size_t{1} << 22);
         REQUIRE(mesh.load(s) == NETMESH_OK);
         for (const std::uint32_t what : {1u, 2u, 4u, 8u, 16u, 31u}) {
-            CHECK(check(s, what) == NETMESH_CHECK_FAILED);
+            CHECK(s.check(what) == NETMESH_CHECK_FAILED);
             CHECK(said(s) == "neighbours share more than a facet");
         }
     }
 }
 
 TEST_CASE("vertices in no cell, and triangulations, are loaded and checked") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         REQUIRE(s.delaunay(inputs::uniform(dim, 12)) == NETMESH_OK);
@@ -109,16 +106,15 @@ TEST_CASE("vertices in no cell, and triangulations, are loaded and checked") {
         cells.markers.push_back(1);
         s.reserve(std::size_t{1} << 22);
         REQUIRE(cells.load(s) == NETMESH_OK);
-        CHECK(s.report().vertices == 13);
-        CHECK(s.report().is_mesh == 0);
+        CHECK(s.report().mesh.vertices == 13);
+        CHECK(s.report().mesh.is_mesh == 0);
         CHECK(s.check() == NETMESH_OK);
-        CHECK(netmesh_persist(s.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0, &s.options) ==
-              NETMESH_NO_RESULT);
+        CHECK(s.persist() == NETMESH_NO_RESULT);
     }
 }
 
 TEST_CASE("a domain about its only input") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         REQUIRE(s.mesh(inputs::uniform(dim, 1)) == NETMESH_OK);
@@ -128,15 +124,14 @@ TEST_CASE("a domain about its only input") {
         s.reserve(std::size_t{1} << 22);
         REQUIRE(mesh.load(s) == NETMESH_OK);
         CHECK(s.check() == NETMESH_OK);
-        REQUIRE(netmesh_persist(s.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                                &s.options) == NETMESH_OK);
+        REQUIRE(s.persist() == NETMESH_OK);
         CHECK(s.pairs().size() == 1);
         CHECK(std::isinf(s.pairs()[0].death));
     }
 }
 
 TEST_CASE("two inputs too near for so few vertices") {
-    for (int dim = 2; dim <= 4; ++dim) {
+    for (const int dim : dimensions(2, 4)) {
         CAPTURE(dim);
         inputs::Points points = inputs::uniform(dim, static_cast<std::size_t>(dim) + 2);
         for (int k = 0; k < dim; ++k) points[static_cast<std::size_t>(k)] = 1e-30 * (k == 0);
@@ -147,35 +142,37 @@ TEST_CASE("two inputs too near for so few vertices") {
         mesh.domain.assign(static_cast<std::size_t>(dim), 0.5);
         mesh.domain.push_back(1.5);
         s.reserve(std::size_t{1} << 22);
-        s.options.tau = 2.0001;
+        s.request.tau = 2.0001;
         REQUIRE(mesh.load(s) == NETMESH_OK);
-        CHECK(check(s, NETMESH_CHECK_BOUNDS) == NETMESH_CHECK_FAILED);
+        CHECK(s.check(NETMESH_CHECK_BOUNDS) == NETMESH_CHECK_FAILED);
         CHECK(said(s).find("3.4.2") != std::string::npos);
     }
 }
 
 TEST_CASE("rows of points that scales cannot be meshed with") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const std::size_t d = static_cast<std::size_t>(dim);
         Session s(dim);
         s.reserve(std::size_t{1} << 22);
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
             const inputs::Points one(d, 0.25);
-            REQUIRE(netmesh_persist_scales(s.context, one.data(), 1, values, 9, 0, &s.options) == NETMESH_OK);
+            netmesh_scales_request request = s.scales_request(one);
+            request.values = values;
+            request.max_degree = 9;
+            REQUIRE(netmesh_persist_scales(s.context, &request) == NETMESH_OK);
             CHECK(s.pairs().size() == 1);
-            CHECK(s.report().scales == 1);
-            CHECK(netmesh_represent(s.context, &s.options) == NETMESH_NO_RESULT);
+            CHECK(s.report().scales.count == 1);
+            CHECK(s.represent() == NETMESH_NO_RESULT);
             CHECK(s.check() == NETMESH_NO_RESULT);
-            netmesh_analysis analysis = {};
-            analysis.struct_bytes = sizeof analysis;
-            CHECK(netmesh_analyse(s.context, NETMESH_ANALYSE_FATNESS, 0, &s.options, &analysis) == NETMESH_NO_RESULT);
+            netmesh_analysis analysis;
+            CHECK(s.analyse(&analysis, NETMESH_ANALYSE_FATNESS) == NETMESH_NO_RESULT);
         }
         const auto refused = [&](const inputs::Points& p, netmesh_status status, std::uint64_t a, std::uint64_t b) {
-            CHECK(netmesh_persist_scales(s.context, p.data(), p.size() / d, NETMESH_VALUES_CERTIFIED, 1, 0,
-                                         &s.options) == status);
-            CHECK(netmesh_get_detail(s.context).index_a == a);
-            CHECK(netmesh_get_detail(s.context).index_b == b);
+            const netmesh_scales_request request = s.scales_request(p);
+            CHECK(netmesh_persist_scales(s.context, &request) == status);
+            CHECK(s.detail().index_a == a);
+            CHECK(s.detail().index_b == b);
         };
         inputs::Points p(3 * d, 0.0);
         p[d] = 1;
@@ -191,7 +188,8 @@ TEST_CASE("rows of points that scales cannot be meshed with") {
         p[2 * d + 1] = 7e-5;  // chosen before the one above
         refused(p, NETMESH_TOO_CLOSE, 1, 2);
         p[d + 1] = p[2 * d + 1] = 1e-4;  // the size asked for is too little
-        refused(p, NETMESH_INVALID_ARGUMENT, 8, 0);
+        refused(p, NETMESH_INVALID_ARGUMENT, 0, 0);
+        CHECK(s.detail().field == NETMESH_FIELD_SIZES);
         p[2 * d] = HUGE_VAL;
         refused(p, NETMESH_NOT_FINITE, 2, 0);
     }

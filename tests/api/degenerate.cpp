@@ -2,6 +2,7 @@
 // triangulation of the hull with empty balls, exactly.
 #include <doctest/doctest.h>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -27,15 +28,14 @@ long long determinant(std::vector<std::vector<long long>> m) {
 
 // D! times the volume of all cells, for integer points; 0 when a cell is not positively oriented.
 long long volume(const Session& session) {
-    const std::size_t dim = session.options.dim;
+    const std::size_t dim = session.request.dim;
     long long sum = 0;
-    netmesh_cell cell;
-    for (std::uint64_t c = 0; netmesh_get_cell(session.context, c, &cell) == NETMESH_OK; ++c) {
-        netmesh_vertex first, other;
-        REQUIRE(netmesh_get_vertex(session.context, cell.vertices[0], &first) == NETMESH_OK);
+    const std::vector<netmesh_vertex> vertices = session.vertices();
+    for (const netmesh_cell& cell : read_all(session.context, netmesh_get_cell)) {
+        const netmesh_vertex& first = vertices.at(cell.vertices[0]);
         std::vector<std::vector<long long>> edges(dim, std::vector<long long>(dim));
         for (std::size_t i = 0; i < dim; ++i) {
-            REQUIRE(netmesh_get_vertex(session.context, cell.vertices[i + 1], &other) == NETMESH_OK);
+            const netmesh_vertex& other = vertices.at(cell.vertices[i + 1]);
             for (std::size_t a = 0; a < dim; ++a)
                 edges[i][a] = static_cast<long long>(other.coordinates[a] - first.coordinates[a]);
         }
@@ -71,24 +71,24 @@ inputs::Points flat_points(int dim, int flat, std::size_t n) {
 }  // namespace
 
 TEST_CASE("grids: empty balls, and the cells fill the cube exactly") {
-    const int side[] = {0, 0, 30, 9, 5, 4, 3};
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
+        const int side = by_dimension<int>(dim, {30, 9, 5, 4, 3});
         INFO("D = " << dim);
         Session session(dim);
-        REQUIRE(session.delaunay(inputs::grid(dim, side[dim])) == NETMESH_OK);
+        REQUIRE(session.delaunay(inputs::grid(dim, side)) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
         long long factorial = 1;
         for (int i = 2; i <= dim; ++i) factorial *= i;
-        CHECK(volume(session) == factorial * power(side[dim] - 1, dim));
-        CHECK(session.report().vertices == static_cast<std::uint64_t>(power(side[dim], dim)));
+        CHECK(volume(session) == factorial * power(side - 1, dim));
+        CHECK(session.report().mesh.vertices == static_cast<std::uint64_t>(power(side, dim)));
     }
 }
 
 TEST_CASE("integer points of one norm: all of them cospherical") {
-    const int norm_squared[] = {0, 0, 32045, 161, 14, 7, 3};
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
+        const int norm_squared = by_dimension<int>(dim, {32045, 161, 14, 7, 3});
         INFO("D = " << dim);
-        const inputs::Points points = inputs::cospherical(dim, norm_squared[dim]);
+        const inputs::Points points = inputs::cospherical(dim, norm_squared);
         REQUIRE(points.size() / static_cast<std::size_t>(dim) >= 64);
         Session session(dim);
         REQUIRE(session.delaunay(points) == NETMESH_OK);
@@ -102,16 +102,15 @@ TEST_CASE("integer points of one norm: all of them cospherical") {
         CHECK(session.check() == NETMESH_OK);
         CHECK(volume(session) == hull);
         const std::uint32_t centre = static_cast<std::uint32_t>(points.size() / static_cast<std::size_t>(dim));
-        netmesh_cell cell;
         std::uint64_t without = 0;
-        for (std::uint64_t c = 0; netmesh_get_cell(session.context, c, &cell) == NETMESH_OK; ++c)
+        for (const netmesh_cell& cell : read_all(session.context, netmesh_get_cell))
             without += std::find(cell.vertices, cell.vertices + dim + 1, centre) == cell.vertices + dim + 1;
         CHECK(without == 0);
     }
 }
 
 TEST_CASE("duplicates are merged into the first and counted") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         INFO("D = " << dim);
         const std::size_t n = dim < 4 ? 300 : 60;
         const inputs::Points points = inputs::repeated(dim, inputs::uniform(dim, n), 3);
@@ -119,9 +118,9 @@ TEST_CASE("duplicates are merged into the first and counted") {
         REQUIRE(session.delaunay(points) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
         const netmesh_report report = session.report();
-        CHECK(report.points == 3 * n);
-        CHECK(report.duplicates == 2 * n);
-        CHECK(report.vertices == n);
+        CHECK(report.input.points == 3 * n);
+        CHECK(report.input.duplicates == 2 * n);
+        CHECK(report.mesh.vertices == n);
         // The vertices are the first occurrences in input order.
         std::vector<std::vector<double>> firsts;
         for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim)) {
@@ -131,7 +130,7 @@ TEST_CASE("duplicates are merged into the first and counted") {
         }
         std::size_t different = 0;
         for (std::size_t v = 0; v < firsts.size(); ++v) {
-            netmesh_vertex vertex;
+            auto vertex = netmesh::sized<netmesh_vertex>();
             REQUIRE(netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK);
             different += !std::equal(firsts[v].begin(), firsts[v].end(), vertex.coordinates);
         }
@@ -140,19 +139,19 @@ TEST_CASE("duplicates are merged into the first and counted") {
 }
 
 TEST_CASE("points at every scale from 1 down to 2^-1000") {
-    const int step[] = {0, 0, 1, 2, 5, 8, 16};
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
+        const int step = by_dimension<int>(dim, {1, 2, 5, 8, 16});
         INFO("D = " << dim);
-        const inputs::Points points = inputs::zoom(dim, 1000, step[dim]);
+        const inputs::Points points = inputs::zoom(dim, 1000, step);
         Session session(dim);
         REQUIRE(session.delaunay(points) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
-        CHECK(session.report().vertices == points.size() / static_cast<std::size_t>(dim));
+        CHECK(session.report().mesh.vertices == points.size() / static_cast<std::size_t>(dim));
     }
 }
 
 TEST_CASE("flat inputs are refused") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Session session(dim);
         for (int flat = 0; flat < dim; ++flat) {
             INFO("D = " << dim << ", points of a flat of dimension " << flat);
@@ -166,9 +165,9 @@ TEST_CASE("flat inputs are refused") {
         const inputs::Points simplex = inputs::uniform(dim, static_cast<std::size_t>(dim) + 1);
         for (std::size_t n = 1; n <= static_cast<std::size_t>(dim) + 1; ++n) {
             INFO("D = " << dim << ", " << n << " points");
-            CHECK(netmesh_delaunay(session.context, simplex.data(), n, &session.options) ==
-                  (n <= static_cast<std::size_t>(dim) ? NETMESH_FLAT : NETMESH_OK));
+            const inputs::Points first(simplex.begin(), simplex.begin() + static_cast<std::ptrdiff_t>(n) * dim);
+            CHECK(session.delaunay_in_block(first) == (n <= static_cast<std::size_t>(dim) ? NETMESH_FLAT : NETMESH_OK));
         }
-        CHECK(session.report().cells == 1);
+        CHECK(session.report().mesh.cells == 1);
     }
 }

@@ -8,59 +8,59 @@
 #include <string>
 
 #include "common/arrays.hpp"
+#include "common/dimensions.hpp"
+#include "common/session.hpp"
 
 namespace {
 
-std::string said(const Session& s) { return netmesh_get_detail(s.context).message; }
+std::string said(const Session& s) { return s.detail().message; }
 
 // Few in high dimensions: meshes grow fast.
-constexpr std::size_t points_of[] = {0, 0, 8, 5, 3, 3, 3};
+std::size_t points_of(int dim) { return by_dimension<std::size_t>(dim, {8, 5, 3, 3, 3}); }
 
 struct Meshed : Session {
-    explicit Meshed(int dim, netmesh_job job = NETMESH_JOB_PERSIST) : Session(dim) {
+    explicit Meshed(int dim, netmesh_purpose purpose = NETMESH_PURPOSE_PERSIST) : Session(dim) {
         reserve(std::size_t{1} << 23);
-        REQUIRE(mesh(inputs::uniform(dim, points_of[dim]), job) == NETMESH_OK);
+        REQUIRE(mesh(inputs::uniform(dim, points_of(dim)), purpose) == NETMESH_OK);
     }
 };
 
 }  // namespace
 
 TEST_CASE("each check alone") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Meshed s(dim);
-        for (const std::uint32_t what : {1u, 2u, 4u, 8u, 9u})
-            CHECK(netmesh_check(s.context, what, &s.options) == NETMESH_OK);
+        for (const std::uint32_t what : {1u, 2u, 4u, 8u, 9u}) CHECK(s.check(what) == NETMESH_OK);
         Session points(dim);
-        REQUIRE(points.delaunay(inputs::uniform(dim, 2 * points_of[dim] + 4)) == NETMESH_OK);
-        for (const std::uint32_t what : {1u, 2u, 4u, 8u, 16u})
-            CHECK(netmesh_check(points.context, what, &points.options) == NETMESH_OK);
+        REQUIRE(points.delaunay(inputs::uniform(dim, 2 * points_of(dim) + 4)) == NETMESH_OK);
+        for (const std::uint32_t what : {1u, 2u, 4u, 8u, 16u}) CHECK(points.check(what) == NETMESH_OK);
     }
 }
 
 TEST_CASE("quality that is not there") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Meshed s(dim);
         if (dim < 4) {  // above, these few points have no corners in the domain
-            s.options.tau = 2.0001;
-            CHECK(netmesh_check(s.context, NETMESH_CHECK_QUALITY, &s.options) == NETMESH_CHECK_FAILED);
+            s.request.tau = 2.0001;
+            CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
             CHECK(said(s) == "a clipped Voronoi cell has an aspect ratio above tau");
-            s.options.tau = 0;
-            s.options.over_refine_eps = 1e-3;
-            CHECK(netmesh_check(s.context, NETMESH_CHECK_QUALITY, &s.options) == NETMESH_CHECK_FAILED);
+            s.request.tau = 0;
+            s.request.sizes.eps = 1e-3;
+            CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
             CHECK(said(s) == "a clipped Voronoi cell is larger than the size asked for");
-            s.options.over_refine_eps = 0;
+            s.request.sizes.eps = 0;
         }
         Arrays mesh(s);
         for (std::uint8_t& m : mesh.markers) m = m == 2 ? 1 : m;
         REQUIRE(mesh.load(s) == NETMESH_OK);
-        CHECK(netmesh_check(s.context, NETMESH_CHECK_QUALITY, &s.options) == NETMESH_CHECK_FAILED);
+        CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         CHECK(said(s) == "a vertex of the mesh's hull is not exempt");
     }
 }
 
 TEST_CASE("vertices that were moved") {
-    for (int dim = 2; dim <= 5; ++dim) {
+    for (const int dim : dimensions(2, 5)) {
         CAPTURE(dim);
         Meshed s(dim);
         const Arrays mesh(s);
@@ -72,12 +72,13 @@ TEST_CASE("vertices that were moved") {
             Session other(dim);
             other.reserve(std::size_t{1} << 23);
             REQUIRE(moved.load(other) == NETMESH_OK);
-            failed += netmesh_check(other.context, 7, &other.options) == NETMESH_CHECK_FAILED;
-            netmesh_check(other.context, NETMESH_CHECK_QUALITY, &other.options);
-            if (dim < 4) netmesh_check(other.context, NETMESH_CHECK_BOUNDS, &other.options);
+            failed += other.check(7) == NETMESH_CHECK_FAILED;
+            other.check(NETMESH_CHECK_QUALITY);
+            if (dim < 4) other.check(NETMESH_CHECK_BOUNDS);
             for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_TIGHT}) {
-                const netmesh_status status =
-                    netmesh_persist(other.context, filter, NETMESH_VALUES_CERTIFIED, 6, 1, &other.options);
+                netmesh_persist_request all = persist_by(filter);
+                all.keep_zero_pairs = 1;
+                const netmesh_status status = other.persist(all);
                 CHECK((status == NETMESH_OK || status == NETMESH_INTERNAL || status == NETMESH_OUT_OF_MEMORY));
             }
         }
@@ -86,50 +87,51 @@ TEST_CASE("vertices that were moved") {
 }
 
 TEST_CASE("arrays that cannot be loaded") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         Meshed s(dim);
         const Arrays mesh(s);
         const std::size_t n = mesh.markers.size(), cells = mesh.cells.size() / (mesh.dim + 1);
-        const double* const x = mesh.vertices.data();
-        const std::uint8_t* const m = mesh.markers.data();
-        const std::uint32_t* const c = mesh.cells.data();
-        const double* const ball = mesh.domain.data();
-        const auto refused = [&](netmesh_status status, std::uint64_t position) {
+        const auto refused = [&](netmesh_status status, netmesh_field field) {
             CHECK(status == NETMESH_INVALID_ARGUMENT);
-            CHECK(netmesh_get_detail(s.context).index_a == position);
-            CHECK(s.report().cells == cells);
+            CHECK(s.detail().field == field);
+            CHECK(s.report().mesh.cells == cells);
         };
-        const netmesh_options& o = s.options;
-        refused(netmesh_load(s.context, nullptr, m, n, c, cells, ball, &o), 2);
-        refused(netmesh_load(s.context, x, m, 0, c, cells, ball, &o), 2);
-        refused(netmesh_load(s.context, x, nullptr, n, c, cells, ball, &o), 3);
+        const auto without = [&](auto member, auto value, netmesh_field field) {
+            netmesh_load_request request = mesh.load_request(s.request);
+            request.*member = value;
+            refused(netmesh_load(s.context, &request), field);
+        };
+        using Request = netmesh_load_request;
+        without(&Request::vertices, nullptr, NETMESH_FIELD_VERTICES);
+        without(&Request::vertex_count, 0, NETMESH_FIELD_VERTEX_COUNT);
+        without(&Request::markers, nullptr, NETMESH_FIELD_MARKERS);
+        without(&Request::cells, nullptr, NETMESH_FIELD_CELLS);
+        without(&Request::cell_count, 0, NETMESH_FIELD_CELL_COUNT);
+        without(&Request::cell_count, (std::size_t{1} << 29) + 1, NETMESH_FIELD_CELL_COUNT);
+        refused(netmesh_load(s.context, nullptr), NETMESH_FIELD_REQUEST);
         Arrays wrong = mesh;
         wrong.markers[0] = 3;
-        refused(wrong.load(s), 3);
+        refused(wrong.load(s), NETMESH_FIELD_MARKERS);
         wrong.markers[0] = 2;
-        refused(wrong.load(s), 3);  // inputs come first
+        refused(wrong.load(s), NETMESH_FIELD_MARKERS);  // inputs come first
         wrong.markers.assign(n, 1);
-        refused(wrong.load(s), 3);  // there are none
-        refused(netmesh_load(s.context, x, m, n, nullptr, cells, ball, &o), 5);
-        refused(netmesh_load(s.context, x, m, n, c, 0, ball, &o), 5);
-        refused(netmesh_load(s.context, x, m, n, c, (std::size_t{1} << 29) + 1, ball, &o), 6);
+        refused(wrong.load(s), NETMESH_FIELD_MARKERS);  // there are none
         for (const double radius : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
             wrong = mesh;
             wrong.domain.back() = radius;
-            refused(wrong.load(s), 7);
+            refused(wrong.load(s), NETMESH_FIELD_DOMAIN);
         }
         wrong = mesh;
         wrong.domain[0] = std::numeric_limits<double>::quiet_NaN();
-        refused(wrong.load(s), 7);
-        refused(netmesh_load(s.context, x, m, n, c, cells, ball, nullptr), 8);
+        refused(wrong.load(s), NETMESH_FIELD_DOMAIN);
         wrong = mesh;
         wrong.vertices[static_cast<std::size_t>(dim)] = std::numeric_limits<double>::infinity();
         CHECK(wrong.load(s) == NETMESH_NOT_FINITE);
-        CHECK(netmesh_get_detail(s.context).index_a == 1);
+        CHECK(s.detail().index_a == 1);
         wrong = mesh;
         wrong.cells[1] = static_cast<std::uint32_t>(n);
         CHECK(wrong.load(s) == NETMESH_CHECK_FAILED);
-        CHECK(s.report().cells == 0);
+        CHECK(s.report().mesh.cells == 0);
         wrong = mesh;
         wrong.cells[0] = wrong.cells[1];
         CHECK(wrong.load(s) == NETMESH_CHECK_FAILED);
@@ -141,31 +143,31 @@ TEST_CASE("arrays that cannot be loaded") {
 }
 
 TEST_CASE("cages of another size") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Session s(dim);
         s.reserve(std::size_t{1} << 23);
-        s.options.method = NETMESH_METHOD_NETMESH;
+        s.request.method = NETMESH_METHOD_HIERARCHY;
         const std::size_t count = dim < 4 ? 6 : dim == 4 ? 4 : 3;
         REQUIRE(s.mesh(inputs::geometric(dim, 40, count)) == NETMESH_OK);
-        CHECK(netmesh_check(s.context, NETMESH_CHECK_ALL, &s.options) == NETMESH_OK);
+        CHECK(s.check() == NETMESH_OK);
         const Arrays mesh(s);
         REQUIRE(!mesh.cages.empty());
-        s.options.tau = 2.0001;
-        CHECK(netmesh_check(s.context, NETMESH_CHECK_QUALITY, &s.options) == NETMESH_CHECK_FAILED);
-        s.options.tau = 0;
+        s.request.tau = 2.0001;
+        CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
+        s.request.tau = 0;
         REQUIRE(mesh.load(s) == NETMESH_OK);
-        CHECK(netmesh_load_cages(s.context, mesh.cages.data(), mesh.cages.size(), &s.options) == NETMESH_OK);
-        CHECK(netmesh_check(s.context, NETMESH_CHECK_ALL, &s.options) == NETMESH_OK);
+        CHECK(mesh.load_cages(s) == NETMESH_OK);
+        CHECK(s.check() == NETMESH_OK);
         int failed = 0;
         for (const double factor : {0.01, 0.7, 3.0, 1e4})
             for (std::size_t d = 0; d < mesh.cages.size(); ++d) {
-                std::vector<netmesh_cage> other = mesh.cages;
-                other[d].radius *= factor;
-                const netmesh_status status = netmesh_load_cages(s.context, other.data(), other.size(), &s.options);
+                Arrays other = mesh;
+                other.cages[d].radius *= factor;
+                const netmesh_status status = other.load_cages(s);
                 CHECK((status == NETMESH_OK || status == NETMESH_CHECK_FAILED));
                 if (status == NETMESH_OK)
-                    failed += netmesh_check(s.context, NETMESH_CHECK_QUALITY, &s.options) == NETMESH_CHECK_FAILED;
+                    failed += s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED;
                 else
                     ++failed;
                 std::vector<double> ratios(mesh.markers.size());
@@ -173,35 +175,36 @@ TEST_CASE("cages of another size") {
                 CHECK(netmesh_measure_cells(s.context, ratios.data(), domains.data()) == NETMESH_OK);
             }
         CHECK(failed > 0);
-        REQUIRE(netmesh_load_cages(s.context, mesh.cages.data(), mesh.cages.size(), &s.options) == NETMESH_OK);
-        std::vector<netmesh_cage> moved = mesh.cages;
-        for (netmesh_cage& cage : moved) cage.centre = s.report().inputs;  // no input
-        CHECK(netmesh_load_cages(s.context, moved.data(), moved.size(), &s.options) == NETMESH_CHECK_FAILED);
+        REQUIRE(mesh.load_cages(s) == NETMESH_OK);
+        Arrays moved = mesh;
+        for (netmesh_cage& cage : moved.cages) cage.centre = s.report().mesh.inputs;  // no input
+        CHECK(moved.load_cages(s) == NETMESH_CHECK_FAILED);
     }
 }
 
 TEST_CASE("filters, values and bounds") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         Meshed s(dim);
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS})
             for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_TIGHT,
                                                 NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
                 for (const std::uint32_t k : {0u, 2u, 3u}) {
-                    s.options.k = k;
                     const bool counts = filter == NETMESH_FILTER_KNN || filter == NETMESH_FILTER_KDISTANCE;
                     if (!counts && k > 0) continue;
-                    REQUIRE(netmesh_persist(s.context, filter, values, k == 2 ? 1 : 9, k == 3, &s.options) ==
-                            NETMESH_OK);
-                    CHECK(s.report().essential[0] == 1);
+                    netmesh_persist_request request = persist_by(filter, k, values);
+                    request.max_degree = k == 2 ? 1 : 9;
+                    request.keep_zero_pairs = k == 3 ? 1 : 0;
+                    REQUIRE(s.persist(request) == NETMESH_OK);
+                    CHECK(s.report().diagram.essential[0] == 1);
                     const std::uint64_t before = s.report().fingerprint;
-                    CHECK(netmesh_represent(s.context, &s.options) == NETMESH_OK);
+                    CHECK(s.represent() == NETMESH_OK);
                     CHECK(s.report().fingerprint == before);
                     if (filter == NETMESH_FILTER_BASIC) continue;
-                    REQUIRE(netmesh_bound_bars(s.context, &s.options) == NETMESH_OK);
+                    REQUIRE(s.bound_bars() == NETMESH_OK);
                     const std::vector<netmesh_pair> pairs = s.pairs();
                     for (std::uint64_t i = 0; i < pairs.size(); ++i) {
-                        netmesh_bar_bounds b;
+                        auto b = netmesh::sized<netmesh_bar_bounds>();
                         REQUIRE(netmesh_get_bar_bounds(s.context, i, &b) == NETMESH_OK);
                         CHECK(b.birth_low <= pairs[i].birth);
                         CHECK(b.birth_high >= pairs[i].birth);
@@ -210,10 +213,14 @@ TEST_CASE("filters, values and bounds") {
         if (dim > 4) continue;
         for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
             for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-                REQUIRE(netmesh_vineyard(s.context, filter, 1, 3, values, 2, &s.options) == NETMESH_OK);
-                CHECK(s.report().vines > 0);
+                netmesh::requests::Vineyard request(filter);
+                request.k_last = 3;
+                request.values = values;
+                request.max_degree = 2;
+                REQUIRE(s.vineyard(request) == NETMESH_OK);
+                CHECK(s.report().vineyard.vines > 0);
             }
-        CHECK(netmesh_bound_bars(s.context, &s.options) == NETMESH_NO_RESULT);
+        CHECK(s.bound_bars() == NETMESH_NO_RESULT);
     }
 }
 
@@ -240,7 +247,7 @@ double shape(void* user, const double* x) {
 }  // namespace
 
 TEST_CASE("functions of every shape") {
-    for (int dim = 2; dim <= 6; ++dim)
+    for (const int dim : dimensions())
         for (int kind = 0; kind <= 5; ++kind)
             for (const double cut : {0.0, 0.5, 3.0, 20.0})
                 for (const double factor : {0.0, 8.0}) {
@@ -249,26 +256,28 @@ TEST_CASE("functions of every shape") {
                     CAPTURE(kind);
                     Session s(dim);
                     s.reserve(std::size_t{1} << 23);
-                    REQUIRE(s.mesh(inputs::uniform(dim, dim < 4 ? 4 : 2), NETMESH_JOB_PERSIST) == NETMESH_OK);
+                    REQUIRE(s.mesh(inputs::uniform(dim, dim < 4 ? 4 : 2), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
                     Shape user = {kind, 0};
-                    const netmesh_function f = {shape, &user, kind == 1 ? 0 : 1.5, factor, cut};
-                    const auto values = cut == 3 ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
-                    const netmesh_status status = netmesh_persist_function(s.context, &f, values, 6, 1, &s.options);
+                    const netmesh_function f = {sizeof f, shape, &user, kind == 1 ? 0 : 1.5, factor, cut};
+                    netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
+                    request.values = cut == 3 ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
+                    request.keep_zero_pairs = 1;
+                    const netmesh_status status = s.persist(f, request);
                     if (kind == 2 || kind == 3) {
                         CHECK(status == NETMESH_NOT_FINITE);
-                        CHECK(netmesh_get_detail(s.context).index_a == (kind == 2 ? 2 : 4));
-                        CHECK(s.report().cells > 0);
+                        CHECK(s.detail().index_a == (kind == 2 ? 2 : 4));
+                        CHECK(s.report().mesh.cells > 0);
                     } else if (factor == 0) {
                         CHECK(status == NETMESH_OK);
                     } else {  // the promise of a factor is false at inputs' neighbours for some shapes
                         CHECK((status == NETMESH_OK || status == NETMESH_INTERNAL));
                     }
-                    if (status == NETMESH_OK) CHECK(netmesh_bound_bars(s.context, &s.options) == NETMESH_OK);
+                    if (status == NETMESH_OK) CHECK(s.bound_bars() == NETMESH_OK);
                 }
 }
 
 TEST_CASE("places that are nearly the same") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const std::size_t d = static_cast<std::size_t>(dim);
         inputs::Points p(d, 0.0);
@@ -284,8 +293,8 @@ TEST_CASE("places that are nearly the same") {
         Session s(dim);
         s.reserve(std::size_t{1} << 23);
         REQUIRE(s.delaunay(p) == NETMESH_OK);
-        CHECK(s.report().vertices == d + 9);
-        CHECK(netmesh_check(s.context, 7, &s.options) == NETMESH_OK);
+        CHECK(s.report().mesh.vertices == d + 9);
+        CHECK(s.check(7) == NETMESH_OK);
         CHECK(s.mesh(p) == NETMESH_TOO_CLOSE);
         for (double& x : p) x = x < 0.5 && x > 0 ? 1 - 0x1p-53 : x;
         CHECK(s.mesh(p) == NETMESH_TOO_CLOSE);
@@ -300,10 +309,10 @@ TEST_CASE("places that are nearly the same") {
             CHECK(s.check() == NETMESH_OK);
         }
         CHECK(s.mesh(inputs::Points(5 * d, 0.5)) == NETMESH_OK);
-        CHECK(s.report().inputs == 1);
-        for (const netmesh_method method : {NETMESH_METHOD_NETMESH, NETMESH_METHOD_REFINE}) {
+        CHECK(s.report().mesh.inputs == 1);
+        for (const netmesh_method method : {NETMESH_METHOD_HIERARCHY, NETMESH_METHOD_REFINE}) {
             if (dim > 3 && method == NETMESH_METHOD_REFINE) continue;  // large meshes
-            s.options.method = method;
+            s.request.method = method;
             CHECK(s.mesh(inputs::Points(5 * d, 0.5)) == NETMESH_OK);
             CHECK(s.check() == NETMESH_OK);
         }

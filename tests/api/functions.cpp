@@ -21,53 +21,49 @@ TEST_CASE("a function of the caller's") {
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 60);
     int calls = 0;
-    netmesh_function function = {from_middle, &calls, 1, 1, 1.7};
-    const auto persist = [&] {
-        return netmesh_persist_function(session.context, &function, NETMESH_VALUES_CERTIFIED, 1, 0, &session.options);
-    };
+    netmesh_function function = {sizeof function, from_middle, &calls, 1, 1, 1.7};
+    const auto persist = [&] { return session.persist(function, netmesh::requests::Persist()); };
     CHECK(persist() == NETMESH_NO_RESULT);
-    REQUIRE(session.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_OK);
+    REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
     REQUIRE(persist() == NETMESH_OK);
     const netmesh_report report = session.report();
-    CHECK(calls == static_cast<int>(report.vertices));
-    CHECK(report.filter == NETMESH_FILTER_FUNCTION);
-    CHECK(report.certified_ratio > 1);
+    CHECK(calls == static_cast<int>(report.mesh.vertices));
+    CHECK(report.diagram.filter == NETMESH_FILTER_FUNCTION);
+    CHECK(report.diagram.certified_ratio > 1);
     // Bars that the certificate lets count: the essential one.
     int real = 0;
     for (const netmesh_pair& pair : session.pairs())
-        real += pair.death > pair.birth * report.certified_ratio * report.certified_ratio;
+        real += pair.death > pair.birth * report.diagram.certified_ratio * report.diagram.certified_ratio;
     CHECK(real == 1);
 
-    const auto refused = [&](const netmesh_function& f) {
-        return netmesh_persist_function(session.context, &f, NETMESH_VALUES_CERTIFIED, 1, 0, &session.options) ==
-                   NETMESH_INVALID_ARGUMENT &&
-               netmesh_get_detail(session.context).index_a == 2;
+    const auto refused = [&](const netmesh_function& f, netmesh_field field) {
+        CHECK(session.persist(f, netmesh::requests::Persist()) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == field);
     };
-    CHECK(refused({nullptr, nullptr, 1, 0, 2}));
-    CHECK(refused({from_middle, &calls, -1, 0, 2}));
-    CHECK(refused({from_middle, &calls, 1, INFINITY, 2}));
-    CHECK(refused({from_middle, &calls, 1, 0, std::nan("")}));
-    CHECK(session.report().has_diagram == 1);  // refused before anything was given up
+    const std::uint32_t bytes = sizeof function;
+    refused({bytes, nullptr, nullptr, 1, 0, 2}, NETMESH_FIELD_FUNCTION);
+    refused({bytes, from_middle, &calls, -1, 0, 2}, NETMESH_FIELD_LIPSCHITZ);
+    refused({bytes, from_middle, &calls, 1, INFINITY, 2}, NETMESH_FIELD_DISTANCE_FACTOR);
+    refused({bytes, from_middle, &calls, 1, 0, std::nan("")}, NETMESH_FIELD_CUT);
+    CHECK(session.report().diagram.present == 1);  // refused before anything was given up
     for (const auto evaluate : {negative, undefined}) {
         function.evaluate = evaluate;
         CHECK(persist() == NETMESH_NOT_FINITE);
-        CHECK(session.report().has_diagram == 0);
+        CHECK(session.report().diagram.present == 0);
     }
     CHECK(session.report().complete == 1);
-    CHECK(netmesh_persist(session.context, NETMESH_FILTER_FUNCTION, NETMESH_VALUES_CERTIFIED, 1, 0, &session.options) ==
-          NETMESH_INVALID_ARGUMENT);
+    CHECK(session.persist(NETMESH_FILTER_FUNCTION) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_FUNCTION);
 }
 
 TEST_CASE("k: one mesh for all, as many neighbours as there are points") {
     Session session(3);
     inputs::Points points = inputs::uniform(3, 40);
     points.insert(points.end(), points.begin(), points.begin() + 3);  // a duplicate is no neighbour
-    REQUIRE(session.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_OK);
+    REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
     double last = -1;
     for (std::uint32_t k = 1; k <= 40; k += 13) {
-        session.options.k = k;
-        REQUIRE(netmesh_persist(session.context, NETMESH_FILTER_KNN, NETMESH_VALUES_THESIS, 2, 0, &session.options) ==
-                NETMESH_OK);
+        REQUIRE(session.persist(persist_by(NETMESH_FILTER_KNN, k, NETMESH_VALUES_THESIS)) == NETMESH_OK);
         const std::vector<netmesh_pair> pairs = session.pairs();
         double least = 1e9;
         for (const netmesh_pair& pair : pairs)
@@ -75,10 +71,7 @@ TEST_CASE("k: one mesh for all, as many neighbours as there are points") {
         CHECK(least > last);
         last = least;
     }
-    session.options.k = 41;
-    CHECK(netmesh_persist(session.context, NETMESH_FILTER_KDISTANCE, NETMESH_VALUES_THESIS, 2, 0, &session.options) ==
-          NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_get_detail(session.context).index_a == 7);
-    CHECK(netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_THESIS, 2, 0, &session.options) ==
-          NETMESH_OK);
+    CHECK(session.persist(persist_by(NETMESH_FILTER_KDISTANCE, 41, NETMESH_VALUES_THESIS)) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_K);
+    CHECK(session.persist(persist_by(NETMESH_FILTER_COMPLETE, 41, NETMESH_VALUES_THESIS)) == NETMESH_OK);
 }

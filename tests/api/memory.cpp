@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "common/inputs.hpp"
-#include "netmesh.h"
+#include "common/calls.hpp"
+#include "common/dimensions.hpp"
 
 namespace {
 
@@ -33,10 +33,9 @@ private:
     std::vector<unsigned char> memory_;
 };
 
-std::uint64_t fingerprint(netmesh_context* context) {
-    netmesh_report report;
-    report.struct_bytes = sizeof report;
-    REQUIRE(netmesh_get_report(context, &report) == NETMESH_OK);
+std::uint64_t fingerprint(const Calls& calls) {
+    auto report = netmesh::sized<netmesh_report>();
+    REQUIRE(netmesh_get_report(calls.context, &report) == NETMESH_OK);
     return report.fingerprint;
 }
 
@@ -46,38 +45,33 @@ struct Sweep {
 };
 
 void run_at(int dim, const inputs::Points& points, bool alpha, std::size_t bytes, unsigned char fill, Sweep* sweep) {
-    netmesh_options options;
-    netmesh_options_init(&options, static_cast<std::uint32_t>(dim));
     GuardedBlock memory(bytes, fill);
-    netmesh_context* context;
-    netmesh_status status = netmesh_init(memory.block(), bytes, &context);
+    Calls calls(dim);
+    netmesh_status status = netmesh_init(memory.block(), bytes, &calls.context);
     if (status == NETMESH_OUT_OF_MEMORY) {
         ++sweep->refused;
         return;
     }
     REQUIRE(status == NETMESH_OK);
-    const std::size_t n = points.size() / static_cast<std::size_t>(dim);
-    status = alpha ? netmesh_delaunay(context, points.data(), n, &options)
-                   : netmesh_mesh(context, points.data(), n, NETMESH_JOB_PERSIST, &options);
-    if (status == NETMESH_OK)
-        status = netmesh_persist(context, alpha ? NETMESH_FILTER_ALPHA : NETMESH_FILTER_COMPLETE,
-                                 NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &options);
+    status = alpha ? calls.delaunay_in_block(points) : calls.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+    if (status == NETMESH_OK) status = calls.persist(alpha ? NETMESH_FILTER_ALPHA : NETMESH_FILTER_COMPLETE);
     REQUIRE(memory.guards_intact());
     if (status == NETMESH_OK) {
-        if (sweep->whole++ == 0) sweep->result = fingerprint(context);
-        CHECK(fingerprint(context) == sweep->result);
+        if (sweep->whole++ == 0) sweep->result = fingerprint(calls);
+        CHECK(fingerprint(calls) == sweep->result);
         return;
     }
     REQUIRE(status == NETMESH_OUT_OF_MEMORY);
     ++sweep->failures;
-    CHECK(netmesh_get_detail(context).bytes_wanted > bytes);
-    const netmesh_status checked = netmesh_check(
-        context, NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY, &options);
+    CHECK(calls.detail().bytes_wanted > bytes);
+    const netmesh_status checked =
+        calls.check(NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY);
     CHECK((checked == NETMESH_OK || checked == NETMESH_NO_RESULT));
     sweep->partial += checked == NETMESH_OK;
 }
 
 void run_sweep(int dim, std::size_t n, bool alpha, std::size_t step, std::size_t last) {
+    if (dimensions({dim}).empty()) return;
     CAPTURE(dim);
     CAPTURE(alpha);
     const inputs::Points points = inputs::uniform(dim, n);
@@ -101,25 +95,23 @@ TEST_CASE("every block size ends in a status and a whole result so far") {
 
 TEST_CASE("a job cancelled at any poll leaves a Delaunay mesh, and the next run is not affected") {
     const inputs::Points points = inputs::uniform(3, 1500);
-    netmesh_options options;
-    netmesh_options_init(&options, 3);
     const std::size_t bytes = std::size_t{1} << 26;
     GuardedBlock memory(bytes, 0x55);
-    netmesh_context* context;
-    REQUIRE(netmesh_init(memory.block(), bytes, &context) == NETMESH_OK);
+    Calls calls(3);
+    REQUIRE(netmesh_init(memory.block(), bytes, &calls.context) == NETMESH_OK);
     const auto run = [&] {
-        const netmesh_status status = netmesh_mesh(context, points.data(), 1500, NETMESH_JOB_PERSIST, &options);
-        if (status != NETMESH_OK) return status;
-        return netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 3, 0, &options);
+        const netmesh_status status = calls.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+        return status == NETMESH_OK ? calls.persist() : status;
     };
     REQUIRE(run() == NETMESH_OK);
-    const std::uint64_t whole = fingerprint(context);
+    const std::uint64_t whole = fingerprint(calls);
     int left = 0;
-    options.poll = [](void* user, const netmesh_progress* progress) {
+    const netmesh_poll stop = [](void* user, const netmesh_progress* progress) {
         CHECK(progress->stage != NETMESH_STAGE_NONE);
         return --*static_cast<int*>(user) < 0 ? 1 : 0;
     };
-    options.user = &left;
+    calls.request.monitor.poll = stop;
+    calls.request.monitor.user = &left;
     int cancelled = 0;
     for (int polls = 0;; ++polls) {
         left = polls;
@@ -127,48 +119,49 @@ TEST_CASE("a job cancelled at any poll leaves a Delaunay mesh, and the next run 
         if (status == NETMESH_OK) break;
         REQUIRE(status == NETMESH_CANCELLED);
         ++cancelled;
-        CHECK(netmesh_check(context, NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY, &options) == NETMESH_OK);
+        calls.request.monitor.poll = nullptr;
+        CHECK(calls.check(NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY) == NETMESH_OK);
+        calls.request.monitor.poll = stop;
     }
     CHECK(cancelled > 5);
-    CHECK(fingerprint(context) == whole);
+    CHECK(fingerprint(calls) == whole);
     CHECK(memory.guards_intact());
 }
 
-TEST_CASE("arguments that cannot be meant are refused by position, and nothing is lost") {
+TEST_CASE("arguments that cannot be meant are refused by their field, and nothing is lost") {
     const inputs::Points points = inputs::uniform(2, 20);
-    netmesh_options options;
-    netmesh_options_init(&options, 2);
     const std::size_t bytes = 1 << 20;
     GuardedBlock memory(bytes, 0);
-    netmesh_context* context;
+    Calls calls(2);
+    netmesh_context*& context = calls.context;
     CHECK(netmesh_init(nullptr, bytes, &context) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_init(memory.block() + 8, bytes - 8, &context) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_init(memory.block(), 100, &context) == NETMESH_OUT_OF_MEMORY);
     REQUIRE(netmesh_init(memory.block(), bytes, &context) == NETMESH_OK);
-    REQUIRE(netmesh_mesh(context, points.data(), 20, NETMESH_JOB_PERSIST, &options) == NETMESH_OK);
-    const std::uint64_t before = fingerprint(context);
-    const auto refused = [&](netmesh_status status, std::uint64_t position) {
+    REQUIRE(calls.mesh_in_block(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+    const std::uint64_t before = fingerprint(calls);
+    const auto refused = [&](netmesh_status status, netmesh_field field) {
         CHECK(status == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_get_detail(context).index_a == position);
-        CHECK(netmesh_get_detail(context).message[0] != '\0');
-        CHECK(fingerprint(context) == before);
+        CHECK(calls.detail().field == field);
+        CHECK(calls.detail().message[0] != '\0');
+        CHECK(fingerprint(calls) == before);
     };
-    refused(netmesh_mesh(context, nullptr, 20, NETMESH_JOB_MESH, &options), 2);
-    refused(netmesh_mesh(context, points.data(), 0, NETMESH_JOB_MESH, &options), 3);
-    refused(netmesh_mesh(context, points.data(), 20, NETMESH_JOB_DELAUNAY, &options), 4);
-    for (const double tau : {2.0, 1.0, -3.0, 1.0 / 0.0}) {
-        options.tau = tau;
-        refused(netmesh_mesh(context, points.data(), 20, NETMESH_JOB_MESH, &options), 5);
-    }
-    options.tau = 0;
-    options.dim = 7;
-    refused(netmesh_mesh(context, points.data(), 20, NETMESH_JOB_MESH, &options), 5);
-    options.dim = 2;
-    refused(netmesh_persist(context, static_cast<netmesh_filter>(9), NETMESH_VALUES_CERTIFIED, 1, 0, &options), 2);
-    CHECK(netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 1, 0, &options) ==
-          NETMESH_NO_RESULT);
-    CHECK(fingerprint(context) == before);
-    netmesh_pair pair;
+    const auto mesh_refused = [&](auto member, auto value, netmesh_field field) {
+        netmesh_mesh_request request = calls.mesh_request(points);
+        request.*member = value;
+        refused(netmesh_mesh(context, &request), field);
+    };
+    using Request = netmesh_mesh_request;
+    mesh_refused(&Request::points, nullptr, NETMESH_FIELD_POINTS);
+    mesh_refused(&Request::point_count, 0, NETMESH_FIELD_POINT_COUNT);
+    mesh_refused(&Request::purpose, static_cast<netmesh_purpose>(3), NETMESH_FIELD_PURPOSE);
+    for (const double tau : {2.0, 1.0, -3.0, 1.0 / 0.0}) mesh_refused(&Request::tau, tau, NETMESH_FIELD_TAU);
+    mesh_refused(&Request::dim, 7, NETMESH_FIELD_DIM);
+    refused(calls.persist(static_cast<netmesh_filter>(9)), NETMESH_FIELD_FILTER);
+    CHECK(calls.persist(NETMESH_FILTER_ALPHA) == NETMESH_NO_RESULT);
+    CHECK(fingerprint(calls) == before);
+    auto pair = netmesh::sized<netmesh_pair>();
     CHECK(netmesh_get_pair(context, 0, &pair) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_delaunay(nullptr, points.data(), 20, &options) == NETMESH_INVALID_ARGUMENT);
+    const netmesh_delaunay_request request = calls.delaunay_request(points);
+    CHECK(netmesh_delaunay(nullptr, &request) == NETMESH_INVALID_ARGUMENT);
 }

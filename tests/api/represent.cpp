@@ -4,20 +4,22 @@
 #include <cmath>
 #include <cstring>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 #include "homology/boundaries.hpp"
 
 namespace {
 
 // The cycle of a pair, every simplex ascending and entering no later than the pair.
-std::vector<oracle::Simplex> cycle_of(const Session& session, std::uint64_t index, const netmesh_pair& pair) {
+std::vector<oracle::Simplex> checked_cycle(const Session& session, std::uint64_t index, const netmesh_pair& pair) {
     std::uint64_t count = 0;
     REQUIRE(netmesh_get_cycle(session.context, index, &count) == NETMESH_OK);
     std::vector<oracle::Simplex> cycle;
     double latest = -HUGE_VAL;
-    for (std::uint64_t i = 0; i < count; ++i) {
-        netmesh_simplex s;
-        REQUIRE(netmesh_get_cycle_simplex(session.context, index, i, &s) == NETMESH_OK);
+    const std::vector<netmesh_simplex> simplices = cycle_of(session.context, index);
+    REQUIRE(simplices.size() == count);
+    for (const netmesh_simplex& s : simplices) {
+        CHECK(s.degree == pair.degree);
         latest = std::max(latest, s.value);
         cycle.emplace_back(s.vertices, s.vertices + pair.degree + 1);
         CHECK(std::is_sorted(cycle.back().begin(), cycle.back().end()));
@@ -33,7 +35,7 @@ void check_chains(const Session& session, const std::set<oracle::Simplex>& simpl
     for (std::uint64_t i = 0; i < pairs.size(); ++i) {
         CAPTURE(i);
         std::set<oracle::Simplex> boundary;
-        for (const oracle::Simplex& s : cycle_of(session, i, pairs[i])) {
+        for (const oracle::Simplex& s : checked_cycle(session, i, pairs[i])) {
             CHECK(simplices.count(s) == 1);
             for (std::size_t v = 0; v < s.size() && s.size() > 1; ++v) {
                 oracle::Simplex face = s;
@@ -47,9 +49,8 @@ void check_chains(const Session& session, const std::set<oracle::Simplex>& simpl
 
 std::set<oracle::Simplex> simplices_of(const Session& session) {
     std::vector<oracle::Simplex> cells;
-    netmesh_cell cell;
-    for (std::uint64_t i = 0; netmesh_get_cell(session.context, i, &cell) == NETMESH_OK; ++i)
-        cells.emplace_back(cell.vertices, cell.vertices + session.options.dim + 1);
+    for (const netmesh_cell& cell : read_all(session.context, netmesh_get_cell))
+        cells.emplace_back(cell.vertices, cell.vertices + session.request.dim + 1);
     const auto all = oracle::all_faces(cells);
     return {all.begin(), all.end()};
 }
@@ -57,16 +58,14 @@ std::set<oracle::Simplex> simplices_of(const Session& session) {
 // Births and deaths of all cycles in the lower-star filtration that the vertex values give.
 void check_deaths(const Session& session, const std::set<oracle::Simplex>& simplices, std::uint32_t zero_born) {
     std::vector<double> values;
-    netmesh_vertex vertex;
-    for (std::uint64_t i = 0; netmesh_get_vertex(session.context, i, &vertex) == NETMESH_OK; ++i)
-        values.push_back(vertex.value);
+    for (const netmesh_vertex& vertex : session.vertices()) values.push_back(vertex.value);
     const auto f = oracle::lower_star({simplices.begin(), simplices.end()}, values, zero_born);
     const oracle::Boundaries boundaries(f);
     const std::vector<netmesh_pair> pairs = session.pairs();
     for (std::uint64_t i = 0; i < pairs.size(); ++i) {
         CAPTURE(i);
         oracle::Column chain;
-        for (const oracle::Simplex& s : cycle_of(session, i, pairs[i])) chain.push_back(boundaries.index(s));
+        for (const oracle::Simplex& s : checked_cycle(session, i, pairs[i])) chain.push_back(boundaries.index(s));
         std::sort(chain.begin(), chain.end());
         CHECK(f.values[chain.back()] == pairs[i].birth);
         CHECK(boundaries.death(chain) == pairs[i].death);
@@ -76,7 +75,7 @@ void check_deaths(const Session& session, const std::set<oracle::Simplex>& simpl
 }  // namespace
 
 TEST_CASE("every bar of a mesh or an alpha complex has a cycle") {
-    for (const int dim : {2, 3, 4}) {
+    for (const int dim : dimensions({2, 3, 4})) {
         CAPTURE(dim);
         const inputs::Points points =
             dim == 4 ? inputs::uniform(4, 12) : inputs::shell(dim, dim == 2 ? 24 : 10, 0.7, 1, 3);
@@ -84,38 +83,38 @@ TEST_CASE("every bar of a mesh or an alpha complex has a cycle") {
             CAPTURE(filter);
             Session session(dim);
             session.reserve(std::size_t(1) << 26);
-            CHECK(netmesh_represent(session.context, &session.options) == NETMESH_NO_RESULT);
+            CHECK(session.represent() == NETMESH_NO_RESULT);
             REQUIRE((filter == NETMESH_FILTER_ALPHA ? session.alpha(points)
                                                     : session.mesh_and_persist(points, filter)) == NETMESH_OK);
             std::uint64_t count;
             CHECK(netmesh_get_cycle(session.context, 0, &count) == NETMESH_NO_RESULT);
             const netmesh_report before = session.report();
-            REQUIRE(netmesh_represent(session.context, &session.options) == NETMESH_OK);
+            REQUIRE(session.represent() == NETMESH_OK);
             CHECK(session.report().fingerprint == before.fingerprint);
             const auto simplices = simplices_of(session);
             check_chains(session, simplices);
             if (filter != NETMESH_FILTER_ALPHA && dim < 4) {
                 check_deaths(session, simplices,
-                             filter == NETMESH_FILTER_COMPLETE ? static_cast<std::uint32_t>(before.inputs) : 0);
+                             filter == NETMESH_FILTER_COMPLETE ? static_cast<std::uint32_t>(before.mesh.inputs) : 0);
             }
-            CHECK(netmesh_represent(session.context, &session.options) == NETMESH_OK);
+            CHECK(session.represent() == NETMESH_OK);
             CHECK(session.check() == NETMESH_OK);
             // A new diagram gives the memory of the cycles back.
-            REQUIRE(netmesh_persist(session.context, filter, NETMESH_VALUES_CERTIFIED, 1, 1, &session.options) ==
-                    NETMESH_OK);
+            netmesh_persist_request all = persist_by(filter);
+            all.max_degree = all.keep_zero_pairs = 1;
+            REQUIRE(session.persist(all) == NETMESH_OK);
             CHECK(netmesh_get_cycle(session.context, 0, &count) == NETMESH_NO_RESULT);
-            REQUIRE(netmesh_represent(session.context, &session.options) == NETMESH_OK);
+            REQUIRE(session.represent() == NETMESH_OK);
             check_chains(session, simplices);
-            REQUIRE(netmesh_persist(session.context, filter, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                                    &session.options) == NETMESH_OK);
-            CHECK(session.report().used_bytes == before.used_bytes);
+            REQUIRE(session.persist(filter) == NETMESH_OK);
+            CHECK(session.report().memory.used_bytes == before.memory.used_bytes);
             CHECK(session.report().fingerprint == before.fingerprint);
         }
     }
 }
 
 TEST_CASE("a Rips diagram is the same with cycles, for which the complex is listed, and without") {
-    for (const int dim : {2, 3, 6}) {
+    for (const int dim : dimensions({2, 3, 6})) {
         for (const std::uint32_t degree : {0u, 1u, 2u}) {
             const inputs::Points points = inputs::uniform(dim, 24);
             Session session(dim);
@@ -123,14 +122,15 @@ TEST_CASE("a Rips diagram is the same with cycles, for which the complex is list
             netmesh_report report[2];
             std::vector<netmesh_pair> pairs[2];
             for (const int cycles : {0, 1}) {
-                REQUIRE(netmesh_persist_points(session.context, points.data(), 24, NETMESH_FILTER_RIPS,
-                                               NETMESH_VALUES_CERTIFIED, 1, degree, 1, cycles,
-                                               &session.options) == NETMESH_OK);
+                netmesh_points_request request = session.points_request(points, NETMESH_FILTER_RIPS, 1, degree);
+                request.keep_zero_pairs = 1;
+                request.representatives = static_cast<std::uint32_t>(cycles);
+                REQUIRE(netmesh_persist_points(session.context, &request) == NETMESH_OK);
                 report[cycles] = session.report();
                 pairs[cycles] = session.pairs();
             }
             CHECK(report[0].fingerprint == report[1].fingerprint);
-            CHECK(report[0].simplices == report[1].simplices);
+            CHECK(report[0].diagram.simplices == report[1].diagram.simplices);
             CHECK(pairs[0].size() == pairs[1].size());
         }
     }
@@ -141,26 +141,24 @@ TEST_CASE("without room for cycles the diagram stays") {
     Session whole(3);
     REQUIRE(whole.mesh_and_persist(points) == NETMESH_OK);
     // With pairs of zero length, for whose cycles the room that the mesh has left is not enough.
-    REQUIRE(netmesh_persist(whole.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 3, 1, &whole.options) ==
-            NETMESH_OK);
-    const std::uint64_t enough = whole.report().peak_bytes, print = whole.report().fingerprint;
+    netmesh_persist_request all = persist_by(NETMESH_FILTER_COMPLETE);
+    all.keep_zero_pairs = 1;
+    REQUIRE(whole.persist(all) == NETMESH_OK);
+    const std::uint64_t enough = whole.report().memory.peak_bytes, print = whole.report().fingerprint;
     bool failed = false, fitted = false;
     for (std::uint64_t bytes = enough; !fitted; bytes += enough / 8) {
         Session session(3);
         session.reserve(static_cast<std::size_t>(bytes));
-        if (netmesh_mesh(session.context, points.data(), 60, NETMESH_JOB_PERSIST, &session.options) != NETMESH_OK)
-            continue;
-        if (netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 3, 1,
-                            &session.options) != NETMESH_OK)
-            continue;
-        const std::uint64_t used = session.report().used_bytes;
-        const netmesh_status status = netmesh_represent(session.context, &session.options);
+        if (session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST) != NETMESH_OK) continue;
+        if (session.persist(all) != NETMESH_OK) continue;
+        const std::uint64_t used = session.report().memory.used_bytes;
+        const netmesh_status status = session.represent();
         fitted = status == NETMESH_OK;
         if (fitted) break;
         failed = true;
         REQUIRE(status == NETMESH_OUT_OF_MEMORY);
-        CHECK(netmesh_get_detail(session.context).bytes_wanted > bytes);
-        CHECK(session.report().used_bytes == used);
+        CHECK(session.detail().bytes_wanted > bytes);
+        CHECK(session.report().memory.used_bytes == used);
         CHECK(session.report().fingerprint == print);
     }
     CHECK(failed);

@@ -3,40 +3,47 @@
 
 #include <map>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
 
 void diagrams_equal_fresh_ones(int dim, const inputs::Points& points, std::uint32_t k_last,
                                std::uint32_t top = NETMESH_DIM_MAX) {
+    if (dimensions({dim}).empty()) return;
     Session session(dim);
     top = std::min(top, static_cast<std::uint32_t>(dim) - 1);
     session.reserve(std::size_t{1} << 26);
     for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-            REQUIRE(session.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_OK);
-            REQUIRE(netmesh_vineyard(session.context, filter, 1, k_last, values, top, &session.options) == NETMESH_OK);
+            REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+            netmesh::requests::Vineyard request(filter);
+            request.k_last = k_last;
+            request.values = values;
+            request.max_degree = top;
+            REQUIRE(session.vineyard(request) == NETMESH_OK);
             const netmesh_report report = session.report();
-            CHECK(report.has_vineyard == 1);
-            CHECK(report.has_diagram == 0);
-            CHECK(report.transpositions > 0);
+            CHECK(report.vineyard.present == 1);
+            CHECK(report.diagram.present == 0);
+            CHECK(report.vineyard.transpositions > 0);
             std::map<std::uint32_t, std::vector<netmesh_pair>> diagram;
             std::map<std::uint32_t, double> ratio;
-            netmesh_vine_point p, last = {0, 0, 0, 0, 0};
-            for (std::uint64_t i = 0; netmesh_get_vine_point(session.context, i, &p) == NETMESH_OK; ++i) {
-                diagram[p.k].push_back({p.degree, p.birth, p.death});
-                if (i > 0)
+            netmesh_vine_point last = {};
+            for (const netmesh_vine_point& p : read_all(session.context, netmesh_get_vine_point)) {
+                diagram[p.k].push_back(bar(p.degree, p.birth, p.death));
+                if (last.k > 0)
                     CHECK((p.vine > last.vine || (p.vine == last.vine && p.k > last.k && p.degree == last.degree)));
                 last = p;
             }
-            CHECK(last.vine + 1 == report.vines);
+            CHECK(last.vine + 1 == report.vineyard.vines);
             for (std::uint32_t k = 1; k <= k_last; ++k)
                 REQUIRE(netmesh_get_vine_ratio(session.context, k, &ratio[k]) == NETMESH_OK);
             CHECK(netmesh_get_vine_ratio(session.context, k_last + 1, &ratio[0]) == NETMESH_INVALID_ARGUMENT);
             for (std::uint32_t k = 1; k <= k_last; ++k) {
-                session.options.k = k;
-                REQUIRE(netmesh_persist(session.context, filter, values, top, 0, &session.options) == NETMESH_OK);
-                CHECK(session.report().certified_ratio == ratio[k]);
+                netmesh_persist_request fresh_one = persist_by(filter, k, values);
+                fresh_one.max_degree = top;
+                REQUIRE(session.persist(fresh_one) == NETMESH_OK);
+                CHECK(session.report().diagram.certified_ratio == ratio[k]);
                 const auto before = [](const netmesh_pair& a, const netmesh_pair& b) {
                     if (a.degree != b.degree) return a.degree < b.degree;
                     return a.birth != b.birth ? a.birth < b.birth : a.death < b.death;
@@ -68,41 +75,38 @@ TEST_CASE("each diagram equals a fresh one") {
 TEST_CASE("what a vineyard refuses") {
     Session session(2);
     const auto vineyard = [&](netmesh_filter filter, std::uint32_t first, std::uint32_t last) {
-        return netmesh_vineyard(session.context, filter, first, last, NETMESH_VALUES_CERTIFIED, 1, &session.options);
+        return session.vineyard(filter, first, last);
     };
     CHECK(vineyard(NETMESH_FILTER_KNN, 1, 2) == NETMESH_NO_RESULT);
-    REQUIRE(session.mesh(inputs::uniform(2, 20), NETMESH_JOB_PERSIST) == NETMESH_OK);
+    REQUIRE(session.mesh(inputs::uniform(2, 20), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
     CHECK(vineyard(NETMESH_FILTER_COMPLETE, 1, 2) == NETMESH_INVALID_ARGUMENT);
     CHECK(vineyard(NETMESH_FILTER_KNN, 0, 2) == NETMESH_INVALID_ARGUMENT);
     CHECK(vineyard(NETMESH_FILTER_KNN, 3, 2) == NETMESH_INVALID_ARGUMENT);
     CHECK(vineyard(NETMESH_FILTER_KNN, 1, 21) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_get_detail(session.context).index_a == 7);
-    netmesh_vine_point point;
+    CHECK(session.detail().field == NETMESH_FIELD_K_LAST);
+    auto point = netmesh::sized<netmesh_vine_point>();
     CHECK(netmesh_get_vine_point(session.context, 0, &point) == NETMESH_INVALID_ARGUMENT);
 }
 
 TEST_CASE("every size of memory: a status and a whole mesh, or the same vineyard") {
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 12);
-    REQUIRE(session.mesh(points, NETMESH_JOB_PERSIST) == NETMESH_OK);
-    REQUIRE(netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, 3, NETMESH_VALUES_CERTIFIED, 1,
-                             &session.options) == NETMESH_OK);
-    const std::uint64_t print = session.report().fingerprint, peak = session.report().peak_bytes;
+    REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+    REQUIRE(session.vineyard(NETMESH_FILTER_KNN, 1, 3) == NETMESH_OK);
+    const std::uint64_t print = session.report().fingerprint, peak = session.report().memory.peak_bytes;
     int refused = 0;
     for (std::size_t bytes = peak / 8; bytes < peak + peak / 4; bytes += peak / 40) {
         Session small(2);
         small.reserve(bytes);
-        netmesh_status status = netmesh_mesh(small.context, points.data(), 12, NETMESH_JOB_PERSIST, &small.options);
-        if (status == NETMESH_OK)
-            status =
-                netmesh_vineyard(small.context, NETMESH_FILTER_KNN, 1, 3, NETMESH_VALUES_CERTIFIED, 1, &small.options);
+        netmesh_status status = small.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+        if (status == NETMESH_OK) status = small.vineyard(NETMESH_FILTER_KNN, 1, 3);
         if (status == NETMESH_OK) {
             CHECK(small.report().fingerprint == print);
             CHECK(bytes >= peak / 2);
         } else {
             ++refused;
             CHECK(status == NETMESH_OUT_OF_MEMORY);
-            CHECK(small.report().has_vineyard == 0);
+            CHECK(small.report().vineyard.present == 0);
         }
     }
     CHECK(refused > 0);

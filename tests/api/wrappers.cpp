@@ -29,47 +29,68 @@ double from_middle(void*, const double* x) {
 TEST_CASE("the C++ layer") {
     const inputs::Points points = inputs::uniform(2, 30);
     Memory memory(std::size_t{1} << 23), copy(std::size_t{1} << 23);
-    netmesh::Options options(2);
     netmesh::Engine engine(memory.block(), memory.bytes());
     REQUIRE(engine.status() == NETMESH_OK);
     CHECK(std::strcmp(netmesh::status_text(NETMESH_OK), "done") == 0);
-    CHECK(netmesh::homology_bytes(10, 20) == netmesh_homology_bytes(10, 20));
-    CHECK(netmesh::points_bytes(NETMESH_FILTER_RIPS, options, 20, 1) ==
-          netmesh_points_bytes(NETMESH_FILTER_RIPS, &options, 20, 1, 1));
+    CHECK(std::strcmp(netmesh::field_text(NETMESH_FIELD_TAU), "tau") == 0);
+    netmesh::requests::Mesh mesh(2);
+    mesh.points = points.data();
+    mesh.point_count = 30;
+    mesh.purpose = NETMESH_PURPOSE_PERSIST;
+    CHECK(netmesh::tau(mesh) == 2.5);
+    CHECK(netmesh::plan(mesh) == netmesh_plan_mesh(&mesh));
 
-    REQUIRE(engine.mesh(points.data(), 30, options, NETMESH_JOB_PERSIST) == NETMESH_OK);
-    REQUIRE(engine.persist(NETMESH_FILTER_COMPLETE, options) == NETMESH_OK);
-    REQUIRE(engine.bound_bars(options) == NETMESH_OK);
+    REQUIRE(engine.mesh(mesh) == NETMESH_OK);
+    REQUIRE(engine.persist() == NETMESH_OK);
+    REQUIRE(engine.bound_bars() == NETMESH_OK);
     std::uint64_t pairs = 0, bounds = 0, steps = 0, simplices = 0;
-    engine.for_each_pair([&](const netmesh_pair&) { ++pairs; });
+    engine.for_each_pair([&](std::uint64_t i, const netmesh_pair&) { CHECK(i == pairs++); });
     engine.for_each_bar_bounds([&](std::uint64_t i, const netmesh_bar_bounds&) { CHECK(i == bounds++); });
-    engine.for_each_scale_step([&](const netmesh_scale_step& step) { steps += step.ratio >= 1; });
+    engine.for_each_scale_step([&](std::uint64_t, const netmesh_scale_step& step) { steps += step.ratio >= 1; });
     CHECK(bounds == pairs);
     CHECK(steps > 0);
-    REQUIRE(engine.represent(options) == NETMESH_OK);
-    CHECK(engine.for_each_in_cycle(0, [&](const netmesh_simplex&) { ++simplices; }) == NETMESH_OK);
+    REQUIRE(engine.represent() == NETMESH_OK);
+    const auto count = [&](std::uint64_t, const netmesh_simplex&) { ++simplices; };
+    CHECK(engine.for_each_in_cycle(0, count) == NETMESH_OK);
     CHECK(simplices > 0);
-    CHECK(engine.for_each_in_cycle(pairs, [](const netmesh_simplex&) {}) != NETMESH_OK);
+    CHECK(engine.for_each_in_cycle(pairs, count) != NETMESH_OK);
 
     std::memcpy(copy.block(), memory.block(), memory.bytes());
     const netmesh::Engine twin = netmesh::Engine::adopt(copy.block());
     CHECK(twin.status() == NETMESH_OK);
     CHECK(twin.report().fingerprint == engine.report().fingerprint);
+}
 
+TEST_CASE("the C++ layer: what is measured of a mesh, vines, functions, loading") {
+    const inputs::Points points = inputs::uniform(2, 30);
+    Memory memory(std::size_t{1} << 23);
+    netmesh::Engine engine(memory.block(), memory.bytes());
+    netmesh::requests::Mesh mesh(2);
+    mesh.points = points.data();
+    mesh.point_count = 30;
+    mesh.purpose = NETMESH_PURPOSE_PERSIST;
+    REQUIRE(engine.mesh(mesh) == NETMESH_OK);
     const netmesh_report report = engine.report();
-    std::vector<double> ratios(report.vertices), vertices, theta(report.inputs);
-    std::vector<std::uint32_t> domains(report.vertices), order(report.inputs), cells;
+    std::vector<double> ratios(report.mesh.vertices), vertices, theta(report.mesh.inputs);
+    std::vector<std::uint32_t> domains(report.mesh.vertices), order(report.mesh.inputs), cells;
     CHECK(engine.measure_cells(ratios.data(), domains.data()) == NETMESH_OK);
     REQUIRE(engine.well_paced_order(order.data(), theta.data()) == NETMESH_OK);
     CHECK(engine.pace(order.data(), theta.data()) == NETMESH_OK);
-    CHECK(engine.vineyard(NETMESH_FILTER_KNN, 1, 3, options) == NETMESH_OK);
+    netmesh::requests::Vineyard vineyard(NETMESH_FILTER_KNN);
+    vineyard.k_last = 3;
+    CHECK(engine.vineyard(vineyard) == NETMESH_OK);
     std::uint64_t vine_points = 0;
-    engine.for_each_vine_point([&](const netmesh_vine_point&) { ++vine_points; });
-    CHECK(vine_points == engine.report().vine_points);
+    engine.for_each_vine_point([&](std::uint64_t, const netmesh_vine_point&) { ++vine_points; });
+    CHECK(vine_points == engine.report().vineyard.points);
     CHECK(engine.vine_ratio(2) >= 1);
     CHECK(engine.vine_ratio(4) == 0);
-    const netmesh_function function = {from_middle, nullptr, 1, 0, 1.5};
-    CHECK(engine.persist_function(function, options) == NETMESH_OK);
+    netmesh::requests::Function function;
+    function.evaluate = from_middle;
+    function.lipschitz = 1;
+    function.cut = 1.5;
+    netmesh::requests::Persist sublevels(NETMESH_FILTER_FUNCTION);
+    sublevels.function = &function;
+    CHECK(engine.persist(sublevels) == NETMESH_OK);
 
     std::vector<std::uint8_t> markers;
     engine.for_each_vertex([&](std::uint64_t, const netmesh_vertex& v) {
@@ -78,9 +99,31 @@ TEST_CASE("the C++ layer") {
     });
     engine.for_each_cell(
         [&](std::uint64_t, const netmesh_cell& c) { cells.insert(cells.end(), c.vertices, c.vertices + 3); });
-    CHECK(engine.load(vertices.data(), markers.data(), markers.size(), cells.data(), cells.size() / 3, report.domain,
-                      options) == NETMESH_OK);
-    CHECK(engine.load_cages(nullptr, 0, options) == NETMESH_OK);
-    CHECK(engine.persist_scales(points.data(), 30, options) == NETMESH_OK);
-    CHECK(engine.report().scales > 0);
+    netmesh::requests::Load load(2);
+    load.vertices = vertices.data();
+    load.markers = markers.data();
+    load.vertex_count = markers.size();
+    load.cells = cells.data();
+    load.cell_count = cells.size() / 3;
+    load.domain = report.mesh.domain;
+    CHECK(engine.load(load) == NETMESH_OK);
+    CHECK(engine.load_cages(netmesh::requests::Cages()) == NETMESH_OK);
+    CHECK(engine.check() == NETMESH_OK);
+    netmesh::requests::Scales scales(2);
+    scales.points = points.data();
+    scales.point_count = 30;
+    CHECK(engine.persist_scales(scales) == NETMESH_OK);
+    CHECK(engine.report().scales.count > 0);
+}
+
+TEST_CASE("the C++ layer: plans") {
+    netmesh::requests::Homology homology;
+    homology.simplex_count = 10;
+    homology.vertex_count = 20;
+    CHECK(netmesh::plan(homology) == netmesh_plan_homology(&homology));
+    CHECK(netmesh::plan(homology) > 0);
+    netmesh::requests::Points rips(2, NETMESH_FILTER_RIPS);
+    rips.point_count = 20;
+    CHECK(netmesh::plan(rips) == netmesh_plan_points(&rips));
+    CHECK(netmesh::plan(rips) > 0);
 }

@@ -2,10 +2,10 @@
 """Checks on what the build made and on who includes whom. Each prints what it found and exits 1 on a fault.
 
   check.py archive  --archive libnetmesh.a [--plain]     symbols, data, instructions of the archive
-  check.py includes --engine engine                      headers by allow-list, rooms by floor
+  check.py includes --engine engine                      headers by allow-list, folders by layer
   check.py stack    --records DIR [--bytes N] [--bytes-low-dim N] [--recursion-only]
                                                          worst call chain of every public function
-  check.py size     --records DIR [--bytes N]            code and constants by room and dimension
+  check.py size     --records DIR [--bytes N]            code and constants by folder and dimension
 
 --plain: inner symbols may be global (an archive that could not be finished).
 --helpers: the target has no unit for doubles or 64-bit division; the compiler's own routines may be called.
@@ -18,8 +18,9 @@ import sys
 
 PUBLIC = "netmesh_"
 UNDEFINED_ALLOWED = {"memcpy", "memmove", "memset", "memcmp"}
-HELPERS = re.compile(r"__aeabi_\w+$|__c[lt]z[sd]i2$|__(add|sub|mul|div|neg|fix|fixuns|float|floatun|floatuns|extend|trunc|eq|ne|lt|le|gt|ge|cmp"
-                     r"|unord)[dst][ifd]\w*$|sqrt$")
+HELPERS = re.compile(r"__aeabi_\w+$|__c[lt]z[sd]i2$"
+                     r"|__(add|sub|mul|div|neg|fix|fixuns|float|floatun|floatuns|extend|trunc|eq|ne|lt|le|gt"
+                     r"|ge|cmp|unord)[dst][ifd]\w*$|sqrt$")
 
 
 def run(*command):
@@ -52,8 +53,8 @@ def global_symbols(archive, tools):
 
 
 SECTION = re.compile(r"\[ *\d+\] (\S+) +(\S+) +[0-9a-f]+ [0-9a-f]+ ([0-9a-f]+) [0-9a-f]+ +([A-Za-z]*) ")
-SECTIONS_ALLOWED = re.compile(r"\.(text|rodata|data\.rel\.ro|rela?|debug|comment|note|symtab|strtab|shstrtab|group|llvm_addrsig"
-                              r"|ARM\.(attributes|exidx|extab)|riscv\.attributes)(\.|_|$)")
+SECTIONS_ALLOWED = re.compile(r"\.(text|rodata|data\.rel\.ro|rela?|debug|comment|note|symtab|strtab|shstrtab|group"
+                              r"|llvm_addrsig|ARM\.(attributes|exidx|extab)|riscv\.attributes)(\.|_|$)")
 
 
 def sections(archive, tools):
@@ -108,7 +109,8 @@ def forbidden_instructions(archive, tools):
 
 def check_archive(tools):
     parts = [("undefined symbols beyond " + " ".join(sorted(UNDEFINED_ALLOWED)), undefined_symbols),
-             ("mutable data", mutable_sections), ("sections of an unexpected kind", unknown_sections), ("fused or x87 instructions", forbidden_instructions)]
+             ("mutable data", mutable_sections), ("sections of an unexpected kind", unknown_sections),
+             ("fused or x87 instructions", forbidden_instructions)]
     if not tools.plain:
         parts.append(("global symbols that are not " + PUBLIC + "*", global_symbols))
     public = [s for s in run(tools.nm, "-P", "-g", "--defined-only", tools.archive).split("\n") if s.startswith(PUBLIC)]
@@ -127,26 +129,27 @@ def check_archive(tools):
 
 SYSTEM_ALLOWED = {"cstddef", "cstdint", "climits", "limits", "type_traits", "utility", "new", "array"}
 SYSTEM_PUBLIC = {"stddef.h", "stdint.h"}
-# A room sees its own files, the files of these rooms and single files named here.
+# A folder sees its own files, the files of these folders and single files named here.
+BASE = {"vocabulary", "memory", "numerics"}
+DELAUNAY = BASE | {"include", "predicates", "complex/triangulation.hpp"}
+MESH = DELAUNAY | {"delaunay", "certificate"}
+HOMOLOGY = BASE | {"include", "complex"}
 SEES = {
     "include": set(),
     "vocabulary": {"include"},
     "memory": {"vocabulary"},
     "numerics": {"vocabulary", "memory"},
-    "predicates": {"numerics", "memory", "vocabulary"},
-    "delaunay": {"predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "certificate": {"delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "mesh": {"certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "complex": {"memory", "vocabulary", "numerics"},
-    "homology": {"complex", "memory", "vocabulary", "numerics", "include", "diagram/pair.hpp"},
-    "diagram": {"homology", "complex", "memory", "vocabulary", "numerics", "include"},
-    "filtration": {"mesh", "certificate", "delaunay", "predicates", "complex", "numerics", "memory", "vocabulary", "include",
-                   "homology/rips/rips.hpp", "homology/rank.hpp"},
-    "jobs": {"filtration", "mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
-             "memory", "vocabulary", "include"},
-    "analysis": {"mesh", "certificate", "delaunay", "predicates", "numerics", "memory", "vocabulary", "include", "complex/triangulation.hpp"},
-    "api": {"analysis", "jobs", "filtration", "mesh", "certificate", "delaunay", "predicates", "diagram", "homology", "complex", "numerics",
-            "memory", "vocabulary", "include"},
+    "predicates": BASE,
+    "delaunay": DELAUNAY,
+    "certificate": DELAUNAY | {"delaunay"},
+    "mesh": MESH,
+    "analysis": MESH | {"mesh"},
+    "complex": BASE,
+    "homology": HOMOLOGY | {"diagram/pair.hpp"},
+    "diagram": HOMOLOGY | {"homology"},
+    "filtration": MESH | {"mesh", "complex", "homology/rips/rips.hpp", "homology/rank.hpp"},
+    "jobs": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram"},
+    "api": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram", "analysis", "jobs"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
 
@@ -161,7 +164,7 @@ def check_includes(engine):
             room = path.split(os.sep)[0]
             files += 1
             if room not in SEES:
-                faults.append("%s: no such room" % path)
+                faults.append("%s: no such folder" % path)
                 continue
             system = SYSTEM_PUBLIC if path.startswith("include") and name.endswith(".h") else SYSTEM_ALLOWED
             with open(os.path.join(folder, name), encoding="utf-8") as f:
@@ -195,7 +198,7 @@ def check_includes(engine):
         print("FAULT no files under %s" % engine)
         return 1
     if not faults:
-        print("ok    headers on the allow-list, rooms include only their own or lower floors")
+        print("ok    headers on the allow-list, folders include only their own or lower layers")
     return len(faults)
 
 
@@ -359,7 +362,8 @@ def check_stack(records, limit, limit_low, recursion_only):
                 faults.append("%s needs %d bytes of stack, %d are the limit" % (root, total, limit))
             for d in (2, 3, 4):
                 if by_dim[d] > limit_low:
-                    faults.append("%s needs %d bytes of stack at D = %d, %d are the limit" % (root, by_dim[d], d, limit_low))
+                    faults.append("%s needs %d bytes of stack at D = %d, %d are the limit" %
+                                  (root, by_dim[d], d, limit_low))
             if total > deepest:
                 deepest, deepest_chain = total, chain
         print("the deepest:")
@@ -380,7 +384,7 @@ def check_stack(records, limit, limit_low, recursion_only):
 
 
 def check_size(records, nm, limit):
-    """Bytes of code and constants, a line for each room and a column for each dimension, from the objects of the rooms."""
+    """Bytes of code and constants, a line for each folder and a column for each dimension, from their objects."""
     table = {}
     for folder, _, names in sorted(os.walk(records)):
         for name in sorted(names):
@@ -398,12 +402,14 @@ def check_size(records, nm, limit):
                 dim = dimension_of(symbol)
                 row[dim] = row.get(dim, 0) + size
     columns = [2, 3, 4, 5, 6, None]
-    print("%-12s" % "bytes" + "".join("%10s" % ("any D" if d is None else "D = %d" % d) for d in columns) + "%10s" % "sum")
+    heads = ["any D" if d is None else "D = %d" % d for d in columns] + ["sum"]
+    print("%-12s" % "bytes" + "".join("%10s" % head for head in heads))
     total = 0
     for room, row in sorted(table.items()):
         print("%-12s" % room + "".join("%10d" % row.get(d, 0) for d in columns) + "%10d" % sum(row.values()))
         total += sum(row.values())
-    print("%-12s" % "all rooms" + "".join("%10d" % sum(r.get(d, 0) for r in table.values()) for d in columns) + "%10d" % total)
+    sums = [sum(row.get(d, 0) for row in table.values()) for d in columns]
+    print("%-12s" % "all folders" + "".join("%10d" % n for n in sums + [total]))
     if total == 0:
         print("FAULT no code under %s" % records)
     elif total > limit:

@@ -47,11 +47,14 @@ COMPILE = {
 INCLUDES = {
     "clean": ("mesh/good.hpp", '#include "delaunay/kernel.hpp"\n#include <cstdint>\n', None),
     "header": ("mesh/bad.hpp", "#include <vector>\n", "mesh/bad.hpp:1: <vector> is not on the allow-list"),
-    "floor": ("delaunay/bad.cpp", '// up\n#include "mesh/mesh.hpp"\n', "delaunay/bad.cpp:2: delaunay does not see mesh/mesh.hpp"),
-    "geometry": ("homology/bad.cpp", '#include "../delaunay/kernel.hpp"\n', "homology does not see delaunay/kernel.hpp"),
+    "floor": ("delaunay/bad.cpp", '// up\n#include "mesh/mesh.hpp"\n',
+              "delaunay/bad.cpp:2: delaunay does not see mesh/mesh.hpp"),
+    "geometry": ("homology/bad.cpp", '#include "../delaunay/kernel.hpp"\n',
+                 "homology does not see delaunay/kernel.hpp"),
     "outside": ("api/bad.cpp", '#include "../../platform/clock.hpp"\n', "api does not see ../platform/clock.hpp"),
     "macro": ("api/bad.cpp", "#define KERNEL <cmath>\n#include KERNEL\n", "api/bad.cpp:2: include by macro"),
-    "public": ("include/netmesh.h", "#include <stdlib.h>\n", "include/netmesh.h:1: <stdlib.h> is not on the allow-list"),
+    "public": ("include/netmesh.h", "#include <stdlib.h>\n",
+               "include/netmesh.h:1: <stdlib.h> is not on the allow-list"),
 }
 
 
@@ -61,10 +64,13 @@ def check(*arguments):
     return done.returncode, done.stdout
 
 
+def compiler(options, flags):
+    return ([options.cxx] + shlex.split(options.flags) + ["-std=c++17", "-I", options.engine] + shlex.split(flags))
+
+
 def compile_fault(options, fault, flags, out):
     source = os.path.join(HERE, "planted", fault + ".cpp")
-    subprocess.check_call([options.cxx] + shlex.split(options.flags) + ["-std=c++17", "-I", options.engine] + shlex.split(flags) +
-                          ["-c", source, "-o", out])
+    subprocess.check_call(compiler(options, flags) + ["-c", source, "-o", out])
 
 
 def plant_archive(options, fault):
@@ -84,7 +90,8 @@ def plant_archive(options, fault):
 
 def plant_stack(options, fault):
     words, flags = STACK[fault]
-    compile_fault(options, fault, (flags or "-O2") + " -fstack-usage -fcallgraph-info=su,da", os.path.join(options.work, fault + ".cpp.o"))
+    compile_fault(options, fault, (flags or "-O2") + " -fstack-usage -fcallgraph-info=su,da",
+                  os.path.join(options.work, fault + ".cpp.o"))
     return words, check("stack", "--records", options.work)
 
 
@@ -99,8 +106,8 @@ def plant_compile(options, fault):
     source = os.path.join(options.work, "arithmetic.cpp")
     with open(source, "w", encoding="utf-8") as f:
         f.write('#include "numerics/real.hpp"\n')
-    done = subprocess.run([options.cxx] + shlex.split(options.flags) + ["-std=c++17", "-I", options.engine] + shlex.split(flags) +
-                          ["-fsyntax-only", source], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    done = subprocess.run(compiler(options, flags) + ["-fsyntax-only", source], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, universal_newlines=True)
     return words, (done.returncode, done.stdout)
 
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/bottleneck.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 
@@ -28,27 +29,25 @@ Diagram bars(int kind, std::size_t count, std::uint64_t seed, const Diagram* mov
     for (std::size_t i = 0; i < count; ++i) {
         const double x = random.uniform(), y = random.uniform();
         if (moved != nullptr) {
-            diagram.push_back({1, (*moved)[i].birth + 0.01 * x, (*moved)[i].death + 0.01 * (1 + y)});
+            diagram.push_back(bar(1, (*moved)[i].birth + 0.01 * x, (*moved)[i].death + 0.01 * (1 + y)));
         } else {
-            diagram.push_back({1, 0.1 + x, 0.1 + x + (kind == 1 ? 0.2 * y * y * y : y)});
+            diagram.push_back(bar(1, 0.1 + x, 0.1 + x + (kind == 1 ? 0.2 * y * y * y : y)));
         }
     }
     return diagram;
 }
 
 void compare(const char* name, const Diagram& a, const Diagram& b, std::size_t gudhi_most) {
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
-    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
-    netmesh_distance plain = {}, log = {};
+    netmesh_bottleneck_request request = bottleneck_request(a, b, NETMESH_SCALE_PLAIN, 1);
+    const Scratch scratch(request);
+    scratch.lend(&request);
+    auto plain = netmesh::sized<netmesh_distance>(), log = plain;
     const double start = seconds();
-    netmesh_status status = netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 1, NETMESH_SCALE_PLAIN, scratch,
-                                               bytes, nullptr, nullptr, &plain);
+    netmesh_status status = netmesh_bottleneck(&request, &plain, nullptr);
     const double between = seconds();
-    if (status == NETMESH_OK)
-        status = netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 1, NETMESH_SCALE_LOG, scratch, bytes,
-                                    nullptr, nullptr, &log);
+    request.scale = NETMESH_SCALE_LOG;
+    if (status == NETMESH_OK) status = netmesh_bottleneck(&request, &log, nullptr);
     const double end = seconds();
-    std::free(scratch);
     if (status != NETMESH_OK)
         return static_cast<void>(std::printf("bottleneck %s: %s\n", name, netmesh_status_text(status)));
     std::printf("bottleneck %-8s %6zu bars  plain %8.4f s  log %8.4f s  distance %.12g", name, a.size(),
@@ -66,20 +65,19 @@ void compare(const char* name, const Diagram& a, const Diagram& b, std::size_t g
 
 void cycles(std::size_t points) {
     Session session(4);
-    session.options.tau = 3.08;
+    session.request.tau = 3.08;
     session.reserve(points << 20);  // a quarter of that is used, the rest costs nothing
     const inputs::Points p = inputs::clifford(points);
     const double start = seconds();
-    netmesh_mesh(session.context, p.data(), points, NETMESH_JOB_PERSIST, &session.options);
+    session.mesh_in_block(p, NETMESH_PURPOSE_PERSIST);
     const double meshed = seconds();
     double diagram = HUGE_VAL, represent = HUGE_VAL;
     netmesh_status status = NETMESH_OK;
     for (int round = 0; round < 3; ++round) {
         const double begin = seconds();
-        netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                        &session.options);
+        session.persist();
         const double between = seconds();
-        status = netmesh_represent(session.context, &session.options);
+        status = session.represent();
         diagram = std::min(diagram, between - begin);
         represent = std::min(represent, seconds() - between);
     }

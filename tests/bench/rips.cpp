@@ -37,11 +37,11 @@ void measure(const char* name, int dim, const inputs::Points& points, int max_de
     session.reserve(std::size_t{1} << 34);  // little of that is used, the rest costs nothing
     const double start = seconds();
     const netmesh_status status =
-        session.points(NETMESH_FILTER_RIPS, 1, static_cast<std::uint32_t>(max_degree), points);
+        session.points(session.points_request(points, NETMESH_FILTER_RIPS, 1, static_cast<std::uint32_t>(max_degree)));
     const double took = seconds() - start;
     std::printf("%-8s %5zu points, degrees to %d: %8.3f s %8.1f MiB (%s)", name,
                 points.size() / static_cast<std::size_t>(dim), max_degree, took,
-                static_cast<double>(session.report().peak_bytes) / 1048576, netmesh_status_text(status));
+                static_cast<double>(session.report().memory.peak_bytes) / 1048576, netmesh_status_text(status));
     const double theirs = ripser(dim, points, max_degree);
     if (theirs < 0) {
         std::printf("  no ripser on the path\n");

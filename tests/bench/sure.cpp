@@ -1,5 +1,5 @@
-// Which bars of the experiment of 7.7 are surely real: 2,000 points of the curve on the Clifford torus, on a mesh of tau 4 whose cells
-// have an out-radius of at most SIZE (0.16) where the points are FROM (0.95) or more away.
+// Which bars of the experiment of 7.7 are surely real: 2,000 points of the curve on the Clifford torus, on a mesh of
+// tau 4 whose cells have an out-radius of at most SIZE (0.16) where the points are FROM (0.95) or more away.
 //
 //   bench_sure [SIZE [FROM]]
 #include <cinttypes>
@@ -35,15 +35,16 @@ int main(int argc, char** argv) {
     Wish wish = {inputs::clifford(2000), argc > 1 ? std::atof(argv[1]) : 0.16, argc > 2 ? std::atof(argv[2]) : 0.95};
     Session session(4);
     session.bounds = true;
-    session.options.tau = 4;
-    session.options.size = size_of;
-    session.options.size_user = &wish;
+    session.request.tau = 4;
+    session.request.sizes.size = size_of;
+    session.request.sizes.user = &wish;
     if (session.mesh_and_persist(wish.points) != NETMESH_OK) return 1;
     const netmesh_report report = session.report();
-    std::printf("%" PRIu64 " vertices, certified ratio %.4f\n", report.vertices, report.certified_ratio);
+    std::printf("%" PRIu64 " vertices, certified ratio %.4f\n", report.mesh.vertices, report.diagram.certified_ratio);
     const std::vector<netmesh_pair> pairs = session.pairs();
-    netmesh_bar_bounds b;
-    for (std::size_t i = 0; i < pairs.size() && netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK; ++i) {
+    const std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const netmesh_bar_bounds& b = bounds[i];
         if (pairs[i].degree == 0 || b.certain == 0) continue;
         std::printf("H%" PRIu32 " %.4f %.4f surely real: born in %.4f .. %.4f, dies in %.4f .. %.4f\n", pairs[i].degree,
                     pairs[i].birth, pairs[i].death, b.birth_low, b.birth_high, b.death_low, b.death_high);

@@ -25,10 +25,7 @@ std::uint32_t equal_diagrams(Session& session, std::vector<std::vector<netmesh_p
     std::uint32_t equal = 0;
     const double start = seconds();
     for (std::uint32_t k = 1; k < diagrams.size(); ++k) {
-        session.options.k = k;
-        if (netmesh_persist(session.context, NETMESH_FILTER_KNN, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                            &session.options) != NETMESH_OK)
-            continue;
+        if (session.persist(persist_by(NETMESH_FILTER_KNN, k)) != NETMESH_OK) continue;
         const std::vector<netmesh_pair> fresh = session.pairs();
         std::sort(diagrams[k].begin(), diagrams[k].end(), before);
         const auto same = [](const netmesh_pair& a, const netmesh_pair& b) {
@@ -49,23 +46,21 @@ int main(int argc, char** argv) {
     const int dim = argument(3, 3);
     Session session(dim);
     session.reserve(std::size_t{1} << 34);  // little of that is used, the rest costs nothing
-    if (session.mesh(inputs::uniform(dim, points), NETMESH_JOB_PERSIST) != NETMESH_OK) return 1;
+    if (session.mesh(inputs::uniform(dim, points), NETMESH_PURPOSE_PERSIST) != NETMESH_OK) return 1;
     const double start = seconds();
-    const netmesh_status status =
-        netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, filtrations, NETMESH_VALUES_CERTIFIED,
-                         static_cast<std::uint32_t>(dim) - 1, &session.options);
+    const netmesh_status status = session.vineyard(NETMESH_FILTER_KNN, 1, filtrations);
     const double took = seconds() - start;
     const netmesh_report report = session.report();
+    const netmesh_vineyard_report& made = report.vineyard;
     std::vector<std::vector<netmesh_pair>> diagrams(filtrations + 1);
-    netmesh_vine_point p;
-    for (std::uint64_t i = 0; netmesh_get_vine_point(session.context, i, &p) == NETMESH_OK; ++i)
-        diagrams[p.k].push_back({p.degree, p.birth, p.death});
+    for (const netmesh_vine_point& p : read_all(session.context, netmesh_get_vine_point))
+        diagrams[p.k].push_back(bar(p.degree, p.birth, p.death));
     double fresh;
     const std::uint32_t equal = equal_diagrams(session, diagrams, &fresh);
     std::printf("%u filtrations of %llu simplices in D = %d: %s, %.2f s, %llu transpositions at %.0f ns, %.1f MiB; "
                 "%llu vines; %u diagrams are those of fresh computations, which take %.2f s\n",
-                filtrations, static_cast<unsigned long long>(report.simplices), dim, netmesh_status_text(status), took,
-                static_cast<unsigned long long>(report.transpositions), took / double(report.transpositions) * 1e9,
-                double(report.peak_bytes) / 1048576, static_cast<unsigned long long>(report.vines), equal, fresh);
+                filtrations, static_cast<unsigned long long>(made.simplices), dim, netmesh_status_text(status), took,
+                static_cast<unsigned long long>(made.transpositions), took / double(made.transpositions) * 1e9,
+                double(report.memory.peak_bytes) / 1048576, static_cast<unsigned long long>(made.vines), equal, fresh);
     return status == NETMESH_OK && equal == filtrations ? 0 : 1;
 }

@@ -1,30 +1,47 @@
-// A mesh that a session holds, as arrays that another one can load.
+// A mesh that a context holds, as arrays that another one can load.
 #pragma once
 #include <cstdint>
 #include <vector>
 
-#include "common/session.hpp"
+#include "common/calls.hpp"
 
 struct Arrays {
-    explicit Arrays(const Session& s) {
-        const netmesh_report r = s.report();
-        dim = r.dim;
-        netmesh_vertex v;
-        for (std::uint64_t i = 0; netmesh_get_vertex(s.context, i, &v) == NETMESH_OK; ++i) {
+    explicit Arrays(std::uint32_t d) : dim(d) {}
+    explicit Arrays(const Calls& c) : dim(c.request.dim), cages(read_all(c.context, netmesh_get_cage)) {
+        for (const netmesh_vertex& v : read_all(c.context, netmesh_get_vertex)) {
             vertices.insert(vertices.end(), v.coordinates, v.coordinates + dim);
             markers.push_back(static_cast<std::uint8_t>(v.marker));
         }
-        netmesh_cell c;
-        for (std::uint64_t i = 0; netmesh_get_cell(s.context, i, &c) == NETMESH_OK; ++i)
-            cells.insert(cells.end(), c.vertices, c.vertices + dim + 1);
-        domain.assign(r.domain, r.domain + dim + 1);
-        netmesh_cage cage;
-        for (std::uint64_t i = 0; netmesh_get_cage(s.context, i, &cage) == NETMESH_OK; ++i) cages.push_back(cage);
+        for (const netmesh_cell& cell : read_all(c.context, netmesh_get_cell))
+            cells.insert(cells.end(), cell.vertices, cell.vertices + dim + 1);
+        const netmesh_report r = c.report();
+        domain.assign(r.mesh.domain, r.mesh.domain + dim + 1);
     }
-    netmesh_status load(Session& s) const {
-        return netmesh_load(s.context, vertices.data(), markers.data(), markers.size(), cells.data(),
-                            cells.size() / (dim + 1), domain.empty() ? nullptr : domain.data(), &s.options);
+    // Points to the arrays here and to what is asked of the mesh, whose monitor watches.
+    netmesh_load_request load_request(const netmesh_mesh_request& mesh) const {
+        netmesh::requests::Load r(dim);
+        r.monitor = mesh.monitor;
+        r.vertices = vertices.data();
+        r.markers = markers.data();
+        r.vertex_count = markers.size();
+        r.cells = cells.data();
+        r.cell_count = cells.size() / (dim + 1);
+        r.domain = domain.empty() ? nullptr : domain.data();
+        r.mesh = &mesh;
+        return r;
     }
+    netmesh_status load(Calls& c) const {
+        const netmesh_load_request r = load_request(c.request);
+        return netmesh_load(c.context, &r);
+    }
+    netmesh_status load_cages(Calls& c) const {
+        netmesh::requests::Cages r;
+        r.monitor = c.request.monitor;
+        r.cages = cages.data();
+        r.cage_count = cages.size();
+        return netmesh_load_cages(c.context, &r);
+    }
+
     std::uint32_t dim;
     std::vector<double> vertices, domain;
     std::vector<std::uint8_t> markers;

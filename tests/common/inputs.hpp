@@ -1,5 +1,5 @@
-// Point sets by formula, row-major [n][dim], the same on every platform when compiled without contraction; gaussian goes
-// through libm and is for tests whose answers do not depend on the last bit.
+// Point sets by formula, row-major [n][dim], the same on every platform when compiled without contraction; gaussian
+// goes through libm and is for tests whose answers do not depend on the last bit.
 #pragma once
 #include <cmath>
 #include <cstddef>

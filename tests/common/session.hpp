@@ -1,22 +1,15 @@
 // A context in a block of its own that grows until the job fits, for tests and benchmarks that are not about memory.
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <new>
-#include <vector>
 
-#include "common/inputs.hpp"
-#include "netmesh.h"
+#include "common/calls.hpp"
 
-class Session {
+class Session : public Calls {
 public:
-    explicit Session(int dim) {
-        netmesh_options_init(&options, static_cast<std::uint32_t>(dim));
-        reserve(std::size_t(1) << 20);
-    }
+    explicit Session(int dim) : Calls(dim) { reserve(std::size_t(1) << 20); }
     ~Session() { std::free(block_); }
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -33,77 +26,48 @@ public:
         for (;;) {
             const netmesh_status status = job();
             if (status != NETMESH_OUT_OF_MEMORY || bytes_ >= std::size_t(1) << 35) return status;
-            reserve(std::max(2 * bytes_, static_cast<std::size_t>(netmesh_get_detail(context).bytes_wanted)));
+            reserve(std::max(2 * bytes_, static_cast<std::size_t>(detail().bytes_wanted)));
         }
     }
 
     netmesh_status delaunay(const inputs::Points& points) {
-        const std::size_t n = points.size() / options.dim;
-        return until_it_fits(netmesh_plan_bytes(NETMESH_JOB_DELAUNAY, &options, n),
-                             [&] { return netmesh_delaunay(context, points.data(), n, &options); });
+        const netmesh_delaunay_request r = delaunay_request(points);
+        return until_it_fits(netmesh_plan_delaunay(&r), [&] { return netmesh_delaunay(context, &r); });
     }
-    netmesh_status mesh(const inputs::Points& points, netmesh_job job = NETMESH_JOB_MESH) {
-        const std::size_t n = points.size() / options.dim;
-        return until_it_fits(netmesh_plan_bytes(job, &options, n),
-                             [&] { return netmesh_mesh(context, points.data(), n, job, &options); });
+    netmesh_status mesh(const inputs::Points& points, netmesh_purpose purpose = NETMESH_PURPOSE_MESH) {
+        const netmesh_mesh_request r = mesh_request(points, purpose);
+        return until_it_fits(netmesh_plan_mesh(&r), [&] { return netmesh_mesh(context, &r); });
     }
-    netmesh_status mesh_and_persist(const inputs::Points& points, netmesh_filter filter = NETMESH_FILTER_COMPLETE,
-                                    netmesh_values values = NETMESH_VALUES_CERTIFIED) {
-        const std::size_t n = points.size() / options.dim;
-        return until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST, &options, n), [&] {
-            const netmesh_status status = netmesh_mesh(context, points.data(), n, NETMESH_JOB_PERSIST, &options);
-            if (status != NETMESH_OK) return status;
-            const netmesh_status found = netmesh_persist(context, filter, values, NETMESH_DIM_MAX, 0, &options);
-            return found == NETMESH_OK && bounds ? netmesh_bound_bars(context, &options) : found;
+    netmesh_status mesh_and_persist(const inputs::Points& points, const netmesh_persist_request& diagram,
+                                    netmesh_purpose purpose = NETMESH_PURPOSE_PERSIST) {
+        const netmesh_mesh_request r = mesh_request(points, purpose);
+        return until_it_fits(netmesh_plan_mesh(&r), [&] {
+            netmesh_status status = netmesh_mesh(context, &r);
+            if (status == NETMESH_OK) status = persist(diagram);
+            return status == NETMESH_OK && bounds ? bound_bars() : status;
         });
+    }
+    netmesh_status mesh_and_persist(const inputs::Points& points, netmesh_filter filter = NETMESH_FILTER_COMPLETE) {
+        return mesh_and_persist(points, persist_by(filter));
     }
     netmesh_status alpha(const inputs::Points& points) {
-        const std::size_t n = points.size() / options.dim;
-        return until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_ALPHA, &options, n), [&] {
-            const netmesh_status status = netmesh_delaunay(context, points.data(), n, &options);
-            return status != NETMESH_OK ? status
-                                        : netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED,
-                                                          NETMESH_DIM_MAX, 0, &options);
+        const netmesh_delaunay_request r = delaunay_request(points, NETMESH_PURPOSE_PERSIST);
+        return until_it_fits(netmesh_plan_delaunay(&r), [&] {
+            const netmesh_status status = netmesh_delaunay(context, &r);
+            return status == NETMESH_OK ? persist(NETMESH_FILTER_ALPHA) : status;
         });
     }
-    netmesh_status points(netmesh_filter filter, std::uint32_t k, std::uint32_t max_degree,
-                          const inputs::Points& points, bool representatives = false) {
-        const std::size_t n = points.size() / options.dim;
-        return until_it_fits(netmesh_points_bytes(filter, &options, n, k, max_degree), [&] {
-            return netmesh_persist_points(context, points.data(), n, filter, NETMESH_VALUES_CERTIFIED, k, max_degree, 0,
-                                          representatives ? 1 : 0, &options);
-        });
+    // A diagram of the points themselves; see points_request.
+    netmesh_status points(const netmesh_points_request& r) {
+        return until_it_fits(netmesh_plan_points(&r), [&] { return netmesh_persist_points(context, &r); });
     }
-    netmesh_status check() { return netmesh_check(context, NETMESH_CHECK_ALL, &options); }
-
-    netmesh_report report() const {
-        netmesh_report r = {};
-        r.struct_bytes = sizeof r;
-        netmesh_get_report(context, &r);
-        return r;
+    netmesh_status homology(const netmesh_homology_request& r) {
+        return until_it_fits(netmesh_plan_homology(&r), [&] { return netmesh_homology(context, &r); });
     }
-    std::vector<netmesh_pair> pairs() const {
-        std::vector<netmesh_pair> all;
-        netmesh_pair pair;
-        for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i) all.push_back(pair);
-        return all;
-    }
-    // Every cell as its sorted vertices, the list sorted: equal for equal triangulations.
-    template <std::size_t K> std::vector<std::array<std::uint32_t, K>> cells() const {
-        std::vector<std::array<std::uint32_t, K>> all;
-        netmesh_cell cell;
-        for (std::uint64_t i = 0; netmesh_get_cell(context, i, &cell) == NETMESH_OK; ++i) {
-            std::array<std::uint32_t, K> a;
-            std::copy(cell.vertices, cell.vertices + K, a.begin());
-            std::sort(a.begin(), a.end());
-            all.push_back(a);
-        }
-        std::sort(all.begin(), all.end());
-        return all;
+    netmesh_status scales(const netmesh_scales_request& r) {
+        return until_it_fits(netmesh_plan_scales(&r), [&] { return netmesh_persist_scales(context, &r); });
     }
 
-    netmesh_context* context = nullptr;
-    netmesh_options options;
     bool bounds = false;  // mesh_and_persist goes on to netmesh_bound_bars
 
 private:

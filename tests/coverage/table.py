@@ -3,11 +3,12 @@
 
   table.py EXPORT ROOT [--list FILE] [--least PERCENT] [--conditions ROOM...]
 
-Prints covered and all branch outcomes by room and dimension D. An instantiation is a branch of the source at one D; copies for other
-template arguments (types, comparisons, orders of minors) and in several programs are the same branch, also the copy of the arithmetic
-that is compiled without 128-bit integers. "any" is what has no D: plain functions, and memory/, whose templates know types only.
-Conditions that the compiler folds are not counted. --list writes what is not covered, a line a branch: place, outcome, dimensions.
---conditions prints MC/DC of the rooms named: conditions shown to decide alone. Ends with 1 when a column is below --least."""
+Prints covered and all branch outcomes by room and dimension D. An instantiation is a branch of the source
+at one D; copies for other template arguments (types, comparisons, orders of minors) and in several programs are the
+same branch, also the copy of the arithmetic that is compiled without 128-bit integers. "any" is what has no D: plain
+functions, and memory/, whose templates know types only. Conditions that the compiler folds are not counted. --list
+writes what is not covered, a line a branch: place, outcome, dimensions. --conditions prints MC/DC of the rooms named:
+conditions shown to decide alone. Ends with 1 when a column is below --least."""
 import argparse
 import collections
 import json
@@ -91,7 +92,8 @@ def print_conditions(export, root, rooms):
             if not c:
                 missing[path, line, column, i + 1].add(d)
     for (path, line, column, i), dims in sorted(missing.items()):
-        print("engine/%s:%d:%d condition %d not shown to decide alone, D = %s" % (path, line, column, i, in_words(dims)))
+        print("engine/%s:%d:%d condition %d not shown to decide alone, D = %s" %
+              (path, line, column, i, in_words(dims)))
     print()
 
 
@@ -102,7 +104,8 @@ def write_list(counts, name):
             missing[path, line, column, outcome].add(d)
     with open(name, "w") as file:
         for (path, line, column, outcome), dims in sorted(missing.items()):
-            file.write("engine/%s:%d:%d never %s, D = %s\n" % (path, line, column, str(outcome).lower(), in_words(dims)))
+            file.write("engine/%s:%d:%d never %s, D = %s\n" %
+                       (path, line, column, str(outcome).lower(), in_words(dims)))
     print("%d branch outcomes are not covered: %s" % (sum(len(d) for d in missing.values()), name))
 
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/load.hpp"
 #include "delaunay/triangulate.hpp"
@@ -221,6 +222,4 @@ TEST_CASE_TEMPLATE_DEFINE("damage is seen", T, damage) {
     overlap<D>(1.0 / 64);
     refuse_to_load<D>();
 }
-TEST_CASE_TEMPLATE_INVOKE(damage, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(damage, Dimensions<>);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/check.hpp"
 #include "delaunay/load.hpp"
@@ -41,8 +42,8 @@ template <int D> const char* violation(const Store<D>& store) {
 
 TEST_CASE_TEMPLATE_DEFINE("triangulations pass the exact checkers", T, exact_checkers) {
     constexpr int D = T::value;
-    constexpr std::size_t sizes[] = {0, 0, 3000, 1000, 300, 120, 50};
-    for (const inputs::Points& points : {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D])}) {
+    constexpr std::size_t sizes = by_dimension<std::size_t>(D, {3000, 1000, 300, 120, 50});
+    for (const inputs::Points& points : {inputs::uniform(D, sizes), inputs::clusters(D, sizes)}) {
         Triangulated<D> t(points, std::size_t{1} << 26);
         REQUIRE(t.status == Status::ok);
         CHECK(violation<D>(t.store) == nullptr);
@@ -50,15 +51,13 @@ TEST_CASE_TEMPLATE_DEFINE("triangulations pass the exact checkers", T, exact_che
         CHECK(t.state.in_ball_counts.calls[0] > 0);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(exact_checkers, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(exact_checkers, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("cached balls contain the true centre within their error", T, ball_errors) {
     constexpr int D = T::value;
-    constexpr std::size_t sizes[] = {0, 0, 2000, 800, 200, 80, 40};
+    constexpr std::size_t sizes = by_dimension<std::size_t>(D, {2000, 800, 200, 80, 40});
     // Vertices of a cell lie on its ball: their power, true value zero, must not exceed the bound that power() states.
-    for (const inputs::Points& points : {inputs::uniform(D, sizes[D]), inputs::clusters(D, sizes[D])}) {
+    for (const inputs::Points& points : {inputs::uniform(D, sizes), inputs::clusters(D, sizes)}) {
         Triangulated<D> t(points, std::size_t{1} << 26);
         REQUIRE(t.status == Status::ok);
         std::size_t known = 0;
@@ -75,9 +74,7 @@ TEST_CASE_TEMPLATE_DEFINE("cached balls contain the true centre within their err
         CHECK(known * 10 > std::size_t{t.state.cell_slots} * 9);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(ball_errors, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(ball_errors, Dimensions<>);
 
 TEST_CASE("duplicates are merged into the first and counted") {
     inputs::Points points = inputs::uniform(3, 200);
@@ -117,36 +114,38 @@ TEST_CASE("each planted fault is found by a checker") {
     }
 }
 
-TEST_CASE("triangulation from lists of cells is the one it was made from") {
-    const inputs::Points points = inputs::uniform(4, 80);
-    Triangulated<4> t(points, std::size_t{1} << 24);
+TEST_CASE_TEMPLATE_DEFINE("triangulation from lists of cells is the one it was made from", T, from_lists) {
+    constexpr int D = T::value;
+    constexpr std::uint32_t n = 20 * D;
+    const inputs::Points points = inputs::uniform(D, n);
+    Triangulated<D> t(points, std::size_t{1} << 24);
     std::vector<std::uint32_t> cells;
     for (std::uint32_t c = 0; c < t.state.cell_slots; ++c)
         for (const std::uint32_t v : t.store.cell(c).vertex) cells.push_back(v);
-    for (std::size_t c = 0; c + 5 < cells.size(); c += 10) std::swap(cells[c], cells[c + 1]);
+    for (std::size_t c = 0; c + D + 1 < cells.size(); c += 2 * D + 2) std::swap(cells[c], cells[c + 1]);
     Block block(std::size_t{1} << 24);
     StoreState state = {};
-    Store<4> loaded(block.arena, state);
+    Store<D> loaded(block.arena, state);
     CheckResult why;
-    REQUIRE(load_cells<4>(loaded, points.data(), 80, cells.data(), t.state.cell_slots, &why) == Status::ok);
-    CHECK(violation<4>(loaded) == nullptr);
+    REQUIRE(load_cells<D>(loaded, points.data(), n, cells.data(), t.state.cell_slots, &why) == Status::ok);
+    CHECK(violation<D>(loaded) == nullptr);
     for (CellId c(0); c < t.state.cell_slots; ++c)
-        for (int i = 0; i <= 4; ++i) {
+        for (int i = 0; i <= D; ++i) {
             const std::uint32_t v = t.store.cell(c).vertex[i];
             int j = 0;
             while (loaded.cell(c).vertex[j] != v) ++j;
             CHECK(loaded.view().neighbour(c, j) == t.store.view().neighbour(c, i));
         }
     SUBCASE("three cells at one facet are refused") {
-        for (int i = 0; i < 5; ++i) cells.push_back(cells[static_cast<std::size_t>(i)]);
+        for (int i = 0; i <= D; ++i) cells.push_back(cells[static_cast<std::size_t>(i)]);
         Block again(std::size_t{1} << 24);
         StoreState other = {};
-        Store<4> bad(again.arena, other);
-        CHECK(load_cells<4>(bad, points.data(), 80, cells.data(), t.state.cell_slots + 1, &why) ==
-              Status::check_failed);
+        Store<D> bad(again.arena, other);
+        CHECK(load_cells<D>(bad, points.data(), n, cells.data(), t.state.cell_slots + 1, &why) == Status::check_failed);
         CHECK(why.violation != nullptr);
     }
 }
+TEST_CASE_TEMPLATE_APPLY(from_lists, Dimensions<>);
 
 TEST_CASE("any arena size ends in a status and, once there is a cell, in a triangulation") {
     const inputs::Points points = inputs::uniform(3, 60);
@@ -203,9 +202,7 @@ TEST_CASE_TEMPLATE_DEFINE("points that only their last bits tell apart are not t
     CHECK(t.state.vertex_count == different);
     CHECK(t.input.duplicates == 2 * D + 2 - different);
 }
-TEST_CASE_TEMPLATE_INVOKE(subnormal, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(subnormal, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("a star that the gap is too small for is refused, and walked whole when it fits", T, stars) {
     constexpr int D = T::value;
@@ -218,7 +215,7 @@ TEST_CASE_TEMPLATE_DEFINE("a star that the gap is too small for is refused, and 
     std::uint32_t* order;
     REQUIRE(take_input<D>(store, points.data(), 4 * D, 1, monitor, &input, &order) == Status::ok);
     REQUIRE(store.open_cells() == Status::ok);
-    Kernel<D> kernel(store, corner_error_max, true);
+    Kernel<D> kernel(store, corner_error_max, VertexCells::kept);
     VertexId ids[D + 1];
     REQUIRE(independent_points<D>(store, order, 4 * D, ids));
     REQUIRE(kernel.start(ids) == Status::ok);
@@ -249,9 +246,7 @@ TEST_CASE_TEMPLATE_DEFINE("a star that the gap is too small for is refused, and 
     CHECK(visited(expected, &count));
     CHECK(count == expected);
 }
-TEST_CASE_TEMPLATE_INVOKE(stars, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(stars, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("stamps that run out begin anew, and the triangulation is the same", T, stamps) {
     constexpr int D = T::value;
@@ -265,7 +260,7 @@ TEST_CASE_TEMPLATE_DEFINE("stamps that run out begin anew, and the triangulation
         std::uint32_t* order;
         REQUIRE(take_input<D>(store, points.data(), 6 * D, 1, monitor, &input, &order) == Status::ok);
         REQUIRE(store.open_cells() == Status::ok);
-        Kernel<D> kernel(store, corner_error_max, false);
+        Kernel<D> kernel(store, corner_error_max, VertexCells::ignored);
         VertexId ids[D + 1];
         REQUIRE(independent_points<D>(store, order, 6 * D, ids));
         REQUIRE(kernel.start(ids) == Status::ok);
@@ -290,9 +285,7 @@ TEST_CASE_TEMPLATE_DEFINE("stamps that run out begin anew, and the triangulation
     CHECK(run(0xFFFFFFF0u, &wrapped) < 1000);
     CHECK(plain == wrapped);
 }
-TEST_CASE_TEMPLATE_INVOKE(stamps, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(stamps, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("inputs that are none are refused before anything is taken", T, no_inputs) {
     constexpr int D = T::value;
@@ -317,9 +310,7 @@ TEST_CASE_TEMPLATE_DEFINE("inputs that are none are refused before anything is t
     CHECK(spatial_order<D>(nullptr, 0, 0, 1, block.arena, nullptr, &repeats) == Status::ok);
     CHECK_FALSE(repeats);
 }
-TEST_CASE_TEMPLATE_INVOKE(no_inputs, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(no_inputs, Dimensions<>);
 
 // A simplex whose corner at p[0] is the origin of a cube, flattened to `height` along the last axis.
 template <int D> struct FlatSimplex {
@@ -360,6 +351,4 @@ TEST_CASE_TEMPLATE_DEFINE("balls of flat cells at any scale pass through their v
     CHECK(known > 100);
     CHECK(unknown > 10);
 }
-TEST_CASE_TEMPLATE_INVOKE(flat_balls, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(flat_balls, Dimensions<>);

@@ -9,183 +9,210 @@
 #include <cstring>
 #include <set>
 
+#include "common/bottleneck.hpp"
 #include "common/session.hpp"
 
 namespace {
 
 bool failed = false;
 
+std::uint64_t bits_of(double x) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
 void print(const char* job, const char* input, const Session& session, netmesh_status status) {
     if (status != NETMESH_OK) {
-        std::printf("%s %s D%" PRIu32 " failed: %s\n", job, input, session.options.dim, netmesh_status_text(status));
+        std::printf("%s %s D%" PRIu32 " failed: %s\n", job, input, session.request.dim, netmesh_status_text(status));
         failed = true;
         return;
     }
     const netmesh_report r = session.report();
     std::uint64_t pairs = 0;
-    for (std::uint32_t k = 0; k <= r.max_degree; ++k) pairs += r.has_diagram ? r.pairs[k] : 0;
+    for (const std::uint64_t of_degree : r.diagram.pairs) pairs += of_degree;
     std::printf("%s %s D%" PRIu32 " input %016" PRIx64 " result %016" PRIx64 " vertices %" PRIu64 " cells %" PRIu64
                 " pairs %" PRIu64 "\n",
-                job, input, r.dim, r.input_fingerprint, r.fingerprint, r.vertices, r.cells, pairs);
+                job, input, r.input.dim, r.input.fingerprint, r.fingerprint,
+                r.mesh.vertices + r.simplicial_complex.vertices, r.mesh.cells, pairs);
     std::fflush(stdout);
 }
 
 // All simplices of all cycles.
 std::uint64_t hash_of_cycles(const Session& session) {
     std::uint64_t hash = 1;
-    std::uint64_t count = 0;
-    netmesh_simplex s;
-    for (std::uint64_t i = 0; netmesh_get_cycle(session.context, i, &count) == NETMESH_OK; ++i)
-        for (std::uint64_t n = 0; netmesh_get_cycle_simplex(session.context, i, n, &s) == NETMESH_OK; ++n)
+    const std::uint64_t pairs = session.pairs().size();
+    for (std::uint64_t i = 0; i < pairs; ++i) {
+        std::uint64_t n = 0;
+        for (const netmesh_simplex& s : cycle_of(session.context, i)) {
             for (const std::uint32_t v : s.vertices) hash = (hash ^ v) * 0x100000001B3u + n;
+            ++n;
+        }
+    }
     return hash;
 }
 
 void represent(const char* job, Session& session, netmesh_status status) {
-    if (status == NETMESH_OK) status = netmesh_represent(session.context, &session.options);
+    if (status == NETMESH_OK) status = session.represent();
     failed = failed || status != NETMESH_OK;
-    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.options.dim, hash_of_cycles(session),
+    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.request.dim, hash_of_cycles(session),
                 static_cast<int>(status));
 }
 
 // Every number of the bounds of bars and of the ratio by scale.
 void bound(const char* job, Session& session) {
-    const netmesh_status status = netmesh_bound_bars(session.context, &session.options);
+    const netmesh_status status = session.bound_bars();
     failed = failed || status != NETMESH_OK;
-    std::uint64_t hash = 1, bars = 0, steps = 0, certain = 0;
-    const auto add = [&](double x) {
-        std::uint64_t bits;
-        std::memcpy(&bits, &x, sizeof bits);
-        hash = (hash ^ bits) * 0x100000001B3u + (hash >> 32);
-    };
-    netmesh_bar_bounds b;
-    for (; netmesh_get_bar_bounds(session.context, bars, &b) == NETMESH_OK; ++bars) {
+    std::uint64_t hash = 1, certain = 0;
+    const auto add = [&](double x) { hash = (hash ^ bits_of(x)) * 0x100000001B3u + (hash >> 32); };
+    const auto bars = read_all(session.context, netmesh_get_bar_bounds);
+    for (const netmesh_bar_bounds& b : bars) {
         for (const double x : {b.birth_low, b.birth_high, b.death_low, b.death_high, b.certain_after}) add(x);
         certain += b.certain;
     }
-    netmesh_scale_step s;
-    for (; netmesh_get_scale_step(session.context, steps, &s) == NETMESH_OK; ++steps)
+    const auto steps = read_all(session.context, netmesh_get_scale_step);
+    for (const netmesh_scale_step& s : steps)
         for (const double x : {s.from, s.reach, s.ratio}) add(x);
-    std::printf("bounds %s D%" PRIu32 " %016" PRIx64 " bars %" PRIu64 " certain %" PRIu64 " steps %" PRIu64
-                " status %d\n",
-                job, session.options.dim, hash, bars, certain, steps, static_cast<int>(status));
+    std::printf("bounds %s D%" PRIu32 " %016" PRIx64 " bars %zu certain %" PRIu64 " steps %zu status %d\n", job,
+                session.request.dim, hash, bars.size(), certain, steps.size(), static_cast<int>(status));
     std::fflush(stdout);
 }
 
 void print_analysis(const char* input, Session& session, std::uint32_t what) {
-    netmesh_analysis a = {};
-    a.struct_bytes = sizeof a;
-    const netmesh_status status = netmesh_analyse(session.context, what, 30, &session.options, &a);
+    netmesh_analysis a;
+    const netmesh_status status = session.analyse(&a, what, 30);
     failed = failed || status != NETMESH_OK;
     std::printf("analyse %s D%" PRIu32 " status %d result %016" PRIx64 " boxes %" PRIu64 " ply %" PRIu64
                 " degree %" PRIu64 "\n",
-                input, session.options.dim, static_cast<int>(status), a.fingerprint, a.boxes, a.ply_max, a.degree_max);
+                input, session.request.dim, static_cast<int>(status), a.fingerprint, a.size.boxes, a.structure.ply_max,
+                a.structure.degree_max);
     std::fflush(stdout);
 }
 
 void print_audit(const char* input, Session& session, const inputs::Points& points) {
-    session.options.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    session.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
     const netmesh_status status = session.mesh(points);
-    session.options.audit = 0;
+    session.request.audit = 0;
     print("audit", input, session, status);
-    const netmesh_audit a = session.report().audit;
+    const netmesh_audit_report a = session.report().mesh.audit;
     const double ratios[] = {a.ply_mean,      a.touches_mean, a.tests_mean,    a.aspect_ratio_max,
                              a.feature_ratio, a.cage_ratio,   a.steiner_ratio, a.input_ratio};
     std::uint64_t hash = 1;
-    for (const double ratio : ratios) {
-        std::uint64_t bits;
-        std::memcpy(&bits, &ratio, sizeof bits);
-        hash = (hash ^ bits) * 0x100000001B3u;
-    }
+    for (const double ratio : ratios) hash = (hash ^ bits_of(ratio)) * 0x100000001B3u;
     std::printf("audit %s D%" PRIu32 " rounds %" PRIu32 " nets %" PRIu32 " ply %" PRIu32 " touches %" PRIu32
-                " meshes %" PRIu32 " ratios %016" PRIx64 "\n",
-                input, session.options.dim, a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, hash);
+                " meshes %" PRIu64 " ratios %016" PRIx64 "\n",
+                input, session.request.dim, a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, hash);
     std::fflush(stdout);
 }
 
-void dimension(int dim) {
-    const std::size_t d = static_cast<std::size_t>(dim);
-    const std::size_t points[] = {0, 0, 2000, 1000, 300, 120, 50}, meshed[] = {0, 0, 400, 150, 40, 12, 6};
-    const int side[] = {0, 0, 20, 6, 4, 3, 2};
-    Session session(dim);
-    session.reserve(std::size_t(1) << 28);
-    print("delaunay", "uniform", session, session.delaunay(inputs::uniform(dim, points[d])));
+// Points of a triangulation, of a mesh, of a complex on the points; sides of a grid that is triangulated.
+struct Sizes {
+    std::size_t points, meshed, complex;
+    int side;
+};
+Sizes sizes_of(int dim) {
+    switch (dim) {
+    case 2: return {2000, 400, 40, 20};
+    case 3: return {1000, 150, 36, 6};
+    case 4: return {300, 40, 32, 4};
+    case 5: return {120, 12, 24, 3};
+    default: return {50, 6, 20, 2};
+    }
+}
+
+void triangulations(Session& session, int dim, const Sizes& sizes) {
+    print("delaunay", "uniform", session, session.delaunay(inputs::uniform(dim, sizes.points)));
     print_analysis("uniform-delaunay", session, NETMESH_ANALYSE_ALL & ~NETMESH_ANALYSE_SIZE);
-    print("delaunay", "clusters", session, session.delaunay(inputs::clusters(dim, points[d])));
-    print("delaunay", "grid", session, session.delaunay(inputs::grid(dim, side[d])));
+    print("delaunay", "clusters", session, session.delaunay(inputs::clusters(dim, sizes.points)));
+    print("delaunay", "grid", session, session.delaunay(inputs::grid(dim, sizes.side)));
     print("delaunay", "zoom", session, session.delaunay(inputs::zoom(dim, 1000, 20)));
-    print("delaunay", "repeated", session,
-          session.delaunay(inputs::repeated(dim, inputs::uniform(dim, points[d] / 2), 2)));
-    print("mesh", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d])));
-    print("mesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
-    session.options.method = NETMESH_METHOD_NETMESH;
-    print("netmesh", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d])));
-    print("netmesh", "geometric", session, session.mesh(inputs::geometric(dim, 1000, dim < 5 ? 40 : 10)));
-    print_audit("uniform", session, inputs::uniform(dim, 4 + meshed[d] / 16));
+    const inputs::Points twice = inputs::repeated(dim, inputs::uniform(dim, sizes.points / 2), 2);
+    print("delaunay", "repeated", session, session.delaunay(twice));
+}
+
+void meshes(Session& session, int dim, std::size_t meshed) {
+    const auto mesh = [&](const char* job, const char* input, const inputs::Points& points) {
+        print(job, input, session, session.mesh(points));
+    };
+    mesh("mesh", "uniform", inputs::uniform(dim, meshed));
+    mesh("mesh", "clusters", inputs::clusters(dim, meshed));
+    session.request.method = NETMESH_METHOD_HIERARCHY;
+    mesh("netmesh", "clusters", inputs::clusters(dim, meshed));
+    mesh("netmesh", "geometric", inputs::geometric(dim, 1000, dim < 5 ? 40 : 10));
+    print_audit("uniform", session, inputs::uniform(dim, 4 + meshed / 16));
     print_audit("geometric", session, inputs::geometric(dim, 1000, 10));
-    session.options.finish = 1;
-    print("netmesh-finish", "clusters", session, session.mesh(inputs::clusters(dim, meshed[d] / 4)));
-    session.options.finish = 0;
-    session.options.method = NETMESH_METHOD_REFINE;
-    if (dim < 4) print("refine", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4)));
-    session.options.method = NETMESH_METHOD_SVR;
+    session.request.finish = 1;
+    mesh("netmesh-finish", "clusters", inputs::clusters(dim, meshed / 4));
+    session.request.finish = 0;
+    session.request.method = NETMESH_METHOD_REFINE;
+    if (dim < 4) mesh("refine", "uniform", inputs::uniform(dim, meshed / 4));
+    session.request.method = NETMESH_METHOD_SVR;
     print_analysis("clusters-mesh", session, NETMESH_ANALYSE_ALL);
-    session.options.over_refine_eps = dim < 4 ? 0.5 : 1;
-    print("mesh-eps", "uniform", session, session.mesh(inputs::uniform(dim, meshed[d] / 4 + 3)));
-    session.options.over_refine_eps = 0;
-    print("persist", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
+    session.request.sizes.eps = dim < 4 ? 0.5 : 1;
+    mesh("mesh-eps", "uniform", inputs::uniform(dim, meshed / 4 + 3));
+    session.request.sizes.eps = 0;
+}
+
+void diagrams_of_meshes(Session& session, int dim, const Sizes& sizes) {
+    const inputs::Points uniform = inputs::uniform(dim, sizes.meshed);
+    print("persist", "uniform", session, session.mesh_and_persist(uniform));
     bound("uniform", session);
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session,
-          session.mesh_and_persist(inputs::uniform(dim, meshed[d]), NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS));
-    represent("alpha", session, session.alpha(inputs::uniform(dim, points[d] / 4)));
-    represent("persist", session, session.mesh_and_persist(inputs::uniform(dim, dim < 5 ? meshed[d] / 4 : 2)));
-    for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
-        session.options.k = 5;
-        print(filter == NETMESH_FILTER_KNN ? "persist-knn" : "persist-kdistance", "uniform", session,
-              session.mesh_and_persist(inputs::uniform(dim, meshed[d]), filter));
-        bound(filter == NETMESH_FILTER_KNN ? "knn" : "kdistance", session);
-    }
-    session.options.ratio = 2.25;
-    print("persist-ratio", "uniform", session, session.mesh_and_persist(inputs::uniform(dim, meshed[d])));
-    print("persist-ratio", "shell", session, session.mesh_and_persist(inputs::shell(dim, meshed[d] / 2, 1, 1, 7)));
-    session.options.ratio = 0;
-    if (dim <= 3) {
-        const inputs::Points zoom = inputs::zoom(dim, 40, dim == 2 ? 4 : 10);
-        print("persist-scales", "zoom", session, session.until_it_fits(std::size_t(1) << 24, [&] {
-            return netmesh_persist_scales(session.context, zoom.data(), zoom.size() / d, NETMESH_VALUES_CERTIFIED,
-                                          NETMESH_DIM_MAX, 0, &session.options);
-        }));
-        const inputs::Points sparse = inputs::uniform(dim, dim == 2 ? 20 : 5);
-        print("persist-tight", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
-            const netmesh_status status = netmesh_mesh(session.context, sparse.data(), sparse.size() / d,
-                                                       NETMESH_JOB_PERSIST_TIGHT, &session.options);
-            return status != NETMESH_OK
-                       ? status
-                       : netmesh_persist(session.context, NETMESH_FILTER_TIGHT, NETMESH_VALUES_CERTIFIED,
-                                         NETMESH_DIM_MAX, 0, &session.options);
-        }));
-        const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
-        print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
-            const netmesh_status status =
-                netmesh_mesh(session.context, few.data(), few.size() / d, NETMESH_JOB_PERSIST, &session.options);
-            return status != NETMESH_OK ? status
-                                        : netmesh_vineyard(session.context, NETMESH_FILTER_KNN, 1, 5,
-                                                           NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, &session.options);
-        }));
-    }
-    print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, points[d] / 2)));
-    const std::size_t number[] = {0, 0, 40, 36, 32, 24, 20};
-    print("rips", "uniform", session,
-          session.points(NETMESH_FILTER_RIPS, 1, dim < 4 ? 2 : 1, inputs::uniform(dim, number[d])));
-    print("rips", "grid", session, session.points(NETMESH_FILTER_RIPS, 1, 1, inputs::grid(dim, dim < 4 ? 4 : 2)));
-    print("cech", "uniform", session, session.points(NETMESH_FILTER_CECH, 1, 1, inputs::uniform(dim, number[d])));
-    print("cech", "grid", session, session.points(NETMESH_FILTER_CECH, 1, 2, inputs::grid(dim, dim < 3 ? 4 : 2)));
-    print("barycentric-cech", "uniform", session,
-          session.points(NETMESH_FILTER_BARYCENTRIC_CECH, 2, 1, inputs::uniform(dim, 9)));
-    print("barycentric-rips", "uniform", session,
-          session.points(NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 0, inputs::uniform(dim, 10)));
-    print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? side[d] : 3)));
+          session.mesh_and_persist(uniform, persist_by(NETMESH_FILTER_BASIC, 0, NETMESH_VALUES_THESIS)));
+    represent("alpha", session, session.alpha(inputs::uniform(dim, sizes.points / 4)));
+    represent("persist", session, session.mesh_and_persist(inputs::uniform(dim, dim < 5 ? sizes.meshed / 4 : 2)));
+    print("persist-knn", "uniform", session, session.mesh_and_persist(uniform, persist_by(NETMESH_FILTER_KNN, 5)));
+    bound("knn", session);
+    print("persist-kdistance", "uniform", session,
+          session.mesh_and_persist(uniform, persist_by(NETMESH_FILTER_KDISTANCE, 5)));
+    bound("kdistance", session);
+    session.request.certificate.ratio = 2.25;
+    print("persist-ratio", "uniform", session, session.mesh_and_persist(uniform));
+    print("persist-ratio", "shell", session, session.mesh_and_persist(inputs::shell(dim, sizes.meshed / 2, 1, 1, 7)));
+    session.request.certificate.ratio = 0;
+}
+
+// Where meshes are fine: D = 2, 3.
+void dense_runs(Session& session, int dim) {
+    const inputs::Points zoom = inputs::zoom(dim, 40, dim == 2 ? 4 : 10);
+    print("persist-scales", "zoom", session, session.scales(session.scales_request(zoom)));
+    const inputs::Points sparse = inputs::uniform(dim, dim == 2 ? 20 : 5);
+    print("persist-tight", "uniform", session,
+          session.mesh_and_persist(sparse, persist_by(NETMESH_FILTER_TIGHT), NETMESH_PURPOSE_TIGHT));
+    const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
+    print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
+        const netmesh_status status = session.mesh_in_block(few, NETMESH_PURPOSE_PERSIST);
+        return status == NETMESH_OK ? session.vineyard(NETMESH_FILTER_KNN, 1, 5) : status;
+    }));
+}
+
+void complexes_on_points(Session& session, int dim, std::size_t number) {
+    const auto complex = [&](const char* job, const char* input, const netmesh_points_request& request) {
+        print(job, input, session, session.points(request));
+    };
+    const inputs::Points points = inputs::uniform(dim, number), nine = inputs::uniform(dim, 9),
+                         ten = inputs::uniform(dim, 10);
+    const inputs::Points grid = inputs::grid(dim, dim < 4 ? 4 : 2), small_grid = inputs::grid(dim, dim < 3 ? 4 : 2);
+    complex("rips", "uniform", session.points_request(points, NETMESH_FILTER_RIPS, 1, dim < 4 ? 2 : 1));
+    complex("rips", "grid", session.points_request(grid, NETMESH_FILTER_RIPS, 1, 1));
+    complex("cech", "uniform", session.points_request(points, NETMESH_FILTER_CECH, 1, 1));
+    complex("cech", "grid", session.points_request(small_grid, NETMESH_FILTER_CECH, 1, 2));
+    complex("barycentric-cech", "uniform", session.points_request(nine, NETMESH_FILTER_BARYCENTRIC_CECH, 2, 1));
+    complex("barycentric-rips", "uniform", session.points_request(ten, NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 0));
+}
+
+void dimension(int dim) {
+    const Sizes sizes = sizes_of(dim);
+    Session session(dim);
+    session.reserve(std::size_t(1) << 28);
+    triangulations(session, dim, sizes);
+    meshes(session, dim, sizes.meshed);
+    diagrams_of_meshes(session, dim, sizes);
+    if (dim <= 3) dense_runs(session, dim);
+    print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, sizes.points / 2)));
+    complexes_on_points(session, dim, sizes.complex);
+    print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? sizes.side : 3)));
 }
 
 // Distances of the diagrams of two samples, as the bits that netmesh_bottleneck returns.
@@ -194,17 +221,12 @@ void distances() {
     const bool made = a.alpha(inputs::shell(2, 500, 0.5, 1, 1)) == NETMESH_OK &&
                       b.alpha(inputs::shell(2, 500, 0.5, 1, 2)) == NETMESH_OK;
     const std::vector<netmesh_pair> x = a.pairs(), y = b.pairs();
-    const std::size_t bytes = netmesh_bottleneck_bytes(x.size(), y.size());
-    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
     for (const netmesh_scale scale : {NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG}) {
-        netmesh_distance d = {};
-        const netmesh_status status = netmesh_bottleneck(x.data(), x.size(), y.data(), y.size(), NETMESH_ALL_DEGREES,
-                                                         scale, scratch, bytes, nullptr, nullptr, &d);
-        failed = failed || !made || status != NETMESH_OK;
-        std::printf("bottleneck %s distance %a exponent %" PRId32 "\n", scale == NETMESH_SCALE_LOG ? "log" : "plain",
-                    d.value, d.exponent);
+        const Distance d = bottleneck(x, y, scale);
+        failed = failed || !made || d.status != NETMESH_OK;
+        std::printf("bottleneck %s distance %a exponent %d\n", scale == NETMESH_SCALE_LOG ? "log" : "plain", d.value,
+                    d.exponent);
     }
-    std::free(scratch);
 }
 
 // The complex of all faces of some cells, with values by formula and negative ones among them, and a cycle for each bar.
@@ -235,11 +257,15 @@ void homology() {
         values.push_back(value + static_cast<double>(face.size()) * 0.125);
     }
     Session session(2);
-    const netmesh_status status = session.until_it_fits(netmesh_homology_bytes(values.size(), list.size()), [&] {
-        return netmesh_homology(session.context, list.data(), starts.data(), values.data(), values.size(), 3, 0, 1,
-                                &session.options);
-    });
-    print("homology", "joined", session, status);
+    netmesh::requests::Homology request;
+    request.vertices = list.data();
+    request.vertex_count = list.size();
+    request.starts = starts.data();
+    request.entries = values.data();
+    request.simplex_count = values.size();
+    request.max_degree = 3;
+    request.representatives = 1;
+    print("homology", "joined", session, session.homology(request));
     std::printf("homology cycles %016" PRIx64 "\n", hash_of_cycles(session));
 }
 
@@ -247,12 +273,13 @@ void homology() {
 
 int main(int argc, char** argv) {
     const bool small = argc > 1 && std::strcmp(argv[1], "small") == 0;
-    for (int dim = NETMESH_DIM_MIN; dim <= NETMESH_DIM_MAX; ++dim) dimension(dim);
+    for (int dim = NETMESH_DIM_MIN; dim <= NETMESH_DIM_MAX; ++dim)
+        if (plans_for(dim)) dimension(dim);
     distances();
     homology();
-    if (!small) {
+    if (!small && plans_for(4)) {
         Session session(4);
-        session.options.tau = 3.08;
+        session.request.tau = 3.08;
         print("persist", "clifford", session, session.mesh_and_persist(inputs::clifford(2000)));
     }
     return failed ? 1 : 0;

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "determinism/text.hpp"
-#include "netmesh.h"
+#include "netmesh.hpp"
 
 namespace slice {
 namespace {
@@ -177,8 +177,7 @@ void add_hash(Text* line, const char* job, netmesh_status status, std::uint64_t 
 }
 
 void add_result(Text* line, const char* job, netmesh_status status, const netmesh_context* context) {
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
+    auto report = netmesh::sized<netmesh_report>();
     if (status == NETMESH_OK) status = netmesh_get_report(context, &report);
     add_hash(line, job, status, report.fingerprint);
 }
@@ -201,9 +200,9 @@ private:
 std::uint64_t hash_of_bars(const netmesh_context* context) {
     Hash hash;
     std::uint64_t count;
-    netmesh_simplex simplex;
-    netmesh_bar_bounds bounds;
-    netmesh_pair pair;
+    auto simplex = netmesh::sized<netmesh_simplex>();
+    auto bounds = netmesh::sized<netmesh_bar_bounds>();
+    auto pair = netmesh::sized<netmesh_pair>();
     for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i) {
         if (netmesh_get_bar_bounds(context, i, &bounds) == NETMESH_OK) {
             hash.add(bounds.birth_low);
@@ -220,14 +219,50 @@ std::uint64_t hash_of_bars(const netmesh_context* context) {
 
 double slope(void*, const double* x) { return (x[0] < 0 ? -x[0] : x[0]) * 0.5 + (x[1] < 0 ? -x[1] : x[1]) * 0.25; }
 
+// The jobs in one block. Each that takes points begins with a fresh context.
+class Context {
+public:
+    Context(void* block, std::size_t bytes, int dim)
+        : mesh_request(static_cast<std::uint32_t>(dim)), block_(block), bytes_(bytes) {}
+
+    netmesh_status start() { return netmesh_init(block_, bytes_, &handle); }
+    netmesh_status delaunay(const double* points, int count) {
+        netmesh::requests::Delaunay request(mesh_request.dim);
+        request.points = points;
+        request.point_count = static_cast<std::size_t>(count);
+        const netmesh_status status = start();
+        return status == NETMESH_OK ? netmesh_delaunay(handle, &request) : status;
+    }
+    netmesh_status mesh(const double* points, int count, netmesh_purpose purpose) {
+        mesh_request.points = points;
+        mesh_request.point_count = static_cast<std::size_t>(count);
+        mesh_request.purpose = purpose;
+        const netmesh_status status = start();
+        return status == NETMESH_OK ? netmesh_mesh(handle, &mesh_request) : status;
+    }
+    netmesh_status persist(netmesh_filter filter, bool keep_zero_pairs, std::uint32_t k = 0) {
+        netmesh::requests::Persist request(filter);
+        request.k = k;
+        request.keep_zero_pairs = keep_zero_pairs ? 1 : 0;
+        return netmesh_persist(handle, &request);
+    }
+    void* block() const { return block_; }
+    std::size_t block_bytes() const { return bytes_; }
+
+    netmesh_context* handle = nullptr;
+    netmesh::requests::Mesh mesh_request;
+
+private:
+    void* block_;
+    std::size_t bytes_;
+};
+
 // The other calls, on few points in each dimension: a line a kind of result.
 class Calls {
 public:
     Calls(Input* in, int dim, void* block, std::size_t bytes, void (*print)(const char*))
-        : in_(*in), block_(block), bytes_(bytes), print_(print) {
+        : in_(*in), context_(block, bytes, dim), print_(print) {
         in_.dim = dim;
-        netmesh_options_init(&options_, static_cast<std::uint32_t>(dim));
-        options_.k = 2;
     }
     int run() {
         in_.count = 0;
@@ -243,46 +278,54 @@ public:
 
 private:
     Text begin() const { return Text().words("D").number(static_cast<unsigned>(in_.dim)).words(" calls"); }
-    std::size_t count() const { return static_cast<std::size_t>(in_.count); }
-    netmesh_status mesh(netmesh_job job) {
-        const netmesh_status status = netmesh_init(block_, bytes_, &context_);
-        return status == NETMESH_OK ? netmesh_mesh(context_, in_.x, count(), job, &options_) : status;
-    }
+    netmesh_status mesh(netmesh_purpose purpose) { return context_.mesh(in_.x, in_.count, purpose); }
 
     void on_mesh() {
-        constexpr netmesh_values certified = NETMESH_VALUES_CERTIFIED;
         Text line = begin();
-        netmesh_status status = mesh(NETMESH_JOB_PERSIST);
+        netmesh_status status = mesh(NETMESH_PURPOSE_PERSIST);
         const auto persist = [&](const char* job, netmesh_filter filter) {
-            if (status == NETMESH_OK) status = netmesh_persist(context_, filter, certified, 6, 0, &options_);
-            add_result(&line, job, status, context_);
+            if (status == NETMESH_OK) status = context_.persist(filter, false, 2);
+            add_result(&line, job, status, context_.handle);
         };
         persist("tight", NETMESH_FILTER_TIGHT);
         persist("kdistance", NETMESH_FILTER_KDISTANCE);
         persist("knn", NETMESH_FILTER_KNN);
-        if (status == NETMESH_OK) status = netmesh_represent(context_, &options_);
-        if (status == NETMESH_OK) status = netmesh_bound_bars(context_, &options_);
-        add_hash(&line, "bars", status, hash_of_bars(context_));
-        const netmesh_function function = {slope, nullptr, 0.75, 0, 2};
-        if (status == NETMESH_OK) status = netmesh_persist_function(context_, &function, certified, 6, 0, &options_);
-        add_result(&line, "function", status, context_);
-        if (status == NETMESH_OK)
-            status = netmesh_vineyard(context_, NETMESH_FILTER_KNN, 1, 2, certified, 6, &options_);
-        add_result(&line, "vineyard", status, context_);
+        const netmesh::requests::Represent represent;
+        const netmesh::requests::Bounds bounds;
+        if (status == NETMESH_OK) status = netmesh_represent(context_.handle, &represent);
+        if (status == NETMESH_OK) status = netmesh_bound_bars(context_.handle, &bounds);
+        add_hash(&line, "bars", status, hash_of_bars(context_.handle));
+        if (status == NETMESH_OK) status = function();
+        add_result(&line, "function", status, context_.handle);
+        netmesh::requests::Vineyard vineyard(NETMESH_FILTER_KNN);
+        vineyard.k_last = 2;
+        if (status == NETMESH_OK) status = netmesh_vineyard(context_.handle, &vineyard);
+        add_result(&line, "vineyard", status, context_.handle);
         print_(line.words());
+    }
+    netmesh_status function() {
+        netmesh::requests::Function of;
+        of.evaluate = slope;
+        of.lipschitz = 0.75;
+        of.cut = 2;
+        netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
+        request.function = &of;
+        return netmesh_persist(context_.handle, &request);
     }
 
     // With cages and without; what is measured of them.
     void of_mesh() {
         Text line = begin();
-        netmesh_status status = mesh(NETMESH_JOB_MESH);
-        netmesh_analysis analysis = {};
-        analysis.struct_bytes = sizeof analysis;
-        if (status == NETMESH_OK) status = netmesh_analyse(context_, NETMESH_ANALYSE_ALL, 30, &options_, &analysis);
+        netmesh_status status = mesh(NETMESH_PURPOSE_MESH);
+        netmesh::requests::Analyse request;
+        request.tolerance = 30;
+        request.mesh = &context_.mesh_request;
+        auto analysis = netmesh::sized<netmesh_analysis>();
+        if (status == NETMESH_OK) status = netmesh_analyse(context_.handle, &request, &analysis);
         add_hash(&line, "analysis", status, analysis.fingerprint);
         std::uint32_t order[points_max] = {};
         double theta[points_max] = {};
-        if (status == NETMESH_OK) status = netmesh_well_paced_order(context_, order, theta);
+        if (status == NETMESH_OK) status = netmesh_well_paced_order(context_.handle, order, theta);
         Hash hash;
         for (int i = 0; i < in_.count; ++i) {
             hash.add(std::uint64_t{order[i]});
@@ -291,67 +334,108 @@ private:
         add_hash(&line, "order", status, hash.value());
         in_.count = 0;
         zoom(&in_, in_.dim < 5 ? 5 : 3, 6, 13);
-        options_.method = NETMESH_METHOD_NETMESH;
-        add_result(&line, "cages", mesh(NETMESH_JOB_MESH), context_);
-        options_.finish = 1;
-        if (in_.dim < 4) add_result(&line, "finished", mesh(NETMESH_JOB_MESH), context_);
-        options_.finish = 0;
-        options_.method = NETMESH_METHOD_SVR;
+        context_.mesh_request.method = NETMESH_METHOD_HIERARCHY;
+        add_result(&line, "cages", mesh(NETMESH_PURPOSE_MESH), context_.handle);
+        context_.mesh_request.finish = 1;
+        if (in_.dim < 4) add_result(&line, "finished", mesh(NETMESH_PURPOSE_MESH), context_.handle);
+        context_.mesh_request.finish = 0;
+        context_.mesh_request.method = NETMESH_METHOD_SVR;
         print_(line.words());
     }
 
     void on_points() {
         Text line = begin();
-        const auto persist = [&](const char* job, netmesh_filter filter, int cycles) {
-            netmesh_status status = netmesh_init(block_, bytes_, &context_);
-            if (status == NETMESH_OK)
-                status = netmesh_persist_points(context_, in_.x, count(), filter, NETMESH_VALUES_CERTIFIED, 2, 1, 0,
-                                                cycles, &options_);
-            add_result(&line, job, status, context_);
-            if (cycles != 0) add_hash(&line, "cycles", status, hash_of_bars(context_));
+        const auto persist = [&](const char* job, netmesh_filter filter, bool cycles) {
+            netmesh::requests::Points request(context_.mesh_request.dim, filter);
+            request.points = in_.x;
+            request.point_count = static_cast<std::size_t>(in_.count);
+            request.k = 2;
+            request.representatives = cycles ? 1 : 0;
+            netmesh_status status = context_.start();
+            if (status == NETMESH_OK) status = netmesh_persist_points(context_.handle, &request);
+            add_result(&line, job, status, context_.handle);
+            if (cycles) add_hash(&line, "cycles", status, hash_of_bars(context_.handle));
         };
-        persist("rips", NETMESH_FILTER_RIPS, 1);
-        persist("cech", NETMESH_FILTER_CECH, 1);
-        persist("barycentric-cech", NETMESH_FILTER_BARYCENTRIC_CECH, 0);
-        persist("barycentric-rips", NETMESH_FILTER_BARYCENTRIC_RIPS, 0);
+        persist("rips", NETMESH_FILTER_RIPS, true);
+        persist("cech", NETMESH_FILTER_CECH, true);
+        persist("barycentric-cech", NETMESH_FILTER_BARYCENTRIC_CECH, false);
+        persist("barycentric-rips", NETMESH_FILTER_BARYCENTRIC_RIPS, false);
         print_(line.words());
     }
 
-    // Scales, a complex given by its simplices, the distance of two diagrams.
     void without_points() {
         Text line = begin();
+        scales(&line);
+        homology(&line);
+        distance(&line);
+        print_(line.words());
+    }
+    void scales(Text* line) {
         in_.count = 0;
         zoom(&in_, 2, 30, 14);
-        netmesh_status status = netmesh_init(block_, bytes_, &context_);
-        if (status == NETMESH_OK)
-            status = netmesh_persist_scales(context_, in_.x, count(), NETMESH_VALUES_CERTIFIED, 6, 0, &options_);
-        add_result(&line, "scales", status, context_);
-        // Two triangles with a common edge, one of them filled.
+        netmesh::requests::Scales request(context_.mesh_request.dim);
+        request.points = in_.x;
+        request.point_count = static_cast<std::size_t>(in_.count);
+        netmesh_status status = context_.start();
+        if (status == NETMESH_OK) status = netmesh_persist_scales(context_.handle, &request);
+        add_result(line, "scales", status, context_.handle);
+    }
+    // A complex given by its simplices: two triangles with a common edge, one of them filled.
+    void homology(Text* line) {
         static const std::uint32_t vertices[] = {0, 1, 2, 3, 0, 1, 1, 2, 2, 0, 3, 1, 2, 3, 0, 1, 2};
         static const std::uint64_t starts[] = {0, 1, 2, 3, 4, 6, 8, 10, 12, 14, 17};
-        static const double values[] = {0, 0.5, 0.25, 0, 1, 2, 1.5, 2, 3, 2.5};
-        status = netmesh_init(block_, bytes_, &context_);
-        if (status == NETMESH_OK) status = netmesh_homology(context_, vertices, starts, values, 10, 2, 0, 1, &options_);
-        add_result(&line, "homology", status, context_);
-        add_hash(&line, "cycles", status, hash_of_bars(context_));
-        static const netmesh_pair a[] = {{0, 0.25, 1}, {0, 0.5, 2.25}, {1, 0.125, 0.75}};
-        static const netmesh_pair b[] = {{0, 0.3, 1.1}, {1, 0.1, 0.7}, {1, 0.6, 0.65}};
-        netmesh_distance distance = {};
-        status = netmesh_bottleneck(a, 3, b, 3, NETMESH_ALL_DEGREES, NETMESH_SCALE_LOG, block_, bytes_, nullptr,
-                                    nullptr, &distance);
+        static const double entries[] = {0, 0.5, 0.25, 0, 1, 2, 1.5, 2, 3, 2.5};
+        netmesh::requests::Homology request;
+        request.vertices = vertices;
+        request.starts = starts;
+        request.entries = entries;
+        request.simplex_count = 10;
+        request.max_degree = 2;
+        request.representatives = 1;
+        netmesh_status status = context_.start();
+        if (status == NETMESH_OK) status = netmesh_homology(context_.handle, &request);
+        add_result(line, "homology", status, context_.handle);
+        add_hash(line, "cycles", status, hash_of_bars(context_.handle));
+    }
+    // Of two diagrams.
+    void distance(Text* line) {
+        constexpr std::uint32_t bytes = sizeof(netmesh_pair);
+        static const netmesh_pair a[] = {{bytes, 0, 0.25, 1}, {bytes, 0, 0.5, 2.25}, {bytes, 1, 0.125, 0.75}};
+        static const netmesh_pair b[] = {{bytes, 0, 0.3, 1.1}, {bytes, 1, 0.1, 0.7}, {bytes, 1, 0.6, 0.65}};
+        netmesh::requests::Bottleneck request;
+        request.pairs_a = a;
+        request.pairs_b = b;
+        request.count_a = request.count_b = 3;
+        request.scale = NETMESH_SCALE_LOG;
+        request.scratch = context_.block();
+        request.scratch_bytes = context_.block_bytes();
+        auto distance = netmesh::sized<netmesh_distance>();
+        const netmesh_status status = netmesh_bottleneck(&request, &distance, nullptr);
         Hash hash;
         hash.add(distance.value);
-        add_hash(&line, "distance", status, hash.value());
-        print_(line.words());
+        add_hash(line, "distance", status, hash.value());
     }
 
     Input& in_;
-    void* block_;
-    std::size_t bytes_;
+    Context context_;
     void (*print_)(const char*);
-    netmesh_context* context_ = nullptr;
-    netmesh_options options_;
 };
+
+// One input: its Delaunay triangulation and alpha diagram, a mesh of it and the mesh's diagram.
+Text jobs_on(Input* in, int which, Context* context) {
+    Text out;
+    out.words("D").number(static_cast<unsigned>(in->dim)).words(" ").number(static_cast<unsigned>(which)).words(" ");
+    out.words(make(in, in->dim, which));
+    netmesh_status status = context->delaunay(in->x, in->count);
+    add_result(&out, "delaunay", status, context->handle);
+    if (status == NETMESH_OK) status = context->persist(NETMESH_FILTER_ALPHA, true);
+    add_result(&out, "alpha", status, context->handle);
+    status = context->mesh(in->x, in->meshed < in->count ? in->meshed : in->count, NETMESH_PURPOSE_PERSIST);
+    add_result(&out, "mesh", status, context->handle);
+    if (status == NETMESH_OK) status = context->persist(NETMESH_FILTER_COMPLETE, true);
+    add_result(&out, "persist", status, context->handle);
+    return out;
+}
 
 }  // namespace
 
@@ -359,35 +443,10 @@ int run(void* block, std::size_t bytes, int first, int last, void (*print)(const
     static Input in;
     int lines = 0;
     for (int dim = first; dim <= last; ++dim) {
-        for (int which = 0; which < inputs_per_dimension; ++which, ++lines) {
-            Text out;
-            out.words("D")
-                .number(static_cast<unsigned>(dim))
-                .words(" ")
-                .number(static_cast<unsigned>(which))
-                .words(" ");
-            out.words(make(&in, dim, which));
-            const std::size_t n = static_cast<std::size_t>(in.count);
-            const std::size_t meshed = static_cast<std::size_t>(in.meshed < in.count ? in.meshed : in.count);
-            netmesh_options options;
-            netmesh_options_init(&options, static_cast<std::uint32_t>(dim));
-            netmesh_context* context;
-            netmesh_status status = netmesh_init(block, bytes, &context);
-            if (status == NETMESH_OK) status = netmesh_delaunay(context, in.x, n, &options);
-            add_result(&out, "delaunay", status, context);
-            if (status == NETMESH_OK)
-                status = netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 1,
-                                         &options);
-            add_result(&out, "alpha", status, context);
-            status = netmesh_init(block, bytes, &context);
-            if (status == NETMESH_OK) status = netmesh_mesh(context, in.x, meshed, NETMESH_JOB_PERSIST, &options);
-            add_result(&out, "mesh", status, context);
-            if (status == NETMESH_OK)
-                status = netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 1,
-                                         &options);
-            add_result(&out, "persist", status, context);
-            print(out.words());
-        }
+        in.dim = dim;
+        Context context(block, bytes, dim);
+        for (int which = 0; which < inputs_per_dimension; ++which, ++lines)
+            print(jobs_on(&in, which, &context).words());
         lines += Calls(&in, dim, block, bytes, print).run();
     }
     return lines;
@@ -395,25 +454,20 @@ int run(void* block, std::size_t bytes, int first, int last, void (*print)(const
 
 netmesh_status demo(int dim, void* block, std::size_t bytes, netmesh_report* report, void (*print)(const char* line)) {
     static double x[1000];
-    const std::size_t n = dim == 2 ? 500 : 200;
+    const int n = dim == 2 ? 500 : 200;
     Random random(static_cast<std::uint64_t>(dim));
-    for (std::size_t i = 0; i < n * static_cast<std::size_t>(dim); ++i) x[i] = random.uniform();
-    netmesh_options options;
-    netmesh_options_init(&options, static_cast<std::uint32_t>(dim));
-    options.tau = dim == 2 ? 2.5 : 3;
-    netmesh_context* context;
-    netmesh_status status = netmesh_init(block, bytes, &context);
+    for (int i = 0; i < n * dim; ++i) x[i] = random.uniform();
+    Context context(block, bytes, dim);
+    context.mesh_request.tau = dim == 2 ? 2.5 : 3;
     Text out;
     out.words("demo D").number(static_cast<unsigned>(dim));
-    if (status == NETMESH_OK) status = netmesh_mesh(context, x, n, NETMESH_JOB_PERSIST, &options);
-    add_result(&out, "mesh", status, context);
-    if (status == NETMESH_OK)
-        status =
-            netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, &options);
-    add_result(&out, "persist", status, context);
+    netmesh_status status = context.mesh(x, n, NETMESH_PURPOSE_PERSIST);
+    add_result(&out, "mesh", status, context.handle);
+    if (status == NETMESH_OK) status = context.persist(NETMESH_FILTER_COMPLETE, false);
+    add_result(&out, "persist", status, context.handle);
     print(out.words());
     report->struct_bytes = sizeof *report;
-    return status != NETMESH_OK ? status : netmesh_get_report(context, report);
+    return status != NETMESH_OK ? status : netmesh_get_report(context.handle, report);
 }
 
 }  // namespace slice

@@ -7,42 +7,42 @@
 #include <random>
 #include <vector>
 
+#include "common/bottleneck.hpp"
 #include "diagram/cost.hpp"
-#include "netmesh.hpp"
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-using Diagram = std::vector<netmesh_pair>;
-
-struct Scratch {
-    explicit Scratch(std::size_t bytes) : memory(bytes / 16 + 1) {}
-    struct alignas(16) Piece {
-        unsigned char bytes[16];
-    };
-    std::vector<Piece> memory;
+// A diagram written down as {{degree, birth, death}, ...}.
+struct Bar {
+    std::uint32_t degree;
+    double birth, death;
+};
+struct Diagram : std::vector<netmesh_pair> {
+    Diagram(std::initializer_list<Bar> bars) {
+        for (const Bar& b : bars) push_back(bar(b.degree, b.birth, b.death));
+    }
+    Diagram(std::size_t count, const Bar& b) : vector(count, bar(b.degree, b.birth, b.death)) {}
+    Diagram() = default;
+    explicit Diagram(std::size_t count) : vector(count) {}
 };
 
-netmesh_distance distance(const Diagram& a, const Diagram& b, netmesh_scale scale = NETMESH_SCALE_PLAIN,
-                          std::uint32_t degree = NETMESH_ALL_DEGREES) {
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
-    Scratch scratch(bytes);
-    netmesh_distance result = {-1, -1}, turned = {-1, -1};
-    REQUIRE(netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), degree, scale, scratch.memory.data(), bytes,
-                               nullptr, nullptr, &result) == NETMESH_OK);
-    REQUIRE(netmesh_bottleneck(b.data(), b.size(), a.data(), a.size(), degree, scale, scratch.memory.data(), bytes,
-                               nullptr, nullptr, &turned) == NETMESH_OK);
+Distance distance(const Diagram& a, const Diagram& b, netmesh_scale scale = NETMESH_SCALE_PLAIN,
+                  std::uint32_t degree = NETMESH_ALL_DEGREES) {
+    const Distance result = bottleneck(a, b, scale, degree), turned = bottleneck(b, a, scale, degree);
+    REQUIRE(result.status == NETMESH_OK);
+    REQUIRE(turned.status == NETMESH_OK);
     CHECK(result.value == turned.value);
     CHECK(result.exponent == turned.exponent);
     return result;
 }
 double plain(const Diagram& a, const Diagram& b, std::uint32_t degree = NETMESH_ALL_DEGREES) {
-    const netmesh_distance d = distance(a, b, NETMESH_SCALE_PLAIN, degree);
+    const Distance d = distance(a, b, NETMESH_SCALE_PLAIN, degree);
     CHECK(d.exponent == 0);
     return d.value;
 }
 double ratio(const Diagram& a, const Diagram& b) {
-    const netmesh_distance d = distance(a, b, NETMESH_SCALE_LOG);
+    const Distance d = distance(a, b, NETMESH_SCALE_LOG);
     return std::ldexp(d.value, d.exponent);
 }
 
@@ -97,10 +97,10 @@ TEST_CASE("by hand") {
 }
 
 TEST_CASE("multiplicity counts") {
-    const netmesh_pair bar = {1, 1, 5};
-    CHECK(plain({bar, bar, bar}, {bar, bar, bar}) == 0);
-    CHECK(plain({bar, bar, bar}, {bar, bar}) == 2);
-    CHECK(ratio(Diagram(40, bar), Diagram(40, bar)) == 1);
+    const Bar b = {1, 1, 5};
+    CHECK(plain({b, b, b}, {b, b, b}) == 0);
+    CHECK(plain({b, b, b}, {b, b}) == 2);
+    CHECK(ratio(Diagram(40, b), Diagram(40, b)) == 1);
     CHECK(ratio(Diagram(41, {1, 1, 4}), Diagram(40, {1, 1, 4})) == 2);
     // Matching equal points to each other is not best here.
     CHECK(plain({{0, 10, 100}, {0, 14, 100}}, {{0, 6, 100}, {0, 10, 100}}) == 4);
@@ -126,7 +126,7 @@ TEST_CASE("in log scale births at 0 are matched to births at 0 alone") {
 
 TEST_CASE("ratios that no double holds") {
     const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
-    netmesh_distance d = distance({{0, least, infinity}}, {{0, most, infinity}}, NETMESH_SCALE_LOG);
+    Distance d = distance({{0, least, infinity}}, {{0, most, infinity}}, NETMESH_SCALE_LOG);
     CHECK(d.value == most / 0x1p1023);
     CHECK(d.exponent == 1023 + 1074);
     d = distance({{0, least, 0x1p1000}}, {}, NETMESH_SCALE_LOG);
@@ -159,7 +159,7 @@ TEST_CASE("all matchings of small diagrams") {
         Diagram a(random() % 4), b(random() % 4);
         for (Diagram* diagram : {&a, &b}) {
             for (netmesh_pair& p : *diagram) {
-                p = {0, double(1 + random() % levels), 0};
+                p = bar(0, double(1 + random() % levels), 0);
                 p.death = p.birth + double(random() % levels);
             }
         }
@@ -175,24 +175,27 @@ TEST_CASE("a large diagram moved by a known amount, in any order, whatever else 
     for (int i = 0; i < 3000; ++i) {
         const double birth = uniform(), death = birth + 0.5 + uniform();
         const double step = 0.01 * uniform();
-        a.push_back({1, birth, death});
-        b.push_back({1, birth + step, death - step});
-        if (i % 2 == 0) a.push_back({1, birth, birth + 0.01 * uniform()});
+        a.push_back(bar(1, birth, death));
+        b.push_back(bar(1, birth + step, death - step));
+        if (i % 2 == 0) a.push_back(bar(1, birth, birth + 0.01 * uniform()));
     }
-    a.push_back({1, 9, 11});
-    b.push_back({1, 9.25, 11});
+    a.push_back(bar(1, 9, 11));
+    b.push_back(bar(1, 9.25, 11));
     std::shuffle(b.begin(), b.end(), random);
     CHECK(plain(a, b) == 0.25);
 }
 
 TEST_CASE("arguments and scratch") {
     const Diagram a = {{0, 1, 3}};
-    const std::size_t bytes = netmesh_bottleneck_bytes(1, 1);
-    Scratch scratch(bytes);
-    netmesh_distance d;
+    netmesh_bottleneck_request request = bottleneck_request(a, a);
+    const std::size_t bytes = netmesh_bottleneck_bytes(&request);
+    const Scratch scratch(request);
+    auto d = netmesh::sized<netmesh_distance>();
     const auto call = [&](const Diagram& x, netmesh_scale scale, std::size_t given) {
-        return netmesh_bottleneck(x.data(), x.size(), a.data(), 1, 0, scale, scratch.memory.data(), given, nullptr,
-                                  nullptr, &d);
+        request = bottleneck_request(x, a, scale, 0);
+        scratch.lend(&request);
+        request.scratch_bytes = given;
+        return netmesh_bottleneck(&request, &d, nullptr);
     };
     CHECK(call(a, NETMESH_SCALE_PLAIN, bytes) == NETMESH_OK);
     CHECK(call(a, NETMESH_SCALE_PLAIN, bytes - 1) == NETMESH_OUT_OF_MEMORY);
@@ -203,26 +206,29 @@ TEST_CASE("arguments and scratch") {
     CHECK(call({{0, -infinity, 1}}, NETMESH_SCALE_PLAIN, bytes) == NETMESH_INVALID_ARGUMENT);
     CHECK(call({{0, -1, 1}}, NETMESH_SCALE_PLAIN, bytes) == NETMESH_OK);
     CHECK(call({{0, -1, 1}}, NETMESH_SCALE_LOG, bytes) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_bottleneck_bytes(std::uint64_t{1} << 60, 1) == SIZE_MAX);
-    CHECK(netmesh_bottleneck(nullptr, 0, nullptr, 0, 0, NETMESH_SCALE_PLAIN, nullptr, 0, nullptr, nullptr, &d) ==
-          (netmesh_bottleneck_bytes(0, 0) == 0 ? NETMESH_OK : NETMESH_OUT_OF_MEMORY));
+    request.count_a = std::uint64_t{1} << 60;
+    CHECK(netmesh_bottleneck_bytes(&request) == SIZE_MAX);
+    netmesh::requests::Bottleneck empty;
+    CHECK(netmesh_bottleneck(&empty, &d, nullptr) ==
+          (netmesh_bottleneck_bytes(&empty) == 0 ? NETMESH_OK : NETMESH_OUT_OF_MEMORY));
 }
 
 TEST_CASE("a poll can cancel") {
     std::mt19937_64 random(8);
     Diagram a(4000), b(4000);
     for (Diagram* diagram : {&a, &b}) {
-        for (netmesh_pair& p : *diagram) p = {0, double(random() % 1000003), 2e6 + double(random() % 1000003)};
+        for (netmesh_pair& p : *diagram) p = bar(0, double(random() % 1000003), 2e6 + double(random() % 1000003));
     }
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
-    Scratch scratch(bytes);
+    netmesh_bottleneck_request request = bottleneck_request(a, b, NETMESH_SCALE_PLAIN, 0);
+    const Scratch scratch(request);
+    scratch.lend(&request);
     int calls = 0;
-    const netmesh_poll stop = [](void* user, const netmesh_progress*) {
+    request.monitor.user = &calls;
+    request.monitor.poll = [](void* user, const netmesh_progress*) {
         return ++*static_cast<int*>(user) == 2 ? 1 : 0;
     };
-    netmesh_distance d = {-1, -1};
-    CHECK(netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 0, NETMESH_SCALE_PLAIN, scratch.memory.data(),
-                             bytes, stop, &calls, &d) == NETMESH_CANCELLED);
+    netmesh_distance d = {sizeof d, -1, -1};
+    CHECK(netmesh_bottleneck(&request, &d, nullptr) == NETMESH_CANCELLED);
     CHECK(calls == 2);
     CHECK(d.value == -1);
 }

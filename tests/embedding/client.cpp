@@ -14,29 +14,30 @@ alignas(16) unsigned char first[block_bytes], second[block_bytes], moved[block_b
 
 int main() {
     const double points[] = {0, 0, 2, 0, 2, 2, 0, 2, 1, -0.5, 2.5, 1, 1, 2.5, -0.5, 1};
-    netmesh::Options options(2);
+    netmesh::requests::Mesh mesh(2);
+    mesh.points = points;
+    mesh.point_count = 8;
+    mesh.purpose = NETMESH_PURPOSE_PERSIST;
     std::memset(second, 0xAA, sizeof second);
     netmesh::Engine a(first, sizeof first), b(second, sizeof second);
     for (netmesh::Engine* engine : {&a, &b}) {
-        if (engine->mesh(points, 8, options, NETMESH_JOB_PERSIST) != NETMESH_OK) return 1;
-        if (engine->check(options) != NETMESH_OK) return 2;
+        if (engine->mesh(mesh) != NETMESH_OK) return 1;
+        if (engine->check() != NETMESH_OK) return 2;
         netmesh_analysis analysis;
-        if (engine->analyse(&analysis, options, NETMESH_ANALYSE_FATNESS) != NETMESH_OK) return 2;
-        if (analysis.bounded.degree_share > 1) return 2;
+        if (engine->analyse(&analysis) != NETMESH_OK) return 2;
+        if (analysis.fatness.bounded.degree_share > 1) return 2;
     }
     std::memcpy(moved, second, sizeof second);
     std::memset(second, 0, sizeof second);
-    netmesh_context* context = nullptr;
-    if (netmesh_adopt(moved, &context) != NETMESH_OK) return 3;
-    if (netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0, &options) != NETMESH_OK)
-        return 4;
-    if (a.persist(NETMESH_FILTER_COMPLETE, options, NETMESH_VALUES_CERTIFIED, 1) != NETMESH_OK) return 5;
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
-    if (netmesh_get_report(context, &report) != NETMESH_OK) return 6;
-    if (report.fingerprint != a.report().fingerprint) return 7;
+    netmesh::Engine c = netmesh::Engine::adopt(moved);
+    if (c.status() != NETMESH_OK) return 3;
+    if (c.persist() != NETMESH_OK) return 4;
+    if (a.persist() != NETMESH_OK) return 5;
+    if (c.report().fingerprint != a.report().fingerprint) return 7;
     int loops = 0;
-    a.for_each_pair([&](const netmesh_pair& pair) { loops += pair.degree == 1 && pair.death > 1.2 * pair.birth; });
+    a.for_each_pair([&](std::uint64_t, const netmesh_pair& pair) {
+        loops += pair.degree == 1 && pair.death > 1.2 * pair.birth;
+    });
     std::printf("%d loop\n", loops);
     return loops == 1 ? 0 : 8;
 }

@@ -1,4 +1,5 @@
-/* A process that rounds otherwise or flushes denormal numbers is refused with a status, and accepted again afterwards. */
+/* A process that rounds otherwise or flushes denormal numbers is refused with a status, and accepted again afterwards.
+ */
 #include <fenv.h>
 #include <netmesh.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #!/bin/sh
-# install.sh CMAKE BUILD WORK EXAMPLE CC CXX: installs BUILD, moves the installation, and builds and runs EXAMPLE against it, by
-# find_package and by pkg-config.
+# install.sh CMAKE BUILD WORK EXAMPLE CC CXX: installs BUILD, moves the installation, and builds and runs EXAMPLE
+# against it, by find_package and by pkg-config.
 set -eu
 cmake=$1 build=$2 work=$3 example=$4 cc=$5 cxx=$6
 here=$(cd "$(dirname "$0")" && pwd)
@@ -9,8 +9,8 @@ mkdir -p "$work"
 DESTDIR= "$cmake" --install "$build" --prefix "$work/first" >"$work/log"
 mv "$work/first" "$work/moved"
 
-"$cmake" -S "$here/installed" -B "$work/build" "-DCMAKE_PREFIX_PATH=$work/moved" "-DEXAMPLE=$example" "-DCMAKE_C_COMPILER=$cc" \
-    "-DCMAKE_CXX_COMPILER=$cxx" >>"$work/log"
+"$cmake" -S "$here/installed" -B "$work/build" "-DCMAKE_PREFIX_PATH=$work/moved" "-DEXAMPLE=$example" \
+    "-DCMAKE_C_COMPILER=$cc" "-DCMAKE_CXX_COMPILER=$cxx" >>"$work/log"
 "$cmake" --build "$work/build" >>"$work/log"
 "$work/build/client_c" | grep "certified ratio"
 "$work/build/client_cpp"

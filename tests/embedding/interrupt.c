@@ -1,5 +1,5 @@
-/* A stop that a signal handler asks for. The handler may do next to nothing; it sets a flag of the one type that is allowed,
- * and the engine's poll looks at it. */
+/* A stop that a signal handler asks for. The handler may do next to nothing; it sets a flag of the one type that is
+ * allowed, and the engine's poll looks at it. */
 #include <netmesh.h>
 #include <signal.h>
 #include <stdio.h>
@@ -27,7 +27,8 @@ int main(void) {
     const uintptr_t at = (uintptr_t)memory;
     uint64_t state = 1;
     netmesh_context* context;
-    netmesh_options options;
+    netmesh_mesh_request request;
+    netmesh_check_request check;
     int i, polls = 0;
     for (i = 0; i < 2 * POINTS; ++i) {
         state = state * 6364136223846793005u + 1442695040888963407u;
@@ -35,14 +36,17 @@ int main(void) {
     }
     signal(SIGINT, on_signal);
     if (netmesh_init((unsigned char*)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 1;
-    netmesh_options_init(&options, 2);
-    options.poll = poll;
-    options.user = &polls;
-    if (netmesh_mesh(context, points, POINTS, NETMESH_JOB_MESH, &options) != NETMESH_CANCELLED) return 2;
+    netmesh_mesh_request_init(&request, sizeof request, 2);
+    request.points = points;
+    request.point_count = POINTS;
+    request.monitor.poll = poll;
+    request.monitor.user = &polls;
+    if (netmesh_mesh(context, &request) != NETMESH_CANCELLED) return 2;
     if (polls != 2) return 3;
     stop_wanted = 0;
-    options.poll = NULL;
-    if (netmesh_check(context, NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY, &options) != NETMESH_OK) return 4;
+    netmesh_check_request_init(&check, sizeof check);
+    check.what = NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY;
+    if (netmesh_check(context, &check) != NETMESH_OK) return 4;
     printf("%s, and what is held is a Delaunay triangulation\n", netmesh_status_text(NETMESH_CANCELLED));
     return 0;
 }

@@ -1,6 +1,6 @@
-/* A job in time slices, as a task of a real-time system runs it: the task's poll hands the processor back and waits for the
- * next slice, so the job goes on where it stopped. The engine needs nothing for that but a stack of known size; here the task
- * is a thread, the scheduler a mutex and a condition. The result is that of an undivided run. */
+/* A job in time slices, as a task of a real-time system runs it: the task's poll hands the processor back and waits for
+ * the next slice, so the job goes on where it stopped. The engine needs nothing for that but a stack of known size;
+ * here the task is a thread, the scheduler a mutex and a condition. The result is that of an undivided run. */
 #define _POSIX_C_SOURCE 200112L
 #include <netmesh.h>
 #include <pthread.h>
@@ -29,14 +29,18 @@ static int wait_for_slice(void* user, const netmesh_progress* progress) {
 static uint64_t job(netmesh_poll poll) {
     const uintptr_t at = (uintptr_t)memory;
     netmesh_context* context;
-    netmesh_options options;
+    netmesh_mesh_request mesh;
+    netmesh_persist_request persist;
     netmesh_report report;
-    netmesh_options_init(&options, 2);
-    options.poll = poll;
+    netmesh_mesh_request_init(&mesh, sizeof mesh, 2);
+    mesh.points = points;
+    mesh.point_count = POINTS;
+    mesh.purpose = NETMESH_PURPOSE_PERSIST;
+    netmesh_persist_request_init(&persist, sizeof persist);
+    mesh.monitor.poll = persist.monitor.poll = poll;
     if (netmesh_init((unsigned char*)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 0;
-    if (netmesh_mesh(context, points, POINTS, NETMESH_JOB_PERSIST, &options) != NETMESH_OK) return 0;
-    if (netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 0, &options) != NETMESH_OK)
-        return 0;
+    if (netmesh_mesh(context, &mesh) != NETMESH_OK) return 0;
+    if (netmesh_persist(context, &persist) != NETMESH_OK) return 0;
     report.struct_bytes = sizeof report;
     return netmesh_get_report(context, &report) == NETMESH_OK ? report.fingerprint : 0;
 }

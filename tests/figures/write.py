@@ -77,7 +77,8 @@ def coverage(log):
         blocks = [b.splitlines() for b in f.read().strip().split("\n\n") if b.strip()]
     blocks = [b for b in blocks if re.search(r"D = \d", b[0])]
     for name, block in zip(("branches", "conditions"), blocks):
-        fields = [[line[:12].strip()] + [" ".join(line[i:i + 20].split()) for i in range(12, len(line), 20)] for line in block]
+        fields = [[line[:12].strip()] + [" ".join(line[i:i + 20].split()) for i in range(12, len(line), 20)]
+                  for line in block]
         put(COVERAGE, name, table(fields[0], fields[1:]))
     if len(blocks) < 2:
         sys.exit("%s has no two tables" % log)

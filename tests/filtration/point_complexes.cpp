@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "common/block.hpp"
+#include "common/bottleneck.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 #include "filtration/point_complexes.hpp"
@@ -24,22 +26,16 @@ using Vector = std::vector<long double>;
 Diagram persist(int dim, const inputs::Points& points, netmesh_filter filter, std::uint32_t k, std::uint32_t degree,
                 netmesh_values values = NETMESH_VALUES_CERTIFIED) {
     Session session(dim);
-    const std::size_t n = points.size() / static_cast<std::size_t>(dim);
-    REQUIRE(session.until_it_fits(netmesh_points_bytes(filter, &session.options, n, k, degree), [&] {
-        return netmesh_persist_points(session.context, points.data(), n, filter, values, k, degree, 0, 0,
-                                      &session.options);
-    }) == NETMESH_OK);
+    netmesh_points_request request = session.points_request(points, filter, k, degree);
+    request.values = values;
+    REQUIRE(session.points(request) == NETMESH_OK);
     return session.pairs();
 }
 
 // e^distance in log scale, the largest difference in plain scale.
 double distance(const Diagram& a, const Diagram& b, netmesh_scale scale) {
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
-    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16 + 16);
-    netmesh_distance d = {};
-    REQUIRE(netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), NETMESH_ALL_DEGREES, scale, scratch, bytes,
-                               nullptr, nullptr, &d) == NETMESH_OK);
-    std::free(scratch);
+    const Distance d = bottleneck(a, b, scale);
+    REQUIRE(d.status == NETMESH_OK);
     return std::ldexp(d.value, d.exponent);
 }
 
@@ -123,7 +119,7 @@ std::vector<Simplex> subsets(std::uint32_t n, std::size_t least, std::size_t mos
 
 Diagram textbook(const oracle::Filtered& f, std::uint32_t degree) {
     Diagram bars;
-    for (const netmesh::Pair& p : oracle::diagram(f, degree, false)) bars.push_back({p.degree, p.birth, p.death});
+    for (const netmesh::Pair& p : oracle::diagram(f, degree, false)) bars.push_back(bar(p.degree, p.birth, p.death));
     return bars;
 }
 
@@ -206,17 +202,17 @@ TEST_CASE("Cech values are smallest enclosing balls") {
     check_cech_values<2>(inputs::circle(12), 4);
     check_cech_values<3>(inputs::uniform(3, 11), 4);
     check_cech_values<3>(inputs::grid(3, 2), 5);
-    check_cech_values<4>(inputs::clifford(10), 5);
-    check_cech_values<5>(inputs::uniform(5, 9), 6);
-    check_cech_values<6>(inputs::uniform(6, 9), 8);
     check_cech_values<3>(cross(3), 3);
-    check_cech_values<5>(cross(5), 3);
-    check_cech_values<6>(cross(6), 3);
+    for_each_dimension<4, 4>([](auto dim) { check_cech_values<dim>(inputs::clifford(10), 5); });
+    for_each_dimension<5, 6>([](auto dim) {
+        check_cech_values<dim>(inputs::uniform(dim, 9), dim == 5 ? 6 : 8);
+        check_cech_values<dim>(cross(dim), 3);
+    });
 }
 
 TEST_CASE("Rips and Cech diagrams equal the textbook's on all simplices") {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        for (const int dim : {2, 3}) {
+        for (const int dim : dimensions({2, 3})) {
             const inputs::Points points =
                 seed == 6 ? inputs::grid(dim, dim == 2 ? 3 : 2) : inputs::uniform(dim, 9, seed);
             const std::uint32_t n = static_cast<std::uint32_t>(points.size() / static_cast<std::size_t>(dim));
@@ -262,7 +258,7 @@ TEST_CASE("far and near points") {
 }
 
 TEST_CASE("in every dimension: points far apart and close, right triangles, two points") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const std::size_t d = static_cast<std::size_t>(dim), n = d + 3;
         const std::uint32_t degree = static_cast<std::uint32_t>(dim) - 1;
@@ -333,11 +329,7 @@ template <int D> void check_graph() {
 }
 
 TEST_CASE("graphs: what does not fit and what is stopped") {
-    check_graph<2>();
-    check_graph<3>();
-    check_graph<4>();
-    check_graph<5>();
-    check_graph<6>();
+    for_each_dimension([](auto dim) { check_graph<dim>(); });
 }
 
 TEST_CASE("barycentric complexes of more than there is") {
@@ -386,36 +378,35 @@ TEST_CASE("the report names filter, k and ratio; arguments are checked") {
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 8);
     const auto call = [&](netmesh_filter filter, std::uint32_t k, std::uint32_t degree) {
-        return netmesh_persist_points(session.context, points.data(), 8, filter, NETMESH_VALUES_CERTIFIED, k, degree, 0,
-                                      0, &session.options);
+        const netmesh_points_request request = session.points_request(points, filter, k, degree);
+        return netmesh_persist_points(session.context, &request);
     };
     REQUIRE(call(NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 1) == NETMESH_OK);
     netmesh_report r = session.report();
-    CHECK(r.filter == NETMESH_FILTER_BARYCENTRIC_RIPS);
-    CHECK(r.k == 3);
-    CHECK(r.certified_ratio == doctest::Approx(std::pow(2, 0.25)).epsilon(1e-15));
-    CHECK(r.points == 8);
-    CHECK(r.simplices == netmesh::barycentric_count(8, 3, 5, 2));
-    CHECK(r.essential[0] == 1);
-    CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 0, 1) == NETMESH_INVALID_ARGUMENT);
-    CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 9, 1) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_get_detail(session.context).index_a == 6);
+    CHECK(r.diagram.filter == NETMESH_FILTER_BARYCENTRIC_RIPS);
+    CHECK(r.diagram.k == 3);
+    CHECK(r.diagram.certified_ratio == doctest::Approx(std::pow(2, 0.25)).epsilon(1e-15));
+    CHECK(r.input.points == 8);
+    CHECK(r.diagram.simplices == netmesh::barycentric_count(8, 3, 5, 2));
+    CHECK(r.diagram.essential[0] == 1);
+    for (const std::uint32_t k : {0u, 9u}) {
+        CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, k, 1) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == NETMESH_FIELD_K);
+    }
     CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 8, 1) == NETMESH_OK);
     CHECK(session.pairs().size() == 1);
     CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 30, 1) == NETMESH_INVALID_ARGUMENT);
     CHECK(call(NETMESH_FILTER_RIPS, 0, 31) == NETMESH_INVALID_ARGUMENT);
     CHECK(call(NETMESH_FILTER_ALPHA, 0, 1) == NETMESH_INVALID_ARGUMENT);
     CHECK(call(NETMESH_FILTER_CECH, 0, 1) == NETMESH_OK);
-    CHECK(netmesh_persist(session.context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 1, 0, &session.options) ==
-          NETMESH_NO_RESULT);
-    CHECK(netmesh_check(session.context, NETMESH_CHECK_ALL, &session.options) == NETMESH_NO_RESULT);
-    netmesh_vertex v;
+    CHECK(session.persist(NETMESH_FILTER_ALPHA) == NETMESH_NO_RESULT);
+    CHECK(session.check() == NETMESH_NO_RESULT);
+    auto v = netmesh::sized<netmesh_vertex>();
     CHECK(netmesh_get_vertex(session.context, 0, &v) == NETMESH_INVALID_ARGUMENT);
     inputs::Points bad = points;
     bad[7] = std::nan("");
-    CHECK(netmesh_persist_points(session.context, bad.data(), 8, NETMESH_FILTER_RIPS, NETMESH_VALUES_CERTIFIED, 0, 1, 0,
-                                 0, &session.options) == NETMESH_NOT_FINITE);
-    CHECK(netmesh_get_detail(session.context).index_a == 3);
+    CHECK(session.points(session.points_request(bad, NETMESH_FILTER_RIPS)) == NETMESH_NOT_FINITE);
+    CHECK(session.detail().index_a == 3);
 }
 
 TEST_CASE("what is planned is enough, what is too small says so") {
@@ -426,23 +417,25 @@ TEST_CASE("what is planned is enough, what is too small says so") {
             if (sets && n > 13) continue;
             Session session(3);
             const inputs::Points points = inputs::uniform(3, n);
-            const std::size_t planned = netmesh_points_bytes(filter, &session.options, n, 1, 1);
+            const netmesh_points_request request = session.points_request(points, filter);
+            const std::size_t planned = netmesh_plan_points(&request);
             bool fitted = false;
             for (const double share : {0.001, 0.01, 0.1, 0.2, 0.4, 1.0}) {
                 const std::size_t bytes = static_cast<std::size_t>(share * static_cast<double>(planned)) + 4096;
                 session.reserve(bytes);
-                const netmesh_status status = netmesh_persist_points(
-                    session.context, points.data(), n, filter, NETMESH_VALUES_CERTIFIED, 1, 1, 0, 0, &session.options);
+                const netmesh_status status = netmesh_persist_points(session.context, &request);
                 CHECK((status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY));
                 CHECK(!(fitted && status != NETMESH_OK));
                 fitted = fitted || status == NETMESH_OK;
-                if (status == NETMESH_OUT_OF_MEMORY) CHECK(netmesh_get_detail(session.context).bytes_wanted > 4096);
+                if (status == NETMESH_OUT_OF_MEMORY) CHECK(session.detail().bytes_wanted > 4096);
             }
             CHECK(fitted);
         }
     }
-    netmesh_options options;
-    netmesh_options_init(&options, 3);
-    CHECK(netmesh_points_bytes(NETMESH_FILTER_RIPS, &options, 1u << 28, 1, 30) == SIZE_MAX);
-    CHECK(netmesh_points_bytes(NETMESH_FILTER_ALPHA, &options, 5, 1, 1) == 0);
+    netmesh::requests::Points many(3, NETMESH_FILTER_RIPS), wrong(3, NETMESH_FILTER_ALPHA);
+    many.point_count = 1u << 28;
+    many.max_degree = 30;
+    CHECK(netmesh_plan_points(&many) == SIZE_MAX);
+    wrong.point_count = 5;
+    CHECK(netmesh_plan_points(&wrong) == 0);
 }

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "boundaries.hpp"
+#include "common/read.hpp"
 #include "complexes.hpp"
-#include "netmesh.h"
 
 namespace {
 
@@ -18,7 +18,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 class Homology {
 public:
     explicit Homology(std::size_t bytes = std::size_t{1} << 20) : block_(bytes / 16), bytes_(bytes) {
-        netmesh_options_init(&options, 2);
         if (bytes > 0) init = netmesh_init(block_.data(), bytes_, &context);
     }
     netmesh_status run(const std::vector<Simplex>& simplices, const std::vector<double>& values, std::uint32_t degree,
@@ -29,43 +28,43 @@ public:
             vertices.insert(vertices.end(), s.begin(), s.end());
             starts.push_back(vertices.size());
         }
-        return netmesh_homology(context, vertices.data(), starts.data(), values.data(), values.size(), degree,
-                                keep_zero ? 1 : 0, representatives ? 1 : 0, &options);
+        netmesh::requests::Homology request;
+        request.vertices = vertices.data();
+        request.starts = starts.data();
+        request.entries = values.data();
+        request.simplex_count = values.size();
+        request.max_degree = degree;
+        request.keep_zero_pairs = keep_zero ? 1 : 0;
+        request.representatives = representatives ? 1 : 0;
+        return netmesh_homology(context, &request);
     }
     std::vector<netmesh::Pair> pairs() const {
         std::vector<netmesh::Pair> all;
-        netmesh_pair p;
-        for (std::uint64_t i = 0; netmesh_get_pair(context, i, &p) == NETMESH_OK; ++i) {
+        for (const netmesh_pair& p : read_all(context, netmesh_get_pair))
             all.push_back({p.birth, p.death, p.degree, 0});
-        }
         return all;
     }
     std::vector<Simplex> cycle(std::uint64_t pair, std::vector<double>* values) const {
         std::uint64_t count = 0;
         REQUIRE(netmesh_get_cycle(context, pair, &count) == NETMESH_OK);
-        netmesh_pair p;
+        auto p = netmesh::sized<netmesh_pair>();
         REQUIRE(netmesh_get_pair(context, pair, &p) == NETMESH_OK);
+        const std::vector<netmesh_simplex> cycle = cycle_of(context, pair);
+        REQUIRE(cycle.size() == count);
         std::vector<Simplex> all;
-        for (std::uint64_t i = 0; i < count; ++i) {
-            netmesh_simplex s;
-            REQUIRE(netmesh_get_cycle_simplex(context, pair, i, &s) == NETMESH_OK);
+        for (const netmesh_simplex& s : cycle) {
+            CHECK(s.degree == p.degree);
             all.emplace_back(s.vertices, s.vertices + p.degree + 1);
             values->push_back(s.value);
         }
-        netmesh_simplex s;
+        auto s = netmesh::sized<netmesh_simplex>();
         CHECK(netmesh_get_cycle_simplex(context, pair, count, &s) == NETMESH_INVALID_ARGUMENT);
         return all;
     }
-    netmesh_report report() const {
-        netmesh_report r = {};
-        r.struct_bytes = sizeof r;
-        REQUIRE(netmesh_get_report(context, &r) == NETMESH_OK);
-        return r;
-    }
-    netmesh_detail detail() const { return netmesh_get_detail(context); }
+    netmesh_report report() const { return report_of(context); }
+    netmesh_detail detail() const { return detail_of(context); }
 
     netmesh_context* context = nullptr;
-    netmesh_options options;
     netmesh_status init = NETMESH_OUT_OF_MEMORY;
 
 private:
@@ -130,9 +129,9 @@ std::vector<std::uint64_t> betti(const std::vector<Simplex>& maximal) {
     REQUIRE(h.run(list.simplices, list.values, NETMESH_DEGREE_MAX, false, true) == NETMESH_OK);
     check_cycles(f, h);
     const netmesh_report r = h.report();
-    CHECK(r.simplices == f.simplices.size());
+    CHECK(r.diagram.simplices == f.simplices.size());
     CHECK(r.complete == 1);
-    return {r.essential, r.essential + r.max_degree + 1};
+    return {r.diagram.essential, r.diagram.essential + r.diagram.max_degree + 1};
 }
 
 }  // namespace
@@ -190,7 +189,7 @@ TEST_CASE("what is not a filtered complex is named") {
         CHECK(h.detail().index_a == a);
         CHECK(h.detail().index_b == b);
         CHECK(std::string(h.detail().message) != "");
-        CHECK(h.report().has_diagram == 0);
+        CHECK(h.report().diagram.present == 0);
     };
     CHECK(h.run(triangle, values, 2, false, false) == NETMESH_OK);
     std::vector<Simplex> s = triangle;
@@ -229,11 +228,13 @@ TEST_CASE("every block gives the diagram or says that it is too small") {
     const auto f = random_filtration(random, 12, 3, 25, 30);
     const Shuffled list(f, random);
     const auto expected = oracle::diagram(f, 3, false);
-    std::uint64_t vertices = 0;
-    for (const Simplex& s : f.simplices) vertices += s.size();
+    netmesh::requests::Homology request;
+    request.simplex_count = f.simplices.size();
+    for (const Simplex& s : f.simplices) request.vertex_count += s.size();
+    const std::size_t planned = netmesh_plan_homology(&request);
     for (const bool representatives : {false, true}) {
         bool fitted = false;
-        for (std::size_t bytes = 0; bytes < netmesh_homology_bytes(f.simplices.size(), vertices); bytes += 208) {
+        for (std::size_t bytes = 0; bytes < planned; bytes += 208) {
             Homology h(bytes);
             if (h.init != NETMESH_OK) continue;
             const netmesh_status status = h.run(list.simplices, list.values, 3, false, representatives);

@@ -340,7 +340,7 @@ TEST_CASE_TEMPLATE("the diagram in low degrees is that part of the whole", T, st
     Monitor monitor;
     CountedPairs counted;
     REQUIRE(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, monitor}, &counted) ==
-          Status::ok);
+            Status::ok);
     std::size_t pairs = 0;
     for (const auto& degree : whole.degree) pairs += degree.size();
     CHECK(counted.pairs.count == pairs);
@@ -428,8 +428,7 @@ TEST_CASE("any amount of memory gives the diagram or says that it is too little;
     c.x = freudenthal_points<3>(2);
     const auto run = [&](Block& block, Monitor monitor, std::vector<double>& deaths) {
         CountedPairs counted;
-        const Status status =
-            persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted);
+        const Status status = persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted);
         const PairList& list = counted.pairs;
         deaths.clear();
         for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) deaths.push_back(list.pairs[i].death);
@@ -469,8 +468,7 @@ TEST_CASE("a caller that wants to stop stops it at each of its polls") {
     Countdown none_stopped{-1, 0};
     CountedPairs counted;
     Monitor monitor(poll, &none_stopped);
-    REQUIRE(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted) ==
-            Status::ok);
+    REQUIRE(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted) == Status::ok);
     REQUIRE(none_stopped.polls > 3);
     for (int stop = 0; stop < none_stopped.polls; ++stop) {
         Countdown countdown{stop, 0};

@@ -22,7 +22,7 @@ template <int D> double sound_worst(Hierarchical<D>& m) {
 template <int D> struct Stored {
     Stored(const inputs::Points& points, std::size_t bytes)
         : count(static_cast<std::uint32_t>(points.size() / D)), block(bytes), store(block.arena, state),
-          kernel(store, corner_error_max, true) {
+          kernel(store, corner_error_max, VertexCells::kept) {
         Monitor monitor;
         InputReport input;
         std::uint32_t* order;

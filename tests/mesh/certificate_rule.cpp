@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "common/session.hpp"
 
@@ -14,26 +15,26 @@ void check_ratio(Session& session, const inputs::Points& points) {
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
     const netmesh_report report = session.report();
     CHECK(report.complete == 1);
-    CHECK(report.ratio == session.options.ratio);
-    CHECK(report.tau == 0);
-    CHECK(report.certified_ratio <= session.options.ratio);
-    CHECK(report.certified_ratio_best <= report.certified_ratio);
+    CHECK(report.mesh.certificate.ratio == session.request.certificate.ratio);
+    CHECK(report.mesh.tau == 0);
+    CHECK(report.diagram.certified_ratio <= session.request.certificate.ratio);
+    CHECK(report.diagram.certified_ratio_best <= report.diagram.certified_ratio);
     const netmesh_status checked = session.check();
-    CAPTURE(std::string(netmesh_get_detail(session.context).message));
+    CAPTURE(std::string(session.detail().message));
     CHECK(checked == NETMESH_OK);
 }
 
 }  // namespace
 
 TEST_CASE("certified ratios on all kinds of input") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         const std::size_t n = dim == 2 ? 200 : dim == 3 ? 60 : dim == 4 ? 25 : dim == 5 ? 12 : 8;
         for (const double ratio : {2.25, 3.0, 1.95}) {
             if (ratio < 2 && dim > 3) continue;
             CAPTURE(dim);
             CAPTURE(ratio);
             Session session(dim);
-            session.options.ratio = ratio;
+            session.request.certificate.ratio = ratio;
             check_ratio(session, inputs::uniform(dim, n));
             check_ratio(session, inputs::grid(dim, dim == 2 ? 6 : dim == 3 ? 3 : 2));
             check_ratio(session, inputs::shell(dim, n, 1, 1, 7));
@@ -50,86 +51,87 @@ TEST_CASE("ratios down to the root of 2") {
     for (const double ratio : {1.75, 1.65, 1.6306723114402859, 1.58, 1.5, 1.42}) {
         CAPTURE(ratio);
         Session session(2);
-        session.options.ratio = ratio;
+        session.request.certificate.ratio = ratio;
         for (const inputs::Points& points : {five, four, inputs::uniform(2, 3)}) {
             check_ratio(session, points);
-            CHECK(session.report().vertices < (ratio < 1.5 ? 10000 : 200));
+            CHECK(session.report().mesh.vertices < (ratio < 1.5 ? 10000 : 200));
         }
     }
     for (const double ratio : {1.7, 1.55}) {
         Session session(3);
-        session.options.ratio = ratio;
+        session.request.certificate.ratio = ratio;
         check_ratio(session, inputs::uniform(3, 4));
-        CHECK(session.report().vertices < 1000);
+        CHECK(session.report().mesh.vertices < 1000);
     }
 }
 
 TEST_CASE("distances and scales that coordinates do not resolve") {
     Session session(2);
-    session.options.ratio = 1.5;  // Steiner points come nearer by (2.25 / 2 - 1)
+    session.request.certificate.ratio = 1.5;  // Steiner points come nearer by (2.25 / 2 - 1)
     const auto mesh = [&](double gap) {
         const inputs::Points points = {1, 1, 1 + gap, 1};
-        return netmesh_mesh(session.context, points.data(), 2, NETMESH_JOB_PERSIST, &session.options);
+        return session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
     };
     CHECK(mesh(64 * 0x1p-52 * 7.9) == NETMESH_TOO_CLOSE);
     CHECK(mesh(64 * 0x1p-52 * 8.1) == NETMESH_OK);
-    session.options.ratio = 2;
+    session.request.certificate.ratio = 2;
     CHECK(mesh(65 * 0x1p-52) == NETMESH_OK);
     CHECK(mesh(63 * 0x1p-52) == NETMESH_TOO_CLOSE);
 
-    session.options.focus_to = 1;
+    session.request.certificate.focus_to = 1;
     for (const double focus : {1.25, 1.5}) {
-        session.options.focus_ratio = focus;
+        session.request.certificate.focus_ratio = focus;
         const double step = focus == 1.25 ? 0.5625 / 2.5625 : 0.125;
-        session.options.focus_from = 1.5 * 64 * 0x1p-52 / step;
+        session.request.certificate.focus_from = 1.5 * 64 * 0x1p-52 / step;
         CHECK(mesh(0.25) == NETMESH_OK);
-        session.options.focus_from = 0.9 * 64 * 0x1p-52 * 1.25 / step;
+        session.request.certificate.focus_from = 0.9 * 64 * 0x1p-52 * 1.25 / step;
         CHECK(mesh(0.25) == NETMESH_INVALID_ARGUMENT);
-        CHECK(std::string(netmesh_get_detail(session.context).message).find("focus_from") == 0);
-        CHECK(session.report().vertices == 0);
+        CHECK(session.detail().field == NETMESH_FIELD_FOCUS_FROM);
+        CHECK(std::string(session.detail().message).find("focus_from") == 0);
+        CHECK(session.report().mesh.vertices == 0);
     }
 }
 
 TEST_CASE("clusters of a large spread") {
     Session session(2);
-    session.options.ratio = 2.25;
+    session.request.certificate.ratio = 2.25;
     inputs::Points points;
     for (int i = 0; i < 40; ++i) points.insert(points.end(), {std::ldexp(1.0, -i), 0});
     check_ratio(session, points);
 }
 
 TEST_CASE("fewer vertices than a mesh of the aspect ratio that proves as much") {
-    for (int dim = 2; dim <= 4; ++dim) {
+    for (const int dim : dimensions(2, 4)) {
         Session session(dim);
         const inputs::Points points = inputs::shell(dim, dim == 2 ? 300 : dim == 3 ? 200 : 60, 1, 1, 7);
-        session.options.tau = 3.0625;
+        session.request.tau = 3.0625;
         REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
-        const std::uint64_t quality = session.report().vertices;
-        session.options.ratio = 2.25;
+        const std::uint64_t quality = session.report().mesh.vertices;
+        session.request.certificate.ratio = 2.25;
         check_ratio(session, points);
-        CHECK(session.report().vertices < quality);
+        CHECK(session.report().mesh.vertices < quality);
     }
 }
 
 TEST_CASE("scales of interest") {
     const inputs::Points points = inputs::shell(3, 100, 1, 1, 7);
     Session session(3);
-    session.options.ratio = 2.25;
+    session.request.certificate.ratio = 2.25;
     check_ratio(session, points);
-    const std::uint64_t without = session.report().vertices;
-    session.options.focus_ratio = 1.5;
-    session.options.focus_from = 0.4;
-    session.options.focus_to = 0.9;
+    const std::uint64_t without = session.report().mesh.vertices;
+    session.request.certificate.focus_ratio = 1.5;
+    session.request.certificate.focus_from = 0.4;
+    session.request.certificate.focus_to = 0.9;
     CHECK(session.check() == NETMESH_CHECK_FAILED);
     check_ratio(session, points);
-    CHECK(session.report().vertices > without);
-    CHECK(session.report().focus_ratio == 1.5);
+    CHECK(session.report().mesh.vertices > without);
+    CHECK(session.report().mesh.certificate.focus_ratio == 1.5);
 
-    session.options.focus_ratio = 1.3;  // more than what the mesh was made for
+    session.request.certificate.focus_ratio = 1.3;  // more than what the mesh was made for
     CHECK(session.check() == NETMESH_CHECK_FAILED);
-    CHECK(std::string(netmesh_get_detail(session.context).message).find("at its scale") != std::string::npos);
-    session.options.focus_ratio = 1.5;
-    session.options.ratio = 1.9;
+    CHECK(std::string(session.detail().message).find("at its scale") != std::string::npos);
+    session.request.certificate.focus_ratio = 1.5;
+    session.request.certificate.ratio = 1.9;
     CHECK(session.check() == NETMESH_CHECK_FAILED);
 }
 
@@ -137,26 +139,26 @@ TEST_CASE("scales of interest in every dimension: early, late, all and none") {
     struct Window {
         double focus, from, to;
     };
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         const double ratio = 4, focus = dim < 4 ? 1.6 : 2.1;
         const inputs::Points points = inputs::close_pairs(dim, 2, 0.02, 2);
         Session session(dim);
-        session.options.ratio = ratio;
+        session.request.certificate.ratio = ratio;
         check_ratio(session, points);
-        const std::uint64_t without = session.report().vertices;
+        const std::uint64_t without = session.report().mesh.vertices;
         for (const Window& w :
              {Window{focus, 0.02, 0.05}, Window{focus, 0.1, 0.2}, Window{focus, 0.05, 4}, Window{focus, 3, 5}}) {
             if (dim == 6 && w.to != 4) continue;
             CAPTURE(dim);
             CAPTURE(w.focus);
             CAPTURE(w.from);
-            session.options.focus_ratio = w.focus;
-            session.options.focus_from = w.from;
-            session.options.focus_to = w.to;
+            session.request.certificate.focus_ratio = w.focus;
+            session.request.certificate.focus_from = w.from;
+            session.request.certificate.focus_to = w.to;
             check_ratio(session, points);
-            if (w.to == 4) CHECK(session.report().vertices > without);
+            if (w.to == 4) CHECK(session.report().mesh.vertices > without);
         }
-        session.options.focus_ratio = 0;
+        session.request.certificate.focus_ratio = 0;
     }
 }
 
@@ -184,7 +186,8 @@ TEST_CASE_TEMPLATE_DEFINE(
     CHECK(Certified<D>(two, {1.5, 0, 0, 0}).status == netmesh::Status::too_close);
     CHECK(Certified<D>(two, {4, 0, 0, 0}).status == netmesh::Status::ok);
     // Large scales alone are refined, and those about the inputs left as they are.
-    const Certified<D> late(points, {4, D < 5 ? 1.35 : 1.7, 0.9 * plain.result.domain.radius, plain.result.domain.radius});
+    const Certified<D> late(points,
+                            {4, D < 5 ? 1.35 : 1.7, 0.9 * plain.result.domain.radius, plain.result.domain.radius});
     REQUIRE((late.status == netmesh::Status::ok || (D > 3 && late.status == netmesh::Status::out_of_memory)));
     CHECK(late.state.vertex_count >= plain.state.vertex_count);
 }
@@ -194,10 +197,10 @@ TEST_CASE_TEMPLATE_INVOKE(goals, std::integral_constant<int, 2>, std::integral_c
 
 TEST_CASE("a mesh that promises less fails the check") {
     Session session(2);
-    session.options.ratio = 3;
+    session.request.certificate.ratio = 3;
     const inputs::Points points = inputs::uniform(2, 200);
     check_ratio(session, points);
-    REQUIRE(session.report().certified_ratio > 2.5);
-    session.options.ratio = 2.5;
+    REQUIRE(session.report().diagram.certified_ratio > 2.5);
+    session.request.certificate.ratio = 2.5;
     CHECK(session.check() == NETMESH_CHECK_FAILED);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/meshed.hpp"
 #include "common/session.hpp"
@@ -34,13 +35,11 @@ double feature_size_by_scan(const inputs::Points& points, int dim, const double*
 // domain or a crossing of its sphere; sampled here along the segments between the corners of neighbouring cells.
 template <class Size> double worst_by_corners(const Session& session, Size&& size) {
     const netmesh_report r = session.report();
-    const int dim = static_cast<int>(r.dim);
-    std::vector<netmesh_vertex> vertices(r.vertices);
-    for (std::uint64_t v = 0; v < r.vertices; ++v) netmesh_get_vertex(session.context, v, &vertices[v]);
+    const int dim = static_cast<int>(r.input.dim);
+    const std::vector<netmesh_vertex> vertices = session.vertices();
+    REQUIRE(vertices.size() == r.mesh.vertices);
     double worst = 0;
-    for (std::uint64_t c = 0; c < r.cells; ++c) {
-        netmesh_cell cell;
-        netmesh_get_cell(session.context, c, &cell);
+    for (const netmesh_cell& cell : read_all(session.context, netmesh_get_cell)) {
         // Circumcentre by Gaussian elimination on the bisectors with the first vertex.
         double a[6][7], x[6];
         const double* const p = vertices[cell.vertices[0]].coordinates;
@@ -60,7 +59,7 @@ template <class Size> double worst_by_corners(const Session& session, Size&& siz
                 for (int j = dim; i != k && j >= k; --j) a[i][j] -= a[i][k] / a[k][k] * a[k][j];
         }
         for (int k = 0; k < dim; ++k) x[k] = p[k] + a[k][dim] / a[k][k];
-        if (distance(x, r.domain, dim) > r.domain[dim]) continue;
+        if (distance(x, r.mesh.domain, dim) > r.mesh.domain[dim]) continue;
         for (int i = 0; i <= dim; ++i) {
             const netmesh_vertex& v = vertices[cell.vertices[i]];
             if (v.marker != 2) worst = std::max(worst, distance(x, v.coordinates, dim) / size(v.coordinates));
@@ -106,48 +105,48 @@ TEST_CASE("feature sizes are the distances to the second nearest input") {
 }
 
 TEST_CASE("meshes over-refined to eps f_P") {
-    for (int dim = 2; dim <= 5; ++dim) {
-        const std::size_t n[] = {0, 0, 150, 60, 20, 16};
-        const double eps[] = {0, 0, 0.25, 0.5, 0.8, 0.9};
-        for (const inputs::Points& points : {inputs::uniform(dim, n[dim]), inputs::clusters(dim, n[dim] / 2)}) {
+    for (const int dim : dimensions(2, 5)) {
+        const std::size_t n = by_dimension<std::size_t>(dim, {150, 60, 20, 16});
+        const double eps = by_dimension<double>(dim, {0.25, 0.5, 0.8, 0.9});
+        for (const inputs::Points& points : {inputs::uniform(dim, n), inputs::clusters(dim, n / 2)}) {
             INFO("D = " << dim);
             Session session(dim);
             REQUIRE(session.mesh(points) == NETMESH_OK);
-            const std::uint64_t before = session.report().vertices;
-            session.options.over_refine_eps = eps[dim];
+            const std::uint64_t before = session.report().mesh.vertices;
+            session.request.sizes.eps = eps;
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const netmesh_report r = session.report();
-            CHECK(r.vertices > before);
-            CHECK(r.aspect_ratio_max <= r.tau);
-            CHECK(r.size_ratio_max <= 1);
-            CHECK(r.size_ratio_max > 0.5);
+            CHECK(r.mesh.vertices > before);
+            CHECK(r.mesh.aspect_ratio_max <= r.mesh.tau);
+            CHECK(r.mesh.sizes.ratio_max <= 1);
+            CHECK(r.mesh.sizes.ratio_max > 0.5);
             CHECK(worst_by_corners(session, [&](const double* x) {
-                      return eps[dim] * feature_size_by_scan(points, dim, x);
+                      return eps * feature_size_by_scan(points, dim, x);
                   }) <= 1 + 1e-9);
             CHECK(session.check() == NETMESH_OK);
             // The same mesh does not keep a smaller promise.
-            session.options.over_refine_eps = eps[dim] / 2;
-            CHECK(netmesh_check(session.context, NETMESH_CHECK_QUALITY, &session.options) == NETMESH_CHECK_FAILED);
+            session.request.sizes.eps = eps / 2;
+            CHECK(session.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         }
     }
 }
 
 TEST_CASE("meshes follow a sizing function, alone and together with eps") {
-    for (int dim = 2; dim <= 4; ++dim) {
+    for (const int dim : dimensions(2, 4)) {
         INFO("D = " << dim);
         Funnel funnel{dim, dim == 4 ? 0.2 : 0.03, dim == 4 ? 0.5 : 0.3};
         const inputs::Points points = inputs::uniform(dim, 20);
         Session session(dim);
-        session.options.size = Funnel::size;
-        session.options.size_user = &funnel;
+        session.request.sizes.size = Funnel::size;
+        session.request.sizes.user = &funnel;
         REQUIRE(session.mesh(points) == NETMESH_OK);
-        const std::uint64_t alone = session.report().vertices;
-        CHECK(session.report().size_ratio_max <= 1);
+        const std::uint64_t alone = session.report().mesh.vertices;
+        CHECK(session.report().mesh.sizes.ratio_max <= 1);
         CHECK(worst_by_corners(session, [&](const double* x) { return Funnel::size(&funnel, x); }) <= 1 + 1e-9);
         CHECK(session.check() == NETMESH_OK);
-        session.options.over_refine_eps = 0.7;
+        session.request.sizes.eps = 0.7;
         REQUIRE(session.mesh(points) == NETMESH_OK);
-        CHECK(session.report().vertices > alone);
+        CHECK(session.report().mesh.vertices > alone);
         CHECK(worst_by_corners(session, [&](const double* x) {
                   return std::min(Funnel::size(&funnel, x), 0.7 * feature_size_by_scan(points, dim, x));
               }) <= 1 + 1e-9);
@@ -160,27 +159,26 @@ TEST_CASE("the number of vertices grows as eps^-D") {
     Session session(2);
     std::uint64_t count[3];
     for (int i = 0; i < 3; ++i) {
-        session.options.over_refine_eps = 0.2 / (1 << i);
+        session.request.sizes.eps = 0.2 / (1 << i);
         REQUIRE(session.mesh(points) == NETMESH_OK);
-        count[i] = session.report().vertices;
+        count[i] = session.report().mesh.vertices;
     }
     CHECK(static_cast<double>(count[1]) / static_cast<double>(count[0]) == doctest::Approx(4).epsilon(0.25));
     CHECK(static_cast<double>(count[2]) / static_cast<double>(count[1]) == doctest::Approx(4).epsilon(0.25));
 }
 
 TEST_CASE("no point of the domain is farther from its vertex than asked for, by sampling") {
-    for (int dim = 2; dim <= 4; ++dim)
+    for (const int dim : dimensions(2, 4))
         for (std::size_t n : {1, 2, 3, 12}) {
             INFO("D = " << dim << ", " << n << " points");
             Funnel funnel{dim, dim == 2 ? 0.05 : dim == 3 ? 0.15 : 0.4, 0.2};
             Session session(dim);
-            session.options.size = Funnel::size;
-            session.options.size_user = &funnel;
+            session.request.sizes.size = Funnel::size;
+            session.request.sizes.user = &funnel;
             REQUIRE(session.mesh(inputs::uniform(dim, n)) == NETMESH_OK);
             CHECK(session.check() == NETMESH_OK);
             const netmesh_report r = session.report();
-            std::vector<netmesh_vertex> vertices(r.vertices);
-            for (std::uint64_t v = 0; v < r.vertices; ++v) netmesh_get_vertex(session.context, v, &vertices[v]);
+            const std::vector<netmesh_vertex> vertices = session.vertices();
             inputs::Random random(3);
             int beyond = 0;
             for (int sample = 0; sample < 3000; ++sample) {
@@ -193,7 +191,7 @@ TEST_CASE("no point of the domain is farther from its vertex than asked for, by 
                     }
                 } while (d2 > 1);
                 const double scale = sample % 2 == 0 ? 1 : 1 / std::sqrt(d2);  // every other one on the sphere
-                for (int k = 0; k < dim; ++k) x[k] = r.domain[k] + r.domain[dim] * scale * x[k];
+                for (int k = 0; k < dim; ++k) x[k] = r.mesh.domain[k] + r.mesh.domain[dim] * scale * x[k];
                 const netmesh_vertex* nearest = &vertices[0];
                 for (const netmesh_vertex& v : vertices)
                     if (distance(x, v.coordinates, dim) < distance(x, nearest->coordinates, dim)) nearest = &v;
@@ -206,36 +204,35 @@ TEST_CASE("no point of the domain is farther from its vertex than asked for, by 
 
 TEST_CASE("one point: eps asks for nothing") {
     Session session(2);
-    session.options.over_refine_eps = 0.1;
+    session.request.sizes.eps = 0.1;
     REQUIRE(session.mesh({3, 4}) == NETMESH_OK);
-    CHECK(session.report().vertices == 5);
-    CHECK(session.report().size_ratio_max == 0);
+    CHECK(session.report().mesh.vertices == 5);
+    CHECK(session.report().mesh.sizes.ratio_max == 0);
     CHECK(session.check() == NETMESH_OK);
 }
 
 TEST_CASE("sizes that cannot be reached are refused") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         const std::size_t n = dim < 4 ? 20 : 4;
         const inputs::Points points = inputs::uniform(dim, n);
         Session session(dim);
-        session.options.tau = dim < 5 ? 3 : 6;
+        session.request.tau = dim < 5 ? 3 : 6;
         double value = 0;
-        session.options.size = [](void* user, const double*) { return *static_cast<double*>(user); };
-        session.options.size_user = &value;
+        session.request.sizes.size = [](void* user, const double*) { return *static_cast<double*>(user); };
+        session.request.sizes.user = &value;
         for (double bad : {0.0, -1.0, 1e-17, 1e-310, std::nan("")}) {
             value = bad;
             CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
-            CHECK(netmesh_get_detail(session.context).index_a == 6);
-            CHECK(session.report().vertices == 0);
+            CHECK(session.detail().field == NETMESH_FIELD_SIZES);
+            CHECK(session.report().mesh.vertices == 0);
         }
         value = infinity;
         CHECK(session.mesh(points) == NETMESH_OK);
-        session.options.size = nullptr;
+        session.request.sizes.size = nullptr;
         for (double bad : {-1.0, infinity, std::nan("")}) {
-            session.options.over_refine_eps = bad;
-            CHECK(netmesh_mesh(session.context, points.data(), n, NETMESH_JOB_MESH, &session.options) ==
-                  NETMESH_INVALID_ARGUMENT);
-            CHECK(netmesh_get_detail(session.context).index_a == 5);
+            session.request.sizes.eps = bad;
+            CHECK(session.mesh_in_block(points) == NETMESH_INVALID_ARGUMENT);
+            CHECK(session.detail().field == NETMESH_FIELD_SIZES);
         }
     }
 }
@@ -255,41 +252,40 @@ struct OnlyAtInputs {
 };
 
 TEST_CASE("a size refused at a Steiner point names the input nearest to it, and infinite ones ask for nothing") {
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         CAPTURE(dim);
         const inputs::Points points = inputs::uniform(dim, 3);
         OnlyAtInputs only = {dim, &points, dim < 5 ? 0.3 : 0.45, -1};
         Session session(dim);
-        session.options.tau = 4;
-        session.options.size = OnlyAtInputs::at;
-        session.options.size_user = &only;
+        session.request.tau = 4;
+        session.request.sizes.size = OnlyAtInputs::at;
+        session.request.sizes.user = &only;
         CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
-        CHECK(session.report().vertices == 0);
+        CHECK(session.report().mesh.vertices == 0);
         only.elsewhere = infinity;
         REQUIRE(session.mesh(points) == NETMESH_OK);
-        CHECK(session.report().size_ratio_max <= 1);
+        CHECK(session.report().mesh.sizes.ratio_max <= 1);
         CHECK(session.check() == NETMESH_OK);
         // What the function says later is what is compared.
         only.size = 0;
-        CHECK(netmesh_check(session.context, NETMESH_CHECK_QUALITY, &session.options) == NETMESH_CHECK_FAILED);
+        CHECK(session.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
     }
 }
 
 TEST_CASE("any block size leaves a Delaunay mesh when over-refinement runs out of memory") {
     const inputs::Points points = inputs::uniform(2, 12);
     Session session(2);
-    session.options.over_refine_eps = 0.3;
+    session.request.sizes.eps = 0.3;
     int partial = 0;
     for (std::size_t bytes = 8192; bytes < 400000; bytes += 9000) {
         session.reserve(bytes);
-        const netmesh_status status =
-            netmesh_mesh(session.context, points.data(), 12, NETMESH_JOB_MESH, &session.options);
+        const netmesh_status status = session.mesh_in_block(points);
         REQUIRE((status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY));
         const netmesh_report r = session.report();
-        if (status == NETMESH_OK || r.cells == 0) continue;
+        if (status == NETMESH_OK || r.mesh.cells == 0) continue;
         CHECK(r.complete == 0);
-        CHECK(netmesh_check(session.context, 7, &session.options) == NETMESH_OK);
-        partial += r.inputs == 12;
+        CHECK(session.check(7) == NETMESH_OK);
+        partial += r.mesh.inputs == 12;
     }
     CHECK(partial > 5);
 }

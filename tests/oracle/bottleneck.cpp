@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include "common/bottleneck.hpp"
 #include "common/inputs.hpp"
-#include "netmesh.h"
 
 namespace {
 
@@ -25,12 +25,8 @@ std::vector<std::pair<double, double>> for_gudhi(const Diagram& diagram, bool lo
 }
 
 double ours(const Diagram& a, const Diagram& b, netmesh_scale scale) {
-    const std::size_t bytes = netmesh_bottleneck_bytes(a.size(), b.size());
-    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
-    netmesh_distance d = {};
-    REQUIRE(netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), 1, scale, scratch, bytes, nullptr, nullptr,
-                               &d) == NETMESH_OK);
-    std::free(scratch);
+    const Distance d = bottleneck(a, b, scale, 1);
+    REQUIRE(d.status == NETMESH_OK);
     return scale == NETMESH_SCALE_LOG ? std::log(d.value) + d.exponent * std::log(2.0) : d.value;
 }
 
@@ -49,11 +45,11 @@ void make(std::uint64_t seed, Diagram* a, Diagram* b) {
                 birth = 0.1 * static_cast<double>(1 + random.below(8));
                 length = 0.1 * static_cast<double>(1 + random.below(5));
             }
-            diagram->push_back({1, birth, birth + length});
+            diagram->push_back(bar(1, birth, birth + length));
         }
         if (seed % 7 == 0) {
-            diagram->push_back({1, random.uniform() + 0.5, infinity});
-            diagram->push_back({1, random.uniform() + 0.5, infinity});
+            diagram->push_back(bar(1, random.uniform() + 0.5, infinity));
+            diagram->push_back(bar(1, random.uniform() + 0.5, infinity));
         }
     }
     if (kind != 4) return;
@@ -133,7 +129,7 @@ TEST_CASE("200 pairs of diagrams, plain and log scale") {
 }
 
 TEST_CASE("different numbers of essential bars") {
-    const Diagram a = {{1, 0.5, infinity}}, b = {{1, 0.5, 1}};
+    const Diagram a = {bar(1, 0.5, infinity)}, b = {bar(1, 0.5, 1)};
     CHECK(Gudhi::persistence_diagram::bottleneck_distance(for_gudhi(a, false), for_gudhi(b, false), 0.) == infinity);
     CHECK(ours(a, b, NETMESH_SCALE_PLAIN) == infinity);
     CHECK(ours(a, b, NETMESH_SCALE_LOG) == infinity);

@@ -59,7 +59,8 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
         CHECK(b.death_low <= list.pairs[i].death);
         CHECK(list.pairs[i].death <= b.death_high);
         CHECK(b.birth_high <= b.death_low);
-        claims.push_back({list.pairs[i].degree, {b.birth_low, b.birth_high, b.death_low, b.death_high, 0, 1}});
+        claims.push_back({list.pairs[i].degree,
+                          {sizeof(netmesh_bar_bounds), 1, b.birth_low, b.birth_high, b.death_low, b.death_high, 0}});
     }
     CHECK(claims.size() >= least);
     CHECK(all_real(claims, diagram(exact), 1 + 1e-9));

@@ -17,22 +17,22 @@ template <int D> void within_certificate(const std::string& name, const inputs::
     const Diagram truth = diagram(exact);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         Session session(D);
-        session.options.tau = tau;
+        session.request.tau = tau;
         session.bounds = true;
-        REQUIRE(session.mesh_and_persist(points, NETMESH_FILTER_COMPLETE, values) == NETMESH_OK);
-        const netmesh_report r = report(session);
-        CHECK(r.certified_ratio <= r.tau);
-        if (values == NETMESH_VALUES_CERTIFIED) CHECK(r.certified_ratio <= std::sqrt(2 + r.tau));
+        REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_COMPLETE, 0, values)) == NETMESH_OK);
+        const netmesh_report r = session.report();
+        CHECK(r.diagram.certified_ratio <= r.mesh.tau);
+        if (values == NETMESH_VALUES_CERTIFIED) CHECK(r.diagram.certified_ratio <= std::sqrt(2 + r.mesh.tau));
         const double distance = log_distance(diagram(session), truth, D);
         const double ratio = std::exp(distance);
-        CHECK(ratio <= r.certified_ratio);
+        CHECK(ratio <= r.diagram.certified_ratio);
         CHECK(ratio >= 1);
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
         CHECK(certain > 0);
         MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
-                     << " values: true ratio " << ratio << ", certified " << r.certified_ratio << ", tau " << r.tau
-                     << ", " << certain << " bars surely real");
+                     << " values: true ratio " << ratio << ", certified " << r.diagram.certified_ratio << ", tau "
+                     << r.mesh.tau << ", " << certain << " bars surely real");
     }
 }
 
@@ -42,16 +42,17 @@ template <int D> void reaches_ratio(const std::string& name, const inputs::Point
     Session exact(D), session(D);
     REQUIRE(exact.alpha(points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
-    session.options.ratio = ratio;
+    session.request.certificate.ratio = ratio;
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
-    const netmesh_report r = report(session);
-    CHECK(r.certified_ratio <= ratio);
+    const netmesh_report r = session.report();
+    CHECK(r.diagram.certified_ratio <= ratio);
     const double true_ratio = std::exp(log_distance(diagram(session), truth, D));
-    CHECK(true_ratio <= r.certified_ratio);
+    CHECK(true_ratio <= r.diagram.certified_ratio);
     std::size_t certain = 0;
     CHECK(bounds_hold(session, truth, &certain));
     MESSAGE(name << " D=" << D << " by the certificate: true ratio " << true_ratio << ", certified "
-                 << r.certified_ratio << ", " << r.vertices << " vertices, " << certain << " bars surely real");
+                 << r.diagram.certified_ratio << ", " << r.mesh.vertices << " vertices, " << certain
+                 << " bars surely real");
 }
 
 }  // namespace

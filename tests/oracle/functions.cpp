@@ -17,16 +17,16 @@ void within_certificate(const std::string& name, int dim, const inputs::Points& 
     CAPTURE(name);
     CAPTURE(k);
     Session session(dim);
-    session.options.k = static_cast<std::uint32_t>(k);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-        REQUIRE(session.mesh_and_persist(points, mean ? NETMESH_FILTER_KDISTANCE : NETMESH_FILTER_KNN, values) ==
+        const netmesh_filter filter = mean ? NETMESH_FILTER_KDISTANCE : NETMESH_FILTER_KNN;
+        REQUIRE(session.mesh_and_persist(points, persist_by(filter, static_cast<std::uint32_t>(k), values)) ==
                 NETMESH_OK);
         const netmesh_report report = session.report();
-        REQUIRE(report.k == k);
+        REQUIRE(report.diagram.k == k);
         const KDistance set = {&points, dim, k, mean};
         double least, doubt;
         // The domain's radius is that of the smallest enclosing ball, or a hair more.
-        Diagram truth = on_grid(set, report.domain, report.domain[dim], side, &least, &doubt);
+        Diagram truth = on_grid(set, report.mesh.domain, report.mesh.domain[dim], side, &least, &doubt);
         Diagram ours;
         std::size_t essential = 0;
         for (const netmesh_pair& pair : session.pairs()) {
@@ -40,11 +40,11 @@ void within_certificate(const std::string& name, int dim, const inputs::Points& 
                                                                                           logarithms(ours[degree]), 0));
         const double slack = std::log(1 + doubt / (least - doubt));
         REQUIRE(slack < 0.7);
-        CHECK(distance <= std::log(report.certified_ratio) + slack);
+        CHECK(distance <= std::log(report.diagram.certified_ratio) + slack);
         MESSAGE(name << std::string(mean ? " k-distance" : " d_k") << ", k = " << k
                      << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
                      << " values: true ratio " << std::exp(distance) << " (grid " << std::exp(slack) << "), certified "
-                     << report.certified_ratio);
+                     << report.diagram.certified_ratio);
     }
 }
 

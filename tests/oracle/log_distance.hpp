@@ -16,17 +16,8 @@ using Diagram = std::map<std::uint32_t, Bars>;
 
 inline Diagram diagram(const Session& session) {
     Diagram bars;
-    netmesh_pair pair;
-    for (std::uint64_t i = 0; netmesh_get_pair(session.context, i, &pair) == NETMESH_OK; ++i)
-        bars[pair.degree].push_back({pair.birth, pair.death});
+    for (const netmesh_pair& pair : session.pairs()) bars[pair.degree].push_back({pair.birth, pair.death});
     return bars;
-}
-
-inline netmesh_report report(const Session& session) {
-    netmesh_report r;
-    r.struct_bytes = sizeof r;
-    REQUIRE(netmesh_get_report(session.context, &r) == NETMESH_OK);
-    return r;
 }
 
 // Births at 0 are infinitely far from all others on the log scale, so these bars are matched to each other, in order of
@@ -124,13 +115,15 @@ inline bool all_real(const std::vector<Claim>& claims, const Diagram& truth, dou
 // Do the bounds of the session's bars hold? *certain: how many are said to be real. slack: the truth is known to within
 // this factor, and bars so short may be missing from it.
 inline bool bounds_hold(Session& session, const Diagram& truth, std::size_t* certain, double slack = 1 + 1e-9) {
-    REQUIRE(netmesh_bound_bars(session.context, &session.options) == NETMESH_OK);
+    REQUIRE(session.bound_bars() == NETMESH_OK);
     *certain = 0;
     std::vector<Claim> claims;
-    netmesh_pair pair;
-    for (std::uint64_t i = 0; netmesh_get_pair(session.context, i, &pair) == NETMESH_OK; ++i) {
-        Claim claim = {pair.degree, {}};
-        REQUIRE(netmesh_get_bar_bounds(session.context, i, &claim.bounds) == NETMESH_OK);
+    const std::vector<netmesh_pair> pairs = session.pairs();
+    const std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
+    REQUIRE(bounds.size() == pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const netmesh_pair& pair = pairs[i];
+        const Claim claim = {pair.degree, bounds[i]};
         CHECK(claim.bounds.birth_low <= pair.birth);
         CHECK(claim.bounds.birth_high >= pair.birth);
         CHECK(claim.bounds.death_low <= pair.death);

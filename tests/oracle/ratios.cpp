@@ -1,9 +1,9 @@
 // Certified ratio, true ratio and theory's bound of every filter on point sets in 2D, 3D and 4D, as a table
-// (ctest -R oracle.ratios -V). The truth: the alpha complex; for d_k nested sets of points, on sets small enough; for
-// the k-distance sublevel sets on a fine grid. The true ratio is e to the exact log-bottleneck distance. Each is inside
-// its certified ratio, that inside theory's bound, and each bar said to be real inside its bounds. The bound for d_k
-// and the k-distance holds where every cell is as good as tau says (filtration/function_filter.hpp); refinement looks
-// at the cells as the complete filter needs them.
+// (ctest -R oracle.ratios -V). The truth: the alpha complex; for d_k nested sets of points, on sets small enough; for the
+// k-distance sublevel sets on a fine grid. The true ratio is e to the exact log-bottleneck distance. Each is inside its
+// certified ratio, that inside theory's bound, and each bar said to be real inside its bounds. The bound for d_k and the
+// k-distance holds where every cell is as good as tau says (filtration/function_filter.hpp); refinement looks at the cells
+// as the complete filter needs them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -27,11 +27,11 @@ void print_row(const Case& c, const Session& session, const char* filter, double
                std::size_t certain) {
     const netmesh_report r = session.report();
     std::uint64_t bars = 0;
-    for (std::uint32_t degree = 0; degree <= r.max_degree; ++degree) bars += r.pairs[degree];
+    for (std::uint32_t degree = 0; degree <= r.diagram.max_degree; ++degree) bars += r.diagram.pairs[degree];
     std::printf("| %-18s | %-12s | %d | %6llu | %7llu | %9.3f | %6.3f | %6.3f | %5llu | %5zu |\n", filter, c.name,
-                c.dim, static_cast<unsigned long long>(r.inputs),
-                static_cast<unsigned long long>(r.scales > 0 ? r.scale_vertices : r.vertices), r.certified_ratio, truth,
-                theory, static_cast<unsigned long long>(bars), certain);
+                c.dim, static_cast<unsigned long long>(r.mesh.inputs),
+                static_cast<unsigned long long>(r.scales.count > 0 ? r.scales.vertices : r.mesh.vertices),
+                r.diagram.certified_ratio, truth, theory, static_cast<unsigned long long>(bars), certain);
     std::fflush(stdout);
 }
 
@@ -45,7 +45,7 @@ void judge(const Case& c, Session& session, const char* filter, const Diagram& t
            bool promised = true, double slack = 1 + 1e-9) {
     CAPTURE(c.name);
     CAPTURE(filter);
-    const double certified = session.report().certified_ratio, ratio = std::exp(distance);
+    const double certified = session.report().diagram.certified_ratio, ratio = std::exp(distance);
     CHECK(ratio <= certified * slack);
     if (promised) CHECK(certified <= theory * (1 + 1e-9));
     std::size_t certain = 0;
@@ -81,16 +81,16 @@ void offsets(const Case& c) {
     const Diagram truth = diagram(exact);
     Session session(c.dim);
     session.bounds = true;
-    session.options.tau = c.tau;
+    session.request.tau = c.tau;
     const std::uint32_t dim = static_cast<std::uint32_t>(c.dim);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         const bool own = values == NETMESH_VALUES_THESIS;
-        REQUIRE(session.mesh_and_persist(c.points, NETMESH_FILTER_COMPLETE, values) == NETMESH_OK);
+        REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_COMPLETE, 0, values)) == NETMESH_OK);
         judge(c, session, own ? "complete, thesis" : "complete", truth, log_distance(diagram(session), truth, dim),
               theory_of(c, values));
     }
     REQUIRE(session.mesh_and_persist(c.points, NETMESH_FILTER_BASIC) == NETMESH_OK);
-    const double from = session.report().certified_from;
+    const double from = session.report().diagram.certified_from;
     judge(c, session, "basic", truth,
           distance_of_positive(seen_from(diagram(session), from), seen_from(truth, from), c.dim),
           theory_of(c, NETMESH_VALUES_CERTIFIED));
@@ -101,23 +101,15 @@ void tight_and_scales(const Case& c, double eps) {
     REQUIRE(exact.alpha(c.points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
     const std::uint32_t dim = static_cast<std::uint32_t>(c.dim);
-    const std::size_t n = c.points.size() / dim;
     Session session(c.dim);
-    session.options.eps = eps;
-    REQUIRE(session.until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_TIGHT, &session.options, n), [&] {
-        netmesh_status status =
-            netmesh_mesh(session.context, c.points.data(), n, NETMESH_JOB_PERSIST_TIGHT, &session.options);
-        if (status == NETMESH_OK)
-            status = netmesh_persist(session.context, NETMESH_FILTER_TIGHT, NETMESH_VALUES_CERTIFIED, dim - 1, 0,
-                                     &session.options);
-        return status == NETMESH_OK ? netmesh_bound_bars(session.context, &session.options) : status;
-    }) == NETMESH_OK);
+    session.bounds = true;
+    session.request.tight_eps = eps;
+    REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_TIGHT), NETMESH_PURPOSE_TIGHT) == NETMESH_OK);
     judge(c, session, eps == 0.5 ? "tight, eps 1/2" : "tight, eps 1/4", truth,
           log_distance(diagram(session), truth, dim), 1 + eps);
-    REQUIRE(session.until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_SCALES, &session.options, n), [&] {
-        return netmesh_persist_scales(session.context, c.points.data(), n, NETMESH_VALUES_CERTIFIED, dim - 1, 0,
-                                      &session.options);
-    }) == NETMESH_OK);
+    netmesh_scales_request scales = session.scales_request(c.points);
+    scales.eps = eps;
+    REQUIRE(session.scales(scales) == NETMESH_OK);
     judge(c, session, eps == 0.5 ? "scales, eps 1/2" : "scales, eps 1/4", truth,
           log_distance(diagram(session), truth, dim), (1 + 3.0 / 9) * (1 + eps));
 }
@@ -125,14 +117,13 @@ void tight_and_scales(const Case& c, double eps) {
 // d_k by brute force: the barycentric Cech complex of all nested sets.
 void nearest_k(const Case& c, std::uint32_t k) {
     Session exact(c.dim);
-    REQUIRE(exact.points(NETMESH_FILTER_BARYCENTRIC_CECH, k, static_cast<std::uint32_t>(c.dim) - 1, c.points) ==
-            NETMESH_OK);
+    const std::uint32_t top = static_cast<std::uint32_t>(c.dim) - 1;
+    REQUIRE(exact.points(exact.points_request(c.points, NETMESH_FILTER_BARYCENTRIC_CECH, k, top)) == NETMESH_OK);
     const Diagram truth = diagram(exact);
     Session session(c.dim);
     session.bounds = true;
-    session.options.tau = c.tau;
-    session.options.k = k;
-    REQUIRE(session.mesh_and_persist(c.points, NETMESH_FILTER_KNN) == NETMESH_OK);
+    session.request.tau = c.tau;
+    REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_KNN, k)) == NETMESH_OK);
     judge(c, session, k == 2 ? "knn, k = 2" : "knn, k = 3", truth, distance_of_positive(diagram(session), truth, c.dim),
           theory_of(c, NETMESH_VALUES_CERTIFIED), false);
 }
@@ -140,12 +131,12 @@ void nearest_k(const Case& c, std::uint32_t k) {
 void k_distance(const Case& c, std::uint32_t k, unsigned side) {
     Session session(c.dim);
     session.bounds = true;
-    session.options.tau = c.tau;
-    session.options.k = k;
-    REQUIRE(session.mesh_and_persist(c.points, NETMESH_FILTER_KDISTANCE) == NETMESH_OK);
+    session.request.tau = c.tau;
+    REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_KDISTANCE, k)) == NETMESH_OK);
     const netmesh_report r = session.report();
     double least, doubt;
-    const Diagram truth = on_grid({&c.points, c.dim, k, true}, r.domain, r.domain[c.dim], side, &least, &doubt);
+    const Diagram truth =
+        on_grid({&c.points, c.dim, k, true}, r.mesh.domain, r.mesh.domain[c.dim], side, &least, &doubt);
     const double slack = 1 + doubt / (least - doubt);
     REQUIRE(slack < 2);
     judge(c, session, "kdistance, k = 4", truth, distance_of_positive(diagram(session), truth, c.dim),

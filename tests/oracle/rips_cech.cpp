@@ -14,6 +14,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/bottleneck.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 
@@ -33,8 +34,8 @@ Diagram diagram_of(Tree& tree, double factor, int max_degree) {
         const auto birth = std::get<0>(pair), death = std::get<1>(pair);
         const int degree = tree.dimension(birth);
         if (degree > max_degree) continue;
-        bars.push_back({static_cast<std::uint32_t>(degree), factor * tree.filtration(birth),
-                        death == tree.null_simplex() ? HUGE_VAL : factor * tree.filtration(death)});
+        bars.push_back(bar(static_cast<std::uint32_t>(degree), factor * tree.filtration(birth),
+                           death == tree.null_simplex() ? HUGE_VAL : factor * tree.filtration(death)));
     }
     return bars;
 }
@@ -68,21 +69,13 @@ void compare(int dim, const std::string& name, const inputs::Points& points, net
     CAPTURE(dim);
     CAPTURE(name);
     Session session(dim);
-    const std::size_t n = points.size() / static_cast<std::size_t>(dim);
     const std::uint32_t degree = static_cast<std::uint32_t>(max_degree);
-    REQUIRE(session.until_it_fits(netmesh_points_bytes(filter, &session.options, n, 1, degree), [&] {
-        return netmesh_persist_points(session.context, points.data(), n, filter, NETMESH_VALUES_CERTIFIED, 1, degree, 0,
-                                      0, &session.options);
-    }) == NETMESH_OK);
+    REQUIRE(session.points(session.points_request(points, filter, 1, degree)) == NETMESH_OK);
     const Diagram ours = session.pairs();
     const Diagram theirs =
         filter == NETMESH_FILTER_RIPS ? rips(dim, points, max_degree) : cech(dim, points, max_degree);
-    const std::size_t bytes = netmesh_bottleneck_bytes(ours.size(), theirs.size());
-    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
-    netmesh_distance d = {};
-    REQUIRE(netmesh_bottleneck(ours.data(), ours.size(), theirs.data(), theirs.size(), NETMESH_ALL_DEGREES,
-                               NETMESH_SCALE_PLAIN, scratch, bytes, nullptr, nullptr, &d) == NETMESH_OK);
-    std::free(scratch);
+    const Distance d = bottleneck(ours, theirs);
+    REQUIRE(d.status == NETMESH_OK);
     CHECK(d.value <= 1e-9);
 }
 

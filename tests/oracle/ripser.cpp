@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/bottleneck.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 
@@ -36,7 +37,7 @@ Diagram ripser(int dim, const inputs::Points& points, int max_degree) {
         double birth, death;
         std::sscanf(line, "persistence intervals in dim %u", &degree);
         const int read = std::sscanf(line, " [%lf,%lf", &birth, &death);
-        if (read >= 1) bars.push_back({degree, birth / 2, read == 2 ? death / 2 : HUGE_VAL});
+        if (read >= 1) bars.push_back(bar(degree, birth / 2, read == 2 ? death / 2 : HUGE_VAL));
     }
     CHECK(pclose(in) == 0);
     std::remove(name);
@@ -48,15 +49,12 @@ void compare(int dim, const inputs::Points& points, int max_degree) {
     CAPTURE(max_degree);
     Session session(dim);
     const std::size_t n = points.size() / static_cast<std::size_t>(dim);
-    REQUIRE(session.points(NETMESH_FILTER_RIPS, 1, static_cast<std::uint32_t>(max_degree), points) == NETMESH_OK);
+    const std::uint32_t degree = static_cast<std::uint32_t>(max_degree);
+    REQUIRE(session.points(session.points_request(points, NETMESH_FILTER_RIPS, 1, degree)) == NETMESH_OK);
     const Diagram ours = session.pairs(), theirs = ripser(dim, points, max_degree);
     CHECK(theirs.size() >= n);
-    const std::size_t bytes = netmesh_bottleneck_bytes(ours.size(), theirs.size());
-    void* const scratch = std::aligned_alloc(16, (bytes + 15) / 16 * 16);
-    netmesh_distance d = {};
-    REQUIRE(netmesh_bottleneck(ours.data(), ours.size(), theirs.data(), theirs.size(), NETMESH_ALL_DEGREES,
-                               NETMESH_SCALE_PLAIN, scratch, bytes, nullptr, nullptr, &d) == NETMESH_OK);
-    std::free(scratch);
+    const Distance d = bottleneck(ours, theirs);
+    REQUIRE(d.status == NETMESH_OK);
     CHECK(d.value <= 1e-5);
 }
 

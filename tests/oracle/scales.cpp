@@ -1,5 +1,5 @@
-// Scale by scale (7.6) against the exact diagram of all points, on spreads up to 1e12: the log-bottleneck distance is
-// at most 3 theta + eps, and at most the logarithm of the certified ratio. Peak memory is that of the largest scale.
+// Scale by scale (7.6) against the exact diagram of all points, on spreads up to 1e12: the log-bottleneck distance is at
+// most 3 theta + eps, and at most the logarithm of the certified ratio. Peak memory is that of the largest scale.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -34,38 +34,32 @@ inputs::Points fractal(int dim, std::size_t each, double ratio, std::uint64_t se
     return p;
 }
 
-netmesh_status scales(Session& session, const inputs::Points& points,
-                      netmesh_values values = NETMESH_VALUES_CERTIFIED) {
-    const std::size_t n = points.size() / session.options.dim;
-    return session.until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_SCALES, &session.options, n), [&] {
-        return netmesh_persist_scales(session.context, points.data(), n, values, NETMESH_DIM_MAX, 0, &session.options);
-    });
-}
-
 template <int D> void within_promise(const std::string& name, const inputs::Points& points, double theta, double eps) {
     CAPTURE(name);
     Session exact(D);
     REQUIRE(exact.alpha(points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
     Session session(D);
-    session.options.theta = theta;
-    session.options.eps = eps;
+    netmesh_scales_request request = session.scales_request(points);
+    request.theta = theta;
+    request.eps = eps;
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-        REQUIRE(scales(session, points, values) == NETMESH_OK);
-        const netmesh_report r = report(session);
+        request.values = values;
+        REQUIRE(session.scales(request) == NETMESH_OK);
+        const netmesh_report r = session.report();
         const double distance = log_distance(diagram(session), truth, D);
-        CHECK(r.scales > 1);
-        CHECK(r.separation >= (1 - theta) / (2 * theta) * (1 - 1e-9));
+        CHECK(r.scales.count > 1);
+        CHECK(r.scales.separation >= (1 - theta) / (2 * theta) * (1 - 1e-9));
         CHECK(distance <= 3 * theta + eps);
-        CHECK(distance <= std::log(r.certified_ratio));
-        CHECK(std::log(r.certified_ratio) <= 3 * theta + eps);
+        CHECK(distance <= std::log(r.diagram.certified_ratio));
+        CHECK(std::log(r.diagram.certified_ratio) <= 3 * theta + eps);
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
         CHECK(certain > 0);
-        MESSAGE(name << " D=" << D << ", theta " << theta << ", eps " << eps << ": " << r.scales
-                     << " scales, separation " << r.separation << ", log distance " << distance << ", certified ratio "
-                     << r.certified_ratio << ", largest mesh " << r.scale_vertices_max << " vertices, peak "
-                     << r.peak_bytes << " bytes");
+        MESSAGE(name << " D=" << D << ", theta " << theta << ", eps " << eps << ": " << r.scales.count
+                     << " scales, separation " << r.scales.separation << ", log distance " << distance
+                     << ", certified ratio " << r.diagram.certified_ratio << ", largest mesh " << r.scales.vertices_max
+                     << " vertices, peak " << r.memory.peak_bytes << " bytes");
     }
 }
 
@@ -89,14 +83,13 @@ TEST_CASE("peak memory is that of the largest scale") {
     for (const double scale : {1e-3, 1e-6, 1e-9, 1e-12})
         for (const double x : inputs::uniform(2, 10, 42)) all.push_back(large[0] + scale * x);
     Session one(2), many(2);
-    one.options.eps = many.options.eps = 0.5;
-    REQUIRE(scales(one, large) == NETMESH_OK);
-    REQUIRE(scales(many, all) == NETMESH_OK);
+    REQUIRE(one.scales(one.scales_request(large)) == NETMESH_OK);
+    REQUIRE(many.scales(many.scales_request(all)) == NETMESH_OK);
     const netmesh_report a = one.report(), b = many.report();
-    CHECK(b.scales > a.scales);
-    CHECK(b.scale_vertices > a.scale_vertices);
-    const double ratio = static_cast<double>(b.peak_bytes) / static_cast<double>(a.peak_bytes);
+    CHECK(b.scales.count > a.scales.count);
+    CHECK(b.scales.vertices > a.scales.vertices);
+    const double ratio = static_cast<double>(b.memory.peak_bytes) / static_cast<double>(a.memory.peak_bytes);
     CHECK(ratio <= 1.1);
-    MESSAGE("largest scale alone " << a.peak_bytes << " bytes, all " << b.scales << " scales " << b.peak_bytes
-                                   << " bytes: " << ratio);
+    MESSAGE("largest scale alone " << a.memory.peak_bytes << " bytes, all " << b.scales.count << " scales "
+                                   << b.memory.peak_bytes << " bytes: " << ratio);
 }

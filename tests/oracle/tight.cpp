@@ -17,29 +17,23 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
     REQUIRE(exact.alpha(points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
     Session session(D);
-    session.options.eps = eps;
-    const std::size_t n = points.size() / D;
+    session.request.tight_eps = eps;
+    session.bounds = true;
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-        REQUIRE(session.until_it_fits(netmesh_plan_bytes(NETMESH_JOB_PERSIST_TIGHT, &session.options, n), [&] {
-            const netmesh_status status =
-                netmesh_mesh(session.context, points.data(), n, NETMESH_JOB_PERSIST_TIGHT, &session.options);
-            if (status != NETMESH_OK) return status;
-            const netmesh_status found =
-                netmesh_persist(session.context, NETMESH_FILTER_TIGHT, values, D - 1, 0, &session.options);
-            return found == NETMESH_OK ? netmesh_bound_bars(session.context, &session.options) : found;
-        }) == NETMESH_OK);
-        const netmesh_report r = report(session);
+        REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_TIGHT, 0, values), NETMESH_PURPOSE_TIGHT) ==
+                NETMESH_OK);
+        const netmesh_report r = session.report();
         const double distance = log_distance(diagram(session), truth, D);
-        CHECK(r.certified_ratio <= (1 + eps) * (1 + 1e-9));
-        CHECK(distance <= std::log(r.certified_ratio));
+        CHECK(r.diagram.certified_ratio <= (1 + eps) * (1 + 1e-9));
+        CHECK(distance <= std::log(r.diagram.certified_ratio));
         CHECK(distance <= eps);
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
         CHECK(certain > 0);
         MESSAGE(name << " D=" << D << ", eps " << eps
                      << std::string(values == NETMESH_VALUES_THESIS ? ", thesis" : ", certified")
-                     << " values: log distance " << distance << ", certified ratio " << r.certified_ratio << ", "
-                     << r.vertices << " vertices, " << certain << " bars surely real");
+                     << " values: log distance " << distance << ", certified ratio " << r.diagram.certified_ratio
+                     << ", " << r.mesh.vertices << " vertices, " << certain << " bars surely real");
     }
 }
 

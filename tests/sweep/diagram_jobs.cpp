@@ -1,82 +1,61 @@
 // Jobs that end in diagrams, or in figures of a mesh.
 #include <algorithm>
-#include <map>
+#include <cmath>
 #include <set>
 
-#include "common/inputs.hpp"
+#include "common/dimensions.hpp"
 #include "sweep/jobs.hpp"
-
-std::uint64_t figures_of_run = 0;
 
 namespace {
 
-void add_figure(std::uint64_t figure) { figures_of_run = (figures_of_run ^ figure) * 0x100000001B3u + 1; }
+netmesh_status mesh(Run& run) { return run.mesh_in_block(run.points(), NETMESH_PURPOSE_PERSIST); }
 
-const inputs::Points& points_of(const Job& job) {
-    static std::map<std::pair<int, std::size_t>, inputs::Points> made;
-    inputs::Points& points = made[{job.dim, job.points}];
-    if (points.empty()) points = inputs::uniform(job.dim, job.points, 40);
-    return points;
+netmesh_status persist(Run& run, const netmesh_persist_request& request) {
+    const netmesh_status status = mesh(run);
+    return status == NETMESH_OK ? run.persist(request) : status;
 }
+netmesh_status knn(Run& run) { return persist(run, persist_by(NETMESH_FILTER_KNN, 2)); }
+netmesh_status kdistance(Run& run) { return persist(run, persist_by(NETMESH_FILTER_KDISTANCE, 2)); }
+netmesh_status tight(Run& run) { return persist(run, persist_by(NETMESH_FILTER_TIGHT)); }
 
-netmesh_status mesh(const Job& job, netmesh_context* context, netmesh_options* options,
-                    netmesh_job purpose = NETMESH_JOB_PERSIST) {
-    return netmesh_mesh(context, points_of(job).data(), job.points, purpose, options);
-}
-
-template <netmesh_filter filter>
-netmesh_status persist(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->k = 2;
-    const netmesh_status status = mesh(job, context, options);
-    if (status != NETMESH_OK) return status;
-    return netmesh_persist(context, filter, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
-}
-
-// A cycle and bounds for each bar.
-template <netmesh_filter filter>
-netmesh_status represent(const Job& job, netmesh_context* context, netmesh_options* options) {
-    netmesh_status status = persist<filter>(job, context, options);
-    if (status == NETMESH_OK) status = netmesh_represent(context, options);
-    return status;
-}
-// With pairs of no length the complex is listed simplex by simplex.
-netmesh_status represent_all(const Job& job, netmesh_context* context, netmesh_options* options) {
-    netmesh_status status = mesh(job, context, options);
-    if (status != NETMESH_OK) return status;
-    status = netmesh_persist(context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, 1, 1, options);
-    return status == NETMESH_OK ? netmesh_represent(context, options) : status;
-}
-netmesh_status represent_alpha(const Job& job, netmesh_context* context, netmesh_options* options) {
-    netmesh_status status = netmesh_delaunay(context, points_of(job).data(), job.points, options);
-    if (status != NETMESH_OK) return status;
-    status = netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 1, options);
-    return status == NETMESH_OK ? netmesh_represent(context, options) : status;
-}
-netmesh_status bounds(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = persist<NETMESH_FILTER_KNN>(job, context, options);
-    return status == NETMESH_OK ? netmesh_bound_bars(context, options) : status;
+netmesh_status bounds(Run& run) {
+    const netmesh_status status = knn(run);
+    return status == NETMESH_OK ? run.bound_bars() : status;
 }
 
 // Three points on a line, two minima of the distance to the second nearest: a bar that only a chain of covers can show.
-netmesh_status chain(const Job& job, netmesh_context* context, netmesh_options* options) {
-    inputs::Points points(3 * static_cast<std::size_t>(job.dim), 0.0);
-    points[static_cast<std::size_t>(job.dim)] = 1;
-    points[2 * static_cast<std::size_t>(job.dim)] = -1.3;
-    options->k = 2;
-    netmesh_status status = netmesh_mesh(context, points.data(), 3, NETMESH_JOB_PERSIST, options);
-    if (status != NETMESH_OK) return status;
-    status = netmesh_persist(context, NETMESH_FILTER_KNN, NETMESH_VALUES_CERTIFIED, 0, 0, options);
-    return status == NETMESH_OK ? netmesh_bound_bars(context, options) : status;
+netmesh_status chain(Run& run) {
+    inputs::Points points(3 * static_cast<std::size_t>(run.job.dim), 0.0);
+    points[static_cast<std::size_t>(run.job.dim)] = 1;
+    points[2 * static_cast<std::size_t>(run.job.dim)] = -1.3;
+    netmesh_persist_request components = persist_by(NETMESH_FILTER_KNN, 2);
+    components.max_degree = 0;
+    netmesh_status status = run.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+    if (status == NETMESH_OK) status = run.persist(components);
+    return status == NETMESH_OK ? run.bound_bars() : status;
+}
+
+// A cycle for each bar.
+netmesh_status represent(Run& run) {
+    const netmesh_status status = persist(run, persist_by(NETMESH_FILTER_COMPLETE));
+    return status == NETMESH_OK ? run.represent() : status;
+}
+// With pairs of no length the complex is listed simplex by simplex.
+netmesh_status represent_all(Run& run) {
+    netmesh_persist_request all = persist_by(NETMESH_FILTER_COMPLETE);
+    all.max_degree = all.keep_zero_pairs = 1;
+    const netmesh_status status = persist(run, all);
+    return status == NETMESH_OK ? run.represent() : status;
+}
+netmesh_status represent_alpha(Run& run) {
+    netmesh_persist_request all = persist_by(NETMESH_FILTER_ALPHA);
+    all.keep_zero_pairs = 1;
+    netmesh_status status = run.delaunay_in_block(run.points());
+    if (status == NETMESH_OK) status = run.persist(all);
+    return status == NETMESH_OK ? run.represent() : status;
 }
 
 double distance_to_origin(void*, const double* x) { return std::fabs(x[0]) + std::fabs(x[1]); }
-
-netmesh_status function(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = mesh(job, context, options);
-    if (status != NETMESH_OK) return status;
-    const netmesh_function f = {distance_to_origin, nullptr, 1.5, 0, 1};
-    return netmesh_persist_function(context, &f, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
-}
 
 // Bits of the place, mixed: every star is irregular.
 double rough(void*, const double* x) {
@@ -84,55 +63,68 @@ double rough(void*, const double* x) {
     for (int k = 0; k < 2; ++k) sum += (x[k] - std::floor(x[k])) * 1e3;
     return sum - std::floor(sum);
 }
-
-netmesh_status irregular(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = mesh(job, context, options);
-    if (status != NETMESH_OK) return status;
-    const netmesh_function f = {rough, nullptr, 1e6, 0, 2};
-    return netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, 1, options);
-}
-
 // The points above all other vertices: classes of degree D-1.
-double rough_with_peaks(void* job, const double* x) {
-    const Job& of = *static_cast<const Job*>(job);
-    const inputs::Points& points = points_of(of);
-    for (auto p = points.begin(); p != points.end(); p += of.dim)
-        if (std::equal(p, p + of.dim, x)) return 1 + rough(nullptr, x);
+double rough_with_peaks(void* user, const double* x) {
+    const Run& run = *static_cast<const Run*>(user);
+    const inputs::Points& points = run.points();
+    for (auto p = points.begin(); p != points.end(); p += run.job.dim)
+        if (std::equal(p, p + run.job.dim, x)) return 1 + rough(nullptr, x);
     return rough(nullptr, x);
 }
-netmesh_status irregular_cycles(const Job& job, netmesh_context* context, netmesh_options* options) {
-    netmesh_status status = mesh(job, context, options);
-    if (status != NETMESH_OK) return status;
-    const netmesh_function f = {rough_with_peaks, const_cast<Job*>(&job), 1e6, 0, 2};
-    status = netmesh_persist_function(context, &f, NETMESH_VALUES_THESIS, NETMESH_DIM_MAX, 0, options);
-    return status == NETMESH_OK ? netmesh_represent(context, options) : status;
+
+struct Sublevels {
+    double (*evaluate)(void* user, const double* x);
+    double lipschitz, cut;
+};
+netmesh_status persist_function(Run& run, const Sublevels& of, netmesh_persist_request request) {
+    netmesh::requests::Function function;
+    function.evaluate = of.evaluate;
+    function.user = &run;
+    function.lipschitz = of.lipschitz;
+    function.cut = of.cut;
+    request.function = &function;
+    return persist(run, request);
+}
+netmesh_status function(Run& run) {
+    return persist_function(run, {distance_to_origin, 1.5, 1}, persist_by(NETMESH_FILTER_FUNCTION));
+}
+netmesh_status irregular(Run& run) {
+    netmesh_persist_request all = persist_by(NETMESH_FILTER_FUNCTION, 0, NETMESH_VALUES_THESIS);
+    all.keep_zero_pairs = 1;
+    return persist_function(run, {rough, 1e6, 2}, all);
+}
+netmesh_status irregular_cycles(Run& run) {
+    const netmesh_status status = persist_function(run, {rough_with_peaks, 1e6, 2},
+                                                   persist_by(NETMESH_FILTER_FUNCTION, 0, NETMESH_VALUES_THESIS));
+    return status == NETMESH_OK ? run.represent() : status;
 }
 
-netmesh_status vineyard(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = mesh(job, context, options);
-    if (status != NETMESH_OK) return status;
-    return netmesh_vineyard(context, NETMESH_FILTER_KNN, 1, 2, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, options);
+netmesh_status vineyard(Run& run) {
+    const netmesh_status status = mesh(run);
+    return status == NETMESH_OK ? run.vineyard(NETMESH_FILTER_KNN, 1, 2) : status;
 }
 
 // Two scales far from each other.
-netmesh_status scales(const Job& job, netmesh_context* context, netmesh_options* options) {
-    inputs::Points points = points_of(job);
+netmesh_status scales(Run& run) {
+    inputs::Points points = run.points();
     for (std::size_t i = 0; i < points.size() / 2; ++i) points[i] *= 0x1p-30;
-    return netmesh_persist_scales(context, points.data(), job.points, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                                  options);
+    const netmesh_scales_request request = run.scales_request(points);
+    return netmesh_persist_scales(run.context, &request);
 }
 
-template <netmesh_filter filter, int representatives, std::uint32_t degree = 1>
-netmesh_status of_points(const Job& job, netmesh_context* context, netmesh_options* options) {
-    return netmesh_persist_points(context, points_of(job).data(), job.points, filter, NETMESH_VALUES_CERTIFIED, 2,
-                                  degree, 0, representatives, options);
+std::function<netmesh_status(Run&)> of_points(netmesh_filter filter, bool representatives, std::uint32_t degree = 1) {
+    return [=](Run& run) {
+        netmesh_points_request request = run.points_request(run.points(), filter, 2, degree);
+        request.representatives = representatives ? 1 : 0;
+        return netmesh_persist_points(run.context, &request);
+    };
 }
 
 // All faces of the simplices i, i + 1, i + 2, i + 5 modulo `points`, every one at the number of its vertices.
 struct Complex {
     std::vector<std::uint32_t> vertices;
     std::vector<std::uint64_t> starts = {0};
-    std::vector<double> values;
+    std::vector<double> entries;
 };
 Complex complex_of(const Job& job) {
     std::set<std::set<std::uint32_t>> faces;
@@ -148,99 +140,94 @@ Complex complex_of(const Job& job) {
     for (const auto& face : faces) {
         c.vertices.insert(c.vertices.end(), face.begin(), face.end());
         c.starts.push_back(c.vertices.size());
-        c.values.push_back(static_cast<double>(face.size() + *face.rbegin() / 3));
+        c.entries.push_back(static_cast<double>(face.size() + *face.rbegin() / 3));
     }
     return c;
 }
 
-template <int representatives>
-netmesh_status homology(const Job& job, netmesh_context* context, netmesh_options* options) {
-    static const Complex complex = complex_of(job);
-    return netmesh_homology(context, complex.vertices.data(), complex.starts.data(), complex.values.data(),
-                            complex.values.size(), 3, 0, representatives, options);
+netmesh_status homology_of_complex(Run& run, bool representatives) {
+    static const Complex complex = complex_of(run.job);
+    netmesh::requests::Homology request;
+    request.monitor = run.request.monitor;
+    request.vertices = complex.vertices.data();
+    request.starts = complex.starts.data();
+    request.entries = complex.entries.data();
+    request.simplex_count = complex.entries.size();
+    request.max_degree = 3;
+    request.representatives = representatives ? 1 : 0;
+    return netmesh_homology(run.context, &request);
+}
+netmesh_status homology(Run& run) { return homology_of_complex(run, false); }
+netmesh_status homology_cycles(Run& run) { return homology_of_complex(run, true); }
+
+netmesh_status analyse(Run& run) {
+    const netmesh_status status = mesh(run);
+    if (status != NETMESH_OK) return status;
+    netmesh_analysis analysis;
+    const netmesh_status done = run.analyse(&analysis, NETMESH_ANALYSE_ALL, 30);
+    if (done == NETMESH_OK) add_figure(analysis.fingerprint);
+    return done;
 }
 
-netmesh_status analyse(const Job& job, netmesh_context* context, netmesh_options* options) {
-    figures_of_run = 0;
-    netmesh_status status = mesh(job, context, options);
+netmesh_status measure(Run& run) {
+    run.request.method = NETMESH_METHOD_HIERARCHY;
+    netmesh_status status = run.mesh_in_block(run.points());
     if (status != NETMESH_OK) return status;
-    netmesh_analysis analysis = {};
-    analysis.struct_bytes = sizeof analysis;
-    status = netmesh_analyse(context, NETMESH_ANALYSE_ALL, 30, options, &analysis);
-    if (status == NETMESH_OK) add_figure(analysis.fingerprint);
-    return status;
-}
-
-netmesh_status measure(const Job& job, netmesh_context* context, netmesh_options* options) {
-    figures_of_run = 0;
-    options->method = NETMESH_METHOD_NETMESH;
-    netmesh_status status = mesh(job, context, options, NETMESH_JOB_MESH);
-    if (status != NETMESH_OK) return status;
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
-    netmesh_get_report(context, &report);
-    std::vector<double> numbers(report.vertices);
-    std::vector<std::uint32_t> places(report.vertices);
+    const std::size_t vertices = run.report().mesh.vertices, inputs = run.job.points;
+    std::vector<double> numbers(vertices);
+    std::vector<std::uint32_t> places(vertices);
     const auto add = [&](std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
             add_figure(static_cast<std::uint64_t>(numbers[i] * 0x1p40));
             add_figure(places[i]);
         }
     };
-    status = netmesh_measure_cells(context, numbers.data(), places.data());
+    status = netmesh_measure_cells(run.context, numbers.data(), places.data());
     if (status != NETMESH_OK) return status;
-    add(report.vertices);
-    status = netmesh_well_paced_order(context, places.data(), numbers.data());
+    add(vertices);
+    status = netmesh_well_paced_order(run.context, places.data(), numbers.data());
     if (status != NETMESH_OK) return status;
-    add(job.points);
-    status = netmesh_pace(context, places.data(), numbers.data());
-    if (status == NETMESH_OK) add(job.points);
+    add(inputs);
+    status = netmesh_pace(run.context, places.data(), numbers.data());
+    if (status == NETMESH_OK) add(inputs);
     return status;
 }
 
 }  // namespace
 
 void add_diagram_jobs(std::vector<Job>* jobs) {
-    constexpr auto knn = persist<NETMESH_FILTER_KNN>, kdistance = persist<NETMESH_FILTER_KDISTANCE>,
-                   tight = persist<NETMESH_FILTER_TIGHT>;
-    constexpr auto rips = of_points<NETMESH_FILTER_RIPS, 1>, rips_edges = of_points<NETMESH_FILTER_RIPS, 0>,
-                   cech = of_points<NETMESH_FILTER_CECH, 1>,
-                   barycentric_cech = of_points<NETMESH_FILTER_BARYCENTRIC_CECH, 0>,
-                   barycentric_rips = of_points<NETMESH_FILTER_BARYCENTRIC_RIPS, 0>;
-    for (int dim = 2; dim <= 6; ++dim) {
+    for (const int dim : dimensions()) {
         const std::size_t few = dim == 2 ? 5 : dim == 3 ? 3 : 2;
         const bool large = dim >= 4;
-        jobs->push_back({"knn", dim, few, knn, large});
-        jobs->push_back({"kdistance", dim, few, kdistance, large});
-        jobs->push_back({"tight", dim, few, tight, large});
-        jobs->push_back({"bounds", dim, few, bounds, large, 0, true});
-        jobs->push_back({"bounds-chain", dim, 3, chain, large, 0, true});
-        jobs->push_back({"function", dim, few, function, large});
-        static const std::size_t some[] = {0, 0, 6, 24, 10, 6, 4};
-        jobs->push_back({"irregular", dim, some[dim], irregular, dim > 2, 60});
-        static const std::size_t more[] = {0, 0, 16, 24, 20, 14, 9};
-        jobs->push_back({"rough-cycles", dim, more[dim], irregular_cycles, true, dim == 3 ? 300 : 100, true});
-        jobs->push_back({"scales-one", dim, 1, scales, true, 30});
-        jobs->push_back({"cycles", dim, few, represent<NETMESH_FILTER_COMPLETE>, large, 100, true});
-        jobs->push_back({"cycles-all", dim, few, represent_all, large, 40, true});
-        jobs->push_back({"cycles-alpha", dim,
-                         std::size_t(dim == 2   ? 16
-                                     : dim == 3 ? 8
-                                                : 7),
-                         represent_alpha, large, 0, true});
-        jobs->push_back({"vineyard", dim, few, vineyard, dim > 2, dim > 2 ? 40 : 100});
-        jobs->push_back({"analyse", dim, few, analyse, large, 100});
-        jobs->push_back({"measure", dim, few, measure, large, 100});
-        jobs->push_back({"rips", dim, 9, rips});
-        jobs->push_back({"rips-edges", dim, 9, rips_edges, dim > 3, 40});
-        jobs->push_back({"cech", dim, 7, cech});
-        jobs->push_back({"bary-cech", dim, 5, barycentric_cech});
-        jobs->push_back({"bary-rips", dim, 5, barycentric_rips});
+        jobs->push_back(Job{"knn", dim, few, knn}.large(large));
+        jobs->push_back(Job{"kdistance", dim, few, kdistance}.large(large));
+        jobs->push_back(Job{"tight", dim, few, tight}.large(large));
+        jobs->push_back(Job{"bounds", dim, few, bounds}.keeping_diagram().large(large));
+        jobs->push_back(Job{"bounds-chain", dim, 3, chain}.keeping_diagram().large(large));
+        jobs->push_back(Job{"function", dim, few, function}.large(large));
+        const std::size_t some = by_dimension<std::size_t>(dim, {6, 24, 10, 6, 4});
+        jobs->push_back(Job{"irregular", dim, some, irregular}.large(dim > 2).tries(60));
+        const std::size_t more = by_dimension<std::size_t>(dim, {16, 24, 20, 14, 9});
+        const Job rough_cycles = Job{"rough-cycles", dim, more, irregular_cycles}.keeping_diagram().large();
+        jobs->push_back(rough_cycles.tries(dim == 3 ? 300 : 100));
+        jobs->push_back(Job{"scales-one", dim, 1, scales}.large().tries(30));
+        jobs->push_back(Job{"cycles", dim, few, represent}.keeping_diagram().large(large).tries(100));
+        jobs->push_back(Job{"cycles-all", dim, few, represent_all}.keeping_diagram().large(large).tries(40));
+        const std::size_t alpha = by_dimension<std::size_t>(dim, {16, 8, 7, 7, 7});
+        jobs->push_back(Job{"cycles-alpha", dim, alpha, represent_alpha}.keeping_diagram().large(large));
+        jobs->push_back(Job{"vineyard", dim, few, vineyard}.large(dim > 2).tries(dim > 2 ? 40 : 100));
+        jobs->push_back(Job{"analyse", dim, few, analyse}.large(large).tries(100));
+        jobs->push_back(Job{"measure", dim, few, measure}.large(large).tries(100));
+        jobs->push_back({"rips", dim, 9, of_points(NETMESH_FILTER_RIPS, true)});
+        jobs->push_back(Job{"rips-edges", dim, 9, of_points(NETMESH_FILTER_RIPS, false)}.large(dim > 3).tries(40));
+        jobs->push_back({"cech", dim, 7, of_points(NETMESH_FILTER_CECH, true)});
+        jobs->push_back({"bary-cech", dim, 5, of_points(NETMESH_FILTER_BARYCENTRIC_CECH, false)});
+        jobs->push_back({"bary-rips", dim, 5, of_points(NETMESH_FILTER_BARYCENTRIC_RIPS, false)});
     }
-    jobs->push_back({"homology", 2, 12, homology<0>});
-    jobs->push_back({"homology-cycles", 2, 12, homology<1>});
-    jobs->push_back({"rips-large", 2, 18, of_points<NETMESH_FILTER_RIPS, 0, 2>, true, 60});
-    jobs->push_back({"rips-large", 3, 18, of_points<NETMESH_FILTER_RIPS, 1, 2>, true, 60});
-    jobs->push_back({"scales", 2, 3, scales, true, 30});
-    jobs->push_back({"scales", 3, 2, scales, true, 10});
+    jobs->push_back({"homology", 2, 12, homology});
+    jobs->push_back({"homology-cycles", 2, 12, homology_cycles});
+    jobs->push_back(Job{"rips-large", 2, 18, of_points(NETMESH_FILTER_RIPS, false, 2)}.large().tries(60));
+    jobs->push_back(Job{"rips-large", 3, 18, of_points(NETMESH_FILTER_RIPS, true, 2)}.large().tries(60));
+    jobs->push_back(Job{"scales", 2, 3, scales}.large().tries(30));
+    jobs->push_back(Job{"scales", 3, 2, scales}.large().tries(10));
 }

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "common/bottleneck.hpp"
 #include "common/inputs.hpp"
 #include "sweep/harness.hpp"
 
@@ -16,7 +17,7 @@ std::vector<netmesh_pair> diagram(std::uint64_t seed, std::size_t count) {
     const inputs::Points p = inputs::uniform(2, count, seed);
     std::vector<netmesh_pair> pairs;
     for (std::size_t i = 0; i < count; ++i)
-        pairs.push_back({static_cast<std::uint32_t>(i % 2), p[2 * i], p[2 * i] + 2 * p[2 * i + 1]});
+        pairs.push_back(bar(static_cast<std::uint32_t>(i % 2), p[2 * i], p[2 * i] + 2 * p[2 * i + 1]));
     return pairs;
 }
 
@@ -24,10 +25,19 @@ struct Distances {
     std::vector<netmesh_pair> a, b;
     netmesh_scale scale;
 
+    std::size_t bytes() const {
+        const netmesh_bottleneck_request request = bottleneck_request(a, b, scale);
+        return netmesh_bottleneck_bytes(&request);
+    }
     Result in(Block* block, std::size_t bytes) const {
-        netmesh_distance distance = {-1, 0};
-        const netmesh_status status = netmesh_bottleneck(a.data(), a.size(), b.data(), b.size(), NETMESH_ALL_DEGREES,
-                                                         scale, block->base(), bytes, sweep_poll, nullptr, &distance);
+        netmesh_bottleneck_request request = bottleneck_request(a, b, scale);
+        request.scratch = block->base();
+        request.scratch_bytes = bytes;
+        request.monitor.poll = sweep_poll;
+        netmesh_distance distance = {sizeof distance, 0, -1};
+        auto detail = netmesh::sized<netmesh_detail>();
+        const netmesh_status status = netmesh_bottleneck(&request, &distance, &detail);
+        require(detail.status == status, "the detail does not fit");
         const bool disturbed = status == NETMESH_OUT_OF_MEMORY || status == NETMESH_CANCELLED;
         require(status == NETMESH_OK || disturbed, netmesh_status_text(status));
         require(!disturbed || distance.value == -1, "a distance without an OK");
@@ -44,7 +54,7 @@ void sweep_distances() {
         const Distances job = {diagram(1, 24), diagram(2, 21), scale};
         place = {"distance", 0, "undisturbed", 0};
         const Tally before = total;
-        const std::size_t bytes = netmesh_bottleneck_bytes(job.a.size(), job.b.size());
+        const std::size_t bytes = job.bytes();
         Block block(bytes, 0xAA, false);
         disturbance = {};
         const Result undisturbed = job.in(&block, bytes);

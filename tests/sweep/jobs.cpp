@@ -1,309 +1,254 @@
+// Jobs that end in a triangulation or a mesh, checked or with a diagram in all degrees.
 #include "sweep/jobs.hpp"
 
 #include <map>
 
-#include "common/inputs.hpp"
+#include "common/arrays.hpp"
+#include "common/dimensions.hpp"
+#include "common/session.hpp"
+#include "sweep/harness.hpp"
+
+std::uint64_t figures_of_run = 0;
+
+void add_figure(std::uint64_t figure) { figures_of_run = (figures_of_run ^ figure) * 0x100000001B3u + 1; }
+
+Run::Run(const Job& of, netmesh_context* in) : Calls(of.dim, in), job(of) { request.monitor.poll = sweep_poll; }
 
 namespace {
 
-const inputs::Points& points_of(const Job& job) {
-    static std::map<std::pair<int, std::size_t>, inputs::Points> made;
-    inputs::Points& points = made[{job.dim, job.points}];
-    if (points.empty()) points = inputs::uniform(job.dim, job.points, 40);
+using Make = inputs::Points (*)(const Job& job);
+
+// What `make` makes for a job, once for each number of points.
+template <Make make> const inputs::Points& made(const Job& job) {
+    static std::map<std::pair<int, std::size_t>, inputs::Points> all;
+    inputs::Points& points = all[{job.dim, job.points}];
+    if (points.empty()) points = make(job);
     return points;
 }
 
-netmesh_status delaunay(const Job& job, netmesh_context* context, netmesh_options* options) {
-    return netmesh_delaunay(context, points_of(job).data(), job.points, options);
-}
-
-netmesh_status repeated(const Job& job, netmesh_context* context, netmesh_options* options) {
-    static std::map<int, inputs::Points> made;
-    inputs::Points& points = made[job.dim];
-    if (points.empty()) points = inputs::repeated(job.dim, points_of(job), 3);
-    return netmesh_delaunay(context, points.data(), 3 * job.points, options);
-}
-
-netmesh_status alpha(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = delaunay(job, context, options);
-    if (status != NETMESH_OK) return status;
-    return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0, options);
-}
-
-netmesh_status audited(const Job& job, netmesh_context* context, netmesh_options* options) {
-    netmesh_options copy = *options;
-    copy.method = NETMESH_METHOD_NETMESH;
-    copy.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
-    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, &copy);
-}
-
-netmesh_status alpha_low(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = delaunay(job, context, options);
-    if (status != NETMESH_OK) return status;
-    return netmesh_persist(context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, 0, 0, options);
-}
-
-netmesh_status mesh(const Job& job, netmesh_context* context, netmesh_options* options) {
-    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_PERSIST, options);
-}
-
-template <netmesh_filter filter, netmesh_values values>
-netmesh_status persist(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = mesh(job, context, options);
-    return status != NETMESH_OK ? status : netmesh_persist(context, filter, values, NETMESH_DIM_MAX, 1, options);
-}
-
-netmesh_status check(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = mesh(job, context, options);
-    return status != NETMESH_OK ? status : netmesh_check(context, NETMESH_CHECK_ALL, options);
-}
-
-netmesh_status basic_bounds(const Job& job, netmesh_context* context, netmesh_options* options) {
-    const netmesh_status status = persist<NETMESH_FILTER_BASIC, NETMESH_VALUES_CERTIFIED>(job, context, options);
-    return status != NETMESH_OK ? status : netmesh_bound_bars(context, options);
-}
-
+inputs::Points uniform_points(const Job& job) { return inputs::uniform(job.dim, job.points, 40); }
+inputs::Points repeated_points(const Job& job) { return inputs::repeated(job.dim, uniform_points(job), 3); }
 // With cages: points at distances that shrink twentyfold.
-const inputs::Points& spread_points(const Job& job) {
-    static std::map<std::pair<int, std::size_t>, inputs::Points> made;
-    inputs::Points& points = made[{job.dim, job.points}];
-    if (points.empty()) points = inputs::geometric(job.dim, 20, job.points - 1);
-    return points;
+inputs::Points spread_points(const Job& job) { return inputs::geometric(job.dim, 20, job.points - 1); }
+// The same with gaps that are just too narrow: Steiner points release a cage.
+inputs::Points narrow_pairs(const Job& job) {
+    const double gap =
+        by_dimension<double>(job.dim, {0.07, 0x1.bda73b8bfa5b9p-4, 0.0625, 0x1.c1a8aed55a266p-4, 0x1.2bc89d5a28729p-4});
+    const std::uint64_t seed = by_dimension<std::uint64_t>(job.dim, {1, 572, 641, 185, 795});
+    return inputs::close_pairs(job.dim, job.points / 2, gap, seed);
+}
+inputs::Points close_pairs(const Job& job) { return inputs::close_pairs(job.dim, job.points / 2, 0.02, 2); }
+
+netmesh_status delaunay(Run& run) { return run.delaunay_in_block(run.points()); }
+netmesh_status repeated(Run& run) { return run.delaunay_in_block(made<repeated_points>(run.job)); }
+
+netmesh_status alpha(Run& run) {
+    const netmesh_status status = delaunay(run);
+    return status == NETMESH_OK ? run.persist(NETMESH_FILTER_ALPHA) : status;
+}
+netmesh_status alpha_low(Run& run) {
+    const netmesh_status status = delaunay(run);
+    netmesh::requests::Persist low(NETMESH_FILTER_ALPHA);
+    low.max_degree = 0;
+    return status == NETMESH_OK ? run.persist(low) : status;
 }
 
-netmesh_status hierarchy(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->method = NETMESH_METHOD_NETMESH;
-    return netmesh_mesh(context, spread_points(job).data(), job.points, NETMESH_JOB_MESH, options);
-}
+netmesh_status mesh(Run& run) { return run.mesh_in_block(run.points(), NETMESH_PURPOSE_PERSIST); }
 
-netmesh_status finished(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->finish = 1;
-    return hierarchy(job, context, options);
+netmesh_status persist_all(Run& run, netmesh_filter filter, netmesh_values values) {
+    netmesh_persist_request all = persist_by(filter, 0, values);
+    all.keep_zero_pairs = 1;
+    const netmesh_status status = mesh(run);
+    return status == NETMESH_OK ? run.persist(all) : status;
 }
-
-netmesh_status reference(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->method = NETMESH_METHOD_REFINE;
-    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, options);
+netmesh_status complete(Run& run) { return persist_all(run, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED); }
+netmesh_status basic(Run& run) { return persist_all(run, NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS); }
+netmesh_status basic_bounds(Run& run) {
+    const netmesh_status status = persist_all(run, NETMESH_FILTER_BASIC, NETMESH_VALUES_CERTIFIED);
+    return status == NETMESH_OK ? run.bound_bars() : status;
 }
-
-netmesh_status fine(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->over_refine_eps = 0.5;
-    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, options);
-}
-
-// As fine as the block allows: a request refused gives another diagram, and a whole one.
-netmesh_status fit(const Job& job, netmesh_context* context, netmesh_options* options) {
-    return netmesh_fit(context, points_of(job).data(), job.points, NETMESH_DIM_MAX, 0, 1, options);
-}
-
 // Refined by the certificate.
-netmesh_status by_ratio(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->ratio = 3;
-    return persist<NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED>(job, context, options);
+netmesh_status by_ratio(Run& run) {
+    run.request.certificate.ratio = 3;
+    return complete(run);
+}
+// The same, more at some scales.
+netmesh_status focused(Run& run) {
+    run.request.certificate = {4, run.job.dim < 5 ? 2.6 : 3.5, 0.05, 4};
+    return run.mesh_in_block(made<close_pairs>(run.job), NETMESH_PURPOSE_PERSIST);
+}
+// As fine as the block allows: a request refused gives another diagram, and a whole one.
+netmesh_status fit(Run& run) { return run.fit(run.points(), true); }
+
+netmesh_status check(Run& run) {
+    const netmesh_status status = mesh(run);
+    return status == NETMESH_OK ? run.check() : status;
 }
 
-// As hierarchy, with gaps that are just too narrow: Steiner points release a cage.
-const inputs::Points& pairs_of(const Job& job) {
-    static std::map<std::pair<int, std::size_t>, inputs::Points> made;
-    inputs::Points& points = made[{job.dim, job.points}];
-    const double gap[] = {0, 0, 0.07, 0x1.bda73b8bfa5b9p-4, 0.0625, 0x1.c1a8aed55a266p-4, 0x1.2bc89d5a28729p-4};
-    const std::uint64_t seed[] = {0, 0, 1, 572, 641, 185, 795};
-    if (points.empty()) points = inputs::close_pairs(job.dim, job.points / 2, gap[job.dim], seed[job.dim]);
-    return points;
+netmesh_status hierarchy(Run& run) {
+    run.request.method = NETMESH_METHOD_HIERARCHY;
+    return run.mesh_in_block(made<spread_points>(run.job));
+}
+netmesh_status finished(Run& run) {
+    run.request.finish = 1;
+    return hierarchy(run);
+}
+netmesh_status audited(Run& run) {
+    run.request.method = NETMESH_METHOD_HIERARCHY;
+    run.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    return run.mesh_in_block(run.points());
+}
+netmesh_status released(Run& run) {
+    run.request.method = NETMESH_METHOD_HIERARCHY;
+    run.request.tau = run.job.dim < 4 ? 2.2 : run.job.dim < 6 ? 6 : 8;
+    return run.mesh_in_block(made<narrow_pairs>(run.job));
+}
+netmesh_status released_audited(Run& run) {
+    run.request.audit = NETMESH_AUDIT_LOCATION;
+    return released(run);
 }
 
-template <std::uint32_t audit>
-netmesh_status released(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->method = NETMESH_METHOD_NETMESH;
-    options->tau = job.dim < 4 ? 2.2 : job.dim < 6 ? 6 : 8;
-    options->audit = audit;
-    return netmesh_mesh(context, pairs_of(job).data(), job.points, NETMESH_JOB_MESH, options);
+netmesh_status reference(Run& run) {
+    run.request.method = NETMESH_METHOD_REFINE;
+    return run.mesh_in_block(run.points());
 }
-
-// Refined by the certificate, more at some scales.
-netmesh_status focused(const Job& job, netmesh_context* context, netmesh_options* options) {
-    static std::map<int, inputs::Points> made;
-    inputs::Points& points = made[job.dim];
-    if (points.empty()) points = inputs::close_pairs(job.dim, job.points / 2, 0.02, 2);
-    options->ratio = 4;
-    options->focus_ratio = job.dim < 5 ? 2.6 : 3.5;
-    options->focus_from = 0.05;
-    options->focus_to = 4;
-    return netmesh_mesh(context, points.data(), job.points, NETMESH_JOB_PERSIST, options);
+netmesh_status fine(Run& run) {
+    run.request.sizes.eps = 0.5;
+    return run.mesh_in_block(run.points());
 }
-
 double small_nearby(void*, const double* x) { return 0.3 + 0.5 * (x[0] < 0 ? -x[0] : x[0]); }
-
-netmesh_status sized(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->size = small_nearby;
-    options->over_refine_eps = 0.8;
-    return netmesh_mesh(context, points_of(job).data(), job.points, NETMESH_JOB_MESH, options);
+netmesh_status sized(Run& run) {
+    run.request.sizes = {0.8, small_nearby, nullptr};
+    return run.mesh_in_block(run.points());
 }
 
-// A mesh as a file would bring it.
-struct Loaded {
-    std::vector<double> vertices, domain;
-    std::vector<std::uint8_t> markers;
-    std::vector<std::uint32_t> cells;
-    std::vector<netmesh_cage> cages;
-};
-
-Loaded mesh_to_load(const Job& job, netmesh_status (*make)(const Job&, netmesh_context*, netmesh_options*)) {
-    Loaded loaded;
-    std::vector<std::uint64_t> block((std::size_t{1} << 22) / 8 + 2);
-    netmesh_options options;
-    netmesh_options_init(&options, static_cast<std::uint32_t>(job.dim));
-    void* const base = reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(block.data()) + 15) / 16 * 16);
-    netmesh_context* context;
-    if (netmesh_init(base, std::size_t{1} << 22, &context) != NETMESH_OK || make(job, context, &options) != NETMESH_OK)
-        return loaded;
-    netmesh_vertex vertex;
-    for (std::uint64_t i = 0; netmesh_get_vertex(context, i, &vertex) == NETMESH_OK; ++i) {
-        loaded.vertices.insert(loaded.vertices.end(), vertex.coordinates, vertex.coordinates + job.dim);
-        loaded.markers.push_back(static_cast<std::uint8_t>(vertex.marker));
-    }
-    netmesh_cell cell;
-    for (std::uint64_t i = 0; netmesh_get_cell(context, i, &cell) == NETMESH_OK; ++i)
-        loaded.cells.insert(loaded.cells.end(), cell.vertices, cell.vertices + job.dim + 1);
-    netmesh_cage cage;
-    for (std::uint64_t i = 0; netmesh_get_cage(context, i, &cage) == NETMESH_OK; ++i) loaded.cages.push_back(cage);
-    netmesh_report report;
-    report.struct_bytes = sizeof report;
-    netmesh_get_report(context, &report);
-    loaded.domain.assign(report.domain, report.domain + job.dim + 1);
-    return loaded;
+// A mesh as a file would bring it: made by the same steps in the first run of a job, when nothing is refused.
+template <netmesh_status (*steps)(Run&)> const Arrays& mesh_to_load(const Run& run) {
+    static std::map<int, Arrays> all;
+    const auto found = all.find(run.job.dim);
+    if (found != all.end()) return found->second;
+    Session block(run.job.dim);
+    block.reserve(std::size_t{1} << 22);
+    Run maker(run.job, block.context);
+    require(steps(maker) == NETMESH_OK, "no mesh to load");
+    return all.emplace(run.job.dim, Arrays(maker)).first->second;
 }
 
-netmesh_status load_mesh(const Loaded& m, const Job& job, netmesh_context* context, netmesh_options* options) {
-    return netmesh_load(context, m.vertices.data(), m.markers.data(), m.markers.size(), m.cells.data(),
-                        m.cells.size() / (static_cast<std::size_t>(job.dim) + 1), m.domain.data(), options);
-}
-
-netmesh_status load(const Job& job, netmesh_context* context, netmesh_options* options) {
-    static std::map<int, Loaded> made;
-    Loaded& m = made[job.dim];
-    if (m.markers.empty()) m = mesh_to_load(job, mesh);  // in the first run, when nothing is refused
-    return load_mesh(m, job, context, options);
-}
+netmesh_status load(Run& run) { return mesh_to_load<mesh>(run).load(run); }
 
 // Sizes and a ratio that any mesh keeps, asked of one that is loaded.
-netmesh_status check_loaded(const Job& job, netmesh_context* context, netmesh_options* options) {
-    options->over_refine_eps = 1e6;
-    netmesh_status status = load(job, context, options);
-    if (status == NETMESH_OK) status = netmesh_check(context, NETMESH_CHECK_QUALITY, options);
-    options->over_refine_eps = 0;
-    options->ratio = 1e6;
-    return status == NETMESH_OK ? netmesh_check(context, NETMESH_CHECK_QUALITY, options) : status;
+netmesh_status check_loaded(Run& run) {
+    run.request.sizes.eps = 1e6;
+    netmesh_status status = load(run);
+    if (status == NETMESH_OK) status = run.check(NETMESH_CHECK_QUALITY);
+    run.request.sizes.eps = 0;
+    run.request.certificate.ratio = 1e6;
+    return status == NETMESH_OK ? run.check(NETMESH_CHECK_QUALITY) : status;
 }
 
-netmesh_status load_cages(const Job& job, netmesh_context* context, netmesh_options* options) {
-    static std::map<int, Loaded> made;
-    Loaded& m = made[job.dim];
-    if (m.markers.empty()) m = mesh_to_load(job, hierarchy);
-    const netmesh_status status = load_mesh(m, job, context, options);
-    if (status != NETMESH_OK) return status;
-    return netmesh_load_cages(context, m.cages.data(), m.cages.size(), options);
+netmesh_status load_cages(Run& run) {
+    const Arrays& arrays = mesh_to_load<hierarchy>(run);
+    const netmesh_status status = arrays.load(run);
+    return status == NETMESH_OK ? arrays.load_cages(run) : status;
 }
+
+const Job low_dimensions[] = {
+    {"delaunay", 2, 24, delaunay},
+    {"delaunay", 3, 14, delaunay},
+    {"delaunay", 4, 9, delaunay},
+    Job{"delaunay", 4, 30, delaunay}.large(),
+    {"repeated", 2, 12, repeated},
+    {"alpha", 2, 24, alpha},
+    {"alpha", 3, 12, alpha},
+    {"alpha", 4, 8, alpha},
+    Job{"alpha", 3, 40, alpha}.large(),
+    {"alpha-low", 2, 12, alpha_low},
+    {"alpha-low", 3, 9, alpha_low},
+    {"alpha-low", 4, 7, alpha_low},
+    {"mesh", 2, 8, mesh},
+    {"mesh", 3, 5, mesh},
+    {"mesh", 4, 3, mesh},
+    Job{"audited", 2, 4, audited}.tries(40),
+    Job{"audited", 3, 3, audited}.large().tries(10),
+    Job{"audited", 4, 3, audited}.large().tries(25),
+    {"complete", 2, 6, complete},
+    {"complete", 3, 4, complete},
+    {"complete", 4, 2, complete},
+    Job{"complete", 2, 30, complete}.large(),
+    Job{"complete", 3, 9, complete}.large(),
+    Job{"complete", 4, 4, complete}.large(),
+    {"basic", 2, 6, basic},
+    {"basic", 3, 4, basic},
+    {"basic", 4, 2, basic},
+    Job{"bounds-basic", 2, 5, basic_bounds}.keeping_diagram(),
+    Job{"bounds-basic", 3, 4, basic_bounds}.keeping_diagram(),
+    Job{"bounds-basic", 4, 3, basic_bounds}.keeping_diagram().large(),
+    Job{"check", 2, 6, check}.keeping_diagram(),
+    Job{"check", 3, 4, check}.keeping_diagram(),
+    Job{"check", 4, 2, check}.keeping_diagram(),
+    {"load", 2, 6, load},
+    {"load", 3, 4, load},
+    {"load", 4, 2, load},
+    {"check-loaded", 2, 5, check_loaded},
+    {"check-loaded", 3, 3, check_loaded},
+    {"check-loaded", 4, 2, check_loaded},
+    {"hierarchy", 2, 8, hierarchy},
+    {"hierarchy", 3, 6, hierarchy},
+    Job{"hierarchy", 4, 4, hierarchy}.large().tries(50),
+    Job{"finished", 2, 4, finished}.tries(100),
+    Job{"finished", 3, 4, finished}.large().tries(50),
+    Job{"finished", 4, 3, finished}.large().tries(25),
+    {"cages", 2, 8, load_cages},
+    {"cages", 3, 6, load_cages},
+    Job{"cages", 4, 4, load_cages}.large().tries(50),
+    {"reference", 2, 4, reference},
+    Job{"reference", 3, 2, reference}.large().tries(50),
+    Job{"fine", 2, 4, fine}.tries(200),
+    Job{"fine", 3, 2, fine}.large().tries(50),
+    Job{"sized", 2, 3, sized}.tries(100),
+    Job{"sized", 3, 3, sized}.large().tries(25),
+    {"by-ratio", 2, 6, by_ratio},
+    {"by-ratio", 3, 4, by_ratio},
+    Job{"by-ratio", 4, 3, by_ratio}.large().tries(100),
+    Job{"focused", 2, 4, focused}.tries(100),
+    Job{"focused", 3, 4, focused}.large().tries(100),
+    Job{"focused", 4, 4, focused}.large().tries(25),
+    Job{"fit", 2, 5, fit}.keeping_diagram().tries(40).using_up(64 << 10),
+    Job{"fit", 3, 3, fit}.keeping_diagram().tries(40).using_up(64 << 10).large(),
+    Job{"fit", 4, 2, fit}.keeping_diagram().tries(40).using_up(80 << 10).large(),
+    Job{"released", 2, 8, released}.large().tries(100),
+    Job{"released", 3, 8, released}.large().tries(50),
+    Job{"released", 4, 8, released}.large().tries(50),
+    Job{"released-audited", 3, 8, released_audited}.large().tries(25),
+    Job{"released-audited", 4, 8, released_audited}.large().tries(25),
+};
 
 }  // namespace
 
-const std::vector<Job>& all_jobs() {
-    constexpr auto complete = persist<NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED>;
-    constexpr auto basic = persist<NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS>;
-    static const std::vector<Job> jobs = [] {
-        std::vector<Job> list = {
-            {"delaunay", 2, 24, delaunay},
-            {"delaunay", 3, 14, delaunay},
-            {"delaunay", 4, 9, delaunay},
-            {"repeated", 2, 12, repeated},
-            {"alpha", 2, 24, alpha},
-            {"alpha", 3, 12, alpha},
-            {"alpha", 4, 8, alpha},
-            {"alpha-low", 2, 12, alpha_low},
-            {"alpha-low", 3, 9, alpha_low},
-            {"alpha-low", 4, 7, alpha_low},
-            {"mesh", 2, 8, mesh},
-            {"mesh", 3, 5, mesh},
-            {"mesh", 4, 3, mesh},
-            {"audited", 2, 4, audited, false, 40},
-            {"audited", 3, 3, audited, true, 10},
-            {"complete", 2, 6, complete},
-            {"complete", 3, 4, complete},
-            {"complete", 4, 2, complete},
-            {"basic", 2, 6, basic},
-            {"basic", 3, 4, basic},
-            {"basic", 4, 2, basic},
-            {"bounds-basic", 2, 5, basic_bounds, false, 0, true},
-            {"bounds-basic", 3, 4, basic_bounds, false, 0, true},
-            {"bounds-basic", 4, 3, basic_bounds, true, 0, true},
-            {"check", 2, 6, check, false, 0, true},
-            {"check", 3, 4, check, false, 0, true},
-            {"check", 4, 2, check, false, 0, true},
-            {"load", 2, 6, load},
-            {"load", 3, 4, load},
-            {"load", 4, 2, load},
-            {"alpha", 3, 40, alpha, true},
-            {"delaunay", 4, 30, delaunay, true},
-            {"complete", 2, 30, complete, true},
-            {"complete", 3, 9, complete, true},
-            {"complete", 4, 4, complete, true},
-            {"hierarchy", 2, 8, hierarchy},
-            {"hierarchy", 3, 6, hierarchy},
-            {"hierarchy", 4, 4, hierarchy, true, 50},
-            {"finished", 2, 4, finished, false, 100},
-            {"finished", 3, 4, finished, true, 50},
-            {"finished", 4, 3, finished, true, 25},
-            {"cages", 2, 8, load_cages},
-            {"cages", 3, 6, load_cages},
-            {"cages", 4, 4, load_cages, true, 50},
-            {"reference", 2, 4, reference},
-            {"reference", 3, 2, reference, true, 50},
-            {"fine", 2, 4, fine, false, 200},
-            {"fine", 3, 2, fine, true, 50},
-            {"by-ratio", 2, 6, by_ratio},
-            {"by-ratio", 3, 4, by_ratio},
-            {"by-ratio", 4, 3, by_ratio, true, 100},
-            {"check-loaded", 2, 5, check_loaded},
-            {"check-loaded", 3, 3, check_loaded},
-            {"check-loaded", 4, 2, check_loaded},
-            {"fit", 2, 5, fit, false, 40, true, 64 << 10},
-            {"fit", 3, 3, fit, true, 40, true, 64 << 10},
-            {"fit", 4, 2, fit, true, 40, true, 80 << 10},
-            {"focused", 2, 4, focused, false, 100},
-            {"focused", 3, 4, focused, true, 100},
-            {"focused", 4, 4, focused, true, 25},
-            {"sized", 2, 3, sized, false, 100},
-            {"sized", 3, 3, sized, true, 25},
-            {"audited", 4, 3, audited, true, 25},
-            {"released", 2, 8, released<0>, true, 100},
-            {"released", 3, 8, released<0>, true, 50},
-            {"released", 4, 8, released<0>, true, 50},
-            {"released-audited", 3, 8, released<NETMESH_AUDIT_LOCATION>, true, 25},
-            {"released-audited", 4, 8, released<NETMESH_AUDIT_LOCATION>, true, 25},
-        };
-        for (int dim = 5; dim <= 6; ++dim) {
-            list.push_back({"delaunay", dim, 9, delaunay});
-            list.push_back({"repeated", dim, 8, repeated});
-            list.push_back({"alpha", dim, 8, alpha});
-            list.push_back({"alpha-low", dim, 8, alpha_low});
-            list.push_back({"complete", dim, 2, complete});
-            list.push_back({"basic", dim, 2, basic});
-            list.push_back({"check", dim, 2, check, true, 0, true});
-            list.push_back({"by-ratio", dim, 2, by_ratio});
-            list.push_back({"load", dim, 2, load});
-            list.push_back({"hierarchy", dim, 4, hierarchy});
-            list.push_back({"released", dim, 4, released<0>, true, 50});
-            list.push_back({"released-audited", dim, 4, released<NETMESH_AUDIT_LOCATION>, true, 25});
-            list.push_back({"audited", dim, 3, audited, true, 25});
-            list.push_back({"focused", dim, 4, focused, true, 10});
-            list.push_back({"sized", dim, 2, sized, true, 10});
-            list.push_back({"cages", dim, 4, load_cages});
-            list.push_back({"bounds-basic", dim, std::size_t(dim == 5 ? 8 : 2), basic_bounds, true, 40, true});
-            list.push_back({"check-loaded", dim, 2, check_loaded});
-            list.push_back({"fit", dim, 2, fit, true, 20, true, std::size_t{160} << 10});
-        }
-        add_diagram_jobs(&list);
-        return list;
-    }();
-    return jobs;
+const inputs::Points& Run::points() const { return made<uniform_points>(job); }
+
+void add_mesh_jobs(std::vector<Job>* jobs) {
+    jobs->insert(jobs->end(), std::begin(low_dimensions), std::end(low_dimensions));
+    for (const int dim : dimensions(5, 6)) {
+        jobs->push_back({"delaunay", dim, 9, delaunay});
+        jobs->push_back({"repeated", dim, 8, repeated});
+        jobs->push_back({"alpha", dim, 8, alpha});
+        jobs->push_back({"alpha-low", dim, 8, alpha_low});
+        jobs->push_back({"complete", dim, 2, complete});
+        jobs->push_back({"basic", dim, 2, basic});
+        jobs->push_back(Job{"check", dim, 2, check}.keeping_diagram().large());
+        jobs->push_back({"by-ratio", dim, 2, by_ratio});
+        jobs->push_back({"load", dim, 2, load});
+        jobs->push_back({"hierarchy", dim, 4, hierarchy});
+        jobs->push_back(Job{"released", dim, 4, released}.large().tries(50));
+        jobs->push_back(Job{"released-audited", dim, 4, released_audited}.large().tries(25));
+        jobs->push_back(Job{"audited", dim, 3, audited}.large().tries(25));
+        jobs->push_back(Job{"focused", dim, 4, focused}.large().tries(10));
+        jobs->push_back(Job{"sized", dim, 2, sized}.large().tries(10));
+        jobs->push_back({"cages", dim, 4, load_cages});
+        const std::size_t bars = dim == 5 ? 8 : 2;
+        jobs->push_back(Job{"bounds-basic", dim, bars, basic_bounds}.keeping_diagram().large().tries(40));
+        jobs->push_back({"check-loaded", dim, 2, check_loaded});
+        jobs->push_back(Job{"fit", dim, 2, fit}.keeping_diagram().tries(20).using_up(std::size_t{160} << 10).large());
+    }
 }

@@ -13,6 +13,7 @@
 
 #include "sweep/harness.hpp"
 #include "sweep/jobs.hpp"
+#include "vocabulary/dimension.hpp"
 
 Disturbance disturbance;
 Place place;
@@ -46,9 +47,8 @@ struct Outcome {
     }
 };
 
-netmesh_report report_of(const netmesh_context* context) {
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
+netmesh_report whole_report(const netmesh_context* context) {
+    auto report = netmesh::sized<netmesh_report>();
     require(netmesh_get_report(context, &report) == NETMESH_OK, "no report");
     return report;
 }
@@ -57,9 +57,9 @@ netmesh_report report_of(const netmesh_context* context) {
 std::uint64_t read_bars(const netmesh_context* context) {
     std::uint64_t hash = 1, count = 0;
     const auto add = [&hash](std::uint64_t x) { hash = (hash ^ x) * 0x100000001B3u + 1; };
-    netmesh_simplex simplex;
-    netmesh_bar_bounds bounds;
-    netmesh_pair pair;
+    auto simplex = netmesh::sized<netmesh_simplex>();
+    auto bounds = netmesh::sized<netmesh_bar_bounds>();
+    auto pair = netmesh::sized<netmesh_pair>();
     for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i) {
         if (netmesh_get_bar_bounds(context, i, &bounds) == NETMESH_OK) {
             require(bounds.birth_low <= pair.birth && pair.birth <= bounds.birth_high, "bounds without their bar");
@@ -75,45 +75,48 @@ std::uint64_t read_bars(const netmesh_context* context) {
 }
 
 // The triangulation that is held.
-void look_at_mesh(netmesh_context* context, netmesh_options* options, const netmesh_report& report) {
+void look_at_mesh(Calls& calls, const netmesh_report& report) {
     const netmesh_status checked =
-        netmesh_check(context, NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY, options);
-    require(checked == NETMESH_OK, netmesh_get_detail(context).message);
-    require(report_of(context).fingerprint == report.fingerprint, "the check changed the result");
-    netmesh_vertex vertex;
-    for (std::uint64_t i = 0; i < report.vertices; ++i)
-        require(netmesh_get_vertex(context, i, &vertex) == NETMESH_OK, "a vertex is missing");
+        calls.check(NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY);
+    require(checked == NETMESH_OK, calls.detail().message);
+    require(whole_report(calls.context).fingerprint == report.fingerprint, "the check changed the result");
+    require(calls.vertices().size() == report.mesh.vertices, "a vertex is missing");
+}
+
+void look_at_pairs(const netmesh_context* context, const netmesh_report& report) {
+    std::uint64_t counted = 0;
+    const std::vector<netmesh_pair> pairs = read_all(context, netmesh_get_pair);
+    for (const netmesh_pair& pair : pairs)
+        require(pair.birth <= pair.death && pair.degree <= report.diagram.max_degree, "a pair is not one");
+    for (const std::uint64_t n : report.diagram.pairs) counted += n;
+    require(pairs.size() == counted && pairs.empty() == (report.diagram.present == 0), "pairs and report differ");
 }
 
 // Runs the job and looks at what it leaves behind, disturbed or not.
 Outcome run(const Job& job, netmesh_context* context) {
-    netmesh_options options;
-    netmesh_options_init(&options, static_cast<std::uint32_t>(job.dim));
-    options.poll = sweep_poll;
+    Run calls(job, context);
     figures_of_run = 0;
     Outcome outcome = {};
-    outcome.status = job.run(job, context, &options);
+    outcome.status = job.steps(calls);
     const bool disturbed = outcome.status == NETMESH_OUT_OF_MEMORY || outcome.status == NETMESH_CANCELLED;
     require(outcome.status == NETMESH_OK || disturbed, netmesh_status_text(outcome.status));
-    const netmesh_detail detail = netmesh_get_detail(context);
+    const netmesh_detail detail = calls.detail();
     require(detail.status == outcome.status && (outcome.status == NETMESH_OK) == (detail.message[0] == 0),
             "the detail does not fit");
 
     const Disturbance before = disturbance;
     disturbance.refuse_from = disturbance.refuse_to;
-    options.poll = nullptr;
-    const netmesh_report report = report_of(context);
+    calls.request.monitor.poll = nullptr;
+    const netmesh_report report = whole_report(context);
     outcome.fingerprint = report.fingerprint;
-    outcome.used_bytes = report.used_bytes;
-    outcome.has_diagram = report.has_diagram != 0;
-    outcome.holds = report.cells != 0 || outcome.has_diagram;
-    if (report.cells != 0) look_at_mesh(context, &options, report);
-    std::uint64_t pairs = 0, counted = 0;
-    for (netmesh_pair pair; netmesh_get_pair(context, pairs, &pair) == NETMESH_OK; ++pairs)
-        require(pair.birth <= pair.death && pair.degree <= report.max_degree, "a pair is not one");
-    for (std::uint64_t n : report.pairs) counted += n;
-    require(pairs == counted && (pairs > 0) == outcome.has_diagram, "pairs and report differ");
-    require(outcome.holds || report.vertices == 0, "an empty context holds something");
+    outcome.used_bytes = report.memory.used_bytes;
+    outcome.has_diagram = report.diagram.present != 0;
+    outcome.holds = report.mesh.present != 0 || outcome.has_diagram;
+    require((report.mesh.present != 0) == (report.mesh.cells != 0), "a mesh without cells");
+    if (report.mesh.present != 0) look_at_mesh(calls, report);
+    look_at_pairs(context, report);
+    require(outcome.holds || (report.mesh.vertices == 0 && report.simplicial_complex.present == 0),
+            "an empty context holds something");
     // A refused or cancelled step takes its own diagram away, never the mesh.
     require(!disturbed || !outcome.has_diagram || job.keeps_diagram, "a partial diagram is held");
     outcome.figures = figures_of_run ^ read_bars(context);
@@ -144,7 +147,7 @@ Undisturbed undisturbed(const Job& job) {
     u.outcome = run(job, context);
     u.requests = disturbance.requests;
     u.polls = disturbance.polls;
-    u.bytes = static_cast<std::size_t>(report_of(context).peak_bytes);
+    u.bytes = static_cast<std::size_t>(whole_report(context).memory.peak_bytes);
     require(u.outcome.status == NETMESH_OK, "the undisturbed run fails");
     return u;
 }
@@ -244,31 +247,28 @@ void misaligned() {
 
 // ---- planted faults
 
-netmesh_status delaunay_of(netmesh_context* context, std::size_t n, netmesh_options* options) {
-    static const double points[] = {0, 0, 4, 0, 1, 3, 5, 5, 2, 7, 6, 2, 3, 3, 7, 7};
-    return netmesh_delaunay(context, points, n, options);
+netmesh_status delaunay_of(Run& run, std::size_t n) {
+    static const inputs::Points points = {0, 0, 4, 0, 1, 3, 5, 5, 2, 7, 6, 2, 3, 3, 7, 7};
+    return run.delaunay_in_block(inputs::Points(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(2 * n)));
 }
 
-unsigned char* end_of(netmesh_context* context) {
-    return reinterpret_cast<unsigned char*>(context) + report_of(context).block_bytes;
+unsigned char* end_of(const Run& run) {
+    return reinterpret_cast<unsigned char*>(run.context) + run.report().memory.block_bytes;
 }
 
 const Job planted_jobs[] = {
     {"goes on", 2, 8,
-     [](const Job& job, netmesh_context* context, netmesh_options* options) {
-         delaunay_of(context, job.points, options);
+     [](Run& run) {
+         delaunay_of(run, run.job.points);
          return NETMESH_OK;
      }},
     {"overruns", 2, 8,
-     [](const Job& job, netmesh_context* context, netmesh_options* options) {
-         const netmesh_status status = delaunay_of(context, job.points, options);
-         if (status != NETMESH_OK) *end_of(context) = 0;
+     [](Run& run) {
+         const netmesh_status status = delaunay_of(run, run.job.points);
+         if (status != NETMESH_OK) *end_of(run) = 0;
          return status;
      }},
-    {"looks", 2, 8,
-     [](const Job& job, netmesh_context* context, netmesh_options* options) {
-         return delaunay_of(context, job.points - (end_of(context)[-1] == 0x55), options);
-     }},
+    {"looks", 2, 8, [](Run& run) { return delaunay_of(run, run.job.points - (end_of(run)[-1] == 0x55)); }},
 };
 
 // The number of planted jobs in which no fault is found.
@@ -287,35 +287,47 @@ int unseen() {
     return missed;
 }
 
+std::vector<Job> jobs_of(Mode mode, int names, char** name) {
+    std::vector<Job> all, wanted;
+    add_mesh_jobs(&all);
+    add_diagram_jobs(&all);
+    for (const Job& job : all) {
+        bool named = names == 0;
+        for (int i = 0; i < names; ++i) named = named || std::strcmp(name[i], job.name) == 0;
+        const bool left_out = (mode == Mode::quick && job.is_large) || (mode != Mode::refuse && job.dim > 4) ||
+                              !netmesh::serves_dimension(static_cast<std::uint32_t>(job.dim));
+        if (named && !left_out) wanted.push_back(job);
+    }
+    return wanted;
+}
+
+void sweep(const Job& job, Mode mode) {
+    place = {job.name, job.dim, "undisturbed", 0};
+    const Tally before = total;
+    const Undisturbed u = undisturbed(job);
+    refuse_and_cancel(job, u, mode);
+    const double growth = mode == Mode::quick ? 1.1 : job.tries_max > 0 ? 1.1 : 1.005;
+    if (mode != Mode::refuse) sizes(job, u, mode == Mode::quick ? 256 : 16, growth);
+    // Every single byte of the way, where it is short.
+    if (mode == Mode::all && job.dim == 2 && u.bytes < 9000) sizes(job, u, 1, 1);
+    std::printf("%-16s D%d: %5ld requests, %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %5ld of them with "
+                "a partial mesh, %6ld whole\n",
+                job.name, job.dim, u.requests, u.polls, u.bytes, total.refused - before.refused,
+                total.cancelled - before.cancelled, total.partial - before.partial, total.whole - before.whole);
+    std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     if (argc > 1 && std::strcmp(argv[1], "planted") == 0) return unseen() == 0 ? 0 : 1;
     Mode mode = Mode::all;
-    int name = 1;
     if (argc > 1 && std::strcmp(argv[1], "quick") == 0) mode = Mode::quick;
     if (argc > 1 && std::strcmp(argv[1], "refuse") == 0) mode = Mode::refuse;
-    if (mode != Mode::all) name = 2;
+    const int first_name = mode == Mode::all ? 1 : 2;
     misaligned();
     sweep_distances();
-    for (const Job& job : all_jobs()) {
-        bool wanted = name >= argc;
-        for (int i = name; i < argc; ++i) wanted = wanted || std::strcmp(argv[i], job.name) == 0;
-        if (!wanted || (mode == Mode::quick && job.large) || (mode != Mode::refuse && job.dim > 4)) continue;
-        place = {job.name, job.dim, "undisturbed", 0};
-        const Tally before = total;
-        const Undisturbed u = undisturbed(job);
-        refuse_and_cancel(job, u, mode);
-        const double growth = mode == Mode::quick ? 1.1 : job.tries_max > 0 ? 1.1 : 1.005;
-        if (mode != Mode::refuse) sizes(job, u, mode == Mode::quick ? 256 : 16, growth);
-        // Every single byte of the way, where it is short.
-        if (mode == Mode::all && job.dim == 2 && u.bytes < 9000) sizes(job, u, 1, 1);
-        std::printf("%-16s D%d: %5ld requests, %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %5ld of them with "
-                    "a partial mesh, %6ld whole\n",
-                    job.name, job.dim, u.requests, u.polls, u.bytes, total.refused - before.refused,
-                    total.cancelled - before.cancelled, total.partial - before.partial, total.whole - before.whole);
-        std::fflush(stdout);
-    }
+    for (const Job& job : jobs_of(mode, argc > first_name ? argc - first_name : 0, argv + first_name)) sweep(job, mode);
     std::printf("%ld points of failure, %ld faults\n", total.refused + total.cancelled, faults);
     return faults == 0 ? 0 : 1;
 }

@@ -6,35 +6,29 @@
 
 namespace netmesh::tool {
 
-std::string candidate_text(const Candidate& candidate) {
-    std::string text = std::string("filter ") + filter_name(candidate.filter);
-    const bool one_kind = candidate.filter == NETMESH_FILTER_ALPHA || candidate.filter == NETMESH_FILTER_RIPS ||
-                          candidate.filter == NETMESH_FILTER_CECH ||
-                          candidate.filter == NETMESH_FILTER_BARYCENTRIC_CECH;
-    if (!one_kind) {
-        text += std::string(", ") + values_name(candidate.values) + " values";
-    }
-    return text;
+namespace {
+
+// Whether a filter is tried at all. Of several k none is tried by itself, and where there is no mesh yet, filters that
+// a mesh is made for have to be named.
+bool is_tried(const Options& options, const netmesh_filter_info& filter) {
+    if (options.filter ? *options.filter != filter.filter : filter.needs_k != 0 && !options.k) return false;
+    const bool from_points = options.mesh_path.empty() && ending_of(options.positionals[0]) == ".pers";
+    if (filter.source == NETMESH_SOURCE_SCALES || filter.source == NETMESH_SOURCE_POINTS)
+        return from_points && options.filter;
+    return filter.purpose != NETMESH_PURPOSE_TIGHT || !from_points || options.filter;
 }
 
-// The filters that a diagram or a vertex value may come from, by the options.
-std::vector<Candidate> candidates(const Options& options, bool on_mesh, bool on_delaunay) {
-    std::vector<Candidate> list;
-    for (const netmesh_filter filter :
-         {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA, NETMESH_FILTER_KNN,
-          NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_TIGHT, NETMESH_FILTER_SCALES}) {
-        const bool counts = filter == NETMESH_FILTER_KNN || filter == NETMESH_FILTER_KDISTANCE;
-        if (options.filter ? *options.filter != filter : counts && !options.k) continue;  // no k is tried by itself
-        // Where there is no mesh yet, its making depends on the filter: these have to be named.
-        const bool from_points = options.mesh_path.empty() && ending_of(options.positionals[0]) == ".pers";
-        if (filter == NETMESH_FILTER_TIGHT && from_points && !options.filter) continue;
-        if (filter == NETMESH_FILTER_SCALES && !(from_points && options.filter)) continue;
-        if (!(filter == NETMESH_FILTER_ALPHA ? on_delaunay : on_mesh)) continue;
-        for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-            if (options.values && *options.values != values && filter != NETMESH_FILTER_ALPHA) continue;
-            if (filter == NETMESH_FILTER_ALPHA && values == NETMESH_VALUES_THESIS) continue;
-            list.push_back({filter, values});
-        }
+}  // namespace
+
+std::vector<FilterChoice> candidates(const Options& options, netmesh_source made_of) {
+    std::vector<FilterChoice> list;
+    for (const netmesh_filter_info& filter : filters()) {
+        if (filter.source != made_of || !is_tried(options, filter)) continue;
+        const bool both = filter.has_values != 0;
+        if (!both || options.values.value_or(NETMESH_VALUES_CERTIFIED) == NETMESH_VALUES_CERTIFIED)
+            list.push_back({filter.filter, NETMESH_VALUES_CERTIFIED});
+        if (both && options.values.value_or(NETMESH_VALUES_THESIS) == NETMESH_VALUES_THESIS)
+            list.push_back({filter.filter, NETMESH_VALUES_THESIS});
     }
     return list;
 }

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "tools/commands/check_parts.hpp"
-#include "tools/commands/commands.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/steps.hpp"
 
 namespace netmesh::tool {
 
@@ -36,163 +36,137 @@ Outcome read_diagram(const std::string& path, DiagramFile* file) {
     return {Exit::check, file->name + ":" + std::to_string(line) + ": check failed: " + complaint};
 }
 
-// The best that the candidates tried so far came to.
-struct Comparison {
-    bool equal = false;
-    std::size_t common = 0;  // bars before the first difference
-    std::string closest;     // what the sentence about the closest candidate says
+// A diagram's file against diagrams computed anew, of one filter after the other until one equals it.
+class Recomputation {
+public:
+    Recomputation(const Options& options, const DiagramFile& file, const PointCloud& cloud, Session& session)
+        : options_(options), file_(file), cloud_(cloud), session_(session) {}
+
+    // Tries each of the filters, all of which go by what `prepare` leaves in the session.
+    Outcome attempt(const std::vector<FilterChoice>& list, const Session::Work& prepare);
+    // What came out of all attempts.
+    Outcome conclude(RunReport* run) const;
+
+private:
+    netmesh_status try_each(const std::vector<FilterChoice>& list);
+    void compare(const std::vector<Bar>& recomputed, const FilterChoice& choice);
+    std::string bounds_complaint() const;
+
+    const Options& options_;
+    const DiagramFile& file_;
+    const PointCloud& cloud_;
+    Session& session_;
+    bool equal_ = false;
+    FilterChoice found_;            // the last one tried
+    std::size_t common_ = 0;        // bars before the first difference, at best
+    std::string closest_;           // what the sentence about the closest filter says
+    std::string bounds_complaint_;  // empty where the bounds in the file are those computed anew
 };
 
-void compare(const DiagramFile& file, const std::vector<Bar>& recomputed, const Candidate& candidate,
-             Comparison* best) {
-    const std::size_t at = first_difference(file.bars, recomputed);
-    best->equal = at == SIZE_MAX;
-    if (best->equal || (at < best->common && !best->closest.empty())) return;
-    best->common = at;
-    best->closest = candidate_text(candidate) + ": ";
+Outcome Recomputation::attempt(const std::vector<FilterChoice>& list, const Session::Work& prepare) {
+    if (list.empty() || equal_) return {};
+    const std::size_t plan = plan_diagram(options_, list[0].filter, cloud_.dim, cloud_.rows());
+    return session_.run(plan, cloud_, [&](Session& s) {
+        netmesh_status status = prepare(s);
+        if (status == NETMESH_OK) status = try_each(list);
+        if (status != NETMESH_OK || !equal_ || file_.bounds.empty()) return status;
+        status = bound_bars(s);
+        if (status == NETMESH_OK) bounds_complaint_ = bounds_complaint();
+        return status;
+    });
+}
+
+netmesh_status Recomputation::try_each(const std::vector<FilterChoice>& list) {
+    for (const FilterChoice& choice : list) {
+        const DiagramRequest diagram{choice, options_.all || file_.has_zero_bars, false};
+        const netmesh_status status = make_diagram(session_, options_, diagram, cloud_);
+        if (status != NETMESH_OK) return status;
+        found_ = choice;
+        compare(bars_of(session_.engine()), choice);
+        if (equal_) break;
+    }
+    return NETMESH_OK;
+}
+
+void Recomputation::compare(const std::vector<Bar>& recomputed, const FilterChoice& choice) {
+    const std::size_t at = first_difference(file_.bars, recomputed);
+    equal_ = at == SIZE_MAX;
+    if (equal_ || (at < common_ && !closest_.empty())) return;
+    common_ = at;
+    closest_ = choice_text(choice) + ": ";
     std::vector<Bar> low;
     for (const Bar& bar : recomputed) {
-        if (bar.degree <= file.top_degree) low.push_back(bar);
+        if (bar.degree <= file_.top_degree) low.push_back(bar);
     }
-    if (first_difference(file.bars, low) == SIZE_MAX) {
-        best->closest += "equal up to degree " + std::to_string(file.top_degree) + ", nothing above (--max-degree " +
-                         std::to_string(file.top_degree) + " leaves the rest out)";
+    if (first_difference(file_.bars, low) == SIZE_MAX) {
+        const std::string top = std::to_string(file_.top_degree);
+        closest_ += "equal up to degree " + top + ", nothing above (--max-degree " + top + " leaves the rest out)";
         return;
     }
-    best->closest += at < file.lines.size() ? "line " + std::to_string(file.lines[at]) : "the end";
-    best->closest += " has " + bar_text(file.bars, at) + " where " + bar_text(recomputed, at) + " is due";
+    closest_ += at < file_.lines.size() ? "line " + std::to_string(file_.lines[at]) : "the end";
+    closest_ += " has " + bar_text(file_.bars, at) + " where " + bar_text(recomputed, at) + " is due";
 }
 
 // What the file says about bounds against those of the diagram that the session holds. Empty where they agree.
-std::string bounds_complaint(const DiagramFile& file, const netmesh_context* context) {
+std::string Recomputation::bounds_complaint() const {
     TextWriter text;
-    write_diagram(bars_of(context), bounds_of(context), text);
+    write_diagram(bars_of(session_.engine()), bounds_of(session_.engine()), text);
     const std::vector<BoundLine> due = bound_lines(text.text());
-    for (std::size_t i = 0; i < file.bounds.size() || i < due.size(); i++) {
-        if (i < file.bounds.size() && i < due.size() && file.bounds[i].text == due[i].text) continue;
-        const std::uint64_t line = i < file.bounds.size() ? file.bounds[i].number : file.lines.back();
-        return file.name + ":" + std::to_string(line) +
+    const std::vector<BoundLine>& have = file_.bounds;
+    for (std::size_t i = 0; i < have.size() || i < due.size(); i++) {
+        if (i < have.size() && i < due.size() && have[i].text == due[i].text) continue;
+        const std::uint64_t line = i < have.size() ? have[i].number : file_.lines.back();
+        return file_.name + ":" + std::to_string(line) +
                ": bounds differ: " + (i < due.size() ? "\"" + due[i].text + "\" is due" : "nothing is due");
     }
     return "";
 }
 
-using Prepare = std::function<netmesh_status(Session&)>;
-
-// Runs `prepare` (mesh, triangulation or load) and each candidate on it until one equals the file.
-Outcome recompute(const Options& options, const DiagramFile& file, const std::vector<Candidate>& list,
-                  const PointCloud& cloud, netmesh_job job, const Prepare& prepare, Session& session, Comparison* best,
-                  Candidate* found, std::string* complaint) {
-    if (list.empty() || best->equal) return {};
-    return session.run(job, cloud, [&](Session& s) {
-        netmesh_status status = prepare(s);
-        for (std::size_t i = 0; i < list.size() && status == NETMESH_OK; i++) {
-            status = s.call(NETMESH_STAGE_REDUCE, [&] {
-                if (list[i].filter == NETMESH_FILTER_SCALES) {
-                    return netmesh_persist_scales(s.context(), cloud.coordinates.data(), cloud.rows(), list[i].values,
-                                                  options.max_degree.value_or(cloud.dim - 1),
-                                                  options.all || file.has_zero_bars ? 1 : 0, &s.engine_options());
-                }
-                return netmesh_persist(s.context(), list[i].filter, list[i].values,
-                                       options.max_degree.value_or(cloud.dim - 1),
-                                       options.all || file.has_zero_bars ? 1 : 0, &s.engine_options());
-            });
-            if (status != NETMESH_OK) break;
-            compare(file, bars_of(s.context()), list[i], best);
-            *found = list[i];
-            if (best->equal) break;
-        }
-        if (status != NETMESH_OK || !best->equal || file.bounds.empty()) return status;
-        status = s.call(NETMESH_STAGE_CERTIFY, [&] { return netmesh_bound_bars(s.context(), &s.engine_options()); });
-        if (status == NETMESH_OK) *complaint = bounds_complaint(file, s.context());
-        return status;
-    });
-}
-
-Outcome conclude(const DiagramFile& file, const Comparison& best, const Candidate& found, const std::string& source,
-                 const std::string& complaint, const Session& session, RunReport* run) {
-    if (!complaint.empty()) return mismatch(complaint);
-    if (!best.equal) {
-        return mismatch(file.name + " is not the diagram of " + source + "; closest is " + best.closest);
-    }
-    run->engine = session.report();
-    run->clock = session.clock();
-    std::string text = file.name + " is the diagram of " + source + " for " + candidate_text(found) +
-                       "; certified ratio " + rounded_text(run->engine->certified_ratio, 6);
-    if (run->engine->certified_from > 0) text += " from radius " + rounded_text(run->engine->certified_from, 6);
-    if (run->engine->is_mesh != 0) text += "; aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6);
+Outcome Recomputation::conclude(RunReport* run) const {
+    if (!bounds_complaint_.empty()) return mismatch(bounds_complaint_);
+    if (!equal_) return mismatch(file_.name + " is not the diagram of " + cloud_.name + "; closest is " + closest_);
+    run->engine = session_.engine().report();
+    run->engine->bounds = {};  // compared with the file's, not asked for
+    run->clock = session_.clock();
+    const netmesh_diagram_report& diagram = run->engine->diagram;
+    const netmesh_mesh_report& mesh = run->engine->mesh;
+    std::string text = file_.name + " is the diagram of " + cloud_.name + " for " + choice_text(found_) +
+                       "; certified ratio " + rounded_text(diagram.certified_ratio, 6);
+    if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
+    if (mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(mesh.aspect_ratio_max, 6);
     run->checked->push_back(text);
-    if (!file.bounds.empty()) run->checked->push_back("its bounds of bars and ratios by scale are those computed anew");
+    if (!file_.bounds.empty())
+        run->checked->push_back("its bounds of bars and ratios by scale are those computed anew");
     return {};
 }
 
+// Filters on the points themselves grow too fast to be tried: candidates() has only the one that --filter names.
 Outcome check_diagram_with_points(const Options& options, const DiagramFile& file, RunReport* run) {
     PointCloud points;
     Outcome outcome = read_points(options.points_path, &points);
+    if (outcome.good()) outcome = check_max_degree(options);
     if (!outcome.good()) return outcome;
     Session session(options, points.dim);
-    Comparison best;
-    Candidate found = {};
-    std::string complaint;
-    const double* const x = points.coordinates.data();
-    const netmesh_job job =
-        options.filter && promises_accuracy(options) ? job_of(*options.filter) : NETMESH_JOB_PERSIST;
-    const Prepare mesh = [&](Session& s) {
-        if (job == NETMESH_JOB_PERSIST_SCALES) return NETMESH_OK;  // points are all that it needs
-        return s.call(NETMESH_STAGE_REFINE,
-                      [&] { return netmesh_mesh(s.context(), x, points.rows(), job, &s.engine_options()); });
-    };
-    const std::vector<Candidate> list = candidates(options, true, false);
-    if (!list.empty() && list[0].filter == NETMESH_FILTER_COMPLETE && list[0].values == NETMESH_VALUES_CERTIFIED) {
-        session.set_goal(options.ratio.value_or(session.default_ratio()), options.focus, options.from, options.to);
-        outcome = recompute(options, file, {list[0]}, points, job, mesh, session, &best, &found, &complaint);
-        session.set_goal(0, 0, 0, 0);
-        if (!outcome.good()) return outcome;
+    Recomputation recomputation(options, file, points, session);
+    const std::vector<FilterChoice> on_mesh = candidates(options, NETMESH_SOURCE_MESH);
+    const Session::Work make = [&](Session& s) { return make_mesh(s, points); };
+    if (!on_mesh.empty() && about(on_mesh[0].filter).has_goal != 0 && on_mesh[0].values == NETMESH_VALUES_CERTIFIED) {
+        requests::Mesh& mesh = session.mesh();
+        mesh.certificate = goal_of(options, options.ratio.value_or(default_ratio(mesh)));
+        outcome = recomputation.attempt({on_mesh[0]}, make);
+        mesh.certificate = {};
     }
-    outcome = recompute(options, file, list, points, job, mesh, session, &best, &found, &complaint);
+    if (outcome.good()) outcome = recomputation.attempt(on_mesh, make);
+    for (const netmesh_source source : {NETMESH_SOURCE_SCALES, NETMESH_SOURCE_POINTS}) {
+        if (outcome.good())
+            outcome = recomputation.attempt(candidates(options, source), [](Session&) { return NETMESH_OK; });
+    }
     if (!outcome.good()) return outcome;
-    outcome = recompute(
-        options, file, candidates(options, false, true), points, NETMESH_JOB_PERSIST_ALPHA,
-        [&](Session& s) {
-            return s.call(NETMESH_STAGE_DELAUNAY,
-                          [&] { return netmesh_delaunay(s.context(), x, points.rows(), &s.engine_options()); });
-        },
-        session, &best, &found, &complaint);
+    outcome = recomputation.attempt(candidates(options, NETMESH_SOURCE_DELAUNAY),
+                                    [&](Session& s) { return make_triangulation(s, options, points); });
     // Flat points have no triangulation: then only the mesh filters could have made the diagram.
     if (!outcome.good() && outcome.exit != Exit::degenerate) return outcome;
-    return conclude(file, best, found, points.name, complaint, session, run);
-}
-
-// Filters on the points themselves grow too fast to be tried: only the one that --filter names.
-Outcome check_points_filter(const Options& options, const DiagramFile& file, RunReport* run) {
-    PointCloud points;
-    Outcome outcome = read_points(options.points_path, &points);
-    if (!outcome.good()) return outcome;
-    const netmesh_filter filter = *options.filter;
-    const std::uint32_t k = options.k.value_or(1), degree = max_degree_of(options, points.dim);
-    std::vector<Candidate> list = {{filter, options.values.value_or(NETMESH_VALUES_CERTIFIED)}};
-    if (filter == NETMESH_FILTER_BARYCENTRIC_RIPS && !options.values) list.push_back({filter, NETMESH_VALUES_THESIS});
-    Session session(options, points.dim);
-    const std::size_t plan = netmesh_points_bytes(filter, &session.engine_options(), points.rows(), k, degree);
-    if (plan == 0) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
-    Comparison best;
-    Candidate found = {};
-    std::string complaint;
-    outcome = session.run_planned(plan, points, [&](Session& s) {
-        netmesh_status status = NETMESH_OK;
-        for (std::size_t i = 0; i < list.size() && status == NETMESH_OK && !best.equal; i++) {
-            status = s.call(NETMESH_STAGE_REDUCE, [&] {
-                return netmesh_persist_points(s.context(), points.coordinates.data(), points.rows(), filter,
-                                              list[i].values, k, degree, options.all || file.has_zero_bars ? 1 : 0, 0,
-                                              &s.engine_options());
-            });
-            if (status != NETMESH_OK) break;
-            compare(file, bars_of(s.context()), list[i], &best);
-            found = list[i];
-        }
-        return status;
-    });
-    return outcome.good() ? conclude(file, best, found, points.name, complaint, session, run) : outcome;
+    return recomputation.conclude(run);
 }
 
 Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file, RunReport* run) {
@@ -203,14 +177,10 @@ Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file,
     outcome = check_mesh(options, files, run, session);
     if (!outcome.good()) return outcome;
     const bool is_mesh = !files.node.domain.empty();
-    Comparison best;
-    Candidate found = {};
-    std::string complaint;
-    outcome = recompute(
-        options, file, candidates(options, is_mesh, !is_mesh), files.node.cloud,
-        is_mesh ? NETMESH_JOB_PERSIST : NETMESH_JOB_PERSIST_ALPHA, [&](Session& s) { return load_mesh(s, files); },
-        session, &best, &found, &complaint);
-    return outcome.good() ? conclude(file, best, found, files.node.cloud.name, complaint, session, run) : outcome;
+    Recomputation recomputation(options, file, files.node.cloud, session);
+    outcome = recomputation.attempt(candidates(options, is_mesh ? NETMESH_SOURCE_MESH : NETMESH_SOURCE_DELAUNAY),
+                                    [&](Session& s) { return load_mesh(s, files); });
+    return outcome.good() ? recomputation.conclude(run) : outcome;
 }
 
 }  // namespace
@@ -221,11 +191,8 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     if (!outcome.good()) return outcome;
     run->checked->push_back(file.name + " has " + grouped_text(file.bars.size()) +
                             " bars, sorted, with one essential class");
-    const bool points_filter = options.filter && is_points_filter(*options.filter);
-    if (points_filter && !options.mesh_path.empty()) {
-        return usage_error(std::string("--mesh: filter ") + filter_name(*options.filter) + " has no mesh");
-    }
-    if (points_filter && !options.points_path.empty()) return check_points_filter(options, file, run);
+    if (is_on_points(filter_of(options)) && !options.mesh_path.empty())
+        return usage_error(std::string("--mesh: filter ") + filter_name(filter_of(options)) + " has no mesh");
     if (!options.mesh_path.empty()) return check_diagram_with_mesh(options, file, run);
     if (!options.points_path.empty()) return check_diagram_with_points(options, file, run);
     return {};

@@ -1,23 +1,31 @@
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <unordered_set>
 
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/steps.hpp"
 #include "tools/io/lines.hpp"
 
 namespace netmesh::tool {
 
 netmesh_status load_mesh(Session& session, const MeshFiles& files) {
     const NodeFile& node = files.node;
+    requests::Load load(node.cloud.dim);
+    load.vertices = node.cloud.coordinates.data();
+    load.markers = node.markers.data();
+    load.vertex_count = node.cloud.rows();
+    load.cells = files.cells.entries.data();
+    load.cell_count = files.cells.lines.size();
+    load.domain = node.domain.empty() ? nullptr : node.domain.data();
+    load.mesh = &session.mesh();
+    requests::Cages cages;
+    cages.cages = node.cages.data();
+    cages.cage_count = node.cages.size();
     return session.call(NETMESH_STAGE_DELAUNAY, [&] {
-        const netmesh_status status =
-            netmesh_load(session.context(), node.cloud.coordinates.data(), node.markers.data(), node.cloud.rows(),
-                         files.cells.entries.data(), files.cells.lines.size(),
-                         node.domain.empty() ? nullptr : node.domain.data(), &session.engine_options());
+        const netmesh_status status = session.engine().load(session.watched(load));
         if (status != NETMESH_OK || node.cages.empty()) return status;
-        return netmesh_load_cages(session.context(), node.cages.data(), node.cages.size(), &session.engine_options());
+        return session.engine().load_cages(session.watched(cages));
     });
 }
 
@@ -43,7 +51,7 @@ Outcome settle_markers(MeshFiles* files) {
 }
 
 // The .neigh file against the neighbours that loading found. Loading may reorder the vertices of a cell.
-Outcome compare_neighbours(const MeshFiles& files, const ContextMesh& mesh) {
+Outcome compare_neighbours(const MeshFiles& files, const EngineMesh& mesh) {
     const std::uint32_t columns = files.cells.columns;
     for (std::size_t c = 0; c < files.cells.lines.size(); c++) {
         const netmesh_cell cell = mesh.cell(c);
@@ -87,26 +95,59 @@ Outcome compare_inputs(const MeshFiles& files, const PointCloud& points) {
 // The vertex attribute against the values of each filter; *found says which.
 Outcome compare_values(Session& session, const Options& options, const MeshFiles& files, std::string* found) {
     const NodeFile& node = files.node;
-    for (const Candidate& candidate : candidates(options, true, false)) {
-        const netmesh_status status = session.call(NETMESH_STAGE_CERTIFY, [&] {
-            return netmesh_persist(session.context(), candidate.filter, candidate.values, 0, 0,
-                                   &session.engine_options());
-        });
+    for (const FilterChoice& choice : candidates(options, NETMESH_SOURCE_MESH)) {
+        requests::Persist persist = persist_request(options, {choice}, node.cloud.dim);
+        persist.max_degree = 0;
+        const netmesh_status status =
+            session.call(NETMESH_STAGE_CERTIFY, [&] { return session.engine().persist(session.watched(persist)); });
         if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
         if (status != NETMESH_OK) continue;
-        const ContextMesh mesh(session.context());
+        const EngineMesh mesh(session.engine());
         bool equal = true;
         for (std::size_t i = 0; i < node.cloud.rows() && equal; i++) equal = node.attributes[i] == mesh.vertex(i).value;
         if (!equal) continue;
-        *found = candidate_text(candidate);
+        *found = choice_text(choice);
         return {};
     }
     return mismatch("the values in " + node.cloud.name + " are those of no filter");
 }
 
+// What the mesh is checked against: the options, and the file where they say nothing.
+void set_promises(const Options& options, const NodeFile& node, requests::Mesh* mesh) {
+    if (!options.tau && node.tau > 0) mesh->tau = node.tau;
+    if (options.eps == 0 || promises_accuracy(options)) mesh->sizes.eps = node.eps;
+    mesh->certificate = goal_of(options, options.ratio.value_or(node.ratio));
+}
+
+// What the engine's checkers have found to hold.
+void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netmesh_mesh_report& report,
+                  std::vector<std::string>* checked) {
+    const double ratio = mesh.certificate.ratio;
+    const bool is_mesh = !files.node.domain.empty();
+    checked->push_back("facets shared by two, cells positively oriented, spheres empty, hull convex");
+    checked->push_back(files.neighbours.name + " names the cells behind the facets");
+    if (is_mesh && ratio > 0) {
+        checked->push_back("certified ratio at most " + rounded_text(ratio, 6) + " by the bounds of every cell");
+    } else if (is_mesh) {
+        checked->push_back("aspect ratio at most " + rounded_text(report.aspect_ratio_max, 6) + " (tau " +
+                           rounded_text(tau(mesh), 6) + ")");
+    }
+    if (!files.node.cages.empty()) {
+        checked->push_back(grouped_text(files.node.cages.size()) +
+                           " cages nested about inputs, none encroached; their cells and all others in their domains");
+    }
+    if (report.sizes.ratio_max > 0) {
+        checked->push_back("cells reach " + rounded_text(report.sizes.ratio_max, 6) + " of the size asked for (eps " +
+                           rounded_text(mesh.sizes.eps, 6) + ")");
+    }
+    checked->push_back(is_mesh && ratio == 0 ? "size and degrees within the bounds of chapters 3 and 5"
+                                             : "degrees within the bounds of fat cells (chapter 5)");
+}
+
 }  // namespace
 
 Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Session& session) {
+    const NodeFile& node = files.node;
     Outcome outcome = settle_markers(&files);
     PointCloud points;
     if (outcome.good() && !options.points_path.empty()) {
@@ -114,45 +155,21 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
         if (outcome.good()) outcome = compare_inputs(files, points);
     }
     if (!outcome.good()) return outcome;
-    if (!options.tau && files.node.tau > 0) session.set_tau(files.node.tau);
-    const double ratio = options.ratio.value_or(files.node.ratio);
-    session.set_goal(ratio, options.focus, options.from, options.to);
-    if (options.eps == 0 || promises_accuracy(options)) session.set_eps(files.node.eps);
-    outcome = session.run(NETMESH_JOB_PERSIST, files.node.cloud, [&](Session& s) {
+    set_promises(options, node, &session.mesh());
+    const std::size_t plan = plan_diagram(options, NETMESH_FILTER_COMPLETE, node.cloud.dim, node.cloud.rows());
+    outcome = session.run(plan, node.cloud, [&](Session& s) {
         const netmesh_status status = load_mesh(s, files);
-        if (status != NETMESH_OK) return status;
-        return s.call(NETMESH_STAGE_CHECK,
-                      [&] { return netmesh_check(s.context(), NETMESH_CHECK_ALL, &s.engine_options()); });
+        return status == NETMESH_OK ? check_everything(s) : status;
     });
-    if (outcome.good()) outcome = compare_neighbours(files, ContextMesh(session.context()));
+    if (outcome.good()) outcome = compare_neighbours(files, EngineMesh(session.engine()));
     if (!outcome.good()) return outcome;
-    run->checked->push_back("facets shared by two, cells positively oriented, spheres empty, hull convex");
-    run->checked->push_back(files.neighbours.name + " names the cells behind the facets");
-    run->engine = session.report();
+    run->engine = session.engine().report();
     run->clock = session.clock();
-    if (!files.node.domain.empty() && ratio > 0) {
-        run->checked->push_back("certified ratio at most " + rounded_text(ratio, 6) + " by the bounds of every cell");
-    } else if (!files.node.domain.empty()) {
-        run->checked->push_back("aspect ratio at most " + rounded_text(run->engine->aspect_ratio_max, 6) + " (tau " +
-                                rounded_text(session.engine_options().tau, 6) + ")");
-    }
-    if (!files.node.cages.empty()) {
-        run->checked->push_back(
-            grouped_text(files.node.cages.size()) +
-            " cages nested about inputs, none encroached; their cells and all others in their domains");
-    }
-    if (run->engine->size_ratio_max > 0) {
-        run->checked->push_back("cells reach " + rounded_text(run->engine->size_ratio_max, 6) +
-                                " of the size asked for (eps " +
-                                rounded_text(session.engine_options().over_refine_eps, 6) + ")");
-    }
-    run->checked->push_back(files.node.domain.empty() || ratio > 0
-                                ? "degrees within the bounds of fat cells (chapter 5)"
-                                : "size and degrees within the bounds of chapters 3 and 5");
+    add_findings(files, session.mesh(), run->engine->mesh, &*run->checked);
     if (!options.points_path.empty()) {
         run->checked->push_back("inputs equal " + points.name + " bit for bit, duplicates merged");
     }
-    if (files.node.attribute_count == 1 && !files.node.domain.empty()) {
+    if (node.attribute_count == 1 && !node.domain.empty()) {
         std::string found;
         outcome = compare_values(session, options, files, &found);
         if (outcome.good()) run->checked->push_back("vertex values are those of " + found);

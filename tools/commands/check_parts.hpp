@@ -11,21 +11,13 @@
 
 namespace netmesh::tool {
 
-// A filter and its kind of values, as a source that a file may come from.
-struct Candidate {
-    netmesh_filter filter;
-    netmesh_values values;
-};
-
-// "filter complete, certified values"
-std::string candidate_text(const Candidate& candidate);
-
-// The candidates that --filter and --values leave, of those that work on a mesh or on a Delaunay triangulation.
-std::vector<Candidate> candidates(const Options& options, bool on_mesh, bool on_delaunay);
+// The filters and values that a file may come from, as far as --filter, --values and --k leave them open, of those that
+// go by a mesh, a Delaunay triangulation, scales or the points themselves.
+std::vector<FilterChoice> candidates(const Options& options, netmesh_source made_of);
 
 Outcome mismatch(const std::string& what);  // Exit::check
 
-// The engine's netmesh_load on the content of files.
+// The mesh of the files, with its cages, taken over by the engine.
 netmesh_status load_mesh(Session& session, const MeshFiles& files);
 
 // Everything that can be said about a mesh: all checkers of the engine, the .neigh file, the inputs (--points), the

@@ -4,6 +4,7 @@
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/steps.hpp"
 #include "tools/io/vine_file.hpp"
 
 namespace netmesh::tool {
@@ -12,9 +13,8 @@ namespace {
 
 std::string vine_text(const std::vector<netmesh_vine_point>& points, std::size_t index) {
     if (index >= points.size()) return "nothing";
-    const netmesh_vine_point& p = points[index];
     TextWriter text;
-    text << p.vine << ' ' << p.degree << ' ' << p.k << ' ' << p.birth << ' ' << p.death;
+    write_vine_point(points[index], text);
     return text.text();
 }
 
@@ -52,34 +52,63 @@ std::uint32_t top_degree(const VineFile& file) {
     return top;
 }
 
+// A vineyard's file and where it is said to come from.
+struct VineSource {
+    const VineFile& file;
+    const std::string& name;
+    const PointCloud& cloud;
+};
+
 // Degrees above those in the file may have been left out, or be empty.
-Outcome recompute(const Options& options, const VineFile& file, const std::string& name, const PointCloud& cloud,
-                  const std::function<netmesh_status(Session&)>& prepare, Session& session, RunReport* run) {
+Outcome recompute(const Options& options, const VineSource& source, const Session::Work& prepare, Session& session,
+                  RunReport* run) {
+    const VineFile& file = source.file;
+    const std::uint32_t dim = source.cloud.dim;
+    requests::Vineyard request(file.choice.filter);
+    request.values = file.choice.values;
+    request.k_first = file.vines.k_first;
+    request.k_last = file.vines.k_first + static_cast<std::uint32_t>(file.vines.ratios.size() - 1);
+    request.max_degree = max_degree_of(options, dim);
     Vines due;
-    const std::uint32_t degree = options.max_degree.value_or(cloud.dim - 1);
-    const Outcome outcome = session.run(NETMESH_JOB_PERSIST, cloud, [&](Session& s) {
-        netmesh_status status = prepare(s);
-        if (status != NETMESH_OK) return status;
-        const std::uint32_t last = file.vines.k_first + static_cast<std::uint32_t>(file.vines.ratios.size() - 1);
-        status = s.call(NETMESH_STAGE_REDUCE, [&] {
-            return netmesh_vineyard(s.context(), file.filter, file.vines.k_first, last, file.values, degree,
-                                    &s.engine_options());
-        });
-        if (status == NETMESH_OK) due = vines_of(s.context());
-        return status;
+    const std::size_t plan = plan_diagram(options, file.choice.filter, dim, source.cloud.rows());
+    const Outcome outcome = session.run(plan, source.cloud, [&](Session& s) {
+        const netmesh_status status = prepare(s);
+        return status == NETMESH_OK ? make_vineyard(s, request, &due) : status;
     });
     if (!outcome.good()) return outcome;
     const std::string complaint = difference(file, due);
     if (!complaint.empty()) {
-        const std::string hint = top_degree(file) < degree ? "; --max-degree leaves out what is above" : "";
-        return mismatch(name + " is not the vineyard of " + cloud.name + ": " + complaint + hint);
+        const std::string hint = top_degree(file) < request.max_degree ? "; --max-degree leaves out what is above" : "";
+        return mismatch(source.name + " is not the vineyard of " + source.cloud.name + ": " + complaint + hint);
     }
-    run->engine = session.report();
+    run->engine = session.engine().report();
     run->clock = session.clock();
-    run->checked->push_back(name + " is the vineyard of " + cloud.name + " for filter " + filter_name(file.filter) +
-                            ", " + values_name(file.values) + " values; certified ratio at most " +
-                            rounded_text(run->engine->certified_ratio, 6));
+    run->checked->push_back(source.name + " is the vineyard of " + source.cloud.name + " for " +
+                            choice_text(file.choice) + "; certified ratio at most " +
+                            rounded_text(run->engine->vineyard.certified_ratio, 6));
     return {};
+}
+
+Outcome check_with_mesh(const Options& options, const VineFile& file, const std::string& name, RunReport* run) {
+    MeshFiles files;
+    Outcome outcome = read_mesh_files(options.mesh_path, &files);
+    if (!outcome.good()) return outcome;
+    if (files.node.domain.empty()) return usage_error("--mesh " + options.mesh_path + ": a vineyard needs a mesh");
+    Session session(options, files.node.cloud.dim);
+    outcome = check_mesh(options, files, run, session);
+    if (!outcome.good()) return outcome;
+    const Session::Work load = [&](Session& s) { return load_mesh(s, files); };
+    return recompute(options, {file, name, files.node.cloud}, load, session, run);
+}
+
+Outcome check_with_points(const Options& options, const VineFile& file, const std::string& name, RunReport* run) {
+    PointCloud points;
+    const Outcome outcome = read_points(options.points_path, &points);
+    if (!outcome.good()) return outcome;
+    Session session(options, points.dim);
+    session.mesh().purpose = NETMESH_PURPOSE_PERSIST;
+    const Session::Work make = [&](Session& s) { return make_mesh(s, points); };
+    return recompute(options, {file, name, points}, make, session, run);
 }
 
 }  // namespace
@@ -95,29 +124,9 @@ Outcome check_vines(const Options& options, RunReport* run) {
     run->checked->push_back(name + " has " + grouped_text(file.vines.points.size()) + " points of " +
                             grouped_text(file.vines.points.empty() ? 0 : file.vines.points.back().vine + 1) +
                             " vines, each diagram with one essential class");
-    if (!options.mesh_path.empty()) {
-        MeshFiles files;
-        outcome = read_mesh_files(options.mesh_path, &files);
-        if (!outcome.good()) return outcome;
-        if (files.node.domain.empty()) return usage_error("--mesh " + options.mesh_path + ": a vineyard needs a mesh");
-        Session session(options, files.node.cloud.dim);
-        outcome = check_mesh(options, files, run, session);
-        if (!outcome.good()) return outcome;
-        return recompute(
-            options, file, name, files.node.cloud, [&](Session& s) { return load_mesh(s, files); }, session, run);
-    }
-    if (options.points_path.empty()) return {};
-    PointCloud points;
-    outcome = read_points(options.points_path, &points);
-    if (!outcome.good()) return outcome;
-    Session session(options, points.dim);
-    const auto prepare = [&](Session& s) {
-        return s.call(NETMESH_STAGE_REFINE, [&] {
-            return netmesh_mesh(s.context(), points.coordinates.data(), points.rows(), NETMESH_JOB_PERSIST,
-                                &s.engine_options());
-        });
-    };
-    return recompute(options, file, name, points, prepare, session, run);
+    if (!options.mesh_path.empty()) return check_with_mesh(options, file, name, run);
+    if (!options.points_path.empty()) return check_with_points(options, file, name, run);
+    return {};
 }
 
 }  // namespace netmesh::tool

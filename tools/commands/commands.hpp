@@ -5,9 +5,6 @@
 
 namespace netmesh::tool {
 
-// The job that plans a persistence diagram of this filter.
-netmesh_job job_of(netmesh_filter filter);
-
 Outcome run_engine_command(const Options& options);  // mesh, delaunay, persist
 Outcome run_vineyard(const Options& options);
 Outcome run_size(const Options& options);

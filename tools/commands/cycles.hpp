@@ -2,16 +2,16 @@
 #pragma once
 #include <string>
 
-#include "netmesh.h"
+#include "netmesh.hpp"
 #include "tools/io/text_writer.hpp"
 
 namespace netmesh::tool {
 
-// `bar DEGREE BIRTH DEATH N` and N lines of vertices for each pair that the context holds.
-void write_cycles(const netmesh_context* context, TextWriter& out);
+// `bar DEGREE BIRTH DEATH N` and N lines of vertices for each pair that the engine holds.
+void write_cycles(const Engine& engine, TextWriter& out);
 
 // Empty when every cycle has boundary zero (in degree 0: is one vertex, or two of a pair that dies) and enters with its
 // pair; otherwise what is wrong.
-std::string cycles_complaint(const netmesh_context* context);
+std::string cycles_complaint(const Engine& engine);
 
 }  // namespace netmesh::tool

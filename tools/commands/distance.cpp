@@ -8,7 +8,6 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/logarithm.hpp"
 #include "tools/commands/output.hpp"
-#include "tools/report/report.hpp"
 
 namespace netmesh::tool {
 
@@ -21,13 +20,31 @@ Outcome read_pairs(const std::string& path, std::vector<netmesh_pair>* pairs, st
     if (outcome.good()) outcome = parse_diagram(content, shown_name(path), &bars);
     if (!outcome.good()) return outcome;
     for (const Bar& bar : bars) {
-        pairs->push_back({bar.degree, bar.birth, bar.death});
+        pairs->push_back({sizeof(netmesh_pair), bar.degree, bar.birth, bar.death});
         degrees->insert(bar.degree);
     }
     return {};
 }
 
 int poll(void*, const netmesh_progress*) { return platform::interrupted() ? 1 : 0; }
+
+// The distance in each of the degrees.
+Outcome measure(requests::Bottleneck request, const std::set<std::uint32_t>& degrees,
+                std::vector<DegreeDistance>* distances) {
+    for (const std::uint32_t degree : degrees) {
+        request.degree = degree;
+        netmesh_distance distance = {};
+        const netmesh_status status = bottleneck(request, &distance);
+        if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
+        if (status != NETMESH_OK) {
+            return {Exit::internal, std::string("netmesh: internal error: ") + netmesh_status_text(status)};
+        }
+        const bool logarithm = request.scale == NETMESH_SCALE_LOG && distance.value < HUGE_VAL;
+        distances->push_back(
+            {degree, logarithm ? natural_logarithm(distance.value, distance.exponent) : distance.value});
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -45,26 +62,23 @@ Outcome run_distance(const Options& options) {
     RunReport run;
     run.options = &options;
     run.read_seconds = platform::seconds_now() - start;
-    const std::size_t bytes = netmesh_bottleneck_bytes(pairs[0].size(), pairs[1].size());
+    requests::Bottleneck request;
+    request.monitor.poll = poll;
+    request.pairs_a = pairs[0].data();
+    request.pairs_b = pairs[1].data();
+    request.count_a = pairs[0].size();
+    request.count_b = pairs[1].size();
+    request.scale = options.log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN;
+    request.scratch_bytes = bottleneck_bytes(request);
     platform::Reservation scratch;
-    if (bytes == SIZE_MAX || !scratch.reserve(bytes)) {
+    if (request.scratch_bytes == SIZE_MAX || !scratch.reserve(request.scratch_bytes)) {
         return {Exit::memory, "netmesh: no memory to compare diagrams of " + grouped_text(pairs[0].size()) + " and " +
                                   grouped_text(pairs[1].size()) + " bars"};
     }
+    request.scratch = scratch.base();
     run.distances.emplace();
-    for (const std::uint32_t degree : degrees) {
-        netmesh_distance distance = {};
-        const netmesh_status status = netmesh_bottleneck(
-            pairs[0].data(), pairs[0].size(), pairs[1].data(), pairs[1].size(), degree,
-            options.log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN, scratch.base(), bytes, poll, nullptr, &distance);
-        if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
-        if (status != NETMESH_OK) {
-            return {Exit::internal, std::string("netmesh: internal error: ") + netmesh_status_text(status)};
-        }
-        const bool logarithm = options.log && distance.value < HUGE_VAL;
-        run.distances->push_back(
-            {degree, logarithm ? natural_logarithm(distance.value, distance.exponent) : distance.value});
-    }
+    const Outcome outcome = measure(request, degrees, &*run.distances);
+    if (!outcome.good()) return outcome;
     run.total_seconds = platform::seconds_now() - start;
     return write_files({{"", [&](TextWriter& out) {
                              if (options.json) {

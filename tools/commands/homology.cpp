@@ -1,24 +1,23 @@
 // homology: the persistence diagram of a filtered complex that a file lists.
-#include <cstdio>
-
 #include "platform/clock.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/io/complex_file.hpp"
 #include "tools/plot/plots.hpp"
-#include "tools/report/report.hpp"
 #include "tools/session.hpp"
 
 namespace netmesh::tool {
 
 namespace {
 
-Outcome check_outputs(const Options& options) {
-    if (!options.out.empty() && ending_of(options.out) != ".pers") {
-        return usage_error(options.out + ": a diagram is written to .pers");
-    }
-    return check_writable({options.out, options.svg, options.representatives});
+Outcome read_input(const Options& options, SimplexFile* file) {
+    Outcome outcome = check_ending(options.out, ".pers", "a diagram");
+    if (outcome.good()) outcome = check_writable({options.out, options.svg, options.representatives});
+    std::string content;
+    file->lines.name = shown_name(options.positionals[0]);
+    if (outcome.good()) outcome = read_content(options.positionals[0], &content);
+    return outcome.good() ? parse_simplices(content, file) : outcome;
 }
 
 // Names the simplex that has no place in a complex, and what it lacks.
@@ -40,67 +39,67 @@ Outcome explain_fault(const SimplexFile& file, const netmesh_detail& detail) {
     return data_error(where + what);
 }
 
+requests::Homology homology_request(const Options& options, const SimplexFile& file) {
+    requests::Homology homology;
+    homology.vertices = file.vertices.data();
+    homology.starts = file.starts.data();
+    homology.entries = file.values.data();
+    homology.simplex_count = file.count();
+    homology.vertex_count = file.vertices.size();
+    if (options.max_degree) homology.max_degree = *options.max_degree;
+    homology.keep_zero_pairs = options.all ? 1 : 0;
+    homology.representatives = options.check || !options.representatives.empty() ? 1 : 0;
+    return homology;
+}
+
+// Radii are drawn on a logarithmic scale.
+Outcome check_picture(const Options& options, const std::vector<Bar>& bars) {
+    if (options.svg.empty()) return {};
+    for (const Bar& bar : bars) {
+        if (bar.birth < 0) return data_error("--svg " + options.svg + ": the logarithmic scale has no negative values");
+    }
+    return {};
+}
+
 }  // namespace
 
 Outcome run_homology(const Options& options) {
     const double start = platform::seconds_now();
-    Outcome outcome = check_outputs(options);
     SimplexFile file;
-    std::string content;
-    file.lines.name = shown_name(options.positionals[0]);
-    if (outcome.good()) outcome = read_content(options.positionals[0], &content);
-    if (outcome.good()) outcome = parse_simplices(content, &file);
+    Outcome outcome = read_input(options, &file);
     if (!outcome.good()) return outcome;
     RunReport run;
     run.options = &options;
     run.read_seconds = platform::seconds_now() - start;
 
     Session session(options, NETMESH_DIM_MIN);
-    const bool cycles = options.check || !options.representatives.empty();
-    netmesh_status status = NETMESH_OK;
-    outcome =
-        session.run_planned(netmesh_homology_bytes(file.count(), file.vertices.size()), file.lines, [&](Session& s) {
-            status = s.call(NETMESH_STAGE_REDUCE, [&] {
-                return netmesh_homology(s.context(), file.vertices.data(), file.starts.data(), file.values.data(),
-                                        file.count(), options.max_degree.value_or(NETMESH_DEGREE_MAX),
-                                        options.all ? 1 : 0, cycles ? 1 : 0, &s.engine_options());
-            });
-            return status;
-        });
-    if (status == NETMESH_NOT_A_COMPLEX) return explain_fault(file, netmesh_get_detail(session.context()));
+    const requests::Homology request = homology_request(options, file);
+    outcome = session.run(plan(request), file.lines, [&](Session& s) {
+        return s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().homology(s.watched(request)); });
+    });
+    const Engine& engine = session.engine();
+    if (engine.status() == NETMESH_NOT_A_COMPLEX) return explain_fault(file, engine.detail());
     if (!outcome.good()) return outcome;
-    run.engine = session.report();
+    run.engine = engine.report();
     run.clock = session.clock();
 
-    const double computed = platform::seconds_now();
-    const std::vector<Bar> bars = bars_of(session.context());
+    const std::vector<Bar> bars = bars_of(engine);
     if (options.check) {
-        const std::string complaint = cycles_complaint(session.context());
+        const std::string complaint = cycles_complaint(engine);
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: " + complaint};
         run.checked = std::vector<std::string>{"every bar has a cycle that is born with it"};
     }
-    std::vector<FileJob> jobs;
-    if (!options.svg.empty()) {
-        for (const Bar& bar : bars) {
-            if (bar.birth < 0)
-                return data_error("--svg " + options.svg + ": the logarithmic scale has no negative values");
-        }
-        jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, *run.engine); }});
-    }
-    if (!options.representatives.empty()) {
-        jobs.push_back({options.representatives, [&](TextWriter& out) { write_cycles(session.context(), out); }});
-    }
-    if (!options.out.empty() || !options.json) {
-        jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, {}, out); }});
-    }
-    outcome = write_files(jobs);
+    outcome = check_picture(options, bars);
     if (!outcome.good()) return outcome;
-    run.write_seconds = platform::seconds_now() - computed;
-    run.total_seconds = platform::seconds_now() - start;
     if (options.json && options.out.empty()) run.bars = &bars;
-    if (!options.quiet && !options.json) std::fputs(text_report(run).c_str(), stderr);
-    if (!options.json) return {};
-    return write_files({{"", [&](TextWriter& out) { out << json_report(run); }}});
+    std::vector<FileJob> jobs;
+    if (!options.svg.empty())
+        jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, *run.engine); }});
+    if (!options.representatives.empty())
+        jobs.push_back({options.representatives, [&](TextWriter& out) { write_cycles(engine, out); }});
+    if (!options.out.empty() || !options.json)
+        jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, {}, out); }});
+    return finish_run(jobs, start, &run);
 }
 
 }  // namespace netmesh::tool

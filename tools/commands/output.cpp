@@ -1,7 +1,9 @@
 #include "tools/commands/output.hpp"
 
+#include <cstdio>
 #include <memory>
 
+#include "platform/clock.hpp"
 #include "platform/files.hpp"
 #include "platform/interrupt.hpp"
 
@@ -48,58 +50,68 @@ Outcome check_writable(const std::vector<std::string>& paths) {
     return {};
 }
 
-ContextMesh::ContextMesh(const netmesh_context* context) : context_(context) {
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
-    netmesh_get_report(context, &report);
-    dim = report.dim;
-    vertex_count = report.vertices;
-    cell_count = report.cells;
-    tau = report.tau;
-    ratio = report.ratio;
-    eps = report.over_refine_eps;
-    for (std::uint32_t k = 0; k <= dim; k++) domain[k] = report.domain[k];
+Outcome finish_run(const std::vector<FileJob>& jobs, double start, RunReport* run) {
+    const double computed = platform::seconds_now();
+    const Outcome outcome = write_files(jobs);
+    if (!outcome.good()) return outcome;
+    run->write_seconds = platform::seconds_now() - computed;
+    run->total_seconds = platform::seconds_now() - start;
+    if (run->options->json) return write_files({{"", [&](TextWriter& out) { out << json_report(*run); }}});
+    if (!run->options->quiet) std::fputs(text_report(*run).c_str(), stderr);
+    return {};
+}
+
+EngineMesh::EngineMesh(const Engine& engine) : engine_(engine) {
+    const netmesh_report report = engine.report();
+    dim = report.input.dim;
+    vertex_count = report.mesh.vertices;
+    cell_count = report.mesh.cells;
+    tau = report.mesh.tau;
+    ratio = report.mesh.certificate.ratio;
+    eps = report.mesh.sizes.eps;
+    for (std::uint32_t k = 0; k <= dim; k++) domain[k] = report.mesh.domain[k];
     if (vertex_count > 0) has_values = vertex(0).has_value != 0;
-    netmesh_cage cage;
-    for (std::uint64_t i = 0; netmesh_get_cage(context_, i, &cage) == NETMESH_OK; i++) cages.push_back(cage);
+    engine_.for_each_cage([&](std::uint64_t, const netmesh_cage& cage) { cages.push_back(cage); });
 }
 
-netmesh_vertex ContextMesh::vertex(std::uint64_t index) const {
-    netmesh_vertex result = {};
-    netmesh_get_vertex(context_, index, &result);
+netmesh_vertex EngineMesh::vertex(std::uint64_t index) const {
+    netmesh_vertex result = sized<netmesh_vertex>();
+    netmesh_get_vertex(engine_.context(), index, &result);
     return result;
 }
 
-netmesh_cell ContextMesh::cell(std::uint64_t index) const {
-    netmesh_cell result = {};
-    netmesh_get_cell(context_, index, &result);
+netmesh_cell EngineMesh::cell(std::uint64_t index) const {
+    netmesh_cell result = sized<netmesh_cell>();
+    netmesh_get_cell(engine_.context(), index, &result);
     return result;
 }
 
-void ContextMesh::measure(netmesh_context* context) {
+void EngineMesh::measure() {
     ratios.resize(vertex_count);
     domains.resize(vertex_count);
-    if (netmesh_measure_cells(context, ratios.data(), domains.data()) == NETMESH_OK) return;
+    if (engine_.measure_cells(ratios.data(), domains.data()) == NETMESH_OK) return;
     ratios.clear();
     domains.clear();
 }
 
-std::vector<Bar> bars_of(const netmesh_context* context) {
+std::vector<Bar> bars_of(const Engine& engine) {
     std::vector<Bar> bars;
-    netmesh_pair pair;
-    for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; i++) {
+    engine.for_each_pair([&](std::uint64_t, const netmesh_pair& pair) {
         bars.push_back({pair.degree, pair.birth, pair.death});
-    }
+    });
     return bars;
 }
 
-Bounds bounds_of(const netmesh_context* context) {
+Bounds bounds_of(const Engine& engine) {
     Bounds bounds;
-    netmesh_bar_bounds b;
-    for (std::uint64_t i = 0; netmesh_get_bar_bounds(context, i, &b) == NETMESH_OK; i++) bounds.bars.push_back(b);
-    netmesh_scale_step step;
-    for (std::uint64_t i = 0; netmesh_get_scale_step(context, i, &step) == NETMESH_OK; i++) bounds.steps.push_back(step);
+    engine.for_each_bar_bounds([&](std::uint64_t, const netmesh_bar_bounds& b) { bounds.bars.push_back(b); });
+    engine.for_each_scale_step([&](std::uint64_t, const netmesh_scale_step& step) { bounds.steps.push_back(step); });
     return bounds;
+}
+
+Outcome check_ending(const std::string& path, const char* ending, const char* what) {
+    if (path.empty() || ending_of(path) == ending) return {};
+    return usage_error(path + ": " + what + " is written to " + ending);
 }
 
 Outcome check_mesh_ending(const std::string& path, std::uint32_t dim) {

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "netmesh.h"
+#include "netmesh.hpp"
 #include "tools/io/diagram_file.hpp"
 #include "tools/io/mesh_files.hpp"
 #include "tools/outcome.hpp"
+#include "tools/report/report.hpp"
 
 namespace netmesh::tool {
 
@@ -23,23 +24,28 @@ Outcome write_files(const std::vector<FileJob>& jobs);
 // Exit::data unless each of the paths (empty ones are skipped) looks writable. For before the work begins.
 Outcome check_writable(const std::vector<std::string>& paths);
 
-// The mesh inside a context.
-class ContextMesh : public MeshSource {
+// The end of a run that began at `start`: writes the files and, with --json, the report on stdout, else on stderr.
+Outcome finish_run(const std::vector<FileJob>& jobs, double start, RunReport* run);
+
+// The mesh that an engine holds.
+class EngineMesh : public MeshSource {
 public:
-    explicit ContextMesh(const netmesh_context* context);
+    explicit EngineMesh(const Engine& engine);
     netmesh_vertex vertex(std::uint64_t index) const override;
     netmesh_cell cell(std::uint64_t index) const override;
     // Fills ratios and domains; leaves them empty when there is no memory left for that.
-    void measure(netmesh_context* context);
+    void measure();
 
 private:
-    const netmesh_context* context_;
+    Engine engine_;  // a handle
 };
 
-// Empty unless the context holds bounds.
-Bounds bounds_of(const netmesh_context* context);
-// The diagram inside a context.
-std::vector<Bar> bars_of(const netmesh_context* context);
+// The diagram that an engine holds, and its bounds: empty unless there are some.
+std::vector<Bar> bars_of(const Engine& engine);
+Bounds bounds_of(const Engine& engine);
+
+// Exit::usage unless `path` is empty or has the ending: "FILE: WHAT is written to ENDING".
+Outcome check_ending(const std::string& path, const char* ending, const char* what);
 
 // Exit::usage unless `path` is empty (stdout, OFF) or has an ending that meshes can be written to; with a dimension
 // other than 0 also when the format cannot hold it.

@@ -1,37 +1,35 @@
+#include <algorithm>
+
 #include "platform/clock.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/output.hpp"
-#include "tools/report/report.hpp"
+#include "tools/requests.hpp"
 
 namespace netmesh::tool {
+
+namespace {
+
+// Enough for each of triangulation, mesh and the diagram of the complete filter.
+std::size_t plan_all(const Options& options) {
+    requests::Delaunay delaunay(options.dim);
+    requests::Mesh mesh = mesh_request(options, options.dim);
+    delaunay.point_count = mesh.point_count = options.point_count;
+    mesh.purpose = NETMESH_PURPOSE_MESH;
+    const std::size_t diagram = plan_diagram(options, filter_of(options), options.dim, options.point_count);
+    return std::max({plan(delaunay), plan(mesh), diagram});
+}
+
+}  // namespace
 
 Outcome run_size(const Options& options) {
     if (options.dim == 0) return usage_error("size needs --dim D");
     if (options.point_count == 0) return usage_error("size needs --points N");
     const double start = platform::seconds_now();
-    netmesh_options engine_options;
-    netmesh_options_init(&engine_options, options.dim);
-    if (options.tau) engine_options.tau = *options.tau;
-    const Outcome outcome = check_accuracy(options);
+    Outcome outcome = check_accuracy(options);
+    if (outcome.good()) outcome = check_max_degree(options);
     if (!outcome.good()) return outcome;
-    (promises_accuracy(options) ? engine_options.eps : engine_options.over_refine_eps) = options.eps;
-    engine_options.seed = options.seed;
-    engine_options.method = options.method.value_or(NETMESH_METHOD_SVR);
-    std::vector<netmesh_job> jobs = {NETMESH_JOB_DELAUNAY, NETMESH_JOB_MESH, NETMESH_JOB_PERSIST};
-    if (options.filter) {
-        jobs = {job_of(*options.filter)};
-    }
-    std::uint64_t bytes = 0;
-    if (options.filter && is_points_filter(*options.filter)) {
-        jobs.clear();
-        bytes = netmesh_points_bytes(*options.filter, &engine_options, options.point_count, options.k.value_or(1),
-                                     max_degree_of(options, options.dim));
-        if (bytes == 0) return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
-    }
-    for (const netmesh_job job : jobs) {
-        const std::uint64_t plan = netmesh_plan_bytes(job, &engine_options, options.point_count);
-        if (plan > bytes) bytes = plan;
-    }
+    const std::size_t bytes =
+        options.filter ? plan_diagram(options, *options.filter, options.dim, options.point_count) : plan_all(options);
     if (bytes == 0) return {Exit::internal, "netmesh: internal error: no plan for these options"};
     if (bytes == SIZE_MAX) return {Exit::memory, "netmesh: more bytes than this machine can address"};
     RunReport run;

@@ -32,15 +32,16 @@ public:
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
-// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` for an over-refined one, `# cage V R` for each cage: its centre's id
-// and its radius.
+// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` for an over-refined one, `# cage V R` for
+// each cage: its centre's id and its radius.
 void write_node(const MeshSource& mesh, TextWriter& out);
 void write_ele(const MeshSource& mesh, TextWriter& out);
 // -1 outside; neighbour i is opposite vertex i.
 void write_neigh(const MeshSource& mesh, TextWriter& out);
 // OFF for D = 3, nOFF otherwise; a face for each cell, of its D+1 vertices.
 void write_off(const MeshSource& mesh, TextWriter& out);
-// VTK's unstructured grid, D = 2 and 3, with point data `marker`, `value`, `aspect_ratio` and `domain` (-1: the outermost), as far as they are known.
+// VTK's unstructured grid, D = 2 and 3, with point data `marker`, `value`, `aspect_ratio` and `domain` (-1: the
+// outermost), as far as they are known.
 void write_vtu(const MeshSource& mesh, TextWriter& out);
 
 // A .node file as it stands.
@@ -60,15 +61,21 @@ struct NodeFile {
 Outcome parse_node(std::string_view content, NodeFile* node);
 
 // Rows of `columns` integers with consecutive ids: .ele (vertices of cells) and .neigh. Entries are given counted from
-// 0, -1 (outside, admitted only with allow_outside) as NETMESH_NONE. Entries are below `limit`.
+// 0, -1 (outside) as NETMESH_NONE.
 struct CellTable {
     std::string name;  // for messages
     std::uint32_t columns = 0;
     std::vector<std::uint32_t> entries;
     std::vector<std::uint64_t> lines;
 };
-Outcome parse_cell_table(std::string_view content, std::uint64_t first_id, std::uint64_t limit, bool allow_outside,
-                         CellTable* table);
+
+// Which entries a table may have, as counted from 0: those below `limit`, and perhaps -1.
+struct EntryRange {
+    std::uint64_t first_id = 0;  // ids and entries of the file count from here
+    std::uint64_t limit = 0;
+    bool allow_outside = false;  // of .neigh, which has as many rows as there are cells
+};
+Outcome parse_cell_table(std::string_view content, const EntryRange& range, CellTable* table);
 
 // The three files of a mesh; `path` names the .node.
 struct MeshFiles {

@@ -6,11 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "netmesh.h"
 #include "tools/outcome.hpp"
 
 namespace netmesh::tool {
 
-constexpr std::uint32_t dim_min = 2, dim_max = 6;
+constexpr std::uint32_t dim_min = NETMESH_DIM_MIN, dim_max = NETMESH_DIM_MAX;
 
 struct PointCloud {
     std::string name;                  // the file as the user wrote it, <stdin> for "-"

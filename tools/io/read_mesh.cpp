@@ -8,6 +8,21 @@ namespace netmesh::tool {
 
 namespace {
 
+Complaint keep_domain(const std::vector<double>& numbers, NodeFile* node) {
+    if (numbers.size() < dim_min + 1 || numbers.size() > dim_max + 1 || !(numbers.back() > 0))
+        return "a domain is a centre and a radius above 0";
+    node->domain = numbers;
+    return {};
+}
+
+Complaint keep_cage(const std::vector<double>& numbers, NodeFile* node) {
+    if (numbers.size() != 2 || !is_count(numbers[0]) || !(numbers[0] < NETMESH_NONE) || !(numbers[1] > 0))
+        return "a cage is the id of its centre and a radius above 0";
+    const std::uint32_t centre = static_cast<std::uint32_t>(numbers[0]);
+    node->cages.push_back({sizeof(netmesh_cage), centre, NETMESH_NONE, numbers[1]});
+    return {};
+}
+
 // `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E` and `# cage V R`; other comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
@@ -19,33 +34,19 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
         if (!parse_finite(std::string(words[i]), &value)) return not_a_number(words[i]);
         numbers.push_back(value);
     }
+    if (words[0] == "domain") return keep_domain(numbers, node);
+    if (words[0] == "cage") return keep_cage(numbers, node);
+    const double number = numbers.size() == 1 ? numbers[0] : 0;
     if (words[0] == "tau") {
-        if (numbers.size() != 1 || !(numbers[0] > 2)) return "tau is one number above 2";
-        node->tau = numbers[0];
-        return {};
+        node->tau = number;
+        return number > 2 ? "" : "tau is one number above 2";
     }
     if (words[0] == "ratio") {
-        if (numbers.size() != 1 || !(numbers[0] * numbers[0] > 2)) return "ratio is one number above the root of 2";
-        node->ratio = numbers[0];
-        return {};
+        node->ratio = number;
+        return number * number > 2 ? "" : "ratio is one number above the root of 2";
     }
-    if (words[0] == "cage") {
-        if (numbers.size() != 2 || !is_count(numbers[0]) || !(numbers[0] < NETMESH_NONE) || !(numbers[1] > 0)) {
-            return "a cage is the id of its centre and a radius above 0";
-        }
-        node->cages.push_back({static_cast<std::uint32_t>(numbers[0]), NETMESH_NONE, numbers[1]});
-        return {};
-    }
-    if (words[0] == "eps") {
-        if (numbers.size() != 1 || !(numbers[0] > 0)) return "eps is one number above 0";
-        node->eps = numbers[0];
-        return {};
-    }
-    if (numbers.size() < dim_min + 1 || numbers.size() > dim_max + 1 || !(numbers.back() > 0)) {
-        return "a domain is a centre and a radius above 0";
-    }
-    node->domain = numbers;
-    return {};
+    node->eps = number;
+    return number > 0 ? "" : "eps is one number above 0";
 }
 
 // Lines with comments kept, so that remarks are seen; content lines come without theirs.
@@ -163,20 +164,43 @@ Outcome parse_node_points(std::string_view content, PointCloud* cloud) {
 
 namespace {
 
-Complaint parse_cell_row(const std::vector<double>& numbers, std::uint64_t row, std::uint64_t first_id,
-                         std::uint64_t limit, bool allow_outside, std::size_t attributes, CellTable* table) {
-    const std::size_t due = 1 + table->columns + attributes;
+// count columns [attributes]
+struct CellHeader {
+    bool known = false;
+    std::uint64_t count = 0;
+    std::size_t attributes = 0;
+};
+
+Complaint parse_cell_header(const std::vector<double>& numbers, const EntryRange& range, const CellTable& table,
+                            CellHeader* header) {
+    header->known = true;
+    const bool has_attributes = numbers.size() == 3;
+    if (numbers.size() < 2 || numbers.size() > 3 || !is_count(numbers[0]) ||
+        numbers[1] != static_cast<double>(table.columns) ||
+        (has_attributes && !(is_count(numbers[2]) && numbers[2] < 1000))) {
+        return "the header is: count " + std::to_string(table.columns);
+    }
+    header->count = static_cast<std::uint64_t>(numbers[0]);
+    header->attributes = has_attributes ? static_cast<std::size_t>(numbers[2]) : 0;
+    return range.allow_outside && range.limit != header->count ? "not as many rows as there are cells" : "";
+}
+
+Complaint parse_cell_row(const std::vector<double>& numbers, const CellHeader& header, const EntryRange& range,
+                         CellTable* table) {
+    const std::uint64_t row = table->lines.size();
+    if (row == header.count) return "more than the " + std::to_string(header.count) + " rows of the header";
+    const std::size_t due = 1 + table->columns + header.attributes;
     if (numbers.size() != due) {
         return std::to_string(numbers.size()) + " numbers where " + std::to_string(due) + " are due";
     }
-    if (numbers[0] != static_cast<double>(row + first_id)) {
-        return "id " + number_text(numbers[0]) + " where " + std::to_string(row + first_id) + " is due";
+    if (numbers[0] != static_cast<double>(row + range.first_id)) {
+        return "id " + number_text(numbers[0]) + " where " + std::to_string(row + range.first_id) + " is due";
     }
     for (std::uint32_t k = 1; k <= table->columns; k++) {
-        const double index = numbers[k] - static_cast<double>(first_id);
-        if (allow_outside && numbers[k] == -1) {
+        const double index = numbers[k] - static_cast<double>(range.first_id);
+        if (range.allow_outside && numbers[k] == -1) {
             table->entries.push_back(NETMESH_NONE);
-        } else if (is_count(index) && index < static_cast<double>(limit)) {
+        } else if (is_count(index) && index < static_cast<double>(range.limit)) {
             table->entries.push_back(static_cast<std::uint32_t>(index));
         } else {
             return "index " + number_text(numbers[k]) + " does not exist";
@@ -187,39 +211,26 @@ Complaint parse_cell_row(const std::vector<double>& numbers, std::uint64_t row, 
 
 }  // namespace
 
-Outcome parse_cell_table(std::string_view content, std::uint64_t first_id, std::uint64_t limit, bool allow_outside,
-                         CellTable* table) {
+Outcome parse_cell_table(std::string_view content, const EntryRange& range, CellTable* table) {
     LineReader reader(content);
     std::string_view line;
     std::vector<double> numbers;
-    std::uint64_t count = 0, row = 0;
-    std::size_t attributes = 0;
-    bool header = false;
+    CellHeader header;
     while (reader.next_content(&line)) {
         Complaint complaint = parse_numbers(line, &numbers);
-        if (complaint.empty() && !header) {
-            header = true;
-            if (numbers.size() < 2 || numbers.size() > 3 || !is_count(numbers[0]) ||
-                numbers[1] != static_cast<double>(table->columns) ||
-                (numbers.size() == 3 && !(is_count(numbers[2]) && numbers[2] < 1000))) {
-                complaint = "the header is: count " + std::to_string(table->columns);
-            } else {
-                count = static_cast<std::uint64_t>(numbers[0]);
-                attributes = numbers.size() == 3 ? static_cast<std::size_t>(numbers[2]) : 0;
-                if (allow_outside && limit != count) complaint = "not as many rows as there are cells";
-            }
-        } else if (complaint.empty() && row == count) {
-            complaint = "more than the " + std::to_string(count) + " rows of the header";
+        if (complaint.empty() && !header.known) {
+            complaint = parse_cell_header(numbers, range, *table, &header);
         } else if (complaint.empty()) {
-            complaint = parse_cell_row(numbers, row, first_id, limit, allow_outside, attributes, table);
+            complaint = parse_cell_row(numbers, header, range, table);
             table->lines.push_back(reader.number());
-            row++;
         }
         if (!complaint.empty()) return line_error(table->name, reader.number(), complaint);
     }
-    if (!header || row < count) {
+    const std::uint64_t rows = table->lines.size();
+    if (!header.known || rows < header.count) {
         return line_error(table->name, reader.number() == 0 ? 1 : reader.number(),
-                          "the file ends after " + std::to_string(row) + " of " + std::to_string(count) + " rows");
+                          "the file ends after " + std::to_string(rows) + " of " + std::to_string(header.count) +
+                              " rows");
     }
     return {};
 }
@@ -230,17 +241,18 @@ Outcome read_mesh_files(const std::string& path, MeshFiles* files) {
     Outcome outcome = read_content(path, &content);
     if (outcome.good()) outcome = parse_node(content, &files->node);
     if (!outcome.good()) return outcome;
+    const std::uint64_t first_id = files->node.first_id;
     const std::string stem = path.substr(0, path.size() - ending_of(path).size());
     files->cells.name = stem + ".ele";
     files->neighbours.name = stem + ".neigh";
     files->cells.columns = files->neighbours.columns = files->node.cloud.dim + 1;
     outcome = read_content(files->cells.name, &content);
     if (!outcome.good()) return outcome;
-    outcome = parse_cell_table(content, files->node.first_id, files->node.cloud.rows(), false, &files->cells);
+    outcome = parse_cell_table(content, {first_id, files->node.cloud.rows(), false}, &files->cells);
     if (!outcome.good()) return outcome;
     outcome = read_content(files->neighbours.name, &content);
     if (!outcome.good()) return outcome;
-    return parse_cell_table(content, files->node.first_id, files->cells.lines.size(), true, &files->neighbours);
+    return parse_cell_table(content, {first_id, files->cells.lines.size(), true}, &files->neighbours);
 }
 
 }  // namespace netmesh::tool

@@ -4,36 +4,32 @@
 #include <string>
 
 #include "tools/io/lines.hpp"
-#include "tools/options.hpp"
 
 namespace netmesh::tool {
 
-Vines vines_of(const netmesh_context* context) {
+Vines vines_of(const Engine& engine) {
     Vines vines;
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
-    netmesh_get_report(context, &report);
+    const netmesh_vineyard_report report = engine.report().vineyard;
     vines.k_first = report.k_first;
-    double ratio;
-    for (std::uint32_t k = report.k_first; netmesh_get_vine_ratio(context, k, &ratio) == NETMESH_OK; k++) {
-        vines.ratios.push_back(ratio);
-    }
-    netmesh_vine_point point;
-    for (std::uint64_t i = 0; netmesh_get_vine_point(context, i, &point) == NETMESH_OK; i++) {
-        vines.points.push_back(point);
-    }
+    for (std::uint32_t k = report.k_first; k <= report.k_last; k++) vines.ratios.push_back(engine.vine_ratio(k));
+    engine.for_each_vine_point([&](std::uint64_t, const netmesh_vine_point& p) { vines.points.push_back(p); });
     return vines;
 }
 
-void write_vines(const Vines& vines, const netmesh_report& report, TextWriter& out) {
+void write_vine_point(const netmesh_vine_point& p, TextWriter& out) {
+    out << p.vine << ' ' << p.degree << ' ' << p.k << ' ' << p.birth << ' ' << p.death;
+}
+
+void write_vines(const Vines& vines, const netmesh_vineyard_report& report, TextWriter& out) {
     out << "# netmesh vineyard 1: vine degree k birth death\n# filter " << filter_name(report.filter) << ", "
         << values_name(report.values) << " values\n";
     for (std::size_t i = 0; i < vines.ratios.size(); i++) {
         out << "# k " << static_cast<std::uint64_t>(vines.k_first + i) << " certified ratio " << vines.ratios[i]
             << '\n';
     }
-    for (const netmesh_vine_point& p : vines.points) {
-        out << p.vine << ' ' << p.degree << ' ' << p.k << ' ' << p.birth << ' ' << p.death << '\n';
+    for (const netmesh_vine_point& point : vines.points) {
+        write_vine_point(point, out);
+        out << '\n';
     }
 }
 
@@ -50,11 +46,12 @@ bool parse_index(std::string_view word, std::uint32_t* index) {
 Complaint parse_comment(std::string_view line, VineFile* file) {
     const std::vector<std::string_view> words = split_blanks(line);
     if (words.size() == 5 && words[1] == "filter") {
-        file->filter = words[2] == "knn,"         ? NETMESH_FILTER_KNN
-                       : words[2] == "kdistance," ? NETMESH_FILTER_KDISTANCE
-                                                  : NETMESH_FILTER_NONE;
-        file->values = words[3] == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
-        return file->filter == NETMESH_FILTER_NONE ? "a vineyard's filter is knn or kdistance" : "";
+        for (const netmesh_filter_info& info : filters()) {
+            if (has_vineyard(info) && words[2] == std::string(info.name) + ",") file->choice.filter = info.filter;
+        }
+        file->choice.values = words[3] == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
+        if (file->choice.filter != NETMESH_FILTER_NONE) return {};
+        return "a vineyard's filter is " + list_filters(has_vineyard, "or");
     }
     if (words.size() != 6 || words[1] != "k" || words[3] != "certified") return {};
     std::uint32_t k;
@@ -101,7 +98,7 @@ Outcome parse_vines(std::string_view content, const std::string& name, VineFile*
         number++;
         if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
         if (split_blanks(line).empty()) continue;
-        netmesh_vine_point point;
+        netmesh_vine_point point = sized<netmesh_vine_point>();
         const bool comment = line.front() == '#';
         const Complaint complaint = comment ? parse_comment(line, file) : parse_point(line, file->vines, &point);
         if (!complaint.empty()) return line_error(name, number, complaint);
@@ -109,7 +106,7 @@ Outcome parse_vines(std::string_view content, const std::string& name, VineFile*
         file->vines.points.push_back(point);
         file->lines.push_back(number);
     }
-    if (file->filter == NETMESH_FILTER_NONE) return line_error(name, 1, "no line `# filter F, V values`");
+    if (file->choice.filter == NETMESH_FILTER_NONE) return line_error(name, 1, "no line `# filter F, V values`");
     if (file->vines.ratios.empty()) return line_error(name, 1, "no line `# k K certified ratio C`");
     return {};
 }

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "netmesh.h"
+#include "netmesh.hpp"
+#include "tools/filters.hpp"
 #include "tools/io/text_writer.hpp"
 #include "tools/outcome.hpp"
 
@@ -17,17 +18,18 @@ struct Vines {
     std::vector<netmesh_vine_point> points;
 };
 
-// Copies the vineyard out of a context that holds one.
-Vines vines_of(const netmesh_context* context);
+// Copies the vineyard out of an engine that holds one.
+Vines vines_of(const Engine& engine);
 
 // The comments name the format, what is filtered, and the certified ratio of each k.
-void write_vines(const Vines& vines, const netmesh_report& report, TextWriter& out);
+void write_vines(const Vines& vines, const netmesh_vineyard_report& report, TextWriter& out);
+// The line of one point, without its end.
+void write_vine_point(const netmesh_vine_point& point, TextWriter& out);
 
 // A .vines file as it was read. Faults of its form are Exit::data with file and line.
 struct VineFile {
     Vines vines;
-    netmesh_filter filter = NETMESH_FILTER_NONE;
-    netmesh_values values = NETMESH_VALUES_CERTIFIED;
+    FilterChoice choice;
     std::vector<std::uint64_t> lines;  // of each point
 };
 Outcome parse_vines(std::string_view content, const std::string& name, VineFile* file);

@@ -110,7 +110,7 @@ void draw_labels(Svg& svg, const Panel& panel, double y, const BarGroup& group) 
 }  // namespace
 
 BarStyle style_of(const std::vector<Bar>& bars, const netmesh_report& report, const Bounds& bounds) {
-    BarStyle style{report.certified_ratio, report.certified_from};
+    BarStyle style{report.diagram.certified_ratio, report.diagram.certified_from};
     style.has_flags = !bounds.bars.empty();
     style.steps = bounds.steps;
     // Of equal bars all have to be real, as they are drawn alike.

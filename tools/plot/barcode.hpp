@@ -13,8 +13,8 @@ struct Panel {
 };
 
 struct BarStyle {
-    double ratio;  // certified ratio c
-    double from;   // radius from which it holds
+    double ratio;                                // certified ratio c
+    double from;                                 // radius from which it holds
     std::vector<netmesh_scale_step> steps = {};  // the ratio by scale, when it is known
     bool has_flags = false;                      // then `real` tells which bars are
     std::vector<Bar> real = {};                  // sorted

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/filters.hpp"
 #include "tools/io/numbers.hpp"
-#include "tools/options.hpp"
 #include "tools/plot/barcode.hpp"
 #include "tools/plot/plots.hpp"
 
@@ -22,46 +22,45 @@ std::string superscript(std::uint32_t dim) {
 constexpr const char* separator = "  \xC2\xB7  ";
 
 std::string subtitle(const netmesh_report& report) {
-    if (report.dim == 0) {
-        std::string text = grouped_text(report.vertices) + " vertices";
-        for (std::uint32_t degree = 0; degree <= report.max_degree; degree++) {
+    const netmesh_diagram_report& diagram = report.diagram;
+    const netmesh_mesh_report& mesh = report.mesh;
+    if (report.input.dim == 0) {
+        std::string text = grouped_text(report.simplicial_complex.vertices) + " vertices";
+        for (std::uint32_t degree = 0; degree <= diagram.max_degree; degree++) {
             text += std::string(degree == 0 ? separator : ", ") + (degree == 0 ? "Betti numbers " : "") +
-                    grouped_text(report.essential[degree]);
+                    grouped_text(diagram.essential[degree]);
         }
         return text;
     }
-    std::string text = std::string("filter ") + filter_name(report.filter);
-    if (report.is_mesh != 0 || report.filter == NETMESH_FILTER_BARYCENTRIC_RIPS)
-        text += std::string(", ") + values_name(report.values) + " values";
-    if (report.cells == 0) return text + separator + grouped_text(report.simplices) + " simplices";
-    text += separator + grouped_text(report.vertices) + " vertices, " + grouped_text(report.cells) + " cells";
-    if (report.is_mesh != 0) {
-        text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(report.aspect_ratio_max, 4);
-        text += report.ratio > 0 ? std::string(separator) + "refined to ratio " + rounded_text(report.ratio, 4)
-                                 : " (\xCF\x84 = " + rounded_text(report.tau, 4) + ")";
-    }
-    return text;
+    std::string text = reported_choice_text({diagram.filter, diagram.values});
+    if (mesh.present == 0) return text + separator + grouped_text(diagram.simplices) + " simplices";
+    text += separator + grouped_text(mesh.vertices) + " vertices, " + grouped_text(mesh.cells) + " cells";
+    if (mesh.is_mesh == 0) return text;
+    text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(mesh.aspect_ratio_max, 4);
+    const double ratio = mesh.certificate.ratio;
+    return text + (ratio > 0 ? std::string(separator) + "refined to ratio " + rounded_text(ratio, 4)
+                             : " (\xCF\x84 = " + rounded_text(mesh.tau, 4) + ")");
 }
 
 std::string certificate(const netmesh_report& report) {
-    const double c = report.certified_ratio;
-    if (report.dim == 0) return "exact";
-    const bool offsets = report.k == 0 && report.filter != NETMESH_FILTER_RIPS;
-    const std::string of = offsets ? "offsets" : reference_name(report);
-    if (c == 1 && report.certified_from == 0) return "certified ratio c = 1: the exact diagram of the " + of;
+    const double c = report.diagram.certified_ratio, from = report.diagram.certified_from;
+    if (report.input.dim == 0) return "exact";
+    const std::string reference = reference_name(report);
+    const std::string of = reference.rfind("closed offsets", 0) == 0 ? "offsets" : reference;
+    if (c == 1 && from == 0) return "certified ratio c = 1: the exact diagram of the " + of;
     std::string text = "certified ratio c = " + rounded_text(c, 4);
-    if (report.certified_from > 0) text += " from radius " + rounded_text(report.certified_from, 4);
+    if (from > 0) text += " from radius " + rounded_text(from, 4);
     return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the " + of;
 }
 
 void draw_key(Svg& svg, double x, double y, const netmesh_report& report, const BarStyle& style) {
-    for (std::uint32_t degree = 0; degree <= report.max_degree; degree++) {
+    for (std::uint32_t degree = 0; degree <= report.diagram.max_degree; degree++) {
         svg.circle(x, y - 4, 4, degree_colour(degree));
         svg.text(x + 9, y, homology_label(degree), 13, ink, Anchor::start);
         x += 44;
     }
-    if (report.certified_ratio <= 1) return;
-    const double square = report.certified_ratio * report.certified_ratio;
+    if (report.diagram.certified_ratio <= 1) return;
+    const double square = report.diagram.certified_ratio * report.diagram.certified_ratio;
     svg.rect(x + 8, y - 11, 22, 13, "#fbf3dc");
     if (style.has_flags) {
         svg.text(
@@ -84,14 +83,14 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     Svg svg(out, page_width, page_height);
     const BarStyle style = style_of(bars, report, bounds);
     const LogScale scale = scale_for(bars);
-    const std::string subject = report.dim == 0
-                                    ? "a complex of " + grouped_text(report.simplices) + " simplices"
-                                    : grouped_text(report.points) + " points in R" + superscript(report.dim);
+    const std::string subject =
+        report.input.dim == 0 ? "a complex of " + grouped_text(report.diagram.simplices) + " simplices"
+                              : grouped_text(report.input.points) + " points in R" + superscript(report.input.dim);
     svg.text(48, 40, "Persistent homology of " + subject, 20, ink, Anchor::start, true);
     svg.text(48, 62, subtitle(report), 13, faint_ink, Anchor::start);
     svg.text(48, 82, certificate(report), 13, ink, Anchor::start);
     const Panel barcode{152, 112, 572, 520};
-    draw_barcode(svg, barcode, group_bars(bars, report.max_degree, rows_max), scale, style);
+    draw_barcode(svg, barcode, group_bars(bars, report.diagram.max_degree, rows_max), scale, style);
     const Panel scatter{800, 112, 440, 520};
     draw_scatter(svg, scatter, bars, scale, style);
     draw_key(svg, 52, page_height - 26, report, style);

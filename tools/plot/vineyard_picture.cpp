@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/filters.hpp"
 #include "tools/io/numbers.hpp"
-#include "tools/options.hpp"
 #include "tools/plot/barcode.hpp"
 #include "tools/plot/plots.hpp"
 
@@ -95,18 +95,18 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report) {
     for (const netmesh_vine_point& p : vines.points) bars.push_back({p.degree, p.birth, p.death});
     const LogScale scale = scale_for(bars);
     TextWriter out;
-    const std::uint32_t panels = report.max_degree + 1;
+    const netmesh_vineyard_report& vineyard = report.vineyard;
+    const std::uint32_t panels = vineyard.max_degree + 1;
     Svg svg(out, gap + panels * (panel_width + gap), page_height);
     svg.text(48, 40,
-             "Vineyard of " + grouped_text(report.points) + " points, k = " + std::to_string(report.k_first) + " to " +
-                 std::to_string(report.k_last),
+             "Vineyard of " + grouped_text(report.input.points) + " points, k = " + std::to_string(vineyard.k_first) +
+                 " to " + std::to_string(vineyard.k_last),
              20, ink, Anchor::start, true);
-    svg.text(
-        48, 62,
-        std::string("filter ") + filter_name(report.filter) + ", " + values_name(report.values) +
-            " values; a bar from birth to death at every k, bands join the bars of one vine; certified ratio at most " +
-            rounded_text(report.certified_ratio, 4),
-        13, faint_ink, Anchor::start);
+    svg.text(48, 62,
+             choice_text({vineyard.filter, vineyard.values}) +
+                 "; a bar from birth to death at every k, bands join the bars of one vine; certified ratio at most " +
+                 rounded_text(vineyard.certified_ratio, 4),
+             13, faint_ink, Anchor::start);
     for (std::uint32_t degree = 0; degree < panels; degree++) {
         const Panel panel{gap + degree * (panel_width + gap), 110, panel_width, 520};
         const Plot plot(svg, panel, scale, vines);

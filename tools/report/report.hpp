@@ -21,16 +21,14 @@ struct RunReport {
     const Options* options = nullptr;
     std::optional<netmesh_analysis> analysis;  // mesh, delaunay: with --analyse
     std::optional<netmesh_report> engine;      // without it, everything the engine would say is null
-    std::uint32_t dim = 0;                     // of the input; 0: none
     double read_seconds = 0, write_seconds = 0, total_seconds = 0;
     std::optional<StageClock> clock;
-    const Vines* vines = nullptr;                             // vineyard
-    const Bounds* bounds = nullptr;                           // of all bars, --bounds
-    std::vector<std::uint64_t> certain;                       // bars surely real, by degree, --bounds
-    const std::vector<Bar>* bars = nullptr;                   // diagram.bars, when the data has no other way out
-    std::optional<std::uint64_t> plan_bytes;                  // size
-    std::optional<std::vector<DegreeDistance>> distances;     // distance
-    std::optional<std::vector<std::string>> checked;          // check: what was found to hold
+    const Vines* vines = nullptr;                          // vineyard
+    const Bounds* bounds = nullptr;                        // of all bars, --bounds
+    const std::vector<Bar>* bars = nullptr;                // diagram.bars, when the data has no other way out
+    std::optional<std::uint64_t> plan_bytes;               // size
+    std::optional<std::vector<DegreeDistance>> distances;  // distance
+    std::optional<std::vector<std::string>> checked;       // check: what was found to hold
 };
 
 // Keys that do not apply are null. Nothing in `fingerprint` depends on time, memory or platform.

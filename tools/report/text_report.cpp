@@ -17,7 +17,7 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
-std::string audit_lines(const netmesh_audit& audit) {
+std::string audit_lines(const netmesh_audit_report& audit) {
     std::string text;
     if ((audit.what & NETMESH_AUDIT_LOCATION) != 0) {
         text += "located  in " + counted(audit.rounds, "round", "rounds") + " of " +
@@ -35,100 +35,123 @@ std::string audit_lines(const netmesh_audit& audit) {
     return text;
 }
 
-std::string goal_text(const netmesh_report& engine) {
-    std::string text = "ratio " + rounded_text(engine.ratio, 5);
-    if (engine.focus_ratio > 0) {
-        text += ", " + rounded_text(engine.focus_ratio, 5) + " from radius " + rounded_text(engine.focus_from, 4) +
-                " to " + rounded_text(engine.focus_to, 4);
+std::string goal_text(const netmesh_certificate_goal& goal) {
+    std::string text = "ratio " + rounded_text(goal.ratio, 5);
+    if (goal.focus_ratio > 0) {
+        text += ", " + rounded_text(goal.focus_ratio, 5) + " from radius " + rounded_text(goal.focus_from, 4) + " to " +
+                rounded_text(goal.focus_to, 4);
     }
     return text;
 }
 
-std::string mesh_lines(const netmesh_report& engine) {
-    std::string text = "mesh     " + counted(engine.vertices, "vertex", "vertices");
-    if (engine.is_mesh != 0) {
-        text += " (" + counted(engine.steiner, "Steiner point", "Steiner points") + ", " + grouped_text(engine.exempt) +
+std::string mesh_lines(const netmesh_mesh_report& mesh) {
+    std::string text = "mesh     " + counted(mesh.vertices, "vertex", "vertices");
+    if (mesh.is_mesh != 0) {
+        text += " (" + counted(mesh.steiner, "Steiner point", "Steiner points") + ", " + grouped_text(mesh.exempt) +
                 " on the boundary)";
     }
-    text += ", " + counted(engine.cells, "cell", "cells") + "\n";
-    if (engine.cages > 0) {
-        text += "cages    " + grouped_text(engine.cages) + " kept of " + grouped_text(engine.cages_made) + " made\n";
+    text += ", " + counted(mesh.cells, "cell", "cells") + "\n";
+    if (mesh.hierarchy.cages > 0) {
+        text += "cages    " + grouped_text(mesh.hierarchy.cages) + " kept of " +
+                grouped_text(mesh.hierarchy.cages_made) + " made\n";
     }
-    if (engine.is_mesh != 0) {
-        text += "quality  aspect ratio at most " + rounded_text(engine.aspect_ratio_max, 5);
-        text += engine.ratio > 0 ? ", refined by the certificate to " + goal_text(engine) + "\n"
-                                 : " (tau " + rounded_text(engine.tau, 5) + ")\n";
-        if (engine.size_ratio_max > 0)
-            text += "size     cells reach " + rounded_text(engine.size_ratio_max, 5) + " of the size asked for\n";
-        text += audit_lines(engine.audit);
+    if (mesh.is_mesh != 0) {
+        text += "quality  aspect ratio at most " + rounded_text(mesh.aspect_ratio_max, 5);
+        text += mesh.certificate.ratio > 0 ? ", refined by the certificate to " + goal_text(mesh.certificate) + "\n"
+                                           : " (tau " + rounded_text(mesh.tau, 5) + ")\n";
+        if (mesh.sizes.ratio_max > 0)
+            text += "size     cells reach " + rounded_text(mesh.sizes.ratio_max, 5) + " of the size asked for\n";
+        text += audit_lines(mesh.audit);
     }
     return text;
 }
 
 std::string range_text(double from, double to) { return rounded_text(from, 4) + " and " + rounded_text(to, 4); }
 
+std::string size_lines(const netmesh_size_analysis& size, bool caged) {
+    std::string text = "bounds   " + grouped_text(size.vertices) + " vertices";
+    text += caged ? "; size bounds are for meshes without cages" : ", between " + range_text(size.lower, size.upper);
+    text += "; feature size ratio " + rounded_text(size.feature_ratio, 4) +
+            (caged ? "\n" : " (at most " + rounded_text(size.feature_ratio_bound, 4) + ")\n");
+    return text + "pace     theta " + rounded_text(size.theta, 4) + " (at most " + rounded_text(size.theta_limit, 4) +
+           " in any order), sum of ln 1/theta " + rounded_text(size.theta_log_sum, 4) +
+           "; feature size integral between " + range_text(size.integral_lower[0], size.integral_upper[0]) + "\n";
+}
+
 std::string analysis_lines(const netmesh_analysis& a, bool caged) {
-    std::string text;
-    if ((a.what & NETMESH_ANALYSE_SIZE) != 0) {
-        text += "bounds   " + grouped_text(a.size) + " vertices";
-        if (caged)
-            text += "; size bounds are for meshes without cages";
-        else
-            text += ", between " + range_text(a.size_lower, a.size_upper);
-        text += "; feature size ratio " + rounded_text(a.feature_ratio, 4) +
-                (caged ? "\n" : " (at most " + rounded_text(a.feature_ratio_bound, 4) + ")\n");
-        text += "pace     theta " + rounded_text(a.theta, 4) + " (at most " + rounded_text(a.theta_limit, 4) +
-                " in any order), sum of ln 1/theta " + rounded_text(a.theta_log_sum, 4) +
-                "; feature size integral between " + range_text(a.integral_lower[0], a.integral_upper[0]) + "\n";
-    }
-    text += "stars    " + rounded_text(a.degree_mean, 4) + " neighbours (at most " + grouped_text(a.degree_max) +
-            "), " + rounded_text(a.star_mean, 4) + " cells (" + grouped_text(a.star_max) + ")\n";
-    text += "balls    ply " + rounded_text(a.ply_mean, 4) + " (at most " + grouped_text(a.ply_max) + "), each meets " +
-            rounded_text(a.intersections_mean, 4) + " (" + grouped_text(a.intersections_max) + ")\n";
-    const bool whole = a.inside.cells == 0;
-    const netmesh_fatness& part = whole ? a.bounded : a.inside;
+    std::string text = a.size.present != 0 ? size_lines(a.size, caged) : "";
+    const netmesh_structure_analysis& s = a.structure;
+    text += "stars    " + rounded_text(s.degree_mean, 4) + " neighbours (at most " + grouped_text(s.degree_max) +
+            "), " + rounded_text(s.star_mean, 4) + " cells (" + grouped_text(s.star_max) + ")\n";
+    text += "balls    ply " + rounded_text(s.ply_mean, 4) + " (at most " + grouped_text(s.ply_max) + "), each meets " +
+            rounded_text(s.intersections_mean, 4) + " (" + grouped_text(s.intersections_max) + ")\n";
+    const bool whole = a.fatness.inside.cells == 0;
+    const netmesh_fatness& part = whole ? a.fatness.bounded : a.fatness.inside;
     return text + "fatness  " + rounded_text(part.beta_mean, 4) + " (at most " + rounded_text(part.beta_max, 4) +
            ") of " + grouped_text(part.cells) + (whole ? " bounded cells\n" : " cells inside the domain\n");
 }
 
-std::string scales_lines(const netmesh_report& engine) {
-    std::string text = "scales   " + counted(engine.scales, "scale", "scales") + ", " +
-                       counted(engine.scale_vertices, "vertex", "vertices") + " in all, the largest of " +
-                       counted(engine.scale_points_max, "point", "points") + " and " +
-                       counted(engine.scale_vertices_max, "vertex", "vertices") + "\n";
-    if (engine.scales > 1) {
-        text += "apart    each scale has a ball of " + rounded_text(engine.separation, 5) +
+std::string scales_lines(const netmesh_scales_report& scales) {
+    std::string text = "scales   " + counted(scales.count, "scale", "scales") + ", " +
+                       counted(scales.vertices, "vertex", "vertices") + " in all, the largest of " +
+                       counted(scales.points_max, "point", "points") + " and " +
+                       counted(scales.vertices_max, "vertex", "vertices") + "\n";
+    if (scales.count > 1) {
+        text += "apart    each scale has a ball of " + rounded_text(scales.separation, 5) +
                 " of its radii to itself (2 are needed)\n";
     }
     return text;
 }
 
-std::string diagram_lines(const netmesh_report& engine) {
-    std::string text = "diagram ";
-    for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) {
-        text += std::string(degree == 0 ? " " : ", ") + "H" + std::to_string(degree) + " " +
-                grouped_text(engine.pairs[degree]);
+// "H0 12, H1 3"
+std::string by_degree(const std::uint64_t* counts, std::uint32_t max_degree, bool named) {
+    std::string text;
+    for (std::uint32_t degree = 0; degree <= max_degree; degree++) {
+        text += (degree == 0 ? "" : ", ") + (named ? "H" + std::to_string(degree) + " " : "") +
+                grouped_text(counts[degree]);
     }
-    if (engine.dim == 0) return text + "\n";
-    text += std::string("; filter ") + filter_name(engine.filter);
-    if (engine.is_mesh != 0 || engine.filter == NETMESH_FILTER_BARYCENTRIC_RIPS)
-        text += std::string(", ") + values_name(engine.values) + " values";
-    text += "\ncertified ratio " + rounded_text(engine.certified_ratio, 6);
-    if (engine.certified_from > 0) text += " from radius " + rounded_text(engine.certified_from, 6);
-    return text + " to the " + reference_name(engine) + "\n";
+    return text;
 }
 
-std::string vineyard_lines(const netmesh_report& engine) {
-    return "vineyard k = " + std::to_string(engine.k_first) + " to " + std::to_string(engine.k_last) + ": " +
-           counted(engine.vines, "vine", "vines") + ", " +
-           counted(engine.transpositions, "transposition", "transpositions") + " of " + grouped_text(engine.simplices) +
-           " simplices; filter " + filter_name(engine.filter) + ", " + values_name(engine.values) +
-           " values\ncertified ratio at most " + rounded_text(engine.certified_ratio, 6) + "\n";
+std::string diagram_lines(const netmesh_report& engine) {
+    const netmesh_diagram_report& diagram = engine.diagram;
+    std::string text = "diagram  " + by_degree(diagram.pairs, diagram.max_degree, true);
+    if (engine.input.dim == 0)
+        return text + "\nBetti    " + by_degree(diagram.essential, diagram.max_degree, false) + "\n";
+    text += "; " + reported_choice_text({diagram.filter, diagram.values});
+    text += "\ncertified ratio " + rounded_text(diagram.certified_ratio, 6);
+    if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
+    text += " to the " + reference_name(engine) + "\n";
+    if (engine.bounds.present != 0)
+        text += "real     " + by_degree(engine.bounds.certain, engine.bounds.max_degree, true) + " bars surely real\n";
+    return text;
+}
+
+std::string vineyard_lines(const netmesh_vineyard_report& vineyard) {
+    return "vineyard k = " + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) + ": " +
+           counted(vineyard.vines, "vine", "vines") + ", " +
+           counted(vineyard.transpositions, "transposition", "transpositions") + " of " +
+           grouped_text(vineyard.simplices) + " simplices; " + choice_text({vineyard.filter, vineyard.values}) +
+           "\ncertified ratio at most " + rounded_text(vineyard.certified_ratio, 6) + "\n";
+}
+
+std::string input_line(const netmesh_report& engine) {
+    const netmesh_input_report& input = engine.input;
+    std::string text = "input    ";
+    if (input.dim == 0) {
+        text += counted(engine.diagram.simplices, "simplex", "simplices") + " on " +
+                counted(engine.simplicial_complex.vertices, "vertex", "vertices");
+    } else {
+        text += counted(input.points, "point", "points") + " in R^" + std::to_string(input.dim);
+    }
+    if (input.duplicates > 0) text += ", " + counted(input.duplicates, "duplicate", "duplicates") + " merged";
+    return text + "\n";
 }
 
 std::string cost_lines(const RunReport& run) {
     const netmesh_report& engine = *run.engine;
-    std::string text = "memory   peak " + bytes_text(engine.peak_bytes) + " of " + bytes_text(engine.block_bytes) +
+    std::string text = "memory   peak " + bytes_text(engine.memory.peak_bytes) + " of " +
+                       bytes_text(engine.memory.block_bytes) +
                        (run.options->memory_bytes == 0 ? " reserved\n" : " given\n");
     text += "time     " + seconds_text(run.total_seconds) + " s: read " + seconds_text(run.read_seconds);
     for (int stage = 1; stage < NETMESH_STAGE_COUNT && run.clock; stage++) {
@@ -143,12 +166,14 @@ std::string cost_lines(const RunReport& run) {
     return text + digits;
 }
 
-std::string betti_line(const netmesh_report& engine) {
-    std::string text = "Betti   ";
-    for (std::uint32_t degree = 0; degree <= engine.max_degree; degree++) {
-        text += (degree == 0 ? " " : ", ") + grouped_text(engine.essential[degree]);
+std::string mesh_or_scales_lines(const netmesh_report& engine) {
+    std::string text;
+    if (engine.scales.present != 0) {
+        text += scales_lines(engine.scales);
+    } else if (engine.mesh.present != 0) {
+        text += mesh_lines(engine.mesh);
     }
-    return text + "\n";
+    return text;
 }
 
 }  // namespace
@@ -157,29 +182,10 @@ std::string text_report(const RunReport& run) {
     std::string text;
     if (run.engine) {
         const netmesh_report& engine = *run.engine;
-        text += "input    ";
-        if (engine.dim == 0) {
-            text += counted(engine.simplices, "simplex", "simplices") + " on " +
-                    counted(engine.vertices, "vertex", "vertices");
-        } else {
-            text += counted(engine.points, "point", "points") + " in R^" + std::to_string(engine.dim);
-        }
-        if (engine.duplicates > 0) text += ", " + counted(engine.duplicates, "duplicate", "duplicates") + " merged";
-        text += "\n";
-        if (engine.scales > 0) {
-            text += scales_lines(engine);
-        } else if (engine.cells > 0) {
-            text += mesh_lines(engine);
-        }
-        if (run.analysis) text += analysis_lines(*run.analysis, run.engine->cages > 0);
-        if (engine.has_diagram != 0) text += diagram_lines(engine);
-        if (engine.has_diagram != 0 && engine.dim == 0) text += betti_line(engine);
-        for (std::size_t degree = 0; degree < run.certain.size(); degree++) {
-            text +=
-                (degree == 0 ? "real     H" : ", H") + std::to_string(degree) + " " + grouped_text(run.certain[degree]);
-        }
-        if (!run.certain.empty()) text += " bars surely real\n";
-        if (engine.has_vineyard != 0) text += vineyard_lines(engine);
+        text += input_line(engine) + mesh_or_scales_lines(engine);
+        if (run.analysis) text += analysis_lines(*run.analysis, engine.mesh.hierarchy.cages > 0);
+        if (engine.diagram.present != 0) text += diagram_lines(engine);
+        if (engine.vineyard.present != 0) text += vineyard_lines(engine.vineyard);
     }
     if (run.checked) {
         for (const std::string& item : *run.checked) text += "checked  " + item + "\n";

@@ -31,9 +31,9 @@ template <class Make> void persist(Trial& trial, Make make) {
     trial.figure(simplices, static_cast<double>(tree.num_simplices()));
     for (const auto& pair : cohomology.get_persistent_pairs()) {
         const auto birth = std::get<0>(pair), death = std::get<1>(pair);
-        trial.outcome.diagram.push_back({static_cast<std::uint32_t>(tree.dimension(birth)),
-                                         std::sqrt(tree.filtration(birth)),
-                                         death == tree.null_simplex() ? INFINITY : std::sqrt(tree.filtration(death))});
+        trial.outcome.diagram.push_back(
+            bar(static_cast<std::uint32_t>(tree.dimension(birth)), std::sqrt(tree.filtration(birth)),
+                death == tree.null_simplex() ? INFINITY : std::sqrt(tree.filtration(death))));
     }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 void demand(netmesh_status status, const Session& session) {
     if (status == NETMESH_OK) return;
-    std::fprintf(stderr, "netmesh: %s; %s\n", netmesh_status_text(status), netmesh_get_detail(session.context).message);
+    std::fprintf(stderr, "netmesh: %s; %s\n", netmesh_status_text(status), session.detail().message);
     std::exit(1);
 }
 
@@ -22,51 +22,43 @@ void ours_delaunay(Trial& trial, int dim, const inputs::Points& points) {
     Session session(dim);
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
-                            &session.options),
-           session);
+    demand(session.delaunay_in_block(points), session);
     trial.stop();
-    trial.figure(cells, static_cast<double>(session.report().cells));
-    trial.figure(arena_bytes, static_cast<double>(session.report().peak_bytes));
+    trial.figure(cells, static_cast<double>(session.report().mesh.cells));
+    trial.figure(arena_bytes, static_cast<double>(session.report().memory.peak_bytes));
 }
 
 void ours_mesh(Trial& trial, const inputs::Points& points, double tau) {
     Session session(3);
-    session.options.tau = tau;
+    session.request.tau = tau;
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_mesh(session.context, points.data(), points.size() / 3, NETMESH_JOB_MESH, &session.options),
-           session);
+    demand(session.mesh_in_block(points), session);
     trial.stop();
     const netmesh_report report = session.report();
-    trial.figure(vertices, static_cast<double>(report.vertices));
-    trial.figure(cells, static_cast<double>(report.cells));
+    trial.figure(vertices, static_cast<double>(report.mesh.vertices));
+    trial.figure(cells, static_cast<double>(report.mesh.cells));
     std::vector<double> coordinates;
-    netmesh_vertex vertex;
-    for (std::uint64_t v = 0; netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK; ++v)
+    for (const netmesh_vertex& vertex : session.vertices())
         coordinates.insert(coordinates.end(), vertex.coordinates, vertex.coordinates + 3);
-    measure_aspect(trial, coordinates, session.cells<4>(), report.domain);
-    trial.figure(aspect_clipped, report.aspect_ratio_max);
+    measure_aspect(trial, coordinates, session.cells<4>(), report.mesh.domain);
+    trial.figure(aspect_clipped, report.mesh.aspect_ratio_max);
 }
 
 void ours_persist(Trial& trial, int dim, const inputs::Points& points, double tau) {
     Session session(dim);
-    session.options.tau = tau;
+    session.request.tau = tau;
     session.reserve(block_bytes);
-    demand(netmesh_mesh(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
-                        NETMESH_JOB_PERSIST, &session.options),
-           session);
-    const double mesh_bytes = static_cast<double>(session.report().used_bytes);
+    demand(session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST), session);
+    const double mesh_bytes = static_cast<double>(session.report().memory.used_bytes);
     trial.start();
-    demand(netmesh_persist(session.context, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                           &session.options),
-           session);
+    demand(session.persist(), session);
     trial.stop();
     const netmesh_report report = session.report();
-    trial.figure(simplices, static_cast<double>(report.simplices));
-    trial.figure(vertices, static_cast<double>(report.vertices));
-    trial.figure(cells, static_cast<double>(report.cells));
-    trial.figure(arena_bytes, static_cast<double>(report.peak_bytes) - mesh_bytes);
+    trial.figure(simplices, static_cast<double>(report.diagram.simplices));
+    trial.figure(vertices, static_cast<double>(report.mesh.vertices));
+    trial.figure(cells, static_cast<double>(report.mesh.cells));
+    trial.figure(arena_bytes, static_cast<double>(report.memory.peak_bytes) - mesh_bytes);
     trial.outcome.diagram = session.pairs();
 }
 
@@ -74,15 +66,11 @@ void ours_alpha(Trial& trial, int dim, const inputs::Points& points) {
     Session session(dim);
     trial.start();
     session.reserve(block_bytes);
-    demand(netmesh_delaunay(session.context, points.data(), points.size() / static_cast<std::size_t>(dim),
-                            &session.options),
-           session);
-    demand(netmesh_persist(session.context, NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED, NETMESH_DIM_MAX, 0,
-                           &session.options),
-           session);
+    demand(session.delaunay_in_block(points), session);
+    demand(session.persist(NETMESH_FILTER_ALPHA), session);
     trial.stop();
-    trial.figure(simplices, static_cast<double>(session.report().simplices));
-    trial.figure(arena_bytes, static_cast<double>(session.report().peak_bytes));
+    trial.figure(simplices, static_cast<double>(session.report().diagram.simplices));
+    trial.figure(arena_bytes, static_cast<double>(session.report().memory.peak_bytes));
     trial.outcome.diagram = session.pairs();
 }
 

@@ -114,10 +114,9 @@ template <int D> void persist(Trial& trial, const inputs::Points& points, double
     std::vector<std::array<std::uint32_t, D + 1>> cells;
     {
         Session session(D);
-        session.options.tau = tau;
+        session.request.tau = tau;
         if (session.mesh_and_persist(points) != NETMESH_OK) std::exit(1);
-        netmesh_vertex vertex;
-        for (std::uint64_t v = 0; netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK; ++v) {
+        for (const netmesh_vertex& vertex : session.vertices()) {
             t.push_back(vertex.value);
             own.push_back(vertex.marker == 0 ? 0.0 : vertex.value);
         }
@@ -146,10 +145,10 @@ template <int D> void persist(Trial& trial, const inputs::Points& points, double
         paired[birth] = paired[death] = true;
         if (filtration.value[birth] != filtration.value[death])
             trial.outcome.diagram.push_back(
-                {filtration.degree[birth], filtration.value[birth], filtration.value[death]});
+                bar(filtration.degree[birth], filtration.value[birth], filtration.value[death]));
     }
     for (std::size_t i = 0; i < paired.size(); ++i)
-        if (!paired[i]) trial.outcome.diagram.push_back({filtration.degree[i], filtration.value[i], INFINITY});
+        if (!paired[i]) trial.outcome.diagram.push_back(bar(filtration.degree[i], filtration.value[i], INFINITY));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/inputs.hpp"
-#include "netmesh.h"
+#include "common/read.hpp"
 
 namespace bench {
 

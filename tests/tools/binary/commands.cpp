@@ -28,7 +28,7 @@ TEST_CASE("version and help go to stdout") {
     const Folder folder;
     Result result = folder.run("--version");
     CHECK(result.exit == 0);
-    CHECK(result.out == "netmesh 0.1.0\n");
+    CHECK(result.out == "netmesh 0.2.0\n");
     CHECK(result.err == "");
     for (const char* command : {"", "mesh", "delaunay", "persist", "homology", "distance", "size", "check", "sample"}) {
         result = folder.run(std::string(command) + " --help");
@@ -384,6 +384,7 @@ TEST_CASE("persist: d_k and the k-distance") {
         CHECK(folder.run("persist p.csv --k 0 --filter " + filter).exit == 2);
         const Result many = folder.run("persist p.csv --k 81 --filter " + filter);
         CHECK(many.exit == 3);
+        CHECK(many.says("p.csv: --k 81: "));
         CHECK(many.says("more than the number of different points"));
         CHECK(folder.run("persist p.csv --quiet --filter " + filter).out ==
               folder.run("persist p.csv --quiet --method svr").out);
@@ -434,6 +435,14 @@ TEST_CASE("persist: refinement by the certificate") {
           "--ratio 2 --values thesis", "--ratio 2 --method svr", "--fit --memory 1M --filter alpha"}) {
         CAPTURE(line);
         CHECK(folder.run("persist p.csv " + line).exit == 2);
+    }
+    // What only the library finds wrong is said of the option that it comes from.
+    for (const std::string line : {"--ratio 1e300", "--focus 2.6 --ratio 2.5 --from .1 --to .9",
+                                   "--from 1e-18 --ratio 2.5 --focus 1.6 --to .9"}) {
+        CAPTURE(line);
+        const Result refused = folder.run("persist p.csv " + line);
+        CHECK(refused.exit == 2);
+        CHECK(refused.says("netmesh: " + line.substr(0, line.find(' ', line.find(' ') + 1)) + ": "));
     }
 }
 

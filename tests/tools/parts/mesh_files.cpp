@@ -79,7 +79,8 @@ TEST_CASE("cages in a node file and in fields of a vtu") {
     Square square;
     square.domain[2] = 1;
     square.tau = 3;
-    square.cages = {{2, NETMESH_NONE, 0.125}, {1, 0, 1e-3}};
+    constexpr std::uint32_t bytes = sizeof(netmesh_cage);
+    square.cages = {{bytes, 2, NETMESH_NONE, 0.125}, {bytes, 1, 0, 1e-3}};
     const std::string text = text_of(write_node, square);
     CHECK(text.find("# tau 3\n# cage 2 0.125\n# cage 1 0.001\n4 2 0 1\n") != std::string::npos);
     NodeFile node;
@@ -131,14 +132,14 @@ TEST_CASE("ele and neigh are read back") {
     const Square square;
     CellTable cells, neighbours;
     cells.columns = neighbours.columns = 3;
-    REQUIRE(parse_cell_table(text_of(write_ele, square), 0, 4, false, &cells).good());
+    REQUIRE(parse_cell_table(text_of(write_ele, square), {0, 4, false}, &cells).good());
     CHECK(cells.entries == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
-    REQUIRE(parse_cell_table(text_of(write_neigh, square), 0, 2, true, &neighbours).good());
+    REQUIRE(parse_cell_table(text_of(write_neigh, square), {0, 2, true}, &neighbours).good());
     CHECK(neighbours.entries ==
           std::vector<std::uint32_t>{NETMESH_NONE, 1, NETMESH_NONE, NETMESH_NONE, NETMESH_NONE, 0});
     CellTable from_one;
     from_one.columns = 3;
-    REQUIRE(parse_cell_table("1 3 1\n1 1 2 3 7\n", 1, 3, false, &from_one).good());
+    REQUIRE(parse_cell_table("1 3 1\n1 1 2 3 7\n", {1, 3, false}, &from_one).good());
     CHECK(from_one.entries == std::vector<std::uint32_t>{0, 1, 2});
 }
 
@@ -147,7 +148,7 @@ TEST_CASE("ele and neigh: faults and their lines") {
         CellTable table;
         table.name = "m.ele";
         table.columns = 3;
-        const Outcome outcome = parse_cell_table(content, 0, outside ? 1 : 4, outside, &table);
+        const Outcome outcome = parse_cell_table(content, {0, outside ? 1u : 4u, outside}, &table);
         CHECK(outcome.exit == Exit::data);
         return outcome.message;
     };
@@ -202,15 +203,15 @@ static std::string height_of(const std::string& picture, const char* words) {
 }
 
 TEST_CASE("pictures are whole documents that show what they should") {
-    netmesh_report report = {};
-    report.dim = 2;
-    report.points = 3;
-    report.vertices = 12;
-    report.is_mesh = 1;
-    report.tau = 2.5;
-    report.filter = NETMESH_FILTER_COMPLETE;
-    report.max_degree = 1;
-    report.certified_ratio = 2;
+    netmesh_report report = netmesh::sized<netmesh_report>();
+    report.input.dim = 2;
+    report.input.points = 3;
+    report.mesh.present = report.mesh.is_mesh = 1;
+    report.mesh.vertices = 12;
+    report.mesh.tau = 2.5;
+    report.diagram.filter = NETMESH_FILTER_COMPLETE;
+    report.diagram.max_degree = 1;
+    report.diagram.certified_ratio = 2;
     std::vector<Bar> bars = {{0, 0, HUGE_VAL}, {1, .5, .6}, {1, .5, 2.5}};
     for (int i = 0; i < 1000; i++) bars.push_back({0, 0, 0.001 * (i + 1)});
     const std::string picture = diagram_picture(bars, report);

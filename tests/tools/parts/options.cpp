@@ -103,11 +103,54 @@ TEST_CASE("methods, filters and values that this version has not") {
     good({"mesh", "p", "--method", "netmesh", "--finish"});
     CHECK(names(fault({"mesh", "p", "--finish"}), "--finish goes with --method netmesh"));
     CHECK(names(fault({"persist", "p", "--method", "netmesh"}), "--finish"));
+    CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--eps", ".4"}), "--eps does not go with --method netmesh"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
     for (const char* filter : {"frob", "cechs"}) {
         CHECK(names(fault({"persist", "p", "--filter", filter}), "complete, basic, alpha"));
     }
     CHECK(names(fault({"persist", "p", "--values", "frob"}), "--values frob"));
+}
+
+TEST_CASE("filters are those of the library's table, but for the caller's own functions") {
+    std::size_t offered = 0;
+    netmesh::for_each_filter([&](const netmesh_filter_info& info) {
+        CAPTURE(info.name);
+        if (info.needs_function != 0) {
+            CHECK(names(fault({"persist", "p", "--filter", info.name}), "the filters are"));
+            return;
+        }
+        offered++;
+        CHECK(good({"persist", "p", "--filter", info.name}).filter == info.filter);
+        CHECK(std::string(filter_name(info.filter)) == info.name);
+        CHECK(names(help_text(Command::persist), std::string(info.name)));
+    });
+    CHECK(offered == 11);
+    CHECK(filter_name(NETMESH_FILTER_NONE) == std::string("none"));
+    CHECK(names(help_text(Command::vineyard), "knn (default) or kdistance\n"));
+    CHECK(choice_text({NETMESH_FILTER_KNN, NETMESH_VALUES_THESIS}) == "filter knn, thesis values");
+    CHECK(choice_text({NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED}) == "filter alpha");
+}
+
+TEST_CASE("the function that a certified ratio is about") {
+    netmesh_report report = netmesh::sized<netmesh_report>();
+    CHECK(reference_name(report) == "filtered complex");
+    report.input.dim = 3;
+    report.diagram.k = 5;
+    report.diagram.filter = NETMESH_FILTER_ALPHA;
+    CHECK(reference_name(report) == "closed offsets of the points in R^3");
+    report.diagram.filter = NETMESH_FILTER_KNN;
+    CHECK(reference_name(report) == "sublevel sets of d_5 in R^3");
+    report.diagram.filter = NETMESH_FILTER_KDISTANCE;
+    CHECK(reference_name(report) == "sublevel sets of the k-distance, k = 5, in R^3");
+}
+
+TEST_CASE("the option that a field of a request comes from, as it was written") {
+    const Options options = good({"persist", "p", "--k=3", "--filter", "knn", "--k", "15"});
+    CHECK(option_of(options, NETMESH_FIELD_K) == "--k 15");
+    CHECK(option_of(options, NETMESH_FIELD_FILTER) == "--filter knn");
+    CHECK(option_of(options, NETMESH_FIELD_TAU) == "--tau");
+    CHECK(option_of(options, NETMESH_FIELD_POINTS) == "");
+    CHECK(option_of(good({"vineyard", "p", "--k", "2..9"}), NETMESH_FIELD_K_LAST) == "--k 2..9");
 }
 
 TEST_CASE("commands, options and arguments that are not") {
@@ -140,7 +183,7 @@ TEST_CASE("help and version") {
     CHECK(help_text(Command::persist).find("--filter F") != std::string::npos);
     CHECK(help_text(Command::mesh).find("--filter") == std::string::npos);
     CHECK(help_text(Command::sample).find("clifford") != std::string::npos);
-    CHECK(version_text() == "netmesh 0.1.0\n");
+    CHECK(version_text() == "netmesh 0.2.0\n");
 }
 
 TEST_CASE("memory to reserve when none is named") {

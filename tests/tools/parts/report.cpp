@@ -64,28 +64,29 @@ TEST_CASE("report of a run that has no engine result: nulls") {
 TEST_CASE("report of a mesh and its diagram") {
     Options options;
     options.command = Command::persist;
-    netmesh_report engine = {};
-    engine.dim = 2;
-    engine.is_mesh = 1;
-    engine.points = 10;
-    engine.duplicates = 1;
-    engine.input_fingerprint = 0x1234;
-    engine.vertices = 100;
-    engine.steiner = 80;
-    engine.exempt = 11;
-    engine.cells = 180;
-    engine.tau = 2.5;
-    engine.aspect_ratio_max = 2.25;
-    engine.domain[0] = 1;
-    engine.domain[2] = 3;
-    engine.has_diagram = 1;
-    engine.filter = NETMESH_FILTER_BASIC;
-    engine.max_degree = 1;
-    engine.pairs[0] = 9;
-    engine.pairs[1] = 2;
-    engine.certified_ratio = 2.125;
-    engine.certified_from = 0.5;
-    engine.predicate_calls[NETMESH_PREDICATE_TIE] = 77;
+    netmesh_report engine = netmesh::sized<netmesh_report>();
+    engine.input.present = 1;
+    engine.input.dim = 2;
+    engine.input.points = 10;
+    engine.input.duplicates = 1;
+    engine.input.fingerprint = 0x1234;
+    engine.mesh.present = engine.mesh.is_mesh = 1;
+    engine.mesh.vertices = 100;
+    engine.mesh.steiner = 80;
+    engine.mesh.exempt = 11;
+    engine.mesh.cells = 180;
+    engine.mesh.tau = 2.5;
+    engine.mesh.aspect_ratio_max = 2.25;
+    engine.mesh.domain[0] = 1;
+    engine.mesh.domain[2] = 3;
+    engine.diagram.present = 1;
+    engine.diagram.filter = NETMESH_FILTER_BASIC;
+    engine.diagram.max_degree = 1;
+    engine.diagram.pairs[0] = 9;
+    engine.diagram.pairs[1] = 2;
+    engine.diagram.certified_ratio = 2.125;
+    engine.diagram.certified_from = 0.5;
+    engine.predicates.in_ball[NETMESH_PREDICATE_TIE] = 77;
     engine.fingerprint = 0xFEDCBA9876543210u;
     RunReport run;
     run.options = &options;
@@ -104,6 +105,45 @@ TEST_CASE("report of a mesh and its diagram") {
     const std::string text = text_report(run);
     CHECK(text.find("10 points in R^2, 1 duplicate merged") != std::string::npos);
     CHECK(text.find("certified ratio 2.125 from radius 0.5") != std::string::npos);
+}
+
+TEST_CASE("report: what has to be asked for is left out or there as a whole") {
+    Options options;
+    options.command = Command::mesh;
+    netmesh_report engine = netmesh::sized<netmesh_report>();
+    engine.input.present = engine.mesh.present = 1;
+    engine.input.dim = 2;
+    RunReport run;
+    run.options = &options;
+    run.engine = engine;
+    const auto mesh_of = [](const std::string& json) {
+        const std::size_t at = json.find("\"mesh\": ");
+        return json.substr(at, json.find("\"diagram\"") - at);
+    };
+    CHECK(mesh_of(json_report(run)) ==
+          "\"mesh\": {\n    \"vertices\": 0,\n    \"steiner\": 0,\n    \"boundary\": 0,\n    \"cells\": 0,\n"
+          "    \"aspect_ratio_max\": null,\n    \"tau\": null,\n    \"domain\": null\n  },\n  ");
+    run.engine->mesh.is_mesh = 1;
+    run.engine->mesh.method = NETMESH_METHOD_HIERARCHY;
+    run.engine->mesh.hierarchy.cages = 4;
+    run.engine->mesh.certificate.ratio = 2;
+    run.engine->mesh.audit.what = NETMESH_AUDIT_LOCATION;
+    run.engine->mesh.audit.rounds = 2;
+    run.engine->mesh.audit.load[0] = 7;
+    CHECK(mesh_of(json_report(run)) ==
+          "\"mesh\": {\n    \"vertices\": 0,\n    \"steiner\": 0,\n    \"boundary\": 0,\n    \"cells\": 0,\n"
+          "    \"aspect_ratio_max\": 0,\n    \"tau\": null,\n    \"ratio\": 2,\n    \"domain\": [0, 0, 0],\n"
+          "    \"cages\": 4,\n    \"cages_made\": 0,\n    \"touches\": 0,\n    \"audit\": {\n"
+          "      \"location\": {\n        \"load\": [7, 0],\n        \"nets\": 0,\n        \"nets_max\": 0,\n"
+          "        \"ply_max\": 0,\n        \"ply_mean\": 0,\n        \"touches_max\": 0,\n"
+          "        \"touches_mean\": 0,\n        \"tests_mean\": 0\n      }\n    }\n  },\n  ");
+    netmesh_analysis analysis = netmesh::sized<netmesh_analysis>();
+    analysis.structure.present = 1;
+    run.analysis = analysis;
+    const std::string json = json_report(run);
+    CHECK(json.find("\"analysis\": {\n    \"size\": null,\n    \"structure\": {\n      \"degree_max\": 0,") !=
+          std::string::npos);
+    CHECK(json.find("\"what\"") == std::string::npos);
 }
 
 TEST_CASE("the progress line fits its terminal") {

@@ -1,0 +1,72 @@
+#include "api/call.hpp"
+
+namespace netmesh {
+
+bool usable(netmesh_context* context) {
+    if (context == nullptr || context->magic != context_magic) return false;
+    context->arena.rebase(context);
+    return true;
+}
+
+bool usable(const netmesh_context* context) { return context != nullptr && context->magic == context_magic; }
+
+netmesh_detail detail_of(Status status, const char* text, std::uint64_t a, std::uint64_t b) {
+    netmesh_detail detail = {};
+    detail.struct_bytes = sizeof detail;
+    detail.status = static_cast<netmesh_status>(status);
+    detail.index_a = a;
+    detail.index_b = b;
+    detail.message = status == Status::ok ? "" : text != nullptr ? text : netmesh_status_text(detail.status);
+    return detail;
+}
+
+netmesh_status finish(netmesh_context* context, Status status, const char* text, std::uint64_t a, std::uint64_t b) {
+    if (status == Status::internal && context->mesh.is_loaded) {
+        // What was loaded passed as a ball by its facets and its hull alone.
+        status = Status::check_failed;
+        text = "the cells that were loaded are not a triangulated ball";
+    }
+    context->detail = detail_of(status, text, a, b);
+    if (status == Status::out_of_memory)
+        context->detail.bytes_wanted = context->arena.bytes_wanted() + (context->block_bytes - context->arena.bytes());
+    return context->detail.status;
+}
+
+netmesh_status fail_and_clear(netmesh_context* context, Status status, const char* text, std::uint64_t a,
+                              std::uint64_t b) {
+    const netmesh_status result = finish(context, status, text, a, b);
+    clear(context);
+    return result;
+}
+
+netmesh_status refuse(netmesh_context* context, const Complaint& complaint, std::uint64_t row) {
+    context->detail = detail_of(Status::invalid_argument, complaint.text, row);
+    context->detail.field = complaint.field;
+    return NETMESH_INVALID_ARGUMENT;
+}
+
+Complaint complaint_about_struct(netmesh_field fault) {
+    if (fault == NETMESH_FIELD_REQUEST) return {fault, "the request is null"};
+    return {fault, "struct_bytes is not set, or a field is set that this version does not know"};
+}
+
+void clear_diagram(netmesh_context* context) {
+    if (context->mesh.present) context->arena.release_low(context->mesh.low_end);
+    if (context->mesh.present && context->cycles.present) context->arena.release_high(context->cycles.high_end);
+    context->diagram = {};
+    context->bounds = {};
+    context->vineyard = {};
+    context->cycles = {};
+}
+
+void clear(netmesh_context* context) {
+    clear_diagram(context);
+    context->complete = false;
+    context->input = {};
+    context->mesh = {};
+    context->scales = {};
+    context->arena.adopt(context, context->arena.bytes());
+    context->arena.release_low(context->start);
+}
+
+}  // namespace netmesh

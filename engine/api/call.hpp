@@ -1,0 +1,78 @@
+// How a call begins and how it ends.
+#pragma once
+#include <cstdint>
+#include <type_traits>
+
+#include "api/context.hpp"
+#include "api/structs.hpp"
+#include "mesh/domain.hpp"
+#include "vocabulary/dimension.hpp"
+#include "vocabulary/monitor.hpp"
+#include "vocabulary/status.hpp"
+
+namespace netmesh {
+
+// Is this a context? Its arena then has the block's present address.
+bool usable(netmesh_context* context);
+bool usable(const netmesh_context* context);
+
+// What is wrong with a request: a field and a text; the text is null when nothing is.
+struct Complaint {
+    netmesh_field field = NETMESH_FIELD_NONE;
+    const char* text = nullptr;
+};
+
+// The ends of a call: what netmesh_get_detail tells, and the status. `text` null: the status's own. fail_and_clear also
+// forgets all results.
+netmesh_status finish(netmesh_context* context, Status status, const char* text = nullptr, std::uint64_t a = 0,
+                      std::uint64_t b = 0);
+netmesh_status fail_and_clear(netmesh_context* context, Status status, const char* text = nullptr, std::uint64_t a = 0,
+                              std::uint64_t b = 0);
+netmesh_status refuse(netmesh_context* context, const Complaint& complaint, std::uint64_t row = 0);
+inline netmesh_status refuse(netmesh_context* context, netmesh_field field, const char* text) {
+    return refuse(context, Complaint{field, text});
+}
+
+// A detail with everything that finish puts into the context's.
+netmesh_detail detail_of(Status status, const char* text, std::uint64_t a = 0, std::uint64_t b = 0);
+
+// Text for what read_struct finds at fault.
+Complaint complaint_about_struct(netmesh_field fault);
+
+// Begins a call: NETMESH_OK and a copy of the request, or the status to return.
+template <class Request> netmesh_status begin(netmesh_context* context, const Request* from, Request* request) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    const netmesh_field fault = read_struct(from, request, sizeof *request);
+    return fault == NETMESH_FIELD_NONE ? NETMESH_OK : refuse(context, complaint_about_struct(fault));
+}
+
+inline Monitor monitor_of(const netmesh_monitor& monitor) { return Monitor(monitor.poll, monitor.user); }
+
+// Whether an enumeration that came from outside has a value in [least, most]. Callers in C may pass any int, which C++
+// must not even read as an enumeration.
+template <class E> bool in_range(const E& e, E least, E most) {
+    using Value = std::underlying_type_t<E>;
+    Value value;
+    __builtin_memcpy(&value, &e, sizeof value);
+    return value >= static_cast<Value>(least) && value <= static_cast<Value>(most);
+}
+
+// Forgets the results of filters: diagram, bounds, vineyard and cycles. The mesh stays.
+void clear_diagram(netmesh_context* context);
+// Forgets every result.
+void clear(netmesh_context* context);
+
+template <int D> Domain<D> domain_of(const KeptMesh& mesh) {
+    Domain<D> domain;
+    for (int k = 0; k < D; ++k) domain.centre[k] = mesh.centre[k];
+    domain.radius = mesh.radius;
+    domain.enclosing_radius = mesh.enclosing_radius;
+    return domain;
+}
+template <int D> void keep_domain(const Domain<D>& domain, KeptMesh* mesh) {
+    for (int k = 0; k < D; ++k) mesh->centre[k] = domain.centre[k];
+    mesh->radius = domain.radius;
+    mesh->enclosing_radius = domain.enclosing_radius;
+}
+
+}  // namespace netmesh

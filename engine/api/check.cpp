@@ -1,0 +1,140 @@
+// Independent checkers of what the context holds.
+#include "delaunay/check.hpp"
+#include "analysis/fatness.hpp"
+#include "analysis/size.hpp"
+#include "api/measure.hpp"
+#include "api/requests.hpp"
+#include "filtration/filters.hpp"
+#include "mesh/sizing.hpp"
+
+namespace netmesh {
+namespace {
+
+// Room for the rounding of a ratio, when the mesh was made elsewhere.
+constexpr double ratio_tolerance = 0x1p-40;
+
+template <int D> CheckResult check_markers(const Store<D>& store) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i) {
+            if (store.cell(c).neighbour[i] != none) continue;
+            for (int j = 0; j <= D; ++j)
+                if (j != i && store.vertex(store.cell(c).vertex[j]).marker != Marker::exempt)
+                    return {"a vertex of the mesh's hull is not exempt", c};
+        }
+    return {nullptr, none};
+}
+
+// Quality by definition 4.5 where there are cages, of each clipped cell and its size where there are none.
+template <int D> Status check_quality(Context& context, Store<D>& store, const Promises& promises, CheckResult* why) {
+    const Domain<D> domain = domain_of<D>(context.mesh);
+    HierarchyQuality quality = {};
+    const std::uint32_t cages = cage_count_of(context);
+    Status status = cages == 0
+                        ? recomputed_aspect_ratio<D>(store, domain, context.arena, &quality.worst, &quality.vertex)
+                        : measure_hierarchy<D>(store, cages_of(context), cages, domain, context.arena, &quality);
+    if (status != Status::ok) return status;
+    *why = quality.encroached;
+    if (why->violation != nullptr) return Status::check_failed;
+    if (!(quality.worst <= promises.tau * (1 + ratio_tolerance))) {
+        *why = {"a clipped Voronoi cell has an aspect ratio above tau", quality.vertex};
+        return Status::check_failed;
+    }
+    if (cages > 0) return Status::ok;
+    double worst;
+    status = worst_size_ratio<D>(store, domain, context.input.distinct, promises.sizes, Corners::recomputed,
+                                 context.arena, &worst, &why->cell);
+    if (status != Status::ok || worst <= 1 + ratio_tolerance) return status;
+    why->violation = "a clipped Voronoi cell is larger than the size asked for";
+    return Status::check_failed;
+}
+
+// What refinement by the certificate promises, from the bounds of every cell.
+template <int D>
+Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Monitor& monitor, CheckResult* why) {
+    const ArenaScope scope(context.arena);
+    double* const value = context.arena.take_high<double>(store.state.vertex_count);
+    Interval* const interval = context.arena.take_high<Interval>(store.state.vertex_count);
+    if (value == nullptr || interval == nullptr) return Status::out_of_memory;
+    Evaluation evaluation = {value, interval};
+    const Status status =
+        evaluate<D>(filtered_mesh_of<D>(context, store), {NETMESH_FILTER_COMPLETE, FilterValues::certified},
+                    {context.arena, monitor}, &evaluation);
+    if (status != Status::ok) return status;
+    for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr; ++v) {
+        const Interval& i = interval[v];
+        const double ratio = square_root(i.hi / i.lo) * (1 - ratio_tolerance);
+        const bool focused =
+            goal.focus > 0 && store.vertex(v).marker == Marker::steiner && i.hi > goal.from && i.lo < goal.to;
+        if (ratio > goal.ratio) *why = {"the certified ratio is above the one asked for", v};
+        if (focused && ratio > goal.focus) *why = {"a cell's ratio is above the one asked for at its scale", v};
+    }
+    return why->violation == nullptr ? Status::ok : Status::check_failed;
+}
+
+template <int D>
+Status check_promises(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
+    *why = check_markers<D>(store);
+    if (why->violation != nullptr) return Status::check_failed;
+    return promises.goal.ratio > 0 ? check_ratio<D>(context, store, promises.goal, monitor, why)
+                                   : check_quality<D>(context, store, promises, why);
+}
+
+// What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and
+// degrees.
+template <int D>
+Status check_bounds(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
+    const Work work = {context.arena, monitor};
+    monitor.begin(NETMESH_STAGE_ANALYSE, 0);
+    Status status = Status::ok;
+    if (context.mesh.is_mesh && cage_count_of(context) == 0 && context.mesh.tau > 0) {
+        SizeAnalysis size;
+        status = analyse_size<D>(store, domain_of<D>(context.mesh), context.input.distinct,
+                                 {promises.tau, promises.sizes, infinity, 0}, work, &size);
+        if (status == Status::ok) why->violation = violated_size_bound(size);
+    }
+    if (status != Status::ok || why->violation != nullptr) return status;
+    FatnessAnalysis fatness;
+    status = analyse_fatness<D>(store, domain_of<D>(context.mesh), work, &fatness);
+    if (status != Status::ok) return status;
+    why->violation = violated_fatness_bound(fatness.bounded);
+    if (why->violation == nullptr) why->violation = violated_fatness_bound(fatness.inside);
+    return Status::ok;
+}
+
+template <int D>
+Status check(Context& context, std::uint32_t what, const Promises& promises, Monitor& monitor, CheckResult* why) {
+    Store<D> store(context.arena, context.mesh.store);
+    Status status = Status::ok;
+    *why = check_combinatorial<D>(store);  // of every kind of check
+    if (why->violation == nullptr && (what & (NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY)) != 0)
+        *why = check_geometric<D>(store);
+    if (why->violation == nullptr && (what & NETMESH_CHECK_DELAUNAY) != 0) *why = check_delaunay<D>(store);
+    if (why->violation == nullptr && (what & NETMESH_CHECK_QUALITY) != 0 && context.mesh.is_mesh)
+        status = check_promises<D>(context, store, promises, monitor, why);
+    if (status == Status::ok && why->violation == nullptr && (what & NETMESH_CHECK_BOUNDS) != 0)
+        status = check_bounds<D>(context, store, promises, monitor, why);
+    return why->violation != nullptr ? Status::check_failed : status;
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" netmesh_status netmesh_check(netmesh_context* context, const netmesh_check_request* from) {
+    netmesh_check_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    if (request.what == 0 || (request.what & ~static_cast<uint32_t>(NETMESH_CHECK_ALL)) != 0)
+        return refuse(context, NETMESH_FIELD_WHAT, "unknown checks");
+    if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    Promises promises;
+    const Complaint complaint = read_promises(request.mesh, context->input.dim, &promises);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    Monitor monitor = monitor_of(request.monitor);
+    CheckResult why = {nullptr, 0};
+    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
+        return check<decltype(dimension)::value>(*context, request.what, promises, monitor, &why);
+    });
+    return finish(context, status, why.violation, why.violation != nullptr ? why.cell : 0);
+}

@@ -1,0 +1,142 @@
+// Homology of complexes that are not meshes: of points themselves, and given by their simplices.
+#include "api/keep_complex.hpp"
+#include "api/plan.hpp"
+#include "api/requests.hpp"
+#include "filtration/filters.hpp"
+#include "jobs/persist_points.hpp"
+#include "jobs/persist_simplices.hpp"
+
+namespace netmesh {
+namespace {
+
+// Keeps a diagram, in a context that is empty otherwise; complex: of its cycles, null when there are none.
+void keep_diagram(netmesh_context* context, const KeptInput& input, const KeptDiagram& diagram,
+                  const ComplexDiagram& made, const ListedComplex* complex) {
+    context->complete = true;
+    context->input = input;
+    context->diagram = diagram;
+    context->diagram.present = true;
+    context->diagram.pairs = Slice<Pair>::of(context->arena, made.pairs.pairs, made.pairs.count);
+    context->diagram.simplices = made.simplices;
+    if (complex == nullptr) return;
+    keep_cycles(context, made.cycles, context->arena.bytes());
+    keep_complex(context, *complex);
+}
+
+Complaint complaint_about(const netmesh_points_request& request) {
+    const Filter* const filter = find_filter(request.filter);
+    if (filter == nullptr || filter->source != FilterSource::points)
+        return {NETMESH_FIELD_FILTER, "the filter is not one on points"};
+    const Complaint complaint = complaint_about_values(request.values);
+    if (complaint.text != nullptr) return complaint;
+    const bool with_k = filter->has(filter_trait::needs_k);
+    if (with_k && request.k == 0) return {NETMESH_FIELD_K, "k is 0"};
+    if (request.max_degree > points_degree_max) return {NETMESH_FIELD_MAX_DEGREE, "max_degree is above 30"};
+    if (with_k && (request.k > points_degree_max || request.k + request.max_degree > points_degree_max))
+        return {NETMESH_FIELD_MAX_DEGREE, "k + max_degree is above 30"};
+    if (request.representatives != 0 && !filter->has(filter_trait::has_cycles))
+        return {NETMESH_FIELD_REPRESENTATIVES, "there are no representatives of barycentric filtrations"};
+    return {};
+}
+
+PointsFilter filter_of(const netmesh_points_request& request) {
+    return {request.filter, values_of(request.values), request.k, request.max_degree};
+}
+
+Complaint complaint_about(const netmesh_homology_request& request) {
+    if (request.vertices == nullptr) return {NETMESH_FIELD_VERTICES, "vertices is null"};
+    if (request.starts == nullptr) return {NETMESH_FIELD_STARTS, "starts is null"};
+    if (request.entries == nullptr) return {NETMESH_FIELD_ENTRIES, "entries is null"};
+    if (request.simplex_count == 0) return {NETMESH_FIELD_SIMPLEX_COUNT, "there are no simplices"};
+    if (request.vertex_count != 0 && request.starts[request.simplex_count] > request.vertex_count)
+        return {NETMESH_FIELD_VERTEX_COUNT, "starts leads beyond the last vertex"};
+    return {};
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_points_request* from) {
+    netmesh_points_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    if (complaint.text == nullptr) complaint = complaint_about(request);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    clear(context);
+    Monitor monitor = monitor_of(request.monitor);
+    const PointsRequest wanted = {filter_of(request),
+                                  request.points,
+                                  static_cast<std::uint32_t>(request.point_count),
+                                  request.dim,
+                                  request.keep_zero_pairs != 0,
+                                  request.representatives != 0};
+    PointsDiagram made;
+    const Status status = persist_points(wanted, {context->arena, monitor}, &made);
+    if (status == Status::invalid_argument) {
+        clear(context);
+        return refuse(context, NETMESH_FIELD_K, "k is above the number of distinct points");
+    }
+    if (status != Status::ok)
+        return fail_and_clear(context, status, nullptr, status == Status::not_finite ? made.culprit : 0);
+    KeptDiagram diagram;
+    diagram.filter = request.filter;
+    diagram.values = request.values;
+    diagram.max_degree = request.max_degree;
+    diagram.k = find_filter(request.filter)->has(filter_trait::needs_k) ? request.k : 0;
+    diagram.certified_ratio = diagram.certified_ratio_best = made.ratio;
+    const KeptInput input = {true,
+                             true,
+                             request.dim,
+                             request.point_count,
+                             request.point_count - made.distinct,
+                             made.input_fingerprint,
+                             made.distinct};
+    keep_diagram(context, input, diagram, made.diagram, made.is_listed ? &made.complex : nullptr);
+    return finish(context, status);
+}
+
+size_t netmesh_plan_points(const netmesh_points_request* from) {
+    netmesh_points_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    if (request.point_count == 0 || request.point_count > NETMESH_POINTS_MAX) return 0;
+    if (complaint_about_dim(request.dim).text != nullptr || complaint_about(request).text != nullptr) return 0;
+    return whole_bytes(points_bytes(filter_of(request), request.point_count, request.dim) + sizeof(netmesh_context) +
+                       65536);
+}
+
+netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology_request* from) {
+    netmesh_homology_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    const Complaint complaint = complaint_about(request);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    clear(context);
+    Monitor monitor = monitor_of(request.monitor);
+    const SimplexList list = {request.vertices, request.starts, request.entries, request.simplex_count};
+    const ComplexRequest wanted = {{request.max_degree, request.keep_zero_pairs != 0}, request.representatives != 0};
+    SimplicesDiagram made;
+    const Status status = persist_simplices(list, wanted, {context->arena, monitor}, &made);
+    if (status != Status::ok)
+        return fail_and_clear(context, status, made.fault.text, made.fault.simplex, made.fault.other);
+    KeptDiagram diagram;
+    diagram.max_degree = made.max_degree;
+    diagram.certified_ratio = diagram.certified_ratio_best = 1;
+    const KeptInput input = {true, true, 0, 0, 0, made.input_fingerprint, made.complex.count[0]};
+    keep_diagram(context, input, diagram, made.diagram, wanted.representatives ? &made.complex : nullptr);
+    return finish(context, status);
+}
+
+size_t netmesh_plan_homology(const netmesh_homology_request* from) {
+    netmesh_homology_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    if (request.simplex_count == 0 || request.vertex_count < request.simplex_count) return 0;
+    if (request.vertex_count > UINT64_MAX / 128) return 0;
+    return whole_bytes(simplices_bytes(request.simplex_count, request.vertex_count) + 65536);
+}
+
+}  // extern "C"

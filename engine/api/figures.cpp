@@ -1,0 +1,328 @@
+#include "api/figures.hpp"
+
+#include <cstddef>
+
+#include "api/structs.hpp"
+#include "filtration/filters.hpp"
+#include "numerics/fingerprint.hpp"
+
+namespace netmesh {
+namespace {
+
+enum class Kind : std::uint8_t { flag, uint32, uint64, real, fingerprint, method, filter, values };
+
+// Marks of a figure.
+constexpr std::uint8_t array = 1, on_request = 2, positive = 4;  // positive: says nothing when it is 0
+
+// The word that says whether a figure applies: one of its bits, or any.
+struct Condition {
+    std::uint16_t offset;
+    std::uint32_t bits;
+};
+// How many places of an array are used: a uint32 of the struct and what is added to it.
+struct Length {
+    std::uint16_t offset, plus;
+};
+
+struct Row {
+    const char* path;
+    Kind kind;
+    std::uint8_t marks;
+    std::uint16_t offset, places;
+    Condition condition;
+    Length length;
+    std::uint8_t rank;  // the order in which figures enter the fingerprint; 0: does not. Arrays of one rank take turns
+};
+
+constexpr std::uint16_t always = 0xFFFF;
+constexpr std::uint32_t any_bit = 0xFFFFFFFFu;
+constexpr Length all_places = {always, 0};
+
+#define AT(member) static_cast<std::uint16_t>(offsetof(Struct, member))
+#define IF(member)                                                                                                     \
+    Condition { AT(member), any_bit }
+#define IF_BIT(member, bit)                                                                                            \
+    Condition { AT(member), bit }
+#define ONE(path, kind, member, condition, marks, rank)                                                                \
+    Row { path, Kind::kind, marks, AT(member), 1, condition, all_places, rank }
+#define ARRAY(path, kind, member, places, condition, length, plus, marks, rank)                                        \
+    Row { path, Kind::kind, array | marks, AT(member), places, condition, Length{AT(length), plus}, rank }
+#define WHOLE_ARRAY(path, kind, member, places, condition, rank)                                                       \
+    Row { path, Kind::kind, array, AT(member), places, condition, all_places, rank }
+
+template <class Report> struct Figures_of;
+
+template <> struct Figures_of<netmesh_report> {
+    using Struct = netmesh_report;
+    static constexpr Condition unconditional = {always, 0};
+    static constexpr Condition points = IF(input.dim), meshed = IF(mesh.present), domain = IF(mesh.is_mesh),
+                               hierarchy = IF_BIT(mesh.method, NETMESH_METHOD_HIERARCHY),
+                               location = IF_BIT(mesh.audit.what, NETMESH_AUDIT_LOCATION),
+                               quality = IF_BIT(mesh.audit.what, NETMESH_AUDIT_QUALITY), diagram = IF(diagram.present),
+                               scales = IF(scales.present), bounds = IF(bounds.present), vines = IF(vineyard.present);
+    static constexpr std::uint16_t degrees = NETMESH_DEGREE_MAX + 1;
+    static constexpr Row rows[] = {
+        ONE("complete", flag, complete, IF(input.present), 0, 0),
+        ONE("input.points", uint64, input.points, points, 0, 0),
+        ONE("input.duplicates", uint64, input.duplicates, points, 0, 0),
+        ONE("input.distinct", uint64, input.distinct, IF(input.present), 0, 0),
+        ONE("input.dim", uint32, input.dim, points, 0, 0),
+        ONE("input.fingerprint", fingerprint, input.fingerprint, IF(input.present), 0, 0),
+
+        ONE("mesh.method", method, mesh.method, domain, 0, 0),
+        ONE("mesh.vertices", uint64, mesh.vertices, meshed, 0, 0),
+        ONE("mesh.inputs", uint64, mesh.inputs, meshed, 0, 0),
+        ONE("mesh.steiner", uint64, mesh.steiner, meshed, 0, 0),
+        ONE("mesh.boundary", uint64, mesh.exempt, meshed, 0, 0),
+        ONE("mesh.cells", uint64, mesh.cells, meshed, 0, 0),
+        ONE("mesh.cells_created", uint64, mesh.cells_created, meshed, 0, 0),
+        ONE("mesh.aspect_ratio_max", real, mesh.aspect_ratio_max, domain, 0, 0),
+        ONE("mesh.tau", real, mesh.tau, domain, positive, 0),
+        ONE("mesh.ratio", real, mesh.certificate.ratio, domain, on_request | positive, 0),
+        ONE("mesh.focus_ratio", real, mesh.certificate.focus_ratio, domain, on_request | positive, 0),
+        ONE("mesh.focus_from", real, mesh.certificate.focus_from, domain, on_request | positive, 0),
+        ONE("mesh.focus_to", real, mesh.certificate.focus_to, domain, on_request | positive, 0),
+        ONE("mesh.size_eps", real, mesh.sizes.eps, domain, on_request | positive, 0),
+        ONE("mesh.size_ratio_max", real, mesh.sizes.ratio_max, domain, on_request | positive, 0),
+        ARRAY("mesh.domain", real, mesh.domain, NETMESH_DIM_MAX + 1, domain, input.dim, 1, 0, 0),
+        ONE("mesh.cages", uint64, mesh.hierarchy.cages, hierarchy, on_request, 0),
+        ONE("mesh.cages_made", uint64, mesh.hierarchy.cages_made, hierarchy, on_request, 0),
+        ONE("mesh.touches", uint64, mesh.hierarchy.touches, hierarchy, on_request, 0),
+        ARRAY("mesh.audit.location.load", uint32, mesh.audit.load, NETMESH_ROUNDS_MAX, location, mesh.audit.rounds, 0,
+              on_request, 0),
+        ONE("mesh.audit.location.nets", uint32, mesh.audit.nets, location, on_request, 0),
+        ONE("mesh.audit.location.nets_max", uint32, mesh.audit.nets_max, location, on_request, 0),
+        ONE("mesh.audit.location.ply_max", uint32, mesh.audit.ply_max, location, on_request, 0),
+        ONE("mesh.audit.location.ply_mean", real, mesh.audit.ply_mean, location, on_request, 0),
+        ONE("mesh.audit.location.touches_max", uint32, mesh.audit.touches_max, location, on_request, 0),
+        ONE("mesh.audit.location.touches_mean", real, mesh.audit.touches_mean, location, on_request, 0),
+        ONE("mesh.audit.location.tests_mean", real, mesh.audit.tests_mean, location, on_request, 0),
+        ONE("mesh.audit.quality.meshes", uint64, mesh.audit.meshes, quality, on_request, 0),
+        ONE("mesh.audit.quality.aspect_ratio_max", real, mesh.audit.aspect_ratio_max, quality, on_request, 0),
+        ONE("mesh.audit.quality.feature_ratio", real, mesh.audit.feature_ratio, quality, on_request, 0),
+        ONE("mesh.audit.quality.cage_ratio", real, mesh.audit.cage_ratio, quality, on_request, 0),
+        ONE("mesh.audit.quality.steiner_ratio", real, mesh.audit.steiner_ratio, quality, on_request, 0),
+        ONE("mesh.audit.quality.input_ratio", real, mesh.audit.input_ratio, quality, on_request, 0),
+
+        ONE("diagram.filter", filter, diagram.filter, diagram, 0, 0),
+        ONE("diagram.values", values, diagram.values, diagram, 0, 0),
+        ONE("diagram.max_degree", uint32, diagram.max_degree, diagram, 0, 0),
+        ONE("diagram.k", uint32, diagram.k, diagram, positive, 0),
+        ONE("diagram.representatives", flag, diagram.representatives, diagram, 0, 0),
+        ARRAY("diagram.pairs", uint64, diagram.pairs, degrees, diagram, diagram.max_degree, 1, 0, 0),
+        ARRAY("diagram.essential", uint64, diagram.essential, degrees, diagram, diagram.max_degree, 1, 0, 0),
+        ONE("diagram.certified_ratio", real, diagram.certified_ratio, diagram, 0, 1),
+        ONE("diagram.certified_ratio_best", real, diagram.certified_ratio_best, diagram, 0, 0),
+        ONE("diagram.from", real, diagram.certified_from, diagram, 0, 0),
+        ONE("diagram.simplices", uint64, diagram.simplices, diagram, 0, 0),
+        ONE("diagram.scales.count", uint32, scales.count, scales, on_request, 0),
+        ONE("diagram.scales.extended_ball", real, scales.separation, scales, on_request, 0),
+        ONE("diagram.scales.largest_points", uint64, scales.points_max, scales, on_request, 0),
+        ONE("diagram.scales.largest_vertices", uint64, scales.vertices_max, scales, on_request, 0),
+        ONE("diagram.scales.vertices", uint64, scales.vertices, scales, on_request, 0),
+        ARRAY("diagram.certain", uint64, bounds.certain, degrees, bounds, bounds.max_degree, 1, on_request, 0),
+        ONE("diagram.steps", uint64, bounds.steps, bounds, on_request, 0),
+
+        ONE("vineyard.filter", filter, vineyard.filter, vines, on_request, 0),
+        ONE("vineyard.values", values, vineyard.values, vines, on_request, 0),
+        ONE("vineyard.max_degree", uint32, vineyard.max_degree, vines, on_request, 0),
+        ONE("vineyard.k_first", uint32, vineyard.k_first, vines, on_request, 0),
+        ONE("vineyard.k_last", uint32, vineyard.k_last, vines, on_request, 0),
+        ONE("vineyard.vines", uint64, vineyard.vines, vines, on_request, 0),
+        ONE("vineyard.points", uint64, vineyard.points, vines, on_request, 0),
+        ONE("vineyard.transpositions", uint64, vineyard.transpositions, vines, on_request, 0),
+        ONE("vineyard.simplices", uint64, vineyard.simplices, vines, on_request, 0),
+        ONE("vineyard.certified_ratio", real, vineyard.certified_ratio, vines, on_request, 1),
+
+        ONE("memory.arena_bytes", uint64, memory.block_bytes, unconditional, positive, 0),
+        ONE("memory.peak_bytes", uint64, memory.peak_bytes, unconditional, positive, 0),
+        ONE("memory.used_bytes", uint64, memory.used_bytes, unconditional, positive, 0),
+        ONE("predicates.in_ball.cached", uint64, predicates.in_ball[NETMESH_PREDICATE_CACHED], meshed, 0, 0),
+        ONE("predicates.in_ball.float", uint64, predicates.in_ball[NETMESH_PREDICATE_FLOAT], meshed, 0, 0),
+        ONE("predicates.in_ball.integer", uint64, predicates.in_ball[NETMESH_PREDICATE_INTEGER], meshed, 0, 0),
+        ONE("predicates.in_ball.exact", uint64, predicates.in_ball[NETMESH_PREDICATE_EXACT], meshed, 0, 0),
+        ONE("predicates.in_ball.tie", uint64, predicates.in_ball[NETMESH_PREDICATE_TIE], meshed, 0, 0),
+        ONE("predicates.orient.cached", uint64, predicates.orient[NETMESH_PREDICATE_CACHED], meshed, 0, 0),
+        ONE("predicates.orient.float", uint64, predicates.orient[NETMESH_PREDICATE_FLOAT], meshed, 0, 0),
+        ONE("predicates.orient.integer", uint64, predicates.orient[NETMESH_PREDICATE_INTEGER], meshed, 0, 0),
+        ONE("predicates.orient.exact", uint64, predicates.orient[NETMESH_PREDICATE_EXACT], meshed, 0, 0),
+        ONE("predicates.orient.tie", uint64, predicates.orient[NETMESH_PREDICATE_TIE], meshed, 0, 0),
+        ONE("fingerprint", fingerprint, fingerprint, IF(input.present), 0, 0),
+    };
+};
+
+#define FATNESS(part, first)                                                                                           \
+    ONE("fatness." #part ".cells", uint64, fatness.part.cells, fatness, 0, first),                                     \
+        ONE("fatness." #part ".beta_max", real, fatness.part.beta_max, fatness, 0, first + 3),                         \
+        ONE("fatness." #part ".beta_mean", real, fatness.part.beta_mean, fatness, 0, first + 4),                       \
+        ONE("fatness." #part ".aspect_ratio_max", real, fatness.part.aspect_ratio_max, fatness, 0, first + 5),         \
+        ONE("fatness." #part ".edges", uint64, fatness.part.edges, fatness, 0, first + 1),                             \
+        ONE("fatness." #part ".edges_bound", real, fatness.part.edges_bound, fatness, 0, first + 6),                   \
+        ONE("fatness." #part ".faces", real, fatness.part.faces, fatness, 0, first + 7),                               \
+        ONE("fatness." #part ".faces_bound", real, fatness.part.faces_bound, fatness, 0, first + 8),                   \
+        ONE("fatness." #part ".degree_max", uint64, fatness.part.degree_max, fatness, 0, first + 2),                   \
+        ONE("fatness." #part ".degree_share", real, fatness.part.degree_share, fatness, 0, first + 9),                 \
+        ONE("fatness." #part ".planar_share", real, fatness.part.planar_share, fatness, 0, first + 10),                \
+        ONE("fatness." #part ".corners_share", real, fatness.part.corners_share, fatness, 0, first + 11)
+
+template <> struct Figures_of<netmesh_analysis> {
+    using Struct = netmesh_analysis;
+    static constexpr Condition unconditional = {always, 0};
+    static constexpr Condition size = IF(size.present), structure = IF(structure.present),
+                               fatness = IF(fatness.present);
+    static constexpr std::uint8_t ranks = 50;
+    static constexpr Row rows[] = {
+        ONE("what", uint32, what, unconditional, 0, 1),
+        ONE("size.vertices", uint64, size.vertices, size, 0, 2),
+        ONE("size.lower", real, size.lower, size, 0, 11),
+        ONE("size.upper", real, size.upper, size, 0, 12),
+        ONE("size.feature_ratio", real, size.feature_ratio, size, 0, 13),
+        ONE("size.feature_ratio_bound", real, size.feature_ratio_bound, size, 0, 14),
+        ONE("size.theta", real, size.theta, size, 0, 15),
+        ONE("size.theta_limit", real, size.theta_limit, size, 0, 16),
+        ONE("size.theta_log_sum", real, size.theta_log_sum, size, 0, 17),
+        WHOLE_ARRAY("size.radii", real, size.radii, 3, size, 26),
+        WHOLE_ARRAY("size.integral_lower", real, size.integral_lower, 3, size, 26),
+        WHOLE_ARRAY("size.integral_upper", real, size.integral_upper, 3, size, 26),
+        ONE("size.pace_lower", real, size.pace_lower, size, 0, 18),
+        ONE("size.pace_upper", real, size.pace_upper, size, 0, 19),
+        ONE("size.boxes", uint64, size.boxes, size, 0, 3),
+        ONE("structure.degree_max", uint64, structure.degree_max, structure, 0, 4),
+        ONE("structure.degree_mean", real, structure.degree_mean, structure, 0, 20),
+        ONE("structure.star_max", uint64, structure.star_max, structure, 0, 5),
+        ONE("structure.star_mean", real, structure.star_mean, structure, 0, 21),
+        ONE("structure.ply_points", uint64, structure.ply_points, structure, 0, 6),
+        ONE("structure.ply_max", uint64, structure.ply_max, structure, 0, 7),
+        ONE("structure.ply_mean", real, structure.ply_mean, structure, 0, 22),
+        ONE("structure.balls", uint64, structure.balls, structure, 0, 8),
+        ONE("structure.intersections_max", uint64, structure.intersections_max, structure, 0, 9),
+        ONE("structure.intersections_mean", real, structure.intersections_mean, structure, 0, 23),
+        FATNESS(bounded, 27),
+        FATNESS(inside, 39),
+        ONE("fatness.clipped_cells", uint64, fatness.clipped_cells, fatness, 0, 10),
+        ONE("fatness.clipped_beta_max", real, fatness.clipped_beta_max, fatness, 0, 24),
+        ONE("fatness.clipped_beta_mean", real, fatness.clipped_beta_mean, fatness, 0, 25),
+        ONE("fingerprint", fingerprint, fingerprint, unconditional, positive, 0),
+    };
+};
+
+#undef FATNESS
+#undef WHOLE_ARRAY
+#undef ARRAY
+#undef ONE
+#undef IF_BIT
+#undef IF
+#undef AT
+
+template <class T> T read(const void* base, std::uint16_t offset) {
+    T value;
+    __builtin_memcpy(&value, static_cast<const unsigned char*>(base) + offset, sizeof value);
+    return value;
+}
+
+std::uint16_t bytes_of(Kind kind) {
+    return kind == Kind::uint64 || kind == Kind::real || kind == Kind::fingerprint ? 8 : 4;
+}
+
+netmesh_figure_type type_of(Kind kind) {
+    switch (kind) {
+    case Kind::flag: return NETMESH_FIGURE_FLAG;
+    case Kind::uint32: return NETMESH_FIGURE_UINT32;
+    case Kind::uint64: return NETMESH_FIGURE_UINT64;
+    case Kind::real: return NETMESH_FIGURE_DOUBLE;
+    case Kind::fingerprint: return NETMESH_FIGURE_FINGERPRINT;
+    default: return NETMESH_FIGURE_NAME;
+    }
+}
+
+const char* text_of(Kind kind, std::uint32_t value) {
+    switch (kind) {
+    case Kind::method:
+        return value == NETMESH_METHOD_HIERARCHY ? "netmesh" : value == NETMESH_METHOD_REFINE ? "refine" : "svr";
+    case Kind::values: return value == NETMESH_VALUES_THESIS ? "thesis" : "certified";
+    case Kind::filter: {
+        const Filter* const row = find_filter(static_cast<netmesh_filter>(value));
+        return row != nullptr ? row->name : "none";
+    }
+    default: return nullptr;
+    }
+}
+
+// Of a struct of `bytes` at base. What lies past its end does not apply.
+netmesh_figure figure_of(const Row& row, const void* base, std::size_t bytes) {
+    netmesh_figure figure = {};
+    figure.type = type_of(row.kind);
+    figure.path = row.path;
+    figure.is_array = (row.marks & array) != 0;
+    figure.on_request = (row.marks & on_request) != 0;
+    figure.in_fingerprint = row.rank != 0;
+    const std::size_t end = std::size_t{row.offset} + std::size_t{row.places} * bytes_of(row.kind);
+    const auto has_word = [bytes](std::uint16_t offset) { return offset == always || offset + 4u <= bytes; };
+    if (end > bytes || !has_word(row.condition.offset) || !has_word(row.length.offset)) return figure;
+    figure.values = static_cast<const unsigned char*>(base) + row.offset;
+    figure.count = row.places;
+    if (row.length.offset != always) figure.count = read<std::uint32_t>(base, row.length.offset) + row.length.plus;
+    if (figure.count > row.places) figure.count = row.places;
+    figure.applies =
+        row.condition.offset == always || (read<std::uint32_t>(base, row.condition.offset) & row.condition.bits) != 0;
+    if ((row.marks & positive) != 0) {
+        const bool is_zero = bytes_of(row.kind) == 4 ? read<std::uint32_t>(base, row.offset) == 0
+                                                     : read<std::uint64_t>(base, row.offset) == 0;
+        if (is_zero) figure.applies = 0;
+    }
+    if (figure.type == NETMESH_FIGURE_NAME) figure.text = text_of(row.kind, read<std::uint32_t>(base, row.offset));
+    return figure;
+}
+
+template <class Report> netmesh_status give_figure(const Report* report, std::uint32_t index, netmesh_figure* figure) {
+    constexpr std::size_t count = sizeof Figures_of<Report>::rows / sizeof(Row);
+    if (!has_room(report) || !has_room(figure) || index >= count) return NETMESH_INVALID_ARGUMENT;
+    const std::size_t bytes = read<std::uint32_t>(report, 0);
+    give_result(figure_of(Figures_of<Report>::rows[index], report, bytes), figure);
+    return NETMESH_OK;
+}
+
+void add(Fingerprint* f, const Row& row, const void* base, std::uint16_t place) {
+    const std::uint16_t offset = static_cast<std::uint16_t>(row.offset + place * bytes_of(row.kind));
+    if (row.kind == Kind::real) {
+        f->add(read<double>(base, offset));
+    } else {
+        f->add(bytes_of(row.kind) == 4 ? std::uint64_t{read<std::uint32_t>(base, offset)}
+                                       : read<std::uint64_t>(base, offset));
+    }
+}
+
+}  // namespace
+
+std::uint64_t fingerprint_of(const netmesh_analysis& analysis) {
+    using List = Figures_of<netmesh_analysis>;
+    Fingerprint f;
+    for (std::uint8_t rank = 1; rank <= List::ranks; ++rank) {
+        bool more = true;
+        for (std::uint16_t place = 0; more; ++place) {
+            more = false;
+            for (const Row& row : List::rows) {
+                if (row.rank != rank || place >= row.places) continue;
+                add(&f, row, &analysis, place);
+                more = true;
+            }
+        }
+    }
+    return f.value();
+}
+
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+netmesh_status netmesh_get_report_figure(const netmesh_report* report, uint32_t index, netmesh_figure* figure) {
+    return give_figure(report, index, figure);
+}
+
+netmesh_status netmesh_get_analysis_figure(const netmesh_analysis* analysis, uint32_t index, netmesh_figure* figure) {
+    return give_figure(analysis, index, figure);
+}
+
+}  // extern "C"

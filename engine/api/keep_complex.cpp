@@ -1,0 +1,35 @@
+#include "api/keep_complex.hpp"
+
+namespace netmesh {
+
+void keep_cycles(netmesh_context* context, const CycleStore& cycles, std::size_t high_end) {
+    context->cycles = {};
+    context->cycles.present = true;
+    context->cycles.store = cycles;
+    context->cycles.high_end = high_end;
+}
+
+void keep_complex(netmesh_context* context, const ListedComplex& complex) {
+    const Arena& arena = context->arena;
+    KeptComplex& kept = context->cycles.complex;
+    context->cycles.is_listed = true;
+    kept.dimension = complex.dimension;
+    for (std::uint32_t k = 0; k <= complex.dimension; ++k) {
+        kept.rows[k] = Slice<std::uint32_t>::of(arena, complex.rows[k], std::uint64_t{complex.count[k]} * (k + 1));
+        kept.values[k] = Slice<double>::of(arena, complex.value[k], complex.count[k]);
+    }
+}
+
+FilteredComplex kept_complex(const netmesh_context* context, const std::uint32_t** labels) {
+    const KeptComplex& kept = context->cycles.complex;
+    const void* const block = context;
+    FilteredComplex complex = {};
+    complex.dimension = kept.dimension;
+    for (std::uint32_t k = 0; k <= kept.dimension; ++k)
+        complex.of[k] = {static_cast<std::uint32_t>(kept.values[k].count), kept.rows[k].in(block),
+                         kept.values[k].in(block)};
+    *labels = complex.of[0].faces;
+    return complex;
+}
+
+}  // namespace netmesh

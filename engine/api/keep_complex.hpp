@@ -1,0 +1,17 @@
+// Complexes and cycles that the context keeps.
+#pragma once
+#include "api/call.hpp"
+#include "complex/listed_complex.hpp"
+
+namespace netmesh {
+
+// Representatives of the pairs; high_end: of the arena, above them.
+void keep_cycles(netmesh_context* context, const CycleStore& cycles, std::size_t high_end);
+
+// The complex whose simplices the cycles name, once it is linked and ordered.
+void keep_complex(netmesh_context* context, const ListedComplex& complex);
+
+// The same as it is now, and the labels of its vertices.
+FilteredComplex kept_complex(const netmesh_context* context, const std::uint32_t** labels);
+
+}  // namespace netmesh

@@ -1,0 +1,202 @@
+// Meshes made elsewhere.
+#include "delaunay/load.hpp"
+
+#include "api/measure.hpp"
+#include "api/requests.hpp"
+#include "mesh/input_tree.hpp"
+#include "mesh/sizing.hpp"
+
+namespace netmesh {
+namespace {
+
+// Nearest inputs of all vertices; inputs come first.
+template <int D> Status find_origins(Store<D>& store, std::uint32_t inputs) {
+    ArenaScope scope(store.arena);
+    InputTree<D> tree;
+    if (tree.build(store, store.arena, inputs) != Status::ok) return Status::out_of_memory;
+    std::uint32_t last = 0;
+    for (std::uint32_t v = inputs; v < store.state.vertex_count; ++v) {
+        double d2;
+        store.vertex(v).origin = last = tree.nearest(store.point(v), last, none, &d2);
+    }
+    return Status::ok;
+}
+
+bool are_markers_valid(const uint8_t* markers, size_t count, std::uint32_t* inputs) {
+    *inputs = 0;
+    for (size_t v = 0; v < count; ++v) {
+        if (markers[v] > 2) return false;
+        if (markers[v] != 0) continue;
+        if (*inputs != v) return false;
+        ++*inputs;
+    }
+    return true;
+}
+
+Complaint complaint_about(const netmesh_load_request& request, std::uint32_t* inputs) {
+    if (request.vertices == nullptr) return {NETMESH_FIELD_VERTICES, "vertices is null"};
+    if (request.vertex_count == 0) return {NETMESH_FIELD_VERTEX_COUNT, "there are no vertices"};
+    if (request.vertex_count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_VERTEX_COUNT, "more than 2^28 vertices"};
+    if (request.markers == nullptr || !are_markers_valid(request.markers, request.vertex_count, inputs))
+        return {NETMESH_FIELD_MARKERS, "markers are not 0, 1 or 2 with the inputs first"};
+    if (*inputs == 0) return {NETMESH_FIELD_MARKERS, "there is no input vertex"};
+    if (request.cells == nullptr) return {NETMESH_FIELD_CELLS, "cells is null"};
+    if (request.cell_count == 0) return {NETMESH_FIELD_CELL_COUNT, "there are no cells"};
+    if (request.cell_count > Store<2>::slots_max) return {NETMESH_FIELD_CELL_COUNT, "more than 2^29 cells"};
+    const Complaint dim = complaint_about_dim(request.dim);
+    if (dim.text != nullptr || request.domain == nullptr) return dim;
+    for (std::uint32_t k = 0; k <= request.dim; ++k)
+        if (!is_finite(request.domain[k]) || (k == request.dim && !(request.domain[k] > 0)))
+            return {NETMESH_FIELD_DOMAIN, "bad domain ball"};
+    return {};
+}
+
+// Vertices, cells, markers, and the nearest inputs of vertices.
+template <int D>
+Status take_over(Store<D>& store, const netmesh_load_request& request, std::uint32_t inputs, CheckResult* why) {
+    const auto count = static_cast<std::uint32_t>(request.vertex_count);
+    const Status status = load_cells<D>(store, request.vertices, count, request.cells,
+                                        static_cast<std::uint32_t>(request.cell_count), why);
+    if (status != Status::ok) return status;
+    for (std::uint32_t v = 0; v < count; ++v) store.vertex(v).marker = static_cast<Marker>(request.markers[v]);
+    return find_origins<D>(store, inputs);
+}
+
+// The domain given, with the least enclosing radius about its centre.
+template <int D> Domain<D> domain_about(const Store<D>& store, std::uint32_t inputs, const double* given) {
+    Domain<D> domain;
+    smallest_enclosing_ball<D>(store, inputs, domain);
+    const double smallest = domain.enclosing_radius;
+    for (int k = 0; k < D; ++k) domain.centre[k] = given[k];
+    domain.radius = given[D];
+    domain.enclosing_radius = 0;
+    for (std::uint32_t v = 0; v < inputs; ++v) {
+        const double r = square_root(domain.distance2(store.point(v))) * (1 + 8 * unit_roundoff);
+        if (r > domain.enclosing_radius) domain.enclosing_radius = r;
+    }
+    if (domain.enclosing_radius == 0) domain.enclosing_radius = smallest;
+    return domain;
+}
+
+template <int D>
+Status measure_domain(netmesh_context* context, Store<D>& store, const double* given, const SizeRule& sizes) {
+    KeptMesh& mesh = context->mesh;
+    keep_domain<D>(domain_about<D>(store, context->input.distinct, given), &mesh);
+    HierarchyQuality quality;
+    std::uint32_t worst;
+    Status status = measure_quality<D>(*context, store, &quality);
+    if (status == Status::ok)
+        status = worst_size_ratio<D>(store, domain_of<D>(mesh), context->input.distinct, sizes, Corners::kept,
+                                     context->arena, &mesh.size_ratio_max, &worst);
+    mesh.aspect_ratio_max = quality.worst;
+    return status;
+}
+
+Complaint complaint_about(const netmesh_cages_request& request) {
+    if (request.cages == nullptr && request.cage_count > 0) return {NETMESH_FIELD_CAGES, "cages is null"};
+    if (request.cage_count >= NETMESH_NONE) return {NETMESH_FIELD_CAGE_COUNT, "too many cages"};
+    if (request.cage_bytes < sizeof(netmesh_cage))
+        return {NETMESH_FIELD_CAGE_BYTES, "cage_bytes is not the size of a cage"};
+    return {};
+}
+
+// Cage `index` of an array whose items have the size that the caller knows.
+netmesh_cage cage_at(const netmesh_cages_request& request, std::size_t index) {
+    netmesh_cage cage;
+    const auto* const first = reinterpret_cast<const unsigned char*>(request.cages);
+    __builtin_memcpy(&cage, first + index * request.cage_bytes, sizeof cage);
+    return cage;
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request* from) {
+    netmesh_load_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    std::uint32_t inputs = 0;
+    Complaint complaint = complaint_about(request, &inputs);
+    Promises promises;
+    if (complaint.text == nullptr) complaint = read_promises(request.mesh, request.dim, &promises);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    for (size_t i = 0; i < request.vertex_count * request.dim; ++i)
+        if (!is_finite(request.vertices[i])) return finish(context, Status::not_finite, nullptr, i / request.dim);
+    clear(context);
+    return with_dimension(request.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->mesh.store);
+        CheckResult why = {nullptr, none};
+        Status status = take_over<D>(store, request, inputs, &why);
+        if (status != Status::ok)
+            return fail_and_clear(context, status, why.violation, why.violation != nullptr ? why.cell : 0);
+        context->complete = true;
+        context->input = {true, false, D, inputs, 0, 0, inputs};
+        KeptMesh& mesh = context->mesh;
+        mesh.present = mesh.is_loaded = true;
+        mesh.is_mesh = request.domain != nullptr;
+        mesh.low_end = context->arena.low_mark();
+        mesh.tau = promises.goal.ratio > 0 ? 0 : promises.tau;
+        mesh.goal = promises.goal;
+        mesh.size_eps = promises.sizes.eps;
+        if (mesh.is_mesh) status = measure_domain<D>(context, store, request.domain, promises.sizes);
+        return status == Status::ok ? finish(context, status) : fail_and_clear(context, Status::out_of_memory);
+    });
+}
+
+netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_request* from) {
+    netmesh_cages_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    const Complaint complaint = complaint_about(request);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    KeptMesh& mesh = context->mesh;
+    if (!mesh.is_mesh) return finish(context, Status::no_result, "there is no mesh with a domain");
+    clear_diagram(context);
+    mesh.hierarchy = {};
+    mesh.cages = {};
+    Cage* const kept = context->arena.take_low<Cage>(request.cage_count);
+    if (kept == nullptr) return finish(context, Status::out_of_memory);
+    for (size_t d = 0; d < request.cage_count; ++d) {
+        const netmesh_cage cage = cage_at(request, d);
+        kept[d] = {cage.centre, none, none, none, cage.radius, infinity};
+    }
+    return with_dimension(context->input.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, mesh.store);
+        HierarchyQuality quality = {};
+        const auto count = static_cast<std::uint32_t>(request.cage_count);
+        Status status = measure_hierarchy<D>(store, kept, count, domain_of<D>(mesh), context->arena, &quality);
+        if (status != Status::ok || !quality.is_hierarchy) {
+            context->arena.release_low(mesh.low_end);
+            if (status != Status::ok) return finish(context, status);
+            return finish(context, Status::check_failed, quality.encroached.violation, quality.encroached.cell);
+        }
+        mesh.cages = Slice<Cage>::of(context->arena, kept, count);
+        mesh.hierarchy.cages = count;
+        mesh.low_end = context->arena.low_mark();
+        mesh.aspect_ratio_max = quality.worst;
+        return finish(context, Status::ok);
+    });
+}
+
+netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, uint32_t* domains) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    if (ratios == nullptr || domains == nullptr) return refuse(context, NETMESH_FIELD_RESULT, "an array is null");
+    if (!context->mesh.is_mesh) return finish(context, Status::no_result, "there is no mesh");
+    return with_dimension(context->input.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store(context->arena, context->mesh.store);
+        HierarchyQuality quality;
+        const Status status =
+            measure_hierarchy<D>(store, cages_of(*context), cage_count_of(*context), domain_of<D>(context->mesh),
+                                 context->arena, &quality, ratios, domains);
+        return finish(context, status);
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,30 @@
+// Quality of the mesh that a context holds.
+#pragma once
+#include "api/call.hpp"
+#include "filtration/filter.hpp"
+#include "mesh/hierarchy_quality.hpp"
+#include "mesh/quality.hpp"
+
+namespace netmesh {
+
+// The cages of the mesh; none of a mesh without.
+inline Cage* cages_of(Context& context) { return context.mesh.cages.in(&context); }
+inline std::uint32_t cage_count_of(const Context& context) {
+    return static_cast<std::uint32_t>(context.mesh.cages.count);
+}
+
+// Aspect ratio, and what is wrong with the cages where there are any. out_of_memory.
+template <int D> Status measure_quality(Context& context, Store<D>& store, HierarchyQuality* quality) {
+    const Domain<D> domain = domain_of<D>(context.mesh);
+    *quality = HierarchyQuality{};
+    return cage_count_of(context) == 0
+               ? worst_aspect_ratio<D>(store, domain, context.arena, &quality->worst, &quality->vertex)
+               : measure_hierarchy<D>(store, cages_of(context), cage_count_of(context), domain, context.arena, quality);
+}
+
+// The mesh as jobs on filters take it.
+template <int D> FilteredMesh<D> filtered_mesh_of(const Context& context, Store<D>& store) {
+    return {store, domain_of<D>(context.mesh), context.input.distinct};
+}
+
+}  // namespace netmesh

@@ -1,0 +1,122 @@
+// Delaunay triangulations and meshes from points.
+#include "api/measure.hpp"
+#include "api/mesh_rules.hpp"
+#include "delaunay/triangulate.hpp"
+#include "mesh/mesh_points.hpp"
+#include "mesh/sizing.hpp"
+
+namespace netmesh {
+namespace {
+
+// What was done to the points when a job on them ends with `status`.
+void keep_input(netmesh_context* context, std::uint32_t dim, const InputReport& input, Status status) {
+    context->complete = status == Status::ok;
+    context->input = {true,
+                      false,
+                      dim,
+                      input.rows,
+                      input.duplicates,
+                      input.fingerprint,
+                      static_cast<std::uint32_t>(input.rows - input.duplicates)};
+    context->mesh.present = context->mesh.store.cell_slots > 0;
+    context->mesh.low_end = context->arena.low_mark();
+}
+
+// Cancelled, or out of memory: what there is by then stays. Anything else leaves nothing.
+netmesh_status finish_points(netmesh_context* context, Status status, const InputReport& input) {
+    const bool stays = status == Status::ok || status == Status::cancelled || status == Status::out_of_memory;
+    return stays && context->mesh.present ? finish(context, status, nullptr, input.row_a, input.row_b)
+                                          : fail_and_clear(context, status, nullptr, input.row_a, input.row_b);
+}
+
+// Aspect ratio and sizes of a mesh that was just made, as far as it goes.
+template <int D> Status measure(netmesh_context* context, Store<D>& store, const SizeRule& sizes, Status status) {
+    KeptMesh& mesh = context->mesh;
+    if (!mesh.present) return status;
+    HierarchyQuality quality;
+    const Status measured = measure_quality<D>(*context, store, &quality);
+    mesh.aspect_ratio_max = quality.worst;
+    if (status == Status::ok) status = measured;
+    if (status == Status::ok && quality.encroached.violation != nullptr) status = Status::internal;
+    std::uint32_t worst;
+    if (status == Status::ok)
+        status = worst_size_ratio<D>(store, domain_of<D>(mesh), context->input.distinct, sizes, Corners::kept,
+                                     context->arena, &mesh.size_ratio_max, &worst);
+    return status;
+}
+
+template <int D> void keep_mesh(netmesh_context* context, const MeshRequest& request, const MeshResult<D>& result) {
+    KeptMesh& mesh = context->mesh;
+    mesh.is_mesh = true;
+    keep_domain<D>(result.domain, &mesh);
+    mesh.tau = request.method == MeshMethod::certificate ? 0 : request.tau;
+    mesh.goal = request.goal;
+    mesh.size_eps = request.size.eps;
+    if (result.cages != nullptr) mesh.cages = Slice<Cage>::of(context->arena, result.cages, result.hierarchy.cages);
+    mesh.hierarchy = result.hierarchy;
+    mesh.audit = result.audit;
+}
+
+template <int D>
+netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_request& request, Monitor& monitor) {
+    const MeshRequest asked = mesh_request_of(request);
+    MeshResult<D> result = {};
+    Store<D> store(context->arena, context->mesh.store);
+    Status status =
+        mesh_points<D>(store, request.points, request.point_count, asked, {context->arena, monitor}, &result);
+    context->mesh.method = request.method;
+    context->mesh.audited = request.audit;
+    keep_input(context, D, result.input, status);
+    keep_mesh<D>(context, asked, result);
+    status = measure<D>(context, store, asked.size, status);
+    if (status != Status::invalid_argument) return finish_points(context, status, result.input);
+    clear(context);
+    if (asked.method == MeshMethod::certificate)
+        return refuse(context, NETMESH_FIELD_FOCUS_FROM, "focus_from is below what coordinates resolve at focus_ratio");
+    return refuse(context,
+                  {NETMESH_FIELD_SIZES, "the size asked for is not positive or below what coordinates resolve"},
+                  result.input.row_a);
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+netmesh_status netmesh_delaunay(netmesh_context* context, const netmesh_delaunay_request* from) {
+    netmesh_delaunay_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    const Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    clear(context);
+    Monitor monitor = monitor_of(request.monitor);
+    return with_dimension(request.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        InputReport input;
+        Store<D> store(context->arena, context->mesh.store);
+        const Status status = triangulate<D>(store, request.points, request.point_count, request.seed, monitor, &input);
+        keep_input(context, D, input, status);
+        return finish_points(context, status, input);
+    });
+}
+
+netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request* from) {
+    netmesh_mesh_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    if (complaint.text == nullptr) complaint = complaint_about_numbers(request);
+    if (complaint.text == nullptr) complaint = complaint_about_method(request);
+    if (complaint.text == nullptr) complaint = complaint_about_goal(request);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    clear(context);
+    Monitor monitor = monitor_of(request.monitor);
+    return with_dimension(request.dim, [&](auto dimension) {
+        return mesh_points_of<decltype(dimension)::value>(context, request, monitor);
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,92 @@
+#include "api/mesh_rules.hpp"
+
+#include "filtration/tight_filter.hpp"
+
+namespace netmesh {
+namespace {
+
+bool has_cages(const netmesh_mesh_request& request) { return request.method == NETMESH_METHOD_HIERARCHY; }
+
+Complaint complaint_about_audit(const netmesh_mesh_request& request) {
+    if (request.audit == 0) return {};
+    if (request.audit > (NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY)) return {NETMESH_FIELD_AUDIT, "unknown audit"};
+    if (request.method == NETMESH_METHOD_REFINE || request.purpose != NETMESH_PURPOSE_MESH || sizes_of(request).asks())
+        return {NETMESH_FIELD_AUDIT,
+                "audits are for meshes by svr or netmesh, not over-refined and not for persistence"};
+    return {};
+}
+
+}  // namespace
+
+Complaint complaint_about_numbers(const netmesh_mesh_request& request) {
+    if (!in_range(request.purpose, NETMESH_PURPOSE_MESH, NETMESH_PURPOSE_TIGHT))
+        return {NETMESH_FIELD_PURPOSE, "the purpose is neither a mesh nor persistence"};
+    if (!in_range(request.method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE))
+        return {NETMESH_FIELD_METHOD, "unknown method"};
+    if (!is_valid_tau(tau_of(request.dim, request.tau)))
+        return {NETMESH_FIELD_TAU, "tau is not a finite number above 2"};
+    if (!(request.sizes.eps >= 0) || !is_finite(request.sizes.eps))
+        return {NETMESH_FIELD_SIZES, "sizes.eps is neither 0 nor a finite number above"};
+    if (request.domain_factor != 0 && !(request.domain_factor >= 1 && request.domain_factor <= 8))
+        return {NETMESH_FIELD_DOMAIN_FACTOR, "domain_factor is not between 1 and 8"};
+    if (request.purpose == NETMESH_PURPOSE_TIGHT && !is_valid_eps(eps_of(request.tight_eps)))
+        return {NETMESH_FIELD_TIGHT_EPS, "tight_eps is not in (0, 1/2]"};
+    return {};
+}
+
+Complaint complaint_about_method(const netmesh_mesh_request& request) {
+    if (has_cages(request) && request.purpose != NETMESH_PURPOSE_MESH && request.finish == 0)
+        return {NETMESH_FIELD_PURPOSE, "a mesh with cages is not for persistence; finish it"};
+    if (has_cages(request) && sizes_of(request).asks())
+        return {NETMESH_FIELD_SIZES, "the method with cages does not over-refine"};
+    return complaint_about_audit(request);
+}
+
+Complaint complaint_about_goal(const netmesh_mesh_request& request) {
+    const netmesh_certificate_goal& goal = request.certificate;
+    const bool focused = goal.focus_ratio != 0 || goal.focus_from != 0 || goal.focus_to != 0;
+    if (goal.ratio == 0) return {NETMESH_FIELD_RATIO, focused ? "a focus without a ratio" : nullptr};
+    if (!is_valid_ratio(goal.ratio)) return {NETMESH_FIELD_RATIO, "ratio is not a finite number above the root of 2"};
+    if (focused && !(goal.focus_ratio > 1 && goal.focus_ratio < goal.ratio))
+        return {NETMESH_FIELD_FOCUS_RATIO, "focus_ratio is not between 1 and ratio"};
+    if (focused && !(goal.focus_from > 0 && goal.focus_from < goal.focus_to))
+        return {NETMESH_FIELD_FOCUS_FROM, "not 0 < focus_from < focus_to"};
+    if (request.purpose != NETMESH_PURPOSE_PERSIST)
+        return {NETMESH_FIELD_PURPOSE, "refinement by the certificate is for persistence with the complete filter"};
+    if (request.method != NETMESH_METHOD_SVR)
+        return {NETMESH_FIELD_METHOD, "refinement by the certificate is a method of its own"};
+    if (sizes_of(request).asks()) return {NETMESH_FIELD_SIZES, "refinement by the certificate does not over-refine"};
+    return {};
+}
+
+SizeRule sizes_of(const netmesh_mesh_request& request) {
+    SizeRule sizes = size_rule_of(request.sizes);
+    if (request.purpose != NETMESH_PURPOSE_TIGHT) return sizes;
+    const double tight = tight_size(eps_of(request.tight_eps));
+    if (!(sizes.eps > 0 && sizes.eps < tight)) sizes.eps = tight;
+    return sizes;
+}
+
+MeshRequest mesh_request_of(const netmesh_mesh_request& request) {
+    MeshRequest asked;
+    asked.method = request.certificate.ratio > 0                ? MeshMethod::certificate
+                   : request.method == NETMESH_METHOD_HIERARCHY ? MeshMethod::hierarchy
+                   : request.method == NETMESH_METHOD_REFINE    ? MeshMethod::reference
+                                                                : MeshMethod::quality;
+    asked.tau = tau_of(request.dim, request.tau);
+    asked.domain_factor = request.domain_factor != 0 ? request.domain_factor : 1;
+    if (request.purpose == NETMESH_PURPOSE_TIGHT) {
+        const double least = tight_domain_factor(eps_of(request.tight_eps));
+        if (asked.domain_factor < least) asked.domain_factor = least;
+    }
+    asked.certify_filter = request.purpose == NETMESH_PURPOSE_PERSIST;
+    asked.size = sizes_of(request);
+    asked.goal = goal_of(request.certificate);
+    asked.finish = request.finish != 0;
+    asked.audit_location = (request.audit & NETMESH_AUDIT_LOCATION) != 0;
+    asked.audit_quality = (request.audit & NETMESH_AUDIT_QUALITY) != 0;
+    asked.seed = request.seed;
+    return asked;
+}
+
+}  // namespace netmesh

@@ -1,0 +1,173 @@
+#include "api/requests.hpp"
+
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+
+double tau_of(std::uint32_t dim, double tau) {
+    if (tau != 0) return tau;
+    return with_dimension(dim, [](auto d) { return figures<decltype(d)::value>.tau_default; });
+}
+
+bool is_valid_tau(double tau) { return tau > 2 && is_finite(tau); }
+bool is_valid_ratio(double ratio) { return ratio > 1 && ratio * ratio > 2 && ratio < 0x1p100; }
+bool is_valid_eps(double eps) { return eps > 0 && eps <= 0.5; }
+bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
+
+Complaint complaint_about_dim(std::uint32_t dim) {
+    if (serves_dimension(dim)) return {};
+    return {NETMESH_FIELD_DIM, "the dimension is not 2..6"};
+}
+
+Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim) {
+    if (points == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
+    if (count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
+    if (count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
+    return complaint_about_dim(dim);
+}
+
+Complaint complaint_about_values(const netmesh_values& values) {
+    if (in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS)) return {};
+    return {NETMESH_FIELD_VALUES, "unknown kind of values"};
+}
+
+Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Promises* promises) {
+    *promises = {};
+    promises->tau = tau_of(dim, 0);
+    if (mesh == nullptr) return {};
+    netmesh_mesh_request request;
+    const netmesh_field fault = read_struct(mesh, &request, sizeof request);
+    if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
+    if (request.dim != dim) return {NETMESH_FIELD_MESH, "the mesh request is of another dimension"};
+    promises->tau = tau_of(dim, request.tau);
+    promises->sizes = size_rule_of(request.sizes);
+    promises->goal = goal_of(request.certificate);
+    return {};
+}
+
+namespace {
+
+std::uint32_t clamped(std::uint32_t dim) {
+    return dim < NETMESH_DIM_MIN ? NETMESH_DIM_MIN : dim > NETMESH_DIM_MAX ? NETMESH_DIM_MAX : dim;
+}
+
+template <class Request> void start(const Request& defaults, Request* request, std::size_t bytes) {
+    start_struct(&defaults, sizeof defaults, request, bytes);
+}
+
+// Requests on points.
+template <class Request> Request points_defaults(std::uint32_t dim) {
+    Request defaults = {};
+    defaults.dim = clamped(dim);
+    defaults.seed = 1;
+    return defaults;
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+void netmesh_delaunay_request_init(netmesh_delaunay_request* request, size_t request_bytes, uint32_t dim) {
+    start(points_defaults<netmesh_delaunay_request>(dim), request, request_bytes);
+}
+
+void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim) {
+    start(points_defaults<netmesh_mesh_request>(dim), request, request_bytes);
+}
+
+double netmesh_tau(const netmesh_mesh_request* from) {
+    netmesh_mesh_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE || !serves_dimension(request.dim)) return 0;
+    return tau_of(request.dim, request.tau);
+}
+
+void netmesh_load_request_init(netmesh_load_request* request, size_t request_bytes, uint32_t dim) {
+    netmesh_load_request defaults = {};
+    defaults.dim = clamped(dim);
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_cages_request_init(netmesh_cages_request* request, size_t request_bytes, size_t cage_bytes) {
+    netmesh_cages_request defaults = {};
+    defaults.cage_bytes = static_cast<uint32_t>(cage_bytes);
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_check_request_init(netmesh_check_request* request, size_t request_bytes) {
+    netmesh_check_request defaults = {};
+    defaults.what = NETMESH_CHECK_ALL;
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_function_init(netmesh_function* function, size_t function_bytes) {
+    start(netmesh_function{}, function, function_bytes);
+}
+
+void netmesh_persist_request_init(netmesh_persist_request* request, size_t request_bytes) {
+    netmesh_persist_request defaults = {};
+    defaults.filter = NETMESH_FILTER_COMPLETE;
+    defaults.max_degree = NETMESH_DIM_MAX;
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_bounds_request_init(netmesh_bounds_request* request, size_t request_bytes) {
+    start(netmesh_bounds_request{}, request, request_bytes);
+}
+
+void netmesh_represent_request_init(netmesh_represent_request* request, size_t request_bytes) {
+    start(netmesh_represent_request{}, request, request_bytes);
+}
+
+void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes, uint32_t dim) {
+    netmesh_fit_request defaults = points_defaults<netmesh_fit_request>(dim);
+    defaults.max_degree = NETMESH_DIM_MAX;
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_vineyard_request_init(netmesh_vineyard_request* request, size_t request_bytes, netmesh_filter filter) {
+    netmesh_vineyard_request defaults = {};
+    defaults.filter = filter;
+    defaults.k_first = defaults.k_last = 1;
+    defaults.max_degree = NETMESH_DIM_MAX;
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_scales_request_init(netmesh_scales_request* request, size_t request_bytes, uint32_t dim) {
+    netmesh_scales_request defaults = points_defaults<netmesh_scales_request>(dim);
+    defaults.max_degree = NETMESH_DIM_MAX;
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_points_request_init(netmesh_points_request* request, size_t request_bytes, uint32_t dim,
+                                 netmesh_filter filter) {
+    netmesh_points_request defaults = {};
+    defaults.dim = clamped(dim);
+    defaults.filter = filter;
+    defaults.k = 1;
+    defaults.max_degree = 1;
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_homology_request_init(netmesh_homology_request* request, size_t request_bytes) {
+    netmesh_homology_request defaults = {};
+    defaults.max_degree = NETMESH_DEGREE_MAX;
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_bottleneck_request_init(netmesh_bottleneck_request* request, size_t request_bytes, size_t pair_bytes) {
+    netmesh_bottleneck_request defaults = {};
+    defaults.pair_bytes = static_cast<uint32_t>(pair_bytes);
+    defaults.degree = NETMESH_ALL_DEGREES;
+    start(defaults, request, request_bytes);
+}
+
+void netmesh_analyse_request_init(netmesh_analyse_request* request, size_t request_bytes) {
+    netmesh_analyse_request defaults = {};
+    defaults.what = NETMESH_ANALYSE_ALL;
+    start(defaults, request, request_bytes);
+}
+
+}  // extern "C"

@@ -1,0 +1,45 @@
+// What requests stand for: defaults filled in, and what several jobs check of them.
+#pragma once
+#include "api/call.hpp"
+#include "certificate/certificate.hpp"
+#include "mesh/mesh_request.hpp"
+#include "mesh/sizing.hpp"
+
+namespace netmesh {
+
+// tau, or the dimension's default. Requires a dimension that is served.
+double tau_of(std::uint32_t dim, double tau);
+inline double eps_of(double eps) { return eps != 0 ? eps : 0.5; }
+inline double theta_of(double theta) { return theta != 0 ? theta : 1.0 / 9; }
+inline FilterValues values_of(netmesh_values values) {
+    return values == NETMESH_VALUES_THESIS ? FilterValues::thesis : FilterValues::certified;
+}
+// Of a mesh or triangulation in `dim` dimensions.
+inline std::uint32_t degree_of(std::uint32_t max_degree, std::uint32_t dim) {
+    return max_degree < dim ? max_degree : dim - 1;
+}
+inline SizeRule size_rule_of(const netmesh_sizes& sizes) { return {sizes.eps, sizes.size, sizes.user}; }
+inline RatioGoal goal_of(const netmesh_certificate_goal& goal) {
+    return {goal.ratio, goal.focus_ratio, goal.focus_from, goal.focus_to};
+}
+
+bool is_valid_tau(double tau);      // finite, above 2
+bool is_valid_ratio(double ratio);  // finite, above the root of 2
+bool is_valid_eps(double eps);
+bool is_valid_theta(double theta);
+
+Complaint complaint_about_dim(std::uint32_t dim);
+Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim);
+Complaint complaint_about_values(const netmesh_values& values);
+
+// What a mesh promises, for requests that point to a mesh request.
+struct Promises {
+    double tau = 0;
+    SizeRule sizes = {};
+    RatioGoal goal = {};  // ratio 0: none
+};
+
+// Reads the promises of `mesh`, or the dimension's when it is null.
+Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Promises* promises);
+
+}  // namespace netmesh

@@ -1,0 +1,95 @@
+// Versions, statuses and fields as text.
+#include "include/netmesh.h"
+
+#define NETMESH_TEXT_OF(x) #x
+#define NETMESH_TEXT(x) NETMESH_TEXT_OF(x)
+
+extern "C" {
+
+uint32_t netmesh_version(void) { return NETMESH_VERSION; }
+
+const char* netmesh_version_text(void) {
+    return NETMESH_TEXT(NETMESH_VERSION_MAJOR) "." NETMESH_TEXT(NETMESH_VERSION_MINOR) "." NETMESH_TEXT(
+        NETMESH_VERSION_PATCH);
+}
+
+const char* netmesh_status_text(netmesh_status status) {
+    switch (status) {
+    case NETMESH_OK: return "done";
+    case NETMESH_INVALID_ARGUMENT: return "invalid argument";
+    case NETMESH_OUT_OF_MEMORY: return "the block of memory is too small";
+    case NETMESH_CANCELLED: return "cancelled";
+    case NETMESH_NOT_FINITE: return "a coordinate is not a finite number";
+    case NETMESH_OUT_OF_RANGE: return "a coordinate or a distance is outside the range that meshing admits";
+    case NETMESH_FLAT: return "the points lie in a hyperplane";
+    case NETMESH_TOO_CLOSE: return "two points are closer than their coordinates resolve";
+    case NETMESH_NO_RESULT: return "an earlier step is missing";
+    case NETMESH_CHECK_FAILED: return "a check failed";
+    case NETMESH_FLOATING_POINT: return "the floating-point mode is not IEEE double precision, rounding to nearest";
+    case NETMESH_NOT_A_COMPLEX: return "the simplices are not a filtered complex";
+    case NETMESH_INTERNAL: return "an invariant of the library does not hold";
+    }
+    return "unknown status";
+}
+
+const char* netmesh_field_text(netmesh_field field) {
+    switch (field) {
+    case NETMESH_FIELD_NONE: return "none";
+    case NETMESH_FIELD_REQUEST: return "request";
+    case NETMESH_FIELD_STRUCT_BYTES: return "struct_bytes";
+    case NETMESH_FIELD_RESULT: return "result";
+    case NETMESH_FIELD_DIM: return "dim";
+    case NETMESH_FIELD_POINTS: return "points";
+    case NETMESH_FIELD_POINT_COUNT: return "point_count";
+    case NETMESH_FIELD_VERTICES: return "vertices";
+    case NETMESH_FIELD_VERTEX_COUNT: return "vertex_count";
+    case NETMESH_FIELD_MARKERS: return "markers";
+    case NETMESH_FIELD_CELLS: return "cells";
+    case NETMESH_FIELD_CELL_COUNT: return "cell_count";
+    case NETMESH_FIELD_DOMAIN: return "domain";
+    case NETMESH_FIELD_CAGES: return "cages";
+    case NETMESH_FIELD_CAGE_COUNT: return "cage_count";
+    case NETMESH_FIELD_CAGE_BYTES: return "cage_bytes";
+    case NETMESH_FIELD_STARTS: return "starts";
+    case NETMESH_FIELD_ENTRIES: return "entries";
+    case NETMESH_FIELD_SIMPLEX_COUNT: return "simplex_count";
+    case NETMESH_FIELD_ORDER: return "order";
+    case NETMESH_FIELD_THETAS: return "theta[]";
+    case NETMESH_FIELD_PAIRS_A: return "pairs_a";
+    case NETMESH_FIELD_PAIRS_B: return "pairs_b";
+    case NETMESH_FIELD_PAIR_BYTES: return "pair_bytes";
+    case NETMESH_FIELD_MESH: return "mesh";
+    case NETMESH_FIELD_PURPOSE: return "purpose";
+    case NETMESH_FIELD_METHOD: return "method";
+    case NETMESH_FIELD_TAU: return "tau";
+    case NETMESH_FIELD_DOMAIN_FACTOR: return "domain_factor";
+    case NETMESH_FIELD_TIGHT_EPS: return "tight_eps";
+    case NETMESH_FIELD_SIZES: return "sizes";
+    case NETMESH_FIELD_RATIO: return "ratio";
+    case NETMESH_FIELD_FOCUS_RATIO: return "focus_ratio";
+    case NETMESH_FIELD_FOCUS_FROM: return "focus_from";
+    case NETMESH_FIELD_FOCUS_TO: return "focus_to";
+    case NETMESH_FIELD_AUDIT: return "audit";
+    case NETMESH_FIELD_FILTER: return "filter";
+    case NETMESH_FIELD_VALUES: return "values";
+    case NETMESH_FIELD_K: return "k";
+    case NETMESH_FIELD_K_FIRST: return "k_first";
+    case NETMESH_FIELD_K_LAST: return "k_last";
+    case NETMESH_FIELD_MAX_DEGREE: return "max_degree";
+    case NETMESH_FIELD_REPRESENTATIVES: return "representatives";
+    case NETMESH_FIELD_FUNCTION: return "function";
+    case NETMESH_FIELD_LIPSCHITZ: return "lipschitz";
+    case NETMESH_FIELD_DISTANCE_FACTOR: return "distance_factor";
+    case NETMESH_FIELD_CUT: return "cut";
+    case NETMESH_FIELD_EPS: return "eps";
+    case NETMESH_FIELD_THETA: return "theta";
+    case NETMESH_FIELD_WHAT: return "what";
+    case NETMESH_FIELD_TOLERANCE: return "tolerance";
+    case NETMESH_FIELD_SCALE: return "scale";
+    case NETMESH_FIELD_SCRATCH: return "scratch";
+    case NETMESH_FIELD_COUNT: break;
+    }
+    return "unknown field";
+}
+
+}  // extern "C"

@@ -1,0 +1,134 @@
+#include "jobs/persist_simplices.hpp"
+
+#include "numerics/fingerprint.hpp"
+#include "numerics/real.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr const char* text_not_finite = "the value of a simplex is not a finite number";
+constexpr const char* text_size = "a simplex has no vertices or more than 32";
+constexpr const char* text_many = "more than 2^31 simplices of one dimension";
+constexpr const char* text_twice = "a simplex has a vertex twice";
+
+// What each simplex by itself has to satisfy; counts the dimensions.
+Status count_simplices(const SimplexList& list, ListedComplex* complex, SimplexFault* fault) {
+    *complex = {};
+    for (std::uint64_t i = 0; i < list.count; ++i) {
+        fault->simplex = i;
+        fault->text = text_size;
+        if (list.starts[i + 1] <= list.starts[i] || list.size(i) > ListedComplex::dimension_max + 1)
+            return Status::not_a_complex;
+        const std::uint32_t k = static_cast<std::uint32_t>(list.size(i) - 1);
+        if (k > complex->dimension) complex->dimension = k;
+        fault->text = text_many;
+        if (++complex->count[k] > 0x7FFFFFFFu) return Status::not_a_complex;
+        fault->text = text_not_finite;
+        if (!is_finite(list.values[i])) return Status::not_finite;
+    }
+    *fault = {};
+    return Status::ok;
+}
+
+// The vertices of a simplex in ascending order; false: it has one twice.
+bool sort_vertices(const std::uint32_t* vertices, std::uint32_t size, std::uint32_t* row) {
+    bool distinct = true;
+    for (std::uint32_t n = 0; n < size; ++n) {
+        std::uint32_t hole = n;
+        for (; hole > 0 && row[hole - 1] > vertices[n]; --hole) row[hole] = row[hole - 1];
+        row[hole] = vertices[n];
+        distinct = distinct && (hole == 0 || row[hole - 1] != vertices[n]);
+    }
+    return distinct;
+}
+
+bool take_complex(Arena& arena, ListedComplex& complex) {
+    for (std::uint32_t k = 0; k <= complex.dimension; ++k) {
+        complex.rows[k] = arena.take_low<std::uint32_t>(std::size_t{complex.count[k]} * (k + 1));
+        complex.value[k] = arena.take_low<double>(complex.count[k]);
+        if (complex.rows[k] == nullptr || complex.value[k] == nullptr) return false;
+    }
+    return true;
+}
+
+Status copy_simplices(const SimplexList& list, Arena& arena, SimplicesDiagram* out) {
+    ListedComplex& complex = out->complex;
+    if (!take_complex(arena, complex)) return Status::out_of_memory;
+    std::uint32_t filled[ListedComplex::dimension_max + 1] = {};
+    Fingerprint f;
+    for (std::uint64_t i = 0; i < list.count; ++i) {
+        const std::uint32_t size = static_cast<std::uint32_t>(list.size(i)), k = size - 1;
+        std::uint32_t* const row = complex.rows[k] + std::size_t{filled[k]} * size;
+        if (!sort_vertices(list.vertices + list.starts[i], size, row)) {
+            out->fault = {text_twice, i, 0};
+            return Status::not_a_complex;
+        }
+        complex.value[k][filled[k]++] = list.values[i] + 0.0;
+        f.add(static_cast<std::uint64_t>(size));
+        for (std::uint32_t n = 0; n < size; ++n) f.add(static_cast<std::uint64_t>(row[n]));
+        f.add(list.values[i]);
+    }
+    out->input_fingerprint = f.value();
+    return Status::ok;
+}
+
+// The place in the list of the simplex that is number `index` of its dimension.
+std::uint64_t place_of(const SimplexList& list, std::uint32_t k, std::uint32_t index) {
+    for (std::uint64_t i = 0; i < list.count; ++i) {
+        if (list.size(i) != k + 1) continue;
+        if (index-- == 0) return i;
+    }
+    return list.count;
+}
+
+SimplexFault fault_in_list(const SimplexList& list, const ComplexFault& fault) {
+    const std::uint64_t at = place_of(list, fault.dimension, fault.index);
+    switch (fault.kind) {
+    case ComplexFault::repeated: return {"a simplex is listed twice", at, place_of(list, fault.dimension, fault.other)};
+    case ComplexFault::face_missing: return {"a face of a simplex is missing", at, fault.other};
+    default: return {"a face enters later than its simplex", at, place_of(list, fault.dimension - 1, fault.other)};
+    }
+}
+
+// Moves the pairs to where the complex was, which begins at `low`.
+Status move_down(Arena& arena, std::size_t low, PairList* list) {
+    const std::size_t count = static_cast<std::size_t>(list->count);
+    arena.release_low(low);
+    Pair* const moved = arena.take_low<Pair>(count);  // not above where they are
+    if (moved == nullptr) return Status::out_of_memory;
+    __builtin_memmove(moved, list->pairs, sizeof(Pair) * count);
+    list->pairs = moved;
+    return Status::ok;
+}
+
+}  // namespace
+
+Status persist_simplices(const SimplexList& list, const ComplexRequest& request, const Work& work,
+                         SimplicesDiagram* out) {
+    *out = {};
+    const std::size_t low = work.arena.low_mark();
+    Status status = count_simplices(list, &out->complex, &out->fault);
+    if (status == Status::ok) status = copy_simplices(list, work.arena, out);
+    if (status != Status::ok) return status;
+    ComplexFault fault = {};
+    status = link_faces(out->complex, true, work, &fault);
+    if (status == Status::check_failed) {
+        out->fault = fault_in_list(list, fault);
+        return Status::not_a_complex;
+    }
+    if (status != Status::ok) return status;
+    ComplexRequest wanted = request;
+    if (wanted.diagram.max_degree > out->complex.dimension) wanted.diagram.max_degree = out->complex.dimension;
+    out->max_degree = wanted.diagram.max_degree;
+    status = persist_complex(out->complex, wanted, work, &out->diagram);
+    if (status != Status::ok || wanted.representatives) return status;
+    return move_down(work.arena, low, &out->diagram.pairs);
+}
+
+double simplices_bytes(std::uint64_t count, std::uint64_t vertices) {
+    // Rows and values; a table of faces or orders while they are linked, columns and sets while they are reduced.
+    constexpr double row = sizeof(std::uint32_t), simplex = sizeof(double) + 32;
+    return row * static_cast<double>(vertices) + simplex * static_cast<double>(count);
+}
+
+}  // namespace netmesh

@@ -1,0 +1,107 @@
+// Builds with NETMESH_VALIDATE: whole structures are checked after every insertion, and a fault stops the program.
+#ifdef NETMESH_VALIDATE
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <string>
+
+#include "common/block.hpp"
+#include "common/dimensions.hpp"
+#include "common/inputs.hpp"
+#include "delaunay/check.hpp"
+#include "delaunay/triangulate.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+// What a child process that runs this wrote to stderr before it ended by a signal; "lived" if it did not.
+template <class Run> std::string last_words(Run&& run) {
+    int pipe_ends[2];
+    REQUIRE(pipe(pipe_ends) == 0);
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        dup2(pipe_ends[1], 2);
+        signal(SIGABRT, SIG_DFL);  // doctest's own handler would report it
+        run();
+        _exit(0);
+    }
+    close(pipe_ends[1]);
+    std::string words;
+    char buffer[256];
+    for (ssize_t n; (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0;)
+        words.append(buffer, static_cast<std::size_t>(n));
+    close(pipe_ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFSIGNALED(status) ? words : "lived";
+}
+
+// A triangulation in use: all points but the last are inserted.
+template <int D> struct InUse {
+    InUse()
+        : block(std::size_t{1} << 20), store(block.arena, state), kernel(store, corner_error_max, VertexCells::kept) {
+        Monitor monitor;
+        InputReport input;
+        std::uint32_t* order;
+        const inputs::Points points = inputs::uniform(D, count);
+        REQUIRE(take_input<D>(store, points.data(), count, 1, monitor, &input, &order) == Status::ok);
+        REQUIRE(store.open_cells() == Status::ok);
+        VertexId ids[D + 1];
+        REQUIRE(independent_points<D>(store, order, count, ids));
+        REQUIRE(kernel.start(ids) == Status::ok);
+        for (VertexId v(0); v + 1 < count; ++v)
+            if (store.vertex(v).cell == none) insert(v);
+        REQUIRE(store.vertex(count - 1).cell == none);
+    }
+    void insert(VertexId v) {
+        Cavity cavity;
+        REQUIRE(kernel.find_cavity(store.point(v), v, kernel.locate(store.point(v), v, state.last_cell), &cavity));
+        kernel.fill(cavity, v);
+    }
+    static constexpr std::uint32_t count = 10 * D;
+    Block block;
+    StoreState state = {};
+    Store<D> store;
+    Kernel<D> kernel;
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE_DEFINE("a fault is found by the next insertion, with its place", T, faults) {
+    constexpr int D = T::value;
+    InUse<D> t;
+    CHECK(violation_in_use<D>(t.store) == nullptr);
+    const VertexId last(InUse<D>::count - 1);
+    SUBCASE("nothing wrong") {
+        CHECK(last_words([&] { t.insert(last); }) == "lived");
+    }
+    SUBCASE("a wrong count") {
+        const std::string words = last_words([&] {
+            ++t.state.cells_free;
+            t.insert(last);
+        });
+        CHECK(words.find("the count of free cells is wrong") != std::string::npos);
+        CHECK(words.find("delaunay/kernel.cpp:") != std::string::npos);
+    }
+    SUBCASE("a cell turned") {
+        CellId c(0);
+        while (!t.store.is_live(c) || t.store.is_ghost(c)) ++c;
+        Cell<D>& cell = t.store.cell(c);
+        const VertexId first = cell.vertex[0];
+        cell.vertex[0] = cell.vertex[1];
+        cell.vertex[1] = first;
+        CHECK(violation_in_use<D>(t.store) != nullptr);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(faults, Dimensions<>);
+
+TEST_CASE("a precondition that does not hold stops with its text") {
+    CHECK(last_words([] { static_cast<void>(FacetId(CellId(1), 8)); }).find("position < 8") != std::string::npos);
+    Block block(1024);
+    CHECK(last_words([&] { block.arena.release_high(2048); }).find("arena.hpp:") != std::string::npos);
+}
+#endif

@@ -1,0 +1,62 @@
+#include "tools/commands/steps.hpp"
+
+namespace netmesh::tool {
+
+netmesh_status make_mesh(Session& session, const PointCloud& cloud) {
+    return session.call(NETMESH_STAGE_REFINE,
+                        [&] { return session.engine().mesh(session.watched(session.mesh(), cloud)); });
+}
+
+netmesh_status make_triangulation(Session& session, const Options& options, const PointCloud& cloud) {
+    return session.call(NETMESH_STAGE_DELAUNAY, [&] {
+        return session.engine().delaunay(session.watched(delaunay_request(options, cloud.dim), cloud));
+    });
+}
+
+netmesh_status prepare_for(Session& session, const Options& options, netmesh_filter filter, const PointCloud& cloud) {
+    switch (about(filter).source) {
+    case NETMESH_SOURCE_MESH: return make_mesh(session, cloud);
+    case NETMESH_SOURCE_DELAUNAY: return make_triangulation(session, options, cloud);
+    default: return NETMESH_OK;
+    }
+}
+
+netmesh_status make_diagram(Session& session, const Options& options, const DiagramRequest& diagram,
+                            const PointCloud& cloud) {
+    Engine& engine = session.engine();
+    const netmesh_source source = about(diagram.choice.filter).source;
+    return session.call(NETMESH_STAGE_REDUCE, [&] {
+        if (source == NETMESH_SOURCE_SCALES)
+            return engine.persist_scales(session.watched(scales_request(options, diagram, cloud.dim), cloud));
+        if (source == NETMESH_SOURCE_POINTS)
+            return engine.persist_points(session.watched(points_request(options, diagram, cloud.dim), cloud));
+        return engine.persist(session.watched(persist_request(options, diagram, cloud.dim)));
+    });
+}
+
+netmesh_status make_vineyard(Session& session, const requests::Vineyard& request, Vines* vines) {
+    const netmesh_status status =
+        session.call(NETMESH_STAGE_REDUCE, [&] { return session.engine().vineyard(session.watched(request)); });
+    if (status == NETMESH_OK) *vines = vines_of(session.engine());
+    return status;
+}
+
+netmesh_status bound_bars(Session& session) {
+    return session.call(NETMESH_STAGE_CERTIFY,
+                        [&] { return session.engine().bound_bars(session.watched(requests::Bounds())); });
+}
+
+netmesh_status find_cycles(Session& session) {
+    return session.call(NETMESH_STAGE_REDUCE,
+                        [&] { return session.engine().represent(session.watched(requests::Represent())); });
+}
+
+netmesh_status check_everything(Session& session) {
+    return session.call(NETMESH_STAGE_CHECK, [&] {
+        requests::Check check;
+        check.mesh = &session.mesh();
+        return session.engine().check(session.watched(check));
+    });
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,26 @@
+// Calls of the engine that several commands make, each a step inside the work of a session.
+#pragma once
+#include "tools/io/vine_file.hpp"
+#include "tools/requests.hpp"
+#include "tools/session.hpp"
+
+namespace netmesh::tool {
+
+// What the filter needs before its diagram: a mesh (session.mesh()), a Delaunay triangulation, or nothing.
+netmesh_status prepare_for(Session& session, const Options& options, netmesh_filter filter, const PointCloud& cloud);
+netmesh_status make_mesh(Session& session, const PointCloud& cloud);
+netmesh_status make_triangulation(Session& session, const Options& options, const PointCloud& cloud);
+
+// The diagram, of what the session holds or of the points, whichever its filter goes by.
+netmesh_status make_diagram(Session& session, const Options& options, const DiagramRequest& diagram,
+                            const PointCloud& cloud);
+// The vineyard of the mesh that the session holds; takes the vines out.
+netmesh_status make_vineyard(Session& session, const requests::Vineyard& request, Vines* vines);
+
+netmesh_status bound_bars(Session& session);
+netmesh_status find_cycles(Session& session);
+
+// All checkers, with what session.mesh() promises.
+netmesh_status check_everything(Session& session);
+
+}  // namespace netmesh::tool

@@ -1,0 +1,70 @@
+#include "tools/filters.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+std::vector<netmesh_filter_info> rows() {
+    std::vector<netmesh_filter_info> rows;
+    for_each_filter([&](const netmesh_filter_info& info) {
+        if (info.needs_function == 0) rows.push_back(info);
+    });
+    return rows;
+}
+
+netmesh_filter_info no_filter() {
+    netmesh_filter_info info = sized<netmesh_filter_info>();
+    info.name = "none";
+    info.reference = "filtered complex";
+    return info;
+}
+
+void replace(std::string& text, const std::string& place, const std::string& by) {
+    const std::size_t at = text.find(place);
+    if (at != std::string::npos) text.replace(at, place.size(), by);
+}
+
+}  // namespace
+
+const std::vector<netmesh_filter_info>& filters() {
+    static const std::vector<netmesh_filter_info> table = rows();
+    return table;
+}
+
+const netmesh_filter_info& about(netmesh_filter filter) {
+    static const netmesh_filter_info none = no_filter();
+    for (const netmesh_filter_info& info : filters()) {
+        if (info.filter == filter) return info;
+    }
+    return none;
+}
+
+const char* values_name(netmesh_values values) { return values == NETMESH_VALUES_THESIS ? "thesis" : "certified"; }
+
+const char* method_name(netmesh_method method) {
+    switch (method) {
+    case NETMESH_METHOD_HIERARCHY: return "netmesh";
+    case NETMESH_METHOD_REFINE: return "refine";
+    default: return "svr";
+    }
+}
+
+std::string choice_text(const FilterChoice& choice) {
+    std::string text = std::string("filter ") + filter_name(choice.filter);
+    if (about(choice.filter).has_values != 0) text += std::string(", ") + values_name(choice.values) + " values";
+    return text;
+}
+
+std::string reported_choice_text(const FilterChoice& choice) {
+    if (about(choice.filter).source != NETMESH_SOURCE_SCALES) return choice_text(choice);
+    return std::string("filter ") + filter_name(choice.filter);
+}
+
+std::string reference_name(const netmesh_report& report) {
+    std::string text = about(report.diagram.filter).reference;
+    replace(text, "{k}", std::to_string(report.diagram.k));
+    replace(text, "{D}", std::to_string(report.input.dim));
+    return text;
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,349 @@
+#include "tools/option_table.hpp"
+
+#include "tools/filters.hpp"
+#include "tools/io/numbers.hpp"
+#include "tools/io/points.hpp"
+
+namespace netmesh::tool {
+
+const std::vector<CommandEntry>& command_entries() {
+    static const std::vector<CommandEntry> table = {
+        {Command::mesh, "mesh", "POINTS", 1, "quality mesh",
+         "Every vertex but the boundary's gets a Voronoi cell whose aspect ratio, clipped to the domain, is at most "
+         "tau.\n"},
+        {Command::delaunay, "delaunay", "POINTS", 1, "Delaunay triangulation", ""},
+        {Command::persist, "persist", "POINTS", 1, "persistence diagram",
+         "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
+        {Command::homology, "homology", "FILE", 1, "persistent homology of a filtered complex",
+         "One simplex a line: its vertices, whole numbers from 0, then the value at which it enters: `3 1 4 0.5` is a\n"
+         "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth "
+         "death`;\n"
+         "the bars that never die are the Betti numbers.\n"},
+        {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck distance between two diagrams",
+         "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential "
+         "classes "
+         "differ.\n"},
+        {Command::vineyard, "vineyard", "POINTS", 1, "diagrams of d_k for a range of k, and their vines",
+         "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of "
+         "each k; a "
+         "vine\nfollows one class from k to k.\n"},
+        {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
+         "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
+         "persist.\n"},
+        {Command::check, "check", "MESH.node | DIAGRAM.pers | FILE.vines", 1,
+         "recompute every certificate from the files alone",
+         "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram, with its "
+         "bounds\n"
+         "where it has any, or a vineyard is recomputed from --points or --mesh; alone, it is only looked at for what "
+         "every\n"
+         "diagram must satisfy.\n"},
+        {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
+    };
+    return table;
+}
+
+const CommandEntry& entry_of(Command command) {
+    const std::vector<CommandEntry>& table = command_entries();
+    std::size_t i = 0;
+    while (table[i].command != command) i++;
+    return table[i];
+}
+
+namespace {
+
+std::string apply_tau(Options& options, const std::string& text) {
+    double tau;
+    if (!parse_finite(text, &tau) || !(tau > 2)) return "must be a finite number above 2";
+    options.tau = tau;
+    return {};
+}
+
+std::string apply_eps(Options& options, const std::string& text) {
+    return parse_finite(text, &options.eps) && options.eps > 0 ? "" : "must be a finite number above 0";
+}
+
+std::string apply_theta(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
+    return good ? "" : "must be a number above 0 and at most 1/9";
+}
+
+std::string apply_ratio(Options& options, const std::string& text) {
+    double ratio;
+    if (!parse_finite(text, &ratio) || !(ratio * ratio > 2)) return "must be a finite number above the root of 2";
+    options.ratio = ratio;
+    return {};
+}
+
+std::string apply_focus(Options& options, const std::string& text) {
+    return parse_finite(text, &options.focus) && options.focus > 1 ? "" : "must be a finite number above 1";
+}
+std::string apply_from(Options& options, const std::string& text) {
+    return parse_finite(text, &options.from) && options.from > 0 ? "" : "must be a finite radius above 0";
+}
+std::string apply_to(Options& options, const std::string& text) {
+    return parse_finite(text, &options.to) && options.to > 0 ? "" : "must be a finite radius above 0";
+}
+
+std::string apply_method(Options& options, const std::string& text) {
+    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_HIERARCHY, NETMESH_METHOD_REFINE}) {
+        if (text != method_name(method)) continue;
+        options.method = method;
+        return {};
+    }
+    return "there are svr, netmesh and refine";
+}
+
+std::string apply_filter(Options& options, const std::string& text) {
+    for (const netmesh_filter_info& info : filters()) {
+        if (text != info.name) continue;
+        options.filter = info.filter;
+        return {};
+    }
+    return "the filters are " + list_filters([](const netmesh_filter_info&) { return true; }, "and");
+}
+
+std::string apply_values(Options& options, const std::string& text) {
+    if (text != "certified" && text != "thesis") return "there are certified and thesis";
+    options.values = text == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
+    return {};
+}
+
+std::string apply_k(Options& options, const std::string& text) {
+    const std::size_t dots = options.command == Command::vineyard ? text.find("..") : std::string::npos;
+    std::uint64_t first, last;
+    const bool good = parse_unsigned(text.substr(0, dots), &first) &&
+                      (dots == std::string::npos || parse_unsigned(text.substr(dots + 2), &last));
+    if (dots == std::string::npos) last = first;
+    if (!good || first == 0 || last < first || last >= 4294967295u) {
+        return options.command == Command::vineyard ? "must be a range of numbers of neighbours from 1 on: 1..20"
+                                                    : "must be a number of neighbours, 1 or more";
+    }
+    options.k = static_cast<std::uint32_t>(first);
+    if (options.command == Command::vineyard) options.k_last = static_cast<std::uint32_t>(last);
+    return {};
+}
+
+std::string apply_max_degree(Options& options, const std::string& text) {
+    std::uint64_t degree;
+    if (!parse_unsigned(text, &degree) || degree > 1000) return "must be a degree: 0, 1, 2, ...";
+    options.max_degree = static_cast<std::uint32_t>(degree);
+    return {};
+}
+
+std::string apply_memory(Options& options, const std::string& text) {
+    const std::string complaint = "must be a size above 0: 65536, 64K, 512M, 2G";
+    std::string digits = text;
+    int shift = 0;
+    if (!digits.empty()) {
+        const std::string units = "KMGT";
+        const char last = digits.back();
+        const std::size_t unit = units.find(last >= 'a' && last <= 'z' ? static_cast<char>(last - 'a' + 'A') : last);
+        if (unit != std::string::npos) {
+            shift = 10 * (static_cast<int>(unit) + 1);
+            digits.pop_back();
+        }
+    }
+    std::uint64_t number;
+    if (!parse_unsigned(digits, &number) || number == 0 || number > (SIZE_MAX >> shift)) return complaint;
+    options.memory_bytes = static_cast<std::size_t>(number << shift);
+    return {};
+}
+
+std::string apply_seed(Options& options, const std::string& text) {
+    return parse_unsigned(text, &options.seed) ? "" : "must be a whole number from 0 to 2^64 - 1";
+}
+
+std::string apply_dim(Options& options, const std::string& text) {
+    std::uint64_t dim;
+    if (!parse_unsigned(text, &dim) || dim < dim_min || dim > dim_max) return "must be a dimension from 2 to 6";
+    options.dim = static_cast<std::uint32_t>(dim);
+    return {};
+}
+
+std::string apply_count(Options& options, const std::string& text) {
+    if (parse_unsigned(text, &options.point_count) && options.point_count > 0 && options.point_count < 4294967296u) {
+        return {};
+    }
+    return "must be a number of points, 1 or more";
+}
+
+std::string apply_noise(Options& options, const std::string& text) {
+    if (parse_finite(text, &options.noise) && options.noise >= 0) return {};
+    return "must be a finite number, 0 or more";
+}
+
+std::string apply_turns(Options& options, const std::string& text) {
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos && parse_unsigned(text.substr(0, comma), &options.turns[0]) &&
+        parse_unsigned(text.substr(comma + 1), &options.turns[1]) && options.turns[0] <= 1000000 &&
+        options.turns[1] <= 1000000) {
+        return {};
+    }
+    return "must be two whole numbers: 1,10";
+}
+
+std::string apply_audit(Options& options, const std::string& value) {
+    constexpr std::pair<const char*, unsigned> names[] = {{"location", NETMESH_AUDIT_LOCATION},
+                                                          {"quality", NETMESH_AUDIT_QUALITY},
+                                                          {"all", NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY}};
+    for (const auto& [name, what] : names)
+        if (value == name) return options.audit = what, "";
+    return "not location, quality or all";
+}
+
+std::string apply_out(Options& options, const std::string& text) {
+    options.out = text == "-" ? "" : text;
+    return text.empty() ? "must be a file name" : "";
+}
+
+template <std::string Options::*path> std::string apply_path(Options& options, const std::string& text) {
+    options.*path = text;
+    return text.empty() ? "must be a file name" : "";
+}
+
+template <bool Options::*flag> std::string apply_switch(Options& options, const std::string&) {
+    options.*flag = true;
+    return {};
+}
+
+constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
+constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
+constexpr unsigned homology = bit(Command::homology), distance = bit(Command::distance);
+constexpr unsigned vineyard = bit(Command::vineyard);
+constexpr unsigned engine = mesh | delaunay | persist;
+
+constexpr const char* next_line = "\n                    ";  // of a help text
+
+bool on_points(const netmesh_filter_info& info) { return info.source == NETMESH_SOURCE_POINTS; }
+
+// The list says which filter is taken when none is named.
+std::string with_default(std::string list, netmesh_filter filter) {
+    const std::string name = filter_name(filter);
+    return list.insert(list.find(name) + name.size(), " (default)");
+}
+
+std::string filter_help() {
+    const auto others = [](const netmesh_filter_info& info) { return !on_points(info); };
+    return with_default(list_filters(others, "or"), default_filter(Command::persist)) + "; of few points" + next_line +
+           list_filters(on_points, "or");
+}
+
+std::string vineyard_filter_help() {
+    return with_default(list_filters(has_vineyard, "or"), default_filter(Command::vineyard));
+}
+
+}  // namespace
+
+const std::vector<OptionEntry>& option_entries() {
+    static const std::vector<OptionEntry> table = {
+        {"-o", mesh | delaunay, "OUT", apply_out,
+         ".node (with .ele and .neigh), .vtu (D = 2, 3) or .off; without it OFF on stdout"},
+        {"-o", persist | homology, "OUT.pers", apply_out, "the diagram; without it on stdout"},
+        {"-o", vineyard, "OUT.vines", apply_out, "the vines; without it on stdout"},
+        {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
+        {"-n", sample, "N", apply_count, "number of points"},
+        {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
+        {"--points", size, "N", apply_count, "number of points"},
+        {"--points", check, "FILE", apply_path<&Options::points_path>,
+         "the points that the mesh, diagram or vineyard was made of"},
+        {"--mesh", check, "MESH.node", apply_path<&Options::mesh_path>,
+         "the mesh that the diagram or vineyard was made of"},
+        {"--mesh", persist, "MESH.node", apply_path<&Options::mesh_out>,
+         "also write the mesh that is filtered, with the filter's values"},
+        {"--tau", mesh | persist | vineyard | size | check, "T", apply_tau,
+         "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
+        {"--eps", mesh | size | check, "E", apply_eps,
+         "also refine until no cell reaches farther than E times the distance to the second nearest input"},
+        {"--eps", persist, "E", apply_eps,
+         "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
+        {"--theta", persist | size | check, "T", apply_theta,
+         "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
+        {"--ratio", persist | check, "C", apply_ratio,
+         "refine by the certificate until this ratio is certified, above 1.4142 (sqrt(2 + tau)); complete filter only"},
+        {"--focus", persist | check, "C", apply_focus,
+         "certify this ratio, above 1, of what matters to radii --from to --to"},
+        {"--from", persist | check, "A", apply_from, "least radius of interest"},
+        {"--to", persist | check, "B", apply_to, "largest radius of interest"},
+        {"--fit", persist, nullptr, apply_switch<&Options::fit>,
+         "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins "
+         "(4)"},
+        {"--method", persist, "M", apply_method,
+         "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
+        {"--method", mesh | size, "M", apply_method,
+         "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
+        {"--finish", mesh | persist | size, nullptr, apply_switch<&Options::finish>,
+         "go on from a hierarchical mesh to one of quality tau without cages"},
+        {"--audit", mesh | size, "WHAT", apply_audit,
+         "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured "
+         "after each\n"
+         "                    insertion, for small runs; or all. Figures go to the report"},
+        {"--filter", vineyard, "F", apply_filter, vineyard_filter_help()},
+        {"--filter", persist | size | check, "F", apply_filter, filter_help()},
+        {"--k", persist | size | check, "K", apply_k,
+         "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points "
+         "in\n"
+         "                    every set of a barycentric filter, at least"},
+        {"--values", persist | vineyard | size | check, "V", apply_values,
+         "certified (default) or thesis: the filter's own"},
+        {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
+        {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree,
+         "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
+        {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
+        {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
+         "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
+        {"--memory", engine | vineyard | homology | size | check, "SIZE", apply_memory,
+         "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
+        {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},
+        {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
+        {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
+        {"--svg", mesh | delaunay, "FILE", apply_path<&Options::svg>, "picture of a mesh in the plane"},
+        {"--svg", persist | homology, "FILE", apply_path<&Options::svg>, "picture of barcode and diagram"},
+        {"--svg", vineyard, "FILE", apply_path<&Options::svg>, "picture of the vines, k against radius"},
+        {"--analyse", mesh | delaunay, nullptr, apply_switch<&Options::analyse>,
+         "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
+        {"--log", distance, nullptr, apply_switch<&Options::log>,
+         "distance of natural logarithms; births at 0 are matched to births at 0 alone"},
+        {"--check", engine | vineyard, nullptr, apply_switch<&Options::check>,
+         "run the independent checkers on the result"},
+        {"--check", homology, nullptr, apply_switch<&Options::check>,
+         "check that each cycle is one, and born with its bar"},
+        {"--bounds", persist, nullptr, apply_switch<&Options::bounds>,
+         "where each birth and death surely is and which bars surely are real, behind the bars, and the certified "
+         "ratio by\n"
+         "                    scale, in front of them; both in JSON and in the picture"},
+        {"--all", persist | homology | size | check, nullptr, apply_switch<&Options::all>, "keep bars of length zero"},
+        {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_switch<&Options::json>,
+         "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
+        {"--quiet", engine | vineyard | homology | distance | size | check | sample, nullptr,
+         apply_switch<&Options::quiet>, "no progress, no summary"},
+    };
+    return table;
+}
+
+const char* option_name(netmesh_field field) {
+    static constexpr struct {
+        netmesh_field field;
+        const char* option;
+    } table[] = {{NETMESH_FIELD_TAU, "--tau"},
+                 {NETMESH_FIELD_SIZES, "--eps"},
+                 {NETMESH_FIELD_TIGHT_EPS, "--eps"},
+                 {NETMESH_FIELD_EPS, "--eps"},
+                 {NETMESH_FIELD_THETA, "--theta"},
+                 {NETMESH_FIELD_RATIO, "--ratio"},
+                 {NETMESH_FIELD_FOCUS_RATIO, "--focus"},
+                 {NETMESH_FIELD_FOCUS_FROM, "--from"},
+                 {NETMESH_FIELD_FOCUS_TO, "--to"},
+                 {NETMESH_FIELD_METHOD, "--method"},
+                 {NETMESH_FIELD_AUDIT, "--audit"},
+                 {NETMESH_FIELD_FILTER, "--filter"},
+                 {NETMESH_FIELD_VALUES, "--values"},
+                 {NETMESH_FIELD_K, "--k"},
+                 {NETMESH_FIELD_K_FIRST, "--k"},
+                 {NETMESH_FIELD_K_LAST, "--k"},
+                 {NETMESH_FIELD_MAX_DEGREE, "--max-degree"}};
+    for (const auto& row : table)
+        if (row.field == field) return row.option;
+    return nullptr;
+}
+
+}  // namespace netmesh::tool

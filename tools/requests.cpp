@@ -1,0 +1,106 @@
+#include "tools/requests.hpp"
+
+#include <cmath>
+
+namespace netmesh::tool {
+
+namespace {
+
+// What requests for diagrams have in common.
+template <class Request>
+void set_diagram(const Options& options, const DiagramRequest& diagram, std::uint32_t dim, Request* request) {
+    request->values = diagram.choice.values;
+    request->max_degree = max_degree_of(options, dim);
+    request->keep_zero_pairs = diagram.keep_zero_pairs ? 1 : 0;
+}
+
+}  // namespace
+
+double default_ratio(const netmesh_mesh_request& mesh) { return std::sqrt(2 + tau(mesh)); }
+
+netmesh_certificate_goal goal_of(const Options& options, double ratio) {
+    return {ratio, options.focus, options.from, options.to};
+}
+
+requests::Mesh mesh_request(const Options& options, std::uint32_t dim) {
+    requests::Mesh mesh(dim);
+    mesh.seed = options.seed;
+    if (options.command != Command::mesh) mesh.purpose = about(filter_of(options)).purpose;
+    mesh.method = options.method.value_or(NETMESH_METHOD_SVR);
+    mesh.tau = options.tau.value_or(0);
+    (promises_accuracy(options) ? mesh.tight_eps : mesh.sizes.eps) = options.eps;
+    mesh.finish = options.finish ? 1 : 0;
+    mesh.audit = options.audit;
+    if (refines_by_certificate(options))
+        mesh.certificate = goal_of(options, options.ratio.value_or(options.fit ? 0 : default_ratio(mesh)));
+    return mesh;
+}
+
+requests::Delaunay delaunay_request(const Options& options, std::uint32_t dim) {
+    requests::Delaunay delaunay(dim);
+    delaunay.seed = options.seed;
+    delaunay.purpose = options.command == Command::delaunay ? NETMESH_PURPOSE_MESH : NETMESH_PURPOSE_PERSIST;
+    return delaunay;
+}
+
+requests::Persist persist_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
+    requests::Persist persist(diagram.choice.filter);
+    set_diagram(options, diagram, dim, &persist);
+    persist.k = options.k.value_or(1);
+    return persist;
+}
+
+requests::Fit fit_request(const Options& options, std::uint32_t dim) {
+    requests::Fit fit(dim);
+    fit.seed = options.seed;
+    fit.ratio = options.ratio.value_or(0);
+    fit.focus_from = options.from;
+    fit.focus_to = options.to;
+    fit.max_degree = max_degree_of(options, dim);
+    fit.keep_zero_pairs = options.all ? 1 : 0;
+    fit.bounds = options.bounds ? 1 : 0;
+    return fit;
+}
+
+requests::Scales scales_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
+    requests::Scales scales(dim);
+    set_diagram(options, diagram, dim, &scales);
+    scales.seed = options.seed;
+    scales.tau = options.tau.value_or(0);
+    scales.eps = options.eps;
+    scales.theta = options.theta;
+    return scales;
+}
+
+requests::Points points_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
+    requests::Points points(dim, diagram.choice.filter);
+    set_diagram(options, diagram, dim, &points);
+    points.k = options.k.value_or(1);
+    points.representatives = diagram.cycles ? 1 : 0;
+    return points;
+}
+
+namespace {
+
+template <class Request> std::size_t plan_for(Request request, std::size_t point_count) {
+    request.point_count = point_count;
+    return plan(request);
+}
+
+}  // namespace
+
+std::size_t plan_diagram(const Options& options, netmesh_filter filter, std::uint32_t dim, std::size_t point_count) {
+    DiagramRequest diagram;
+    diagram.choice.filter = filter;
+    switch (about(filter).source) {
+    case NETMESH_SOURCE_SCALES: return plan_for(scales_request(options, diagram, dim), point_count);
+    case NETMESH_SOURCE_POINTS: return plan_for(points_request(options, diagram, dim), point_count);
+    case NETMESH_SOURCE_DELAUNAY: return plan_for(delaunay_request(options, dim), point_count);
+    default: break;
+    }
+    requests::Mesh mesh = mesh_request(options, dim);
+    mesh.purpose = about(filter).purpose;
+    return plan_for(mesh, point_count);
+}
+
+}  // namespace netmesh::tool

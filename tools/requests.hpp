@@ -1,0 +1,33 @@
+// What the command line asks of the library, as the library's requests. Points and monitor are the session's to set.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "netmesh.hpp"
+#include "tools/options.hpp"
+
+namespace netmesh::tool {
+
+// A diagram that is wanted: of what, and what is kept of it.
+struct DiagramRequest {
+    FilterChoice choice;
+    bool keep_zero_pairs = false;
+    bool cycles = false;  // of filters on the points themselves; others get theirs by a step of its own
+};
+
+// The certified ratio of a mesh of aspect ratio tau, which is what refinement by the certificate aims at by default.
+double default_ratio(const netmesh_mesh_request& mesh);
+// The ratio and the scales of interest of the command line.
+netmesh_certificate_goal goal_of(const Options& options, double ratio);
+
+requests::Mesh mesh_request(const Options& options, std::uint32_t dim);
+requests::Delaunay delaunay_request(const Options& options, std::uint32_t dim);
+requests::Persist persist_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);
+requests::Fit fit_request(const Options& options, std::uint32_t dim);
+requests::Scales scales_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);
+requests::Points points_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);
+
+// Bytes to plan for a diagram of the filter, with the mesh or triangulation made for it.
+std::size_t plan_diagram(const Options& options, netmesh_filter filter, std::uint32_t dim, std::size_t point_count);
+
+}  // namespace netmesh::tool
