@@ -99,6 +99,11 @@ private:
         std::uint32_t word_;
     };
 
+    // Most faces have few children, for which starting sort() takes longer than sorting.
+    void sort_children(std::uint32_t children) {
+        if (children <= 24) return insertion_sort(seen_, children, Ascending{});
+        sort(seen_, children, Ascending{});
+    }
     static std::size_t entries_a_cell(int level) { return level == 0 ? 1 : static_cast<std::size_t>(D + 1 - level); }
     std::uint32_t rank_of(Entry entry) const { return upper_[entry.cell() * D + entry.next() - 1]; }
 
@@ -144,7 +149,7 @@ private:
         }
         if (!stream.reserve(children + 1)) return false;
         if (children == 0) stream.push(none);
-        sort(seen_, children, Ascending{});
+        sort_children(children);
         std::uint32_t start = 0;
         for (std::uint32_t i = 0; i < children; ++i) {
             stream.push(link_[seen_[i]] | (i + 1 == children ? last_sibling : 0u));

@@ -5,7 +5,6 @@
 
 #include "homology/persistence.hpp"
 #include "memory/arena.hpp"
-#include "numerics/sort.hpp"
 #include "vocabulary/status.hpp"
 
 namespace netmesh {
@@ -35,10 +34,8 @@ public:
     }
     bool keeps_zero() const { return request_.keep_zero; }
 
-    PairList finish() {
-        sort(pairs(), count_, CanonicalOrder{});
-        return PairList{pairs(), count_};
-    }
+    // The pairs in the canonical order. In a file of its own, so that sorting is in the library once.
+    PairList finish();
 
 private:
     Pair* pairs() const { return reinterpret_cast<Pair*>(arena_.at(begin_)); }

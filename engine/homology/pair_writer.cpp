@@ -1,0 +1,12 @@
+#include "homology/pair_writer.hpp"
+
+#include "numerics/sort.hpp"
+
+namespace netmesh {
+
+PairList PairWriter::finish() {
+    sort(pairs(), count_, CanonicalOrder{});
+    return PairList{pairs(), count_};
+}
+
+}  // namespace netmesh
