@@ -12,6 +12,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/block.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 #include "complex/triangulations.hpp"
@@ -121,7 +122,7 @@ template <int D> void compare_values(const inputs::Points& points, const Peer& p
         std::copy(entry.first.begin(), entry.first.end(), cell.begin());
         cells.list.push_back(cell);
     }
-    netmesh_test::Block block(std::size_t(1) << 25);
+    Block block(std::size_t(1) << 25);
     Monitor monitor;
     Faces<D> faces;
     REQUIRE(enumerate_faces<D>(cells.view(), D, {block.arena, monitor}, &faces) == Status::ok);
