@@ -310,7 +310,8 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
 }
 
 TEST_CASE("plans of what cannot be") {
-    for (std::uint32_t dim = 2; dim <= 6; ++dim) {
+    for (const int served : dimensions()) {
+        const std::uint32_t dim = static_cast<std::uint32_t>(served);
         netmesh::requests::Points rips(dim, NETMESH_FILTER_RIPS);
         CHECK(netmesh_plan_points(nullptr) == 0);
         CHECK(netmesh_plan_points(&rips) == 0);
@@ -355,7 +356,8 @@ TEST_CASE("plans of what cannot be") {
 }
 
 TEST_CASE("what is planned grows with what is asked for") {
-    for (std::uint32_t dim = 2; dim <= 6; ++dim) {
+    for (const int served : dimensions()) {
+        const std::uint32_t dim = static_cast<std::uint32_t>(served);
         CAPTURE(dim);
         netmesh::requests::Mesh m(dim);
         m.point_count = 1000;
@@ -390,7 +392,7 @@ TEST_CASE("what is planned grows with what is asked for") {
         // Coarse meshes: the lists of balls of each point take most. They have a third of what is left.
         m.tau = 1e6;
         m.point_count = 100000;
-        const double balls = by_dimension<double>(dim, {8, 24, 96, 480, 2400});
+        const double balls = by_dimension<double>(served, {8, 24, 96, 480, 2400});
         CHECK(plan(NETMESH_PURPOSE_MESH) > 3 * 16 * balls * 100000);
     }
 }
