@@ -58,11 +58,14 @@ void read_cells(std::string_view content) {
     CellTable table;
     table.name = name;
     table.columns = 3 + how % 5;
-    const std::uint64_t limit = how / 8 % 2 == 0 ? 6 : 1000;
-    const bool outside = how / 16 % 2 != 0;
-    if (!ended(parse_cell_table(content.substr(1), how / 32 % 2, limit, outside, &table))) return;
+    EntryRange range;
+    range.first_id = how / 32 % 2;
+    range.limit = how / 8 % 2 == 0 ? 6 : 1000;
+    range.allow_outside = how / 16 % 2 != 0;
+    if (!ended(parse_cell_table(content.substr(1), range, &table))) return;
     require(table.entries.size() % table.columns == 0);
-    for (const std::uint32_t v : table.entries) require(v < limit || (outside && v == NETMESH_NONE));
+    for (const std::uint32_t v : table.entries)
+        require(v < range.limit || (range.allow_outside && v == NETMESH_NONE));
 }
 
 void read_diagram(std::string_view content) {
@@ -82,7 +85,7 @@ void read_vines(std::string_view content) {
     if (!ended(parse_vines(content, name, &file))) return;
     const Vines& vines = file.vines;
     require(!vines.ratios.empty() && file.lines.size() == vines.points.size());
-    require(file.filter == NETMESH_FILTER_KNN || file.filter == NETMESH_FILTER_KDISTANCE);
+    require(file.choice.filter == NETMESH_FILTER_KNN || file.choice.filter == NETMESH_FILTER_KDISTANCE);
     for (std::size_t i = 0; i < vines.points.size(); ++i) {
         const netmesh_vine_point& p = vines.points[i];
         require(p.k >= vines.k_first && p.k - vines.k_first < vines.ratios.size());
