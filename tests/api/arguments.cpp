@@ -23,8 +23,8 @@ constexpr std::size_t many = NETMESH_POINTS_MAX + 1;
 struct Fixture {
     explicit Fixture(int dim) : session(dim), points(inputs::uniform(dim, 3)), c(session.context) {
         session.reserve(std::size_t{1} << 22);
-        c = session.context;
         REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        c = session.context;  // the block may have grown
         fingerprint = session.report().fingerprint;
     }
     void refused(netmesh_status status, netmesh_field field) {
