@@ -4,7 +4,7 @@
 # copy that replaces the library's, and results would change without a word. So the objects are combined (ld -r, with
 # the COMDAT groups dissolved where the linker can) and every other symbol is made local (objcopy).
 #
-#   netmesh_engine   the plain archive, every symbol visible: what the tests of inner rooms link
+#   netmesh_engine   the plain archive, every symbol visible: what the tests of inner folders link
 #   netmesh          the finished archive libnetmesh.a: what tools, benchmarks and users link
 
 # Sets `out` to the linker flags of the combining step, `out_ok` to whether linker and objcopy can do it at all, tried

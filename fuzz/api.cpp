@@ -1,6 +1,7 @@
-// Bytes to a sequence of calls on one context, in any order, with good arguments and bad ones. The block, each array and
-// each request is allocated at its exact size, so that AddressSanitizer sees every access outside. Each call must end in
-// a known status that is not NETMESH_INTERNAL, with a text, and results must be readable as far as the report says.
+// Bytes to a sequence of calls on one context, in any order, with good arguments and bad ones. The block, each array
+// and each request is allocated at its exact size, so that AddressSanitizer sees every access outside. Each call must
+// end in a known status that is not NETMESH_INTERNAL, with a text, and results must be readable as far as the report
+// says.
 #include <cstring>
 #include <vector>
 

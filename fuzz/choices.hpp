@@ -1,5 +1,5 @@
-// What a fuzzer's bytes choose of requests, and requests as a caller hands them over: in memory of exactly the size that
-// their struct_bytes say, so that AddressSanitizer sees every access behind it.
+// What a fuzzer's bytes choose of requests, and requests as a caller hands them over: in memory of exactly the size
+// that their struct_bytes say, so that AddressSanitizer sees every access behind it.
 #pragma once
 #include <cmath>
 #include <cstdlib>
@@ -13,7 +13,8 @@
 
 namespace fuzz {
 
-// A job of a fuzzer may not take long: so many polls, then it is cancelled. `user` is null where a request ends before it.
+// A job of a fuzzer may not take long: so many polls, then it is cancelled. `user` is null where a request ends before
+// it.
 inline int poll_budget(void* user, const netmesh_progress* progress) {
     require(progress->stage <= NETMESH_STAGE_COUNT);
     int* const left = static_cast<int*>(user);

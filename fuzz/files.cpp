@@ -64,8 +64,7 @@ void read_cells(std::string_view content) {
     range.allow_outside = how / 16 % 2 != 0;
     if (!ended(parse_cell_table(content.substr(1), range, &table))) return;
     require(table.entries.size() % table.columns == 0);
-    for (const std::uint32_t v : table.entries)
-        require(v < range.limit || (range.allow_outside && v == NETMESH_NONE));
+    for (const std::uint32_t v : table.entries) require(v < range.limit || (range.allow_outside && v == NETMESH_NONE));
 }
 
 void read_diagram(std::string_view content) {

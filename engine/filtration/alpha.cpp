@@ -35,7 +35,7 @@ template <int K, int D> Circumsphere circumsphere(const double* const* point) {
 // Gives the K-faces their values and hands them down to their facets.
 template <int K, int D>
 bool give_values(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, Monitor& monitor,
-            double* const* value) {
+                 double* const* value) {
     constexpr std::uint32_t chunk = 1024;
     const std::uint32_t count = faces.count[K];
     const std::uint32_t* facet = faces.facets[K];
@@ -63,7 +63,7 @@ bool give_values(const Faces<D>& faces, const Points<D>& points, std::uint64_t d
 
 template <int K, int D>
 bool give_values_from(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, Monitor& monitor,
-                 double* const* value) {
+                      double* const* value) {
     if (!give_values<K, D>(faces, points, done, monitor, value)) return false;
     if constexpr (K > 1) return give_values_from<K - 1, D>(faces, points, done + faces.count[K], monitor, value);
     return true;

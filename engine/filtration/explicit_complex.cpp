@@ -11,8 +11,8 @@ namespace {
 
 // Faces as they are listed, with room for their values.
 template <int D>
-Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimension, const Work& work,
-                  Faces<D>* faces, ListedComplex* out) {
+Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimension, const Work& work, Faces<D>* faces,
+                  ListedComplex* out) {
     *out = {};
     out->dimension = dimension;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
@@ -89,8 +89,9 @@ Status lower_star_complex(const TriangulationView<D>& triangulation, const doubl
     Faces<D> faces;
     TriangulationView<D> ranked;
     std::uint32_t* const order = work.arena.take_high<std::uint32_t>(n);
-    Status status = order != nullptr && rank_cells(triangulation, value, work.arena, order, &ranked) ? Status::ok
-                                                                                                : Status::out_of_memory;
+    Status status = order != nullptr && rank_cells(triangulation, value, work.arena, order, &ranked)
+                        ? Status::ok
+                        : Status::out_of_memory;
     if (status == Status::ok) status = take_faces<D>(ranked, dimension, work, &faces, out);
     if (status == Status::ok) {
         for (std::uint32_t k = 0; k <= dimension; ++k) turn_round(*out, k);
@@ -127,7 +128,7 @@ Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimensi
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status lower_star_complex<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,    \
-                                          const Work&, ListedComplex*);                                           \
+                                          const Work&, ListedComplex*);                                                \
     template Status alpha_complex<D>(const AlphaFiltration<D>&, std::uint32_t, const Work&, ListedComplex*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

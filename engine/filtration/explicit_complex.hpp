@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
-#include "filtration/alpha.hpp"
 #include "complex/listed_complex.hpp"
+#include "filtration/alpha.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {

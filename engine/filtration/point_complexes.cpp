@@ -15,8 +15,7 @@ constexpr std::uint32_t count_max = 0x7FFFFFFFu;
 // edge.
 template <int D> class Cliques {
 public:
-    Cliques(const double* coordinates, std::uint32_t n, double limit, const Work& work,
-            ListedComplex* out)
+    Cliques(const double* coordinates, std::uint32_t n, double limit, const Work& work, ListedComplex* out)
         : coordinates_(coordinates), n_(n), limit_(limit), arena_(work.arena), monitor_(work.monitor), out_(*out) {}
 
     Status list(std::uint32_t dimension) {
@@ -284,9 +283,8 @@ double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, s
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);    \
-    template Status full_rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&,                \
-                                         ListedComplex*);                                                              \
+    template Status rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);         \
+    template Status full_rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);    \
     template Status cech_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

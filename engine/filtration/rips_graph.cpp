@@ -21,8 +21,7 @@ bool each_edge(const double* coordinates, std::uint32_t n, double limit, Monitor
 
 }  // namespace
 
-template <int D>
-Status rips_graph(const double* coordinates, std::uint32_t n, const Work& work, RipsGraph* out) {
+template <int D> Status rips_graph(const double* coordinates, std::uint32_t n, const Work& work, RipsGraph* out) {
     *out = {};
     if (n > RipsGraph::vertices_max) return Status::invalid_argument;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
@@ -43,8 +42,7 @@ Status rips_graph(const double* coordinates, std::uint32_t n, const Work& work, 
     return going ? Status::ok : Status::cancelled;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status rips_graph<D>(const double*, std::uint32_t, const Work&, RipsGraph*);
+#define NETMESH_INSTANTIATE(D) template Status rips_graph<D>(const double*, std::uint32_t, const Work&, RipsGraph*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

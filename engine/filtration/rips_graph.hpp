@@ -4,15 +4,14 @@
 
 #include "homology/rips/rips.hpp"
 #include "memory/arena.hpp"
+#include "memory/work.hpp"
 #include "vocabulary/monitor.hpp"
 #include "vocabulary/status.hpp"
-#include "memory/work.hpp"
 
 namespace netmesh {
 
 // As rips_complex (point_complexes.hpp), the edges alone: coordinates[n][D], distinct points; an edge's value is half
 // its length. At the arena's low end. invalid_argument (n > RipsGraph::vertices_max), out_of_memory, cancelled.
-template <int D>
-Status rips_graph(const double* coordinates, std::uint32_t n, const Work& work, RipsGraph* out);
+template <int D> Status rips_graph(const double* coordinates, std::uint32_t n, const Work& work, RipsGraph* out);
 
 }  // namespace netmesh

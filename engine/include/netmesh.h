@@ -291,11 +291,10 @@ typedef struct netmesh_mesh_request {
     netmesh_sizes sizes;
     netmesh_certificate_goal certificate; /* for PURPOSE_PERSIST with METHOD_SVR, without sizes */
     uint32_t finish; /* 1: METHOD_HIERARCHY goes on to a mesh of quality tau without cages (4.7.6) */
-    uint32_t
-        audit; /* a union of netmesh_audit_what, for PURPOSE_MESH with SVR or HIERARCHY without sizes. The mesh is as
-                        good as without; it takes several times as long, with QUALITY about the number of cells for each
-                        vertex: for small runs. INTERNAL when an audit finds a point out of its balls or an encroached
-                        cage */
+    uint32_t audit;  /* a union of netmesh_audit_what, for PURPOSE_MESH with SVR or HIERARCHY without sizes. The mesh is
+                        as  good as without; it takes several times as long, with QUALITY about the number of cells for
+                        each  vertex: for small runs. INTERNAL when an audit finds a point out of its balls or an
+                        encroached  cage */
 } netmesh_mesh_request;
 
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim);

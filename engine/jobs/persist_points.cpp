@@ -64,9 +64,7 @@ Status take_points(const PointsRequest& request, Arena& arena, PointSet* out, st
     return Status::ok;
 }
 
-bool is_barycentric(const PointsFilter& filter) {
-    return find_filter(filter.filter)->has(filter_trait::needs_k);
-}
+bool is_barycentric(const PointsFilter& filter) { return find_filter(filter.filter)->has(filter_trait::needs_k); }
 
 // Dimension of the complex on n points, and of the nested sets in it.
 std::uint32_t skeleton_dimension(const PointsFilter& filter, std::uint64_t n) {

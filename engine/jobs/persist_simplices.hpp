@@ -20,9 +20,8 @@ struct SimplexList {
 struct SimplexFault {
     const char* text = nullptr;
     std::uint64_t simplex = 0;  // its place in the list
-    std::uint64_t other =
-        0;  // the place of the equal simplex before it or of the face that enters later, or which of its
-            // vertices, in ascending order, a missing face lacks
+    std::uint64_t other = 0;  // the place of the equal simplex before it or of the face that enters later, or which of
+                              // its vertices, in ascending order, a missing face lacks
 };
 
 struct SimplicesDiagram {

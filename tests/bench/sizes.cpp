@@ -93,8 +93,8 @@ template <int D> Trial mesh(const inputs::Points& points, double tau, std::uint6
     MeshResult<D> result;
     const std::clock_t start = std::clock();
     Trial trial = {};
-    trial.status = mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, false, seed), {arena, monitor},
-                                  &result);
+    trial.status = mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, false, seed),
+                                  {arena, monitor}, &result);
     trial.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     trial.vertices = state.vertex_count;
     trial.cells = state.cell_slots;

@@ -54,7 +54,8 @@ TEST_CASE("what is cut lies at the cut or below, also where an end is no number"
 }
 
 TEST_CASE("clamped values reach the best ratio, own values what they prove") {
-    // The widest interval decides: sqrt(9 / 1). 2 stays, 8.5 is above 3 * 1 and comes down, 0.1 is below 6 / 3 and goes up.
+    // The widest interval decides: sqrt(9 / 1). 2 stays, 8.5 is above 3 * 1 and comes down, 0.1 is below 6 / 3 and goes
+    // up.
     const std::vector<Interval> intervals = {{1, 9}, {1, 9}, {4, 6}};
     const std::vector<double> own = {3, 8.5, 0.1};
     for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {

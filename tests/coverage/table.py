@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Branch coverage of engine/ for each instantiation, out of `llvm-cov export -format=text` (JSON).
 
-  table.py EXPORT ROOT [--list FILE] [--least PERCENT] [--conditions ROOM...]
+  table.py EXPORT ROOT [--list FILE] [--least PERCENT] [--conditions FOLDER...]
 
-Prints covered and all branch outcomes by room and dimension D. An instantiation is a branch of the source
+Prints covered and all branch outcomes by folder and dimension D. An instantiation is a branch of the source
 at one D; copies for other template arguments (types, comparisons, orders of minors) and in several programs are the
 same branch, also the copy of the arithmetic that is compiled without 128-bit integers. "any" is what has no D: plain
 functions, and memory/, whose templates know types only. Conditions that the compiler folds are not counted. --list
-writes what is not covered, a line a branch: place, outcome, dimensions. --conditions prints MC/DC of the rooms named:
+writes what is not covered, a line a branch: place, outcome, dimensions. --conditions prints MC/DC of the folders named:
 conditions shown to decide alone. Ends with 1 when a column is below --least."""
 import argparse
 import collections
@@ -56,35 +56,35 @@ def conditions(export, root):
     return decisions
 
 
-def print_table(title, covered, total, rooms):
+def print_table(title, covered, total, folders):
     print("%-12s" % title + "".join("%20s" % ("any" if d is None else "D = %d" % d) for d in COLUMNS) + "%20s" % "all")
-    for room in sorted(rooms) + ["all"]:
-        row = "%-12s" % room
+    for folder in sorted(folders) + ["all"]:
+        row = "%-12s" % folder
         for d in COLUMNS + ["all"]:
-            n, m = covered[room, d], total[room, d]
+            n, m = covered[folder, d], total[folder, d]
             row += "%20s" % ("%d/%d %5.1f%%" % (n, m, 100.0 * n / m) if m else "")
         print(row)
     print()
 
 
 def tally(items):
-    """covered and total by (room, dimension) with sums, from (path, dimension, is covered)."""
-    covered, total, rooms = collections.Counter(), collections.Counter(), set()
+    """covered and total by (folder, dimension) with sums, from (path, dimension, is covered)."""
+    covered, total, folders = collections.Counter(), collections.Counter(), set()
     for path, d, good in items:
-        room = path.split(os.sep)[0]
-        rooms.add(room)
-        for key in ((room, d), (room, "all"), ("all", d), ("all", "all")):
+        folder = path.split(os.sep)[0]
+        folders.add(folder)
+        for key in ((folder, d), (folder, "all"), ("all", d), ("all", "all")):
             total[key] += 1
             covered[key] += bool(good)
-    return covered, total, rooms
+    return covered, total, folders
 
 
 def in_words(dims):
     return ", ".join("any" if d is None else str(d) for d in COLUMNS if d in dims)
 
 
-def print_conditions(export, root, rooms):
-    decided = {k: v for k, v in conditions(export, root).items() if k[0].split(os.sep)[0] in rooms}
+def print_conditions(export, root, folders):
+    decided = {k: v for k, v in conditions(export, root).items() if k[0].split(os.sep)[0] in folders}
     print_table("MC/DC", *tally((k[0], k[3], c) for k, all_of in decided.items() for c in all_of))
     missing = collections.defaultdict(set)
     for (path, line, column, d), all_of in decided.items():
@@ -120,10 +120,10 @@ def main():
     with open(args.export) as file:
         export = json.load(file)
     counts = branch_outcomes(export, args.root)
-    covered, total, rooms = tally((key[0], key[4], n) for key, n in counts.items())
+    covered, total, folders = tally((key[0], key[4], n) for key, n in counts.items())
     if not total:
         sys.exit("no function of engine/ in " + args.export)
-    print_table("branches", covered, total, rooms)
+    print_table("branches", covered, total, folders)
     if args.conditions:
         print_conditions(export, args.root, args.conditions)
     if args.list:

@@ -1,6 +1,6 @@
 // Prints the fingerprints of a fixed set of jobs, one a line: job, input, dimension, fingerprint of the input,
-// fingerprint of the result (of an analysis: of all its figures), sizes. Inputs are made with + - * / alone, so every line
-// must be the same on every compiler, optimisation level and processor.
+// fingerprint of the result (of an analysis: of all its figures), sizes. Inputs are made with + - * / alone, so every
+// line must be the same on every compiler, optimisation level and processor.
 //
 //   fingerprints [small]      small: without the Clifford set
 #include <cinttypes>
@@ -229,7 +229,8 @@ void distances() {
     }
 }
 
-// The complex of all faces of some cells, with values by formula and negative ones among them, and a cycle for each bar.
+// The complex of all faces of some cells, with values by formula and negative ones among them, and a cycle for each
+// bar.
 void homology() {
     const std::uint32_t vertices = 60, size = 4;
     inputs::Random random(7);

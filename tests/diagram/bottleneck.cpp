@@ -224,9 +224,7 @@ TEST_CASE("a poll can cancel") {
     scratch.lend(&request);
     int calls = 0;
     request.monitor.user = &calls;
-    request.monitor.poll = [](void* user, const netmesh_progress*) {
-        return ++*static_cast<int*>(user) == 2 ? 1 : 0;
-    };
+    request.monitor.poll = [](void* user, const netmesh_progress*) { return ++*static_cast<int*>(user) == 2 ? 1 : 0; };
     netmesh_distance d = {sizeof d, -1, -1};
     CHECK(netmesh_bottleneck(&request, &d, nullptr) == NETMESH_CANCELLED);
     CHECK(calls == 2);

@@ -35,9 +35,8 @@ int main() {
     if (a.persist() != NETMESH_OK) return 5;
     if (c.report().fingerprint != a.report().fingerprint) return 7;
     int loops = 0;
-    a.for_each_pair([&](std::uint64_t, const netmesh_pair& pair) {
-        loops += pair.degree == 1 && pair.death > 1.2 * pair.birth;
-    });
+    a.for_each_pair(
+        [&](std::uint64_t, const netmesh_pair& pair) { loops += pair.degree == 1 && pair.death > 1.2 * pair.birth; });
     std::printf("%d loop\n", loops);
     return loops == 1 ? 0 : 8;
 }

@@ -95,8 +95,8 @@ TEST_CASE("the basic filter gives inputs zero and says from where its ratio hold
     Monitor monitor;
     MeshResult<2> mesh;
     const inputs::Points points = inputs::uniform(2, 100);
-    REQUIRE(mesh_points<2>(store, points.data(), 100, by_quality(2.5, 1, true), {block.arena, monitor},
-                           &mesh) == Status::ok);
+    REQUIRE(mesh_points<2>(store, points.data(), 100, by_quality(2.5, 1, true), {block.arena, monitor}, &mesh) ==
+            Status::ok);
     const Domain<2>& domain = mesh.domain;
     std::vector<double> value(state.vertex_count);
     Evaluation basic = {value.data()};

@@ -23,8 +23,8 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     Store<D> store(block.arena, state);
     Monitor monitor;
     MeshResult<D> meshed;
-    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, factor, true), {block.arena, monitor},
-                           &meshed) == Status::ok);
+    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, factor, true),
+                           {block.arena, monitor}, &meshed) == Status::ok);
     const Domain<D>& domain = meshed.domain;
     const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
     const FilteredMesh<D> mesh = {store, domain, inputs};

@@ -34,7 +34,6 @@ struct Run {
     MeshAudit audit;
 };
 
-
 double now() {
     using namespace std::chrono;
     return duration<double>(steady_clock::now().time_since_epoch()).count();
@@ -104,8 +103,8 @@ template <int D> void sizes(Block& block, bool quick) {
     row("nested clusters 1e6", inputs::nested(D, 5, count[D], 1e6), false, false);
 }
 
-// Touches per input against the number of points and the spread. The size per input is not the same for all gaps below 16,
-// which have no room for a cage, so the touches are shown per vertex as well.
+// Touches per input against the number of points and the spread. The size per input is not the same for all gaps below
+// 16, which have no room for a cage, so the touches are shown per vertex as well.
 template <int D> void touches(Block& block, bool quick) {
     constexpr std::size_t largest[] = {0, 0, 1000000, 100000, 10000};
     std::printf("touches per input (vertices per input), D = %d, tau 3, spread across\n%10s", D, "n");
@@ -304,8 +303,8 @@ template <int D> void terminate(Block& block, std::uint64_t count) {
         largest = std::max(largest, static_cast<std::uint64_t>(run.vertices));
     }
     std::printf(
-        "terminated, D = %d, tau 2.2 to 3.1: %llu fuzzed inputs, %llu meshed (others have points too close), %llu cages, "
-        "%llu vertices, at most %llu, %.0f s\n",
+        "terminated, D = %d, tau 2.2 to 3.1: %llu fuzzed inputs, %llu meshed (others have points too close), "
+        "%llu cages, %llu vertices, at most %llu, %.0f s\n",
         D, static_cast<unsigned long long>(count), static_cast<unsigned long long>(meshed),
         static_cast<unsigned long long>(cages), static_cast<unsigned long long>(vertices),
         static_cast<unsigned long long>(largest), now() - start);

@@ -2,8 +2,8 @@
 // cycle is a sum of others up to what has died before.
 #include <doctest/doctest.h>
 
-#include "common/block.hpp"
 #include "boundaries.hpp"
+#include "common/block.hpp"
 #include "grid.hpp"
 #include "homology/cycles/cycles.hpp"
 

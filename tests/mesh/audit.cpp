@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "hierarchical.hpp"
-#include "mesh/input_tree.hpp"
 #include "mesh/frame.hpp"
+#include "mesh/input_tree.hpp"
 #include "mesh/quality_audit.hpp"
 
 using namespace netmesh;
@@ -116,7 +116,8 @@ template <int D> bool same_mesh(const Hierarchical<D>& a, const Hierarchical<D>&
     if (a.state.vertex_count != b.state.vertex_count || a.state.cell_slots != b.state.cell_slots) return false;
     for (std::uint32_t v = 0; v < a.state.vertex_count; ++v)
         if (!std::equal(a.store.point(v), a.store.point(v) + D, b.store.point(v)) ||
-            a.store.vertex(v).marker != b.store.vertex(v).marker || a.store.vertex(v).origin != b.store.vertex(v).origin)
+            a.store.vertex(v).marker != b.store.vertex(v).marker ||
+            a.store.vertex(v).origin != b.store.vertex(v).origin)
             return false;
     for (std::uint32_t c = 0; c < a.state.cell_slots; ++c)
         for (int i = 0; i <= D; ++i)
@@ -124,13 +125,15 @@ template <int D> bool same_mesh(const Hierarchical<D>& a, const Hierarchical<D>&
     return true;
 }
 
-TEST_CASE_TEMPLATE_DEFINE("an audit of quality is of the mesh that is made without, one of location of another order", T,
-                          same) {
+TEST_CASE_TEMPLATE_DEFINE("an audit of quality is of the mesh that is made without, one of location of another order",
+                          T, same) {
     constexpr int D = T::value;
     // From tau 6 on Steiner points often yield to inputs farther away than nine tenths of their empty balls.
     for (const double tau : {D < 4 ? 3.0 : 5.0, 12.0}) {
-        for (const inputs::Points& points :
-             {inputs::uniform(D, D == 2 ? 60 : D == 3 ? 20 : 6), inputs::close_pairs(D, 3, 0.1)})
+        for (const inputs::Points& points : {inputs::uniform(D, D == 2   ? 60
+                                                                : D == 3 ? 20
+                                                                         : 6),
+                                             inputs::close_pairs(D, 3, 0.1)})
             for (const MeshRequest& request : {by_quality(tau), by_hierarchy(tau), by_hierarchy(tau, true)}) {
                 const Hierarchical<D> plain(points, request), with(points, audited(request, false, true));
                 REQUIRE(plain.status == Status::ok);
@@ -259,8 +262,8 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
     QualityAudit audit = {};
     const AuditStep none_new = {m.state.vertex_count, none, false};
     const auto measure = [&](const AuditStep& fresh) {
-        REQUIRE(audit_quality<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain, m.block.arena, fresh, &audit) ==
-                Status::ok);
+        REQUIRE(audit_quality<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain, m.block.arena,
+                                 fresh, &audit) == Status::ok);
     };
     measure(none_new);
     REQUIRE(audit.encroached == 0);
@@ -321,8 +324,8 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         for (double bytes = 64; bytes < static_cast<double>(top - low); bytes *= D < 5 ? 1.02 : D == 5 ? 1.1 : 1.4) {
             m.block.arena.release_low(top - static_cast<std::size_t>(bytes) / 16 * 16);
             audit = {};
-            const Status status =
-                audit_quality<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain, m.block.arena, none_new, &audit);
+            const Status status = audit_quality<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain,
+                                                   m.block.arena, none_new, &audit);
             m.block.arena.release_low(low);
             REQUIRE((status == Status::ok || (status == Status::out_of_memory && !fits)));
             if (status != Status::ok) continue;

@@ -185,7 +185,8 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
         std::uint32_t larger = 0;
         for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d)
             if (m.result.cages[d].radius > m.result.cages[larger].radius) larger = d;
-        for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d) m.result.cages[d].radius = m.result.cages[larger].radius;
+        for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d)
+            m.result.cages[d].radius = m.result.cages[larger].radius;
         CHECK(said() != "nothing");
         std::swap(m.result.cages[0], m.result.cages[m.result.hierarchy.cages - 1]);
         CHECK(said() != "nothing");
@@ -217,7 +218,8 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
             m.store.vertex(v).x[k] = m.store.point(c.centre)[k] + (k == 1 ? radii * c.radius : 0);
     };
     const auto is_centre = [&](std::uint32_t v) {
-        return std::any_of(m.result.cages, m.result.cages + m.result.hierarchy.cages, [v](const Cage& c) { return c.centre == v; });
+        return std::any_of(m.result.cages, m.result.cages + m.result.hierarchy.cages,
+                           [v](const Cage& c) { return c.centre == v; });
     };
     const auto next_to_shell = [&](const Cage& c) -> std::uint32_t {
         for (std::uint32_t k = 0; k < m.state.cell_slots; ++k) {
@@ -256,7 +258,8 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
                 m.store.vertex(v).marker = marker;
                 put(v, m.result.cages[d], 2);
                 const std::uint32_t around = m.result.cages[d].parent;
-                if (kept.marker == Marker::exempt && around != none && is_inside<D>(m.store, m.result.cages[around], kept.x))
+                if (kept.marker == Marker::exempt && around != none &&
+                    is_inside<D>(m.store, m.result.cages[around], kept.x))
                     CHECK(said() == "a cage lacks its shell");
                 else  // an input may also be too far from the centre around
                     CHECK((said() == "a vertex encroaches on a cage from outside" ||

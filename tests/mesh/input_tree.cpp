@@ -1,4 +1,5 @@
-// Searches among the inputs against looking at all of them, ties and far clusters included; what is refused before a mesh begins.
+// Searches among the inputs against looking at all of them, ties and far clusters included; what is refused before a
+// mesh begins.
 #include "mesh/input_tree.hpp"
 
 #include <doctest/doctest.h>
@@ -9,9 +10,9 @@
 
 #include "common/block.hpp"
 #include "common/inputs.hpp"
-#include "numerics/vector.hpp"
 #include "mesh/frame.hpp"
 #include "mesh/separation.hpp"
+#include "numerics/vector.hpp"
 
 using namespace netmesh;
 

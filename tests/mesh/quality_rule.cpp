@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "hierarchical.hpp"
-#include "numerics/vector.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality.hpp"
+#include "numerics/vector.hpp"
 
 using namespace netmesh;
 
@@ -139,7 +139,8 @@ TEST_CASE("clipped cells sampled at random keep the bound") {
     for (int sample = 0; sample < 200000; ++sample) {
         double x[2];
         do
-            for (int k = 0; k < 2; ++k) x[k] = m.result.domain.centre[k] + m.result.domain.radius * (2 * random.uniform() - 1);
+            for (int k = 0; k < 2; ++k)
+                x[k] = m.result.domain.centre[k] + m.result.domain.radius * (2 * random.uniform() - 1);
         while (!m.result.domain.contains(x));
         std::uint32_t nearest = 0;
         double best = infinity;

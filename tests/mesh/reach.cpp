@@ -1,4 +1,5 @@
-// How far clipped cells reach, on triangulations made by hand: against sampling, with flat cells, and where memory is short.
+// How far clipped cells reach, on triangulations made by hand: against sampling, with flat cells, and where memory is
+// short.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 #include "common/inputs.hpp"
 #include "delaunay/load.hpp"
 #include "delaunay/triangulate.hpp"
-#include "numerics/vector.hpp"
 #include "mesh/sizing.hpp"
+#include "numerics/vector.hpp"
 
 using namespace netmesh;
 

@@ -1,5 +1,5 @@
-// Many small hierarchical meshes with gaps about as wide as a cage needs, where cages are made, kept and released, in every
-// dimension and with every option.
+// Many small hierarchical meshes with gaps about as wide as a cage needs, where cages are made, kept and released, in
+// every dimension and with every option.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -26,7 +26,8 @@ template <int D> void check_mesh(Hierarchical<D>& m, const MeshRequest& request)
     CHECK(delaunay_violation<D>(m.store) == nullptr);
     CHECK(m.result.hierarchy.cages == m.result.hierarchy.cages_made - m.result.hierarchy.cages_released);
     HierarchyQuality q;
-    REQUIRE(measure_hierarchy<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain, m.block.arena, &q) == Status::ok);
+    REQUIRE(measure_hierarchy<D>(m.store, m.result.cages, m.result.hierarchy.cages, m.result.domain, m.block.arena,
+                                 &q) == Status::ok);
     CHECK(q.encroached.violation == nullptr);
     CHECK(q.worst <= request.tau);
     if (request.finish) {

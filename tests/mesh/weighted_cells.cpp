@@ -14,7 +14,6 @@ using namespace netmesh;
 
 namespace {
 
-
 // Weighted points; d_w(u, x) = |u - x| - w_u for points x without a weight.
 template <int D> struct Weighted {
     inputs::Points x;

@@ -1,5 +1,5 @@
-// Scale by scale (7.6) against the exact diagram of all points, on spreads up to 1e12: the log-bottleneck distance is at
-// most 3 theta + eps, and at most the logarithm of the certified ratio. Peak memory is that of the largest scale.
+// Scale by scale (7.6) against the exact diagram of all points, on spreads up to 1e12: the log-bottleneck distance is
+// at most 3 theta + eps, and at most the logarithm of the certified ratio. Peak memory is that of the largest scale.
 #include <doctest/doctest.h>
 
 #include <cmath>

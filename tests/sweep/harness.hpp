@@ -6,7 +6,8 @@
 
 #include "netmesh.h"
 
-// Requests for memory refuse_from .. refuse_to - 1 are refused, poll cancel_at is answered with a stop; all are counted from 0.
+// Requests for memory refuse_from .. refuse_to - 1 are refused, poll cancel_at is answered with a stop; all are counted
+// from 0.
 struct Disturbance {
     long refuse_from = -1, refuse_to = -1, cancel_at = -1;
     long requests = 0, polls = 0;  // made so far

@@ -51,8 +51,8 @@ Outcome run(const Contestant& contestant);
 double resident_bytes();
 
 // Aspect ratio R/r of the Voronoi cells of the vertices that are not on the hull: R to the farthest circumcentre of its
-// tetrahedra, r half the distance to the nearest neighbour. With a ball (centre, radius), only of cells with all corners
-// in it. Sets aspect_worst and aspect_mean.
+// tetrahedra, r half the distance to the nearest neighbour. With a ball (centre, radius), only of cells with all
+// corners in it. Sets aspect_worst and aspect_mean.
 void measure_aspect(Trial& trial, const std::vector<double>& points,
                     const std::vector<std::array<std::uint32_t, 4>>& tets, const double* ball);
 
