@@ -1,4 +1,4 @@
-// A mesh or a triangulation made by the inner rooms, and linear algebra by the book, for the tests of this room.
+// A mesh or a triangulation made by the inner folders, and linear algebra by the book, for these tests.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -302,12 +302,11 @@ template <int D> void terminate(Block& block, std::uint64_t count) {
         cages += run.report.cages_made;
         largest = std::max(largest, static_cast<std::uint64_t>(run.vertices));
     }
-    std::printf(
-        "terminated, D = %d, tau 2.2 to 3.1: %llu fuzzed inputs, %llu meshed (others have points too close), "
-        "%llu cages, %llu vertices, at most %llu, %.0f s\n",
-        D, static_cast<unsigned long long>(count), static_cast<unsigned long long>(meshed),
-        static_cast<unsigned long long>(cages), static_cast<unsigned long long>(vertices),
-        static_cast<unsigned long long>(largest), now() - start);
+    std::printf("terminated, D = %d, tau 2.2 to 3.1: %llu fuzzed inputs, %llu meshed (others have points too close), "
+                "%llu cages, %llu vertices, at most %llu, %.0f s\n",
+                D, static_cast<unsigned long long>(count), static_cast<unsigned long long>(meshed),
+                static_cast<unsigned long long>(cages), static_cast<unsigned long long>(vertices),
+                static_cast<unsigned long long>(largest), now() - start);
     expect(meshed > count / 2, "most fuzzed inputs are admitted");
 }
 

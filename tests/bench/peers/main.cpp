@@ -191,9 +191,8 @@ void persist() {
     const Case cases[] = {{2, "uniform", inputs::uniform(2, scaled(50000)), 2.5},
                           {3, "uniform", inputs::uniform(3, scaled(5000)), 3.0},
                           {4, "clifford", inputs::clifford(scaled(2000)), 3.08}};
-    std::printf(
-        "\nPersistence of the complete filter on the mesh against PHAT (bit tree) on its boundary matrix; "
-        "the mesh is not timed\n");
+    std::printf("\nPersistence of the complete filter on the mesh against PHAT (bit tree) on its boundary matrix; "
+                "the mesh is not timed\n");
     for (const Case& c : cases) {
         std::vector<bench::Contestant> contestants = {
             [&](Trial& t) { bench::ours_persist(t, c.dim, c.points, c.tau); }};
