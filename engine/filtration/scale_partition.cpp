@@ -6,6 +6,15 @@
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
+namespace {
+
+struct ByOwner {
+    bool operator()(const PointLeft& a, const PointLeft& b) const {
+        return a.owner != b.owner ? a.owner < b.owner : a.point < b.point;
+    }
+};
+
+}  // namespace
 
 template <int D>
 Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, double theta, Arena& arena) {
@@ -14,7 +23,7 @@ Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, doubl
     total_ = count - 1;
     done_ = clusters_ = chosen_count_ = 0;
     separation_ = infinity;
-    left_ = arena.take_low<Left>(total_);
+    left_ = arena.take_low<PointLeft>(total_);
     chosen_ = arena.take_low<std::uint32_t>(count);
     if (left_ == nullptr || chosen_ == nullptr) return Status::out_of_memory;
     for (std::uint32_t i = 0; i < total_; ++i) left_[i] = {0, 0, i + 1, 0};
@@ -29,7 +38,7 @@ template <int D> double ScalePartition<D>::distance(std::uint32_t a, std::uint32
 template <int D> std::uint32_t ScalePartition<D>::farthest(std::uint32_t begin, std::uint32_t end) const {
     std::uint32_t best = end;
     for (std::uint32_t i = begin; i < end; ++i) {
-        const Left& left = left_[i];
+        const PointLeft& left = left_[i];
         if (chosen_count_ > 1 && !(left.near >= theta_ * left.second)) continue;
         if (best == end || left.near > left_[best].near ||
             (left.near == left_[best].near && left.point < left_[best].point))
@@ -42,7 +51,7 @@ template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32
     const std::uint32_t place = chosen_count_++;
     chosen_[place] = point;
     for (std::uint32_t i = begin; i < end; ++i) {
-        Left& left = left_[i];
+        PointLeft& left = left_[i];
         const double d = distance(point, left.point);
         if (place == 0 || d < left.near) {
             left.second = place == 0 ? infinity : left.near;
@@ -56,8 +65,7 @@ template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32
 
 // Makes clusters of what is left.
 template <int D> void ScalePartition<D>::group(std::uint32_t begin, std::uint32_t end) {
-    sort(left_ + begin, end - begin,
-         [](const Left& a, const Left& b) { return a.owner != b.owner ? a.owner < b.owner : a.point < b.point; });
+    sort(left_ + begin, end - begin, ByOwner{});
     for (std::uint32_t i = begin; i < end;) {
         const std::uint32_t place = left_[i].owner, representative = chosen_[place];
         double gap = infinity, radius = 0;
@@ -86,7 +94,7 @@ template <int D> bool ScalePartition<D>::next(Monitor& monitor, bool* stopped) {
     for (;;) {
         const std::uint32_t i = farthest(done_, end);
         if (i == end) break;
-        const Left taken = left_[i];
+        const PointLeft taken = left_[i];
         left_[i] = left_[done_];
         left_[done_++] = taken;
         choose(taken.point, done_, end);

@@ -32,6 +32,12 @@
 
 namespace netmesh {
 
+// A point that is not chosen yet.
+struct PointLeft {
+    double near, second;         // distances to the two nearest chosen points
+    std::uint32_t point, owner;  // owner: the nearest, as a position in chosen_; between calls the representative
+};
+
 // One cluster after the other, parents before children.
 template <int D> class ScalePartition {
 public:
@@ -49,10 +55,6 @@ public:
     double separation() const { return separation_; }
 
 private:
-    struct Left {
-        double near, second;         // distances to the two nearest chosen points
-        std::uint32_t point, owner;  // owner: the nearest, as a position in chosen_; between calls the representative
-    };
     double distance(std::uint32_t a, std::uint32_t b) const;
     std::uint32_t farthest(std::uint32_t begin, std::uint32_t end) const;
     void choose(std::uint32_t point, std::uint32_t begin, std::uint32_t end);
@@ -61,7 +63,7 @@ private:
     const Store<D>* store_ = nullptr;
     std::uint32_t total_ = 0, done_ = 0;
     double theta_ = 0;
-    Left* left_ =
+    PointLeft* left_ =
         nullptr;  // [total_] those before done_ have been chosen; then the clusters to come, one after the other
     std::uint32_t* chosen_ = nullptr;  // [total_ + 1]
     std::uint32_t chosen_count_ = 0, clusters_ = 0;

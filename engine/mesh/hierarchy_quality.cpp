@@ -7,6 +7,26 @@
 namespace netmesh {
 namespace {
 
+struct LargerCage {
+    const Cage* cages;
+    bool operator()(std::uint32_t a, std::uint32_t b) const {
+        return cages[a].radius > cages[b].radius || (cages[a].radius == cages[b].radius && a < b);
+    }
+};
+
+// A corner within a ball, or the points in which its edges leave that ball.
+template <int D> struct Clipped {
+    int count = 0;
+    int facet[2 * (D + 1)];  // that the edge of a point crosses; -1: the corner itself
+    double x[2 * (D + 1)][D];
+
+    void add(const double* point, int across) {
+        facet[count] = across;
+        for (int k = 0; k < D; ++k) x[count][k] = point[k];
+        ++count;
+    }
+};
+
 template <int D> class Measurement {
 public:
     Measurement(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena)
@@ -35,8 +55,7 @@ private:
     }
     void raise_vertices(std::uint32_t c, const Cell<D>& corner);
     void raise_cages(std::uint32_t c, const Cell<D>& corner);
-    template <class Offer>
-    void clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& corner, Offer&& offer) const;
+    void clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& corner, Clipped<D>* points) const;
 
     Store<D>& store_;
     Cage* cages_;
@@ -103,9 +122,7 @@ template <int D> CheckResult Measurement<D>::find_domains() {
             store_.vertex(cage.centre).cell == none || !(cage.radius > 0 && cage.radius < infinity))
             return {"a cage's centre is not an input, or its radius not positive", cage.centre};
     }
-    sort(order_, count_, [&](std::uint32_t a, std::uint32_t b) {
-        return cages_[a].radius > cages_[b].radius || (cages_[a].radius == cages_[b].radius && a < b);
-    });
+    sort(order_, count_, LargerCage{cages_});
     for (std::uint32_t k = 0; k < count_; ++k) {
         const std::uint32_t d = order_[k];
         Cage& cage = cages_[d];
@@ -159,25 +176,26 @@ template <int D> CheckResult Measurement<D>::find_encroached() {
 }
 
 // The corner of cell c, in centre and radius2; false when the cell is too flat for doubles to know it.
-template <int D> bool Measurement<D>::corner(std::uint32_t c, Cell<D>* scratch) const {
+template <int D> [[gnu::noinline]] bool Measurement<D>::corner(std::uint32_t c, Cell<D>* scratch) const {
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store_.point(store_.cell(c).vertex[i]);
     solve_sphere<D>(p, corner_error_max, *scratch);
     return scratch->radius2 < infinity;
 }
 
-// offer(point, facet) for the corner of cell c, when the ball contains it (facet -1), or the crossings of its edges.
+// The corner of cell c, when the ball contains it, or the crossings of its edges.
 template <int D>
-template <class Offer>
-void Measurement<D>::clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& here, Offer&& offer) const {
-    if (ball.contains(here.centre)) return offer(here.centre, -1);
+[[gnu::noinline]] void Measurement<D>::clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& here,
+                                            Clipped<D>* points) const {
+    points->count = 0;
+    if (ball.contains(here.centre)) return points->add(here.centre, -1);
     for (int i = 0; i <= D; ++i) {
         const std::uint32_t n = neighbour(c, i);
         Cell<D> there;
         if (n == none || !corner(n, &there)) continue;
         double z[2][D];
         const int crossings = sphere_crossings<D>(ball, here.centre, there.centre, z);
-        for (int j = 0; j < crossings; ++j) offer(z[j], i);
+        for (int j = 0; j < crossings; ++j) points->add(z[j], i);
     }
 }
 
@@ -191,13 +209,14 @@ template <int D> void Measurement<D>::raise_vertices(std::uint32_t c, const Cell
         for (int i = first; i <= D; ++i)
             if (domain_[cell.vertex[i]] == d) equal |= 1u << i;
         left &= ~equal;
-        clip(domain_ball<D>(store_, cages_, d, outermost_), c, here, [&](const double* x, int facet) {
+        Clipped<D> points;
+        clip(domain_ball<D>(store_, cages_, d, outermost_), c, here, &points);
+        for (int k = 0; k < points.count; ++k)
             for (int i = 0; i <= D; ++i) {
-                if (i == facet || (equal >> i & 1u) == 0) continue;
-                const double d2 = distance2<D>(x, store_.point(cell.vertex[i]));
+                if (i == points.facet[k] || (equal >> i & 1u) == 0) continue;
+                const double d2 = distance2<D>(points.x[k], store_.point(cell.vertex[i]));
                 if (d2 > out2_[cell.vertex[i]]) out2_[cell.vertex[i]] = d2;
             }
-        });
     }
 }
 
@@ -213,12 +232,14 @@ template <int D> void Measurement<D>::raise_cages(std::uint32_t c, const Cell<D>
                     const double d2 = distance2<D>(store_.point(v), centre);
                     if (d2 < cages_[d].nearest2) cages_[d].nearest2 = d2;
                 }
-            clip(domain_ball<D>(store_, cages_, cages_[d].parent, outermost_), c, here,
-                 [&](const double* x, int facet) {
-                     if (facet >= 0 && !is_on_boundary<D>(store_, cages_[d], cell.neighbour[facet].cell())) return;
-                     const double d2 = distance2<D>(x, centre);
-                     if (d2 > cage_out2_[d]) cage_out2_[d] = d2;
-                 });
+            Clipped<D> points;
+            clip(domain_ball<D>(store_, cages_, cages_[d].parent, outermost_), c, here, &points);
+            for (int k = 0; k < points.count; ++k) {
+                const int facet = points.facet[k];
+                if (facet >= 0 && !is_on_boundary<D>(store_, cages_[d], cell.neighbour[facet].cell())) continue;
+                const double d2 = distance2<D>(points.x[k], centre);
+                if (d2 > cage_out2_[d]) cage_out2_[d] = d2;
+            }
         }
 }
 

@@ -25,6 +25,18 @@
 
 namespace netmesh {
 
+// Ranks of a facet's vertices, the largest first, and the order in which later ones come first. They know no
+// dimension of space, so that their sort stands once in the program.
+template <std::uint32_t N> struct FacetRanks { std::uint32_t rank[N]; };
+struct LaterRanks {
+    template <std::uint32_t N> bool operator()(const FacetRanks<N>& a, const FacetRanks<N>& b) const {
+        for (std::uint32_t j = 0; j + 1 < N; ++j) {
+            if (a.rank[j] != b.rank[j]) return a.rank[j] > b.rank[j];
+        }
+        return a.rank[N - 1] > b.rank[N - 1];
+    }
+};
+
 template <int D> class Sweep {
 public:
     // above[vertex_count + 1]: for each vertex a higher vertex of its link or `outside`, itself if there is none.
@@ -240,16 +252,8 @@ template <int D> void Sweep<D>::add_outer_facet(std::uint32_t i) {
 
 // Adds the facets noted to column c, whose entries have N ranks.
 template <int D> template <std::uint32_t N> bool Sweep<D>::add_outer_facets(std::uint32_t c) {
-    struct Ranks {
-        std::uint32_t rank[N];
-    };
-    Ranks* const outer = reinterpret_cast<Ranks*>(outer_);
-    sort(outer, outer_count_, [](const Ranks& a, const Ranks& b) {
-        for (std::uint32_t j = 0; j + 1 < N; ++j) {
-            if (a.rank[j] != b.rank[j]) return a.rank[j] > b.rank[j];
-        }
-        return a.rank[N - 1] > b.rank[N - 1];
-    });
+    FacetRanks<N>* const outer = reinterpret_cast<FacetRanks<N>*>(outer_);
+    sort(outer, outer_count_, LaterRanks{});
     Run run = no_run;
     for (std::uint32_t i = 0; i < outer_count_; ++i) {
         if (!front_.append(&run, outer[i].rank, N)) return false;

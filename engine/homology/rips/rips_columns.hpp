@@ -45,8 +45,7 @@ public:
             look_at(first);
             if (!has_owner()) return Status::ok;
         }
-        const bool fits = simplices_.each_coface(s, [this](std::uint64_t coface) { return heap_.push(coface); });
-        return fits ? take_pivot() : Status::out_of_memory;
+        return push_cofaces(s) ? take_pivot() : Status::out_of_memory;
     }
     bool has_owner() const { return pivot_.key != no_key && (owner_ != none || facet_ != no_key); }
     Status add_owner() { return heap_.push(pivot_.key) && add_owning_column() ? take_pivot() : Status::out_of_memory; }
@@ -88,6 +87,10 @@ private:
         RipsSimplex s;
         simplices_.read(key, p_, &s);
         work_ += 1 + simplices_.vertices() / 32;
+        return push_cofaces(s);
+    }
+    // Once in the program: it is large, and a call of it visits all vertices.
+    [[gnu::noinline]] bool push_cofaces(const RipsSimplex& s) {
         return simplices_.each_coface(s, [this](std::uint64_t coface) { return heap_.push(coface); });
     }
     bool add_owning_column() {
