@@ -23,6 +23,19 @@ void keep_diagram(netmesh_context* context, const KeptInput& input, const KeptDi
     keep_complex(context, *complex);
 }
 
+const char* text_of(const SimplexFault& fault) {
+    switch (fault.kind) {
+    case NETMESH_FAULT_NONE: return "the value of a simplex is not a finite number";
+    case NETMESH_FAULT_SIZE: return "a simplex has no vertices or more than 32";
+    case NETMESH_FAULT_TOO_MANY: return "more than 2^31 - 1 simplices of one dimension";
+    case NETMESH_FAULT_VERTEX_TWICE: return "a simplex has a vertex twice";
+    case NETMESH_FAULT_LISTED_TWICE: return "a simplex is listed twice";
+    case NETMESH_FAULT_FACE_MISSING: return "a face of a simplex is missing";
+    case NETMESH_FAULT_FACE_LATER: return "a face enters later than its simplex";
+    }
+    return nullptr;
+}
+
 Complaint complaint_about(const netmesh_points_request& request) {
     const Filter* const filter = find_filter(request.filter);
     if (filter == nullptr || filter->source != FilterSource::points)
@@ -121,8 +134,13 @@ netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology
     const ComplexRequest wanted = {{request.max_degree, request.keep_zero_pairs != 0}, request.representatives != 0};
     SimplicesDiagram made;
     const Status status = persist_simplices(list, wanted, {context->arena, monitor}, &made);
-    if (status != Status::ok)
-        return fail_and_clear(context, status, made.fault.text, made.fault.simplex, made.fault.other);
+    if (status != Status::ok) {
+        const SimplexFault& fault = made.fault;
+        const bool of_input = status == Status::not_a_complex || status == Status::not_finite;
+        fail_and_clear(context, status, of_input ? text_of(fault) : nullptr, fault.simplex, fault.other);
+        context->detail.fault = fault.kind;
+        return context->detail.status;
+    }
     KeptDiagram diagram;
     diagram.max_degree = made.max_degree;
     diagram.certified_ratio = diagram.certified_ratio_best = 1;

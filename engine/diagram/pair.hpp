@@ -1,6 +1,10 @@
 // Points of a persistence diagram, lists of them and their canonical order.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+
+#include "memory/arena.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 
@@ -24,5 +28,9 @@ struct PairList {
     Pair* pairs;  // [count]; not null, also when count is 0
     std::uint64_t count;
 };
+
+// Moves pairs to the arena's low mark `low`, when nothing below them is needed any more. They must not stand below it.
+// out_of_memory: hardly ever, when alignment alone takes the last bytes.
+Status move_pairs_down(std::size_t low, Arena& arena, PairList* list);
 
 }  // namespace netmesh

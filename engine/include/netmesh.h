@@ -71,10 +71,12 @@ typedef enum netmesh_status {
                                      taken over by netmesh_load whose cells are not a triangulated ball */
     NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
-    NETMESH_NOT_A_COMPLEX = 12    /* simplex index_a has no place in a filtered complex, detail.message says why;
-                                     index_b: the earlier equal one, the face that enters later, or the vertex (counted
-                                     from 0 in ascending order) that a missing face lacks */
+    NETMESH_NOT_A_COMPLEX = 12    /* simplex index_a has no place in a filtered complex; detail.fault says why */
 } netmesh_status;
+
+/* C lets a compiler make enumerations shorter than an int (-fshort-enums, the habit of some ARM toolchains). The
+ * library is built with ints, and a program whose structs differ from its own must not compile. */
+typedef char netmesh_enumerations_are_ints[sizeof(netmesh_status) == sizeof(int) && sizeof(int) == 4 ? 1 : -1];
 
 /* A short English phrase for a status; never null. */
 const char* netmesh_status_text(netmesh_status status);
@@ -144,11 +146,23 @@ typedef enum netmesh_field {
 /* The field's name as it stands in the requests, "tau"; never null. */
 const char* netmesh_field_text(netmesh_field field);
 
+/* Why simplex index_a has no place in a filtered complex. */
+typedef enum netmesh_fault {
+    NETMESH_FAULT_NONE = 0,
+    NETMESH_FAULT_SIZE,         /* it has no vertices or more than 32 */
+    NETMESH_FAULT_TOO_MANY,     /* it is one of more than 2^31 - 1 of its dimension */
+    NETMESH_FAULT_VERTEX_TWICE, /* it has a vertex twice */
+    NETMESH_FAULT_LISTED_TWICE, /* index_b: the earlier simplex that it is equal to */
+    NETMESH_FAULT_FACE_MISSING, /* index_b: the vertex, from 0 in ascending order, that the missing face lacks */
+    NETMESH_FAULT_FACE_LATER    /* index_b: the face that enters later */
+} netmesh_fault;
+
 /* What the last call that failed has to say. Unused fields are 0. */
 typedef struct netmesh_detail {
     uint32_t struct_bytes;
     netmesh_status status;
     netmesh_field field; /* of INVALID_ARGUMENT */
+    netmesh_fault fault; /* of NOT_A_COMPLEX */
     uint64_t index_a, index_b;
     uint64_t bytes_wanted;
     const char* message; /* static text, never null once the struct has been filled */

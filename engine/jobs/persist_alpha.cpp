@@ -130,13 +130,7 @@ Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest reques
     if (status == Status::ok && !request.keep_zero) drop_rounding(&found);
     work.arena.release_low(low);
     work.arena.release_high(high);
-    if (status != Status::ok) return status;
-    const std::size_t count = static_cast<std::size_t>(found.count);
-    Pair* const pairs = work.arena.take_low<Pair>(count);  // at or below found.pairs
-    if (pairs == nullptr) return Status::out_of_memory;
-    __builtin_memmove(pairs, found.pairs, sizeof(Pair) * count);
-    found.pairs = pairs;
-    return Status::ok;
+    return status == Status::ok ? move_pairs_down(low, work.arena, &found) : status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

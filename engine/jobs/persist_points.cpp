@@ -169,18 +169,10 @@ Status persist_points(const PointsRequest& request, const Work& work, PointsDiag
     out->is_listed = request.representatives;
     const Status status = persist_set(request, work, out);
     if (status == Status::ok && request.representatives) return status;
+    if (status == Status::ok) return move_pairs_down(low, work.arena, &out->diagram.pairs);
     work.arena.release_low(low);
-    if (status != Status::ok) {
-        work.arena.release_high(high);
-        return status;
-    }
-    PairList& list = out->diagram.pairs;
-    const std::size_t count = static_cast<std::size_t>(list.count);
-    Pair* const moved = work.arena.take_low<Pair>(count);  // not above where they are
-    if (moved == nullptr) return Status::out_of_memory;
-    __builtin_memmove(moved, list.pairs, sizeof(Pair) * count);
-    list.pairs = moved;
-    return Status::ok;
+    work.arena.release_high(high);
+    return status;
 }
 
 double points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t dim) {

@@ -158,16 +158,12 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     result->ratio = result->ratio_best = 1;
     work.monitor.begin(NETMESH_STAGE_SORT, count);
     ScalesJoin<D> join(points, request, work, result);
-    const Status status = join.run(count);
+    Status status = join.run(count);
     work.arena.release_low(low);
     work.arena.release_high(high);
+    if (status == Status::ok) status = move_pairs_down(low, work.arena, &result->pairs);
     if (status != Status::ok) return status;
-    Pair* const pairs =
-        work.arena.take_low<Pair>(static_cast<std::size_t>(result->pairs.count));  // not above the old ones
-    if (pairs == nullptr) return Status::out_of_memory;
-    __builtin_memmove(pairs, result->pairs.pairs, sizeof(Pair) * static_cast<std::size_t>(result->pairs.count));
-    result->pairs.pairs = pairs;
-    sort(pairs, result->pairs.count, CanonicalOrder{});
+    sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{});
     return Status::ok;
 }
 

@@ -6,24 +6,19 @@
 namespace netmesh {
 namespace {
 
-constexpr const char* text_not_finite = "the value of a simplex is not a finite number";
-constexpr const char* text_size = "a simplex has no vertices or more than 32";
-constexpr const char* text_many = "more than 2^31 simplices of one dimension";
-constexpr const char* text_twice = "a simplex has a vertex twice";
-
 // What each simplex by itself has to satisfy; counts the dimensions.
 Status count_simplices(const SimplexList& list, ListedComplex* complex, SimplexFault* fault) {
     *complex = {};
     for (std::uint64_t i = 0; i < list.count; ++i) {
         fault->simplex = i;
-        fault->text = text_size;
+        fault->kind = NETMESH_FAULT_SIZE;
         if (list.starts[i + 1] <= list.starts[i] || list.size(i) > ListedComplex::dimension_max + 1)
             return Status::not_a_complex;
         const std::uint32_t k = static_cast<std::uint32_t>(list.size(i) - 1);
         if (k > complex->dimension) complex->dimension = k;
-        fault->text = text_many;
+        fault->kind = NETMESH_FAULT_TOO_MANY;
         if (++complex->count[k] > 0x7FFFFFFFu) return Status::not_a_complex;
-        fault->text = text_not_finite;
+        fault->kind = NETMESH_FAULT_NONE;
         if (!is_finite(list.values[i])) return Status::not_finite;
     }
     *fault = {};
@@ -60,7 +55,7 @@ Status copy_simplices(const SimplexList& list, Arena& arena, SimplicesDiagram* o
         const std::uint32_t size = static_cast<std::uint32_t>(list.size(i)), k = size - 1;
         std::uint32_t* const row = complex.rows[k] + std::size_t{filled[k]} * size;
         if (!sort_vertices(list.vertices + list.starts[i], size, row)) {
-            out->fault = {text_twice, i, 0};
+            out->fault = {NETMESH_FAULT_VERTEX_TWICE, i, 0};
             return Status::not_a_complex;
         }
         complex.value[k][filled[k]++] = list.values[i] + 0.0;
@@ -84,21 +79,10 @@ std::uint64_t place_of(const SimplexList& list, std::uint32_t k, std::uint32_t i
 SimplexFault fault_in_list(const SimplexList& list, const ComplexFault& fault) {
     const std::uint64_t at = place_of(list, fault.dimension, fault.index);
     switch (fault.kind) {
-    case ComplexFault::repeated: return {"a simplex is listed twice", at, place_of(list, fault.dimension, fault.other)};
-    case ComplexFault::face_missing: return {"a face of a simplex is missing", at, fault.other};
-    default: return {"a face enters later than its simplex", at, place_of(list, fault.dimension - 1, fault.other)};
+    case ComplexFault::repeated: return {NETMESH_FAULT_LISTED_TWICE, at, place_of(list, fault.dimension, fault.other)};
+    case ComplexFault::face_missing: return {NETMESH_FAULT_FACE_MISSING, at, fault.other};
+    default: return {NETMESH_FAULT_FACE_LATER, at, place_of(list, fault.dimension - 1, fault.other)};
     }
-}
-
-// Moves the pairs to where the complex was, which begins at `low`.
-Status move_down(Arena& arena, std::size_t low, PairList* list) {
-    const std::size_t count = static_cast<std::size_t>(list->count);
-    arena.release_low(low);
-    Pair* const moved = arena.take_low<Pair>(count);  // not above where they are
-    if (moved == nullptr) return Status::out_of_memory;
-    __builtin_memmove(moved, list->pairs, sizeof(Pair) * count);
-    list->pairs = moved;
-    return Status::ok;
 }
 
 }  // namespace
@@ -122,7 +106,7 @@ Status persist_simplices(const SimplexList& list, const ComplexRequest& request,
     out->max_degree = wanted.diagram.max_degree;
     status = persist_complex(out->complex, wanted, work, &out->diagram);
     if (status != Status::ok || wanted.representatives) return status;
-    return move_down(work.arena, low, &out->diagram.pairs);
+    return move_pairs_down(low, work.arena, &out->diagram.pairs);
 }
 
 double simplices_bytes(std::uint64_t count, std::uint64_t vertices) {

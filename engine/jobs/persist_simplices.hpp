@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "jobs/persist_complex.hpp"
+#include "netmesh.h"
 
 namespace netmesh {
 
@@ -16,12 +17,11 @@ struct SimplexList {
     std::uint64_t size(std::uint64_t i) const { return starts[i + 1] - starts[i]; }
 };
 
-// Why the list is not a filtered complex.
+// Why the list is not a filtered complex; NETMESH_FAULT_NONE: a value is not finite.
 struct SimplexFault {
-    const char* text = nullptr;
+    netmesh_fault kind = NETMESH_FAULT_NONE;
     std::uint64_t simplex = 0;  // its place in the list
-    std::uint64_t other = 0;  // the place of the equal simplex before it or of the face that enters later, or which of
-                              // its vertices, in ascending order, a missing face lacks
+    std::uint64_t other = 0;    // see netmesh_fault
 };
 
 struct SimplicesDiagram {

@@ -184,8 +184,10 @@ TEST_CASE("what is not a filtered complex is named") {
     const std::vector<Simplex> triangle = {{5}, {9}, {7}, {5, 7}, {9, 5}, {7, 9}, {7, 5, 9}};
     const std::vector<double> values = {0, 0, 0, 1, 2, 3, 3};
     Homology h;
-    const auto fails = [&](std::vector<Simplex> s, std::vector<double> v, std::uint64_t a, std::uint64_t b) {
+    const auto fails = [&](std::vector<Simplex> s, std::vector<double> v, netmesh_fault fault, std::uint64_t a,
+                           std::uint64_t b) {
         CHECK(h.run(s, v, 2, false, false) == NETMESH_NOT_A_COMPLEX);
+        CHECK(h.detail().fault == fault);
         CHECK(h.detail().index_a == a);
         CHECK(h.detail().index_b == b);
         CHECK(std::string(h.detail().message) != "");
@@ -195,29 +197,30 @@ TEST_CASE("what is not a filtered complex is named") {
     std::vector<Simplex> s = triangle;
     std::vector<double> v = values;
     v[4] = 4;
-    fails(triangle, v, 6, 4);  // a face enters later
+    fails(triangle, v, NETMESH_FAULT_FACE_LATER, 6, 4);
     v = values;
     v[2] = 1.5;
-    fails(triangle, v, 3, 2);
+    fails(triangle, v, NETMESH_FAULT_FACE_LATER, 3, 2);
     s.push_back({7, 9});
     v = values;
     v.push_back(3);
-    fails(s, v, 7, 5);  // listed twice
+    fails(s, v, NETMESH_FAULT_LISTED_TWICE, 7, 5);
     s = triangle;
     s.push_back({9, 5, 7});
-    fails(s, v, 7, 6);
+    fails(s, v, NETMESH_FAULT_LISTED_TWICE, 7, 6);
     s.back() = {5, 11};
-    fails(s, v, 7, 0);  // without its vertex 0 in ascending order, the face is {11}
+    fails(s, v, NETMESH_FAULT_FACE_MISSING, 7, 0);  // without its vertex 0 in ascending order, the face is {11}
     s.back() = {5, 5};
-    fails(s, v, 7, 0);
+    fails(s, v, NETMESH_FAULT_VERTEX_TWICE, 7, 0);
     s.back() = Simplex();
-    fails(s, v, 7, 0);
+    fails(s, v, NETMESH_FAULT_SIZE, 7, 0);
     s.back() = Simplex(33, 0);
-    fails(s, v, 7, 0);
+    fails(s, v, NETMESH_FAULT_SIZE, 7, 0);
     v = values;
     v[5] = std::nan("");
     CHECK(h.run(triangle, v, 2, false, false) == NETMESH_NOT_FINITE);
     CHECK(h.detail().index_a == 5);
+    CHECK(h.detail().fault == NETMESH_FAULT_NONE);
     v[5] = infinity;
     CHECK(h.run(triangle, v, 2, false, false) == NETMESH_NOT_FINITE);
     CHECK(h.run(triangle, values, 2, false, false) == NETMESH_OK);

@@ -24,19 +24,17 @@ Outcome read_input(const Options& options, SimplexFile* file) {
 Outcome explain_fault(const SimplexFile& file, const netmesh_detail& detail) {
     const std::uint64_t at = detail.index_a;
     const std::string where = file.lines.where(at) + ": simplex " + simplex_text(file, at) + ": ";
-    const std::string what = detail.message;
-    if (what.find("missing") != std::string::npos) {
+    switch (detail.fault) {
+    case NETMESH_FAULT_FACE_MISSING:
         return data_error(where + "its face " + simplex_text(file, at, detail.index_b) + " is missing");
-    }
-    if (what.find("later") != std::string::npos) {
+    case NETMESH_FAULT_FACE_LATER:
         return data_error(where + "enters at " + number_text(file.values[at]) + ", before its face " +
                           simplex_text(file, detail.index_b) + " of " + file.lines.place(detail.index_b) + " at " +
                           number_text(file.values[detail.index_b]));
-    }
-    if (what.find("listed twice") != std::string::npos) {
+    case NETMESH_FAULT_LISTED_TWICE:
         return data_error(where + "is listed in " + file.lines.place(detail.index_b) + " already");
+    default: return data_error(where + detail.message);
     }
-    return data_error(where + what);
 }
 
 requests::Homology homology_request(const Options& options, const SimplexFile& file) {

@@ -1,0 +1,15 @@
+#include "diagram/pair.hpp"
+
+namespace netmesh {
+
+Status move_pairs_down(std::size_t low, Arena& arena, PairList* list) {
+    const std::size_t count = static_cast<std::size_t>(list->count);
+    arena.release_low(low);
+    Pair* const moved = arena.take_low<Pair>(count);
+    if (moved == nullptr) return Status::out_of_memory;
+    __builtin_memmove(moved, list->pairs, sizeof(Pair) * count);
+    list->pairs = moved;
+    return Status::ok;
+}
+
+}  // namespace netmesh
