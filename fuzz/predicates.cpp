@@ -7,6 +7,7 @@
 #include "fuzz/decoder.hpp"
 #include "predicates/predicates.hpp"
 #include "tests/predicates/oracle.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace {
 
@@ -75,13 +76,8 @@ template <int D> void compare(const Points& points) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::Tape tape(data, size);
     const std::uint32_t dim = 2 + tape.below(5);
+    if (!netmesh::serves_dimension(dim)) return 0;
     const Points points = decode_points(tape, dim);
-    switch (dim) {
-    case 2: compare<2>(points); break;
-    case 3: compare<3>(points); break;
-    case 4: compare<4>(points); break;
-    case 5: compare<5>(points); break;
-    default: compare<6>(points); break;
-    }
+    netmesh::with_dimension(dim, [&](auto d) { compare<d>(points); });
     return 0;
 }

@@ -19,6 +19,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t many = NETMESH_POINTS_MAX + 1;
+constexpr netmesh_filter no_filter = static_cast<netmesh_filter>(15);  // the largest value that the type can hold
 
 struct Fixture {
     explicit Fixture(int dim) : session(dim), points(inputs::uniform(dim, 3)), c(session.context) {
@@ -299,7 +300,7 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
         };
         const auto barycentric = [](auto& r) { r.filter = NETMESH_FILTER_BARYCENTRIC_CECH; };
         f.needs_points(netmesh_persist_points, rips);
-        for (const netmesh_filter filter : {NETMESH_FILTER_NONE, NETMESH_FILTER_ALPHA, static_cast<netmesh_filter>(13)})
+        for (const netmesh_filter filter : {NETMESH_FILTER_NONE, NETMESH_FILTER_ALPHA, no_filter})
             no_points([=](auto& r) { r.filter = filter; }, NETMESH_FIELD_FILTER);
         no_points([](auto& r) { r.values = static_cast<netmesh_values>(7); }, NETMESH_FIELD_VALUES);
         no_points([=](auto& r) { barycentric(r), r.k = 0; }, NETMESH_FIELD_K);
@@ -489,8 +490,7 @@ TEST_CASE("filters after a mesh") {
         Session& s = f.session;
         const auto wrong_values = static_cast<netmesh_values>(2);
         f.needs_request(netmesh_persist, persist_by(NETMESH_FILTER_COMPLETE));
-        for (const netmesh_filter filter :
-             {NETMESH_FILTER_NONE, NETMESH_FILTER_RIPS, NETMESH_FILTER_SCALES, static_cast<netmesh_filter>(13)})
+        for (const netmesh_filter filter : {NETMESH_FILTER_NONE, NETMESH_FILTER_RIPS, NETMESH_FILTER_SCALES, no_filter})
             f.refused(s.persist(filter), NETMESH_FIELD_FILTER);
         f.refused(s.persist(persist_by(NETMESH_FILTER_COMPLETE, 0, wrong_values)), NETMESH_FIELD_VALUES);
         f.ended(s.persist(NETMESH_FILTER_ALPHA), NETMESH_NO_RESULT);

@@ -127,5 +127,5 @@ TEST_CASE("the table of filters") {
         CHECK((s.represent() == NETMESH_OK) == (info.has_representatives == 1));
         CHECK((s.vineyard(info.filter, 1, 2) == NETMESH_OK) == (info.has_vineyard == 1));
     });
-    CHECK(index == NETMESH_FILTER_BARYCENTRIC_RIPS);
+    CHECK(index >= NETMESH_FILTER_BARYCENTRIC_RIPS);  // new filters come after it
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "common/dimensions.hpp"
 #include "complex/triangulations.hpp"
 
 using namespace netmesh;
@@ -188,25 +189,27 @@ template <int D> void refuse_dimensions() {
 TEST_CASE("grids have the face counts of the formula, Euler characteristic 1, boundaries without boundary") {
     check_grid<2>(9);
     check_grid<3>(5);
-    check_grid<4>(3);
-    check_grid<5>(2);
-    check_grid<6>(1);
+    for_each_dimension<4, 4>([&](auto dim) { check_grid<dim>(3); });
+    for_each_dimension<5, 5>([&](auto dim) { check_grid<dim>(2); });
+    for_each_dimension<6, 6>([&](auto dim) { check_grid<dim>(1); });
 }
 
 TEST_CASE("each face is listed once, at its place, with its facets") {
     check_against_sets<2>(6);
     check_against_sets<3>(3);
-    check_against_sets<4>(2);
-    check_against_sets<5>(1);
-    check_against_sets<6>(1);
+    for_each_dimension<4, 4>([&](auto dim) { check_against_sets<dim>(2); });
+    for_each_dimension<5, 5>([&](auto dim) { check_against_sets<dim>(1); });
+    for_each_dimension<6, 6>([&](auto dim) { check_against_sets<dim>(1); });
 }
 
-TEST_CASE("one cell has all subsets of its vertices as faces") {
-    Cells<6> cells;
+TEST_CASE_TEMPLATE_DEFINE("one cell has all subsets of its vertices as faces", T, subsets) {
+    constexpr int D = T::value;
+    Cells<D> cells;
     cells.vertex_count = 7;
     cells.list.push_back({3, 1, 6, 0, 2, 5, 4});
     compare_with_sets(cells, 6);
 }
+TEST_CASE_TEMPLATE_APPLY(subsets, Dimensions<6, 6>);
 
 TEST_CASE("vertices of very high degree") {
     for (std::uint32_t hub : {0u, 1500u, 3001u}) {
@@ -226,40 +229,34 @@ TEST_CASE("a vertex in no cell is no face") {
     CHECK(faces.count[0] == 4);
 }
 
-TEST_CASE("the order in which cells and their vertices are stored does not matter") {
-    Cells<4> cells = freudenthal<4>(2);
+TEST_CASE_TEMPLATE_DEFINE("the order in which cells and their vertices are stored does not matter", T, any_order) {
+    constexpr int D = T::value;
+    Cells<D> cells = freudenthal<D>(2);
     Block block(std::size_t{1} << 24);
     Monitor monitor;
-    Faces<4> faces;
-    REQUIRE(enumerate_faces<4>(cells.view(), 4, {block.arena, monitor}, &faces) == Status::ok);
+    Faces<D> faces;
+    REQUIRE(enumerate_faces<D>(cells.view(), 4, {block.arena, monitor}, &faces) == Status::ok);
     const std::vector<std::uint32_t> expected = contents(faces);
     Random random;
     for (std::size_t i = cells.list.size(); i > 1; --i)
         std::swap(cells.list[i - 1], cells.list[random.below(static_cast<std::uint32_t>(i))]);
     for (auto& cell : cells.list) std::reverse(cell.begin(), cell.end());
     Block other(std::size_t{1} << 23);
-    REQUIRE(enumerate_faces<4>(cells.view(), 4, {other.arena, monitor}, &faces) == Status::ok);
+    REQUIRE(enumerate_faces<D>(cells.view(), 4, {other.arena, monitor}, &faces) == Status::ok);
     CHECK(contents(faces) == expected);
 }
+TEST_CASE_TEMPLATE_APPLY(any_order, Dimensions<4, 4>);
 
 TEST_CASE("any amount of memory gives the faces or says that it is too little, and leaves the arena as it was") {
     enumerate_in_any_arena(freudenthal<3>(2), 48);
 }
 
 TEST_CASE("strips of cells, with vertices that are in none, in any amount of memory") {
-    strips<2>();
-    strips<3>();
-    strips<4>();
-    strips<5>();
-    strips<6>();
+    for_each_dimension([](auto dim) { strips<dim>(); });
 }
 
 TEST_CASE("dimensions that do not exist are refused") {
-    refuse_dimensions<2>();
-    refuse_dimensions<3>();
-    refuse_dimensions<4>();
-    refuse_dimensions<5>();
-    refuse_dimensions<6>();
+    for_each_dimension([](auto dim) { refuse_dimensions<dim>(); });
 }
 
 TEST_CASE("the caller can stop the enumeration") {

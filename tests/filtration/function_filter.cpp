@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 
 using namespace netmesh;
@@ -134,9 +135,9 @@ TEST_CASE("d_k and the k-distance stay within their certificate") {
     sample_distances<2>(inputs::grid(2, 6), 3, 150);
     sample_distances<2>(inputs::clusters(2, 40), 2.5, 150);
     sample_distances<3>(inputs::uniform(3, 40), 3, 80);
-    sample_distances<4>(inputs::uniform(4, 12), 3.08, 30);
-    sample_distances<5>(inputs::uniform(5, 8), 2.2, 20);
-    sample_distances<6>(inputs::clusters(6, 8), 3, 20);
+    for_each_dimension<4, 4>([&](auto dim) { sample_distances<dim>(inputs::uniform(4, 12), 3.08, 30); });
+    for_each_dimension<5, 5>([&](auto dim) { sample_distances<dim>(inputs::uniform(5, 8), 2.2, 20); });
+    for_each_dimension<6, 6>([&](auto dim) { sample_distances<dim>(inputs::clusters(6, 8), 3, 20); });
 }
 
 // Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 -
@@ -192,9 +193,7 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     CHECK(zero.certificate.ratio == infinity);
 }
 
-TEST_CASE_TEMPLATE("a function on cells that leave the domain, or of which nothing is known", T,
-                   std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>,
-                   std::integral_constant<int, 5>, std::integral_constant<int, 6>) {
+TEST_CASE_TEMPLATE_DEFINE("a function on cells that leave the domain, or of which nothing is known", T, clamped) {
     constexpr int D = T::value;
     constexpr std::size_t few[] = {0, 0, 20, 10, 7, 8, 8};
     const inputs::Points points = D < 6 ? inputs::uniform(D, few[D]) : inputs::clusters(D, few[D]);
@@ -231,6 +230,7 @@ TEST_CASE_TEMPLATE("a function on cells that leave the domain, or of which nothi
     for (std::uint32_t v = mesh.inputs; v < mesh.state.vertex_count; ++v) mesh.store.vertex(v).marker = Marker::exempt;
     CHECK(filter() == infinity);
 }
+TEST_CASE_TEMPLATE_APPLY(clamped, Dimensions<>);
 
 TEST_CASE("too little memory is said") {
     const inputs::Points points = inputs::uniform(2, 50);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 
 using namespace netmesh;
@@ -71,9 +72,9 @@ TEST_CASE("the cover and the offsets are interleaved by the certified ratio") {
     sample_inclusions<2>(inputs::uniform(2, 60), 2.5, 20000);
     sample_inclusions<2>(inputs::clusters(2, 40), 3.08, 20000);
     sample_inclusions<3>(inputs::uniform(3, 40), 3.08, 10000);
-    sample_inclusions<4>(inputs::uniform(4, 10), 4, 4000);
-    sample_inclusions<5>(inputs::clusters(5, 8), 3, 1000);
-    sample_inclusions<6>(inputs::clusters(6, 8), 3, 1000);
+    for_each_dimension<4, 4>([&](auto dim) { sample_inclusions<dim>(inputs::uniform(4, 10), 4, 4000); });
+    for_each_dimension<5, 5>([&](auto dim) { sample_inclusions<dim>(inputs::clusters(5, 8), 3, 1000); });
+    for_each_dimension<6, 6>([&](auto dim) { sample_inclusions<dim>(inputs::clusters(6, 8), 3, 1000); });
 }
 
 TEST_CASE("cells that only the last bits of their vertices keep from being flat are certified like others") {
@@ -84,8 +85,8 @@ TEST_CASE("cells that only the last bits of their vertices keep from being flat 
         return points;
     };
     sample_inclusions<3>(bent_grid(3, 7), 3, 200);
-    sample_inclusions<4>(bent_grid(4, 3), 3.08, 200);
-    sample_inclusions<5>(bent_grid(5, 2), 4, 200);
+    for_each_dimension<4, 4>([&](auto dim) { sample_inclusions<dim>(bent_grid(4, 3), 3.08, 200); });
+    for_each_dimension<5, 5>([&](auto dim) { sample_inclusions<dim>(bent_grid(5, 2), 4, 200); });
 }
 
 TEST_CASE("the basic filter gives inputs zero and says from where its ratio holds") {

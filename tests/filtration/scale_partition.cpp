@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 
 using namespace netmesh;
@@ -37,8 +38,7 @@ template <int D> inputs::Points clumps(double ratio) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("points of three scales", T, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                   std::integral_constant<int, 4>, std::integral_constant<int, 5>, std::integral_constant<int, 6>) {
+TEST_CASE_TEMPLATE_DEFINE("points of three scales", T, three) {
     constexpr int D = T::value;
     for (const double theta : {1.0 / 9, 0.02}) {
         const inputs::Points points = clumps<D>(0x1p-20);
@@ -64,10 +64,9 @@ TEST_CASE_TEMPLATE("points of three scales", T, std::integral_constant<int, 2>, 
         CHECK(partition.separation() < 0x1p20);
     }
 }
+TEST_CASE_TEMPLATE_APPLY(three, Dimensions<>);
 
-TEST_CASE_TEMPLATE("one scale, what does not fit, and what is stopped", T, std::integral_constant<int, 2>,
-                   std::integral_constant<int, 3>, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                   std::integral_constant<int, 6>) {
+TEST_CASE_TEMPLATE_DEFINE("one scale, what does not fit, and what is stopped", T, refused) {
     constexpr int D = T::value;
     const inputs::Points points = inputs::uniform(D, 1800);
     Held<D> held(points);
@@ -90,3 +89,4 @@ TEST_CASE_TEMPLATE("one scale, what does not fit, and what is stopped", T, std::
     CHECK(!partition.next(stopping, &stopped));
     CHECK(stopped);
 }
+TEST_CASE_TEMPLATE_APPLY(refused, Dimensions<>);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/nearest_in_hull.hpp"
@@ -182,16 +183,10 @@ TEST_CASE("the nearest point of a hull, from below") {
     CHECK(bound(2, 3) == doctest::Approx(std::sqrt(5)));
     CHECK(bound(0.5, -7) == doctest::Approx(6));
     CHECK(bound(0.2, 0.1) == 0);
-    random_hulls<2>();
-    random_hulls<3>();
-    random_hulls<4>();
-    random_hulls<5>();
-    random_hulls<6>();
+    for_each_dimension([](auto dim) { random_hulls<dim>(); });
 }
 
-TEST_CASE_TEMPLATE("hulls that are flat, and points on them", T, std::integral_constant<int, 2>,
-                   std::integral_constant<int, 3>, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                   std::integral_constant<int, 6>) {
+TEST_CASE_TEMPLATE_DEFINE("hulls that are flat, and points on them", T, hulls) {
     constexpr int D = T::value;
     // A cross of the first axes, some of its points twice; from a corner, from inside of it, and from above.
     constexpr int axes = D - 1, count = 3 * axes;
@@ -218,26 +213,29 @@ TEST_CASE_TEMPLATE("hulls that are flat, and points on them", T, std::integral_c
     q[0] = 2;
     CHECK(bound(q) == doctest::Approx(std::sqrt(10.0)));
 }
+TEST_CASE_TEMPLATE_APPLY(hulls, Dimensions<>);
 
 TEST_CASE("the distance to the inputs is within the bounds of every cell") {
     sample_cells<2>(inputs::uniform(2, 60), 2.5, 10000, 0.1);
     sample_cells<2>(inputs::clusters(2, 40), 3.08, 10000, 0.1);
     sample_cells<3>(inputs::torus(60, 27), 3.08, 5000, 0.1);
-    sample_cells<4>(inputs::clifford(200), 3.08, 2000, 0.02);
-    sample_cells<5>(inputs::uniform(5, 8), 2.2, 300, 0.02);
-    sample_cells<6>(inputs::clusters(6, 8), 3, 300, 0.1);
-    sample_cells<6>(inputs::uniform(6, 14), 3, 300, 0);  // more inputs than a leaf of the tree has
+    for_each_dimension<4, 4>([&](auto dim) { sample_cells<dim>(inputs::clifford(200), 3.08, 2000, 0.02); });
+    for_each_dimension<5, 5>([&](auto dim) { sample_cells<dim>(inputs::uniform(5, 8), 2.2, 300, 0.02); });
+    for_each_dimension<6, 6>([&](auto dim) { sample_cells<dim>(inputs::clusters(6, 8), 3, 300, 0.1); });
+    for_each_dimension<6, 6>([&](auto dim) {
+        sample_cells<dim>(inputs::uniform(6, 14), 3, 300, 0);
+    });  // more inputs than a leaf of the tree has
     // Cells that are farther from all inputs than these are from each other.
     sample_cells<2>(inputs::uniform(2, 20), 2.5, 2000, 0.02, 3);
     sample_cells<3>(inputs::uniform(3, 12), 2.5, 2000, 0.02, 3);
-    sample_cells<4>(inputs::uniform(4, 7), 3, 1000, 0, 3);
-    sample_cells<5>(inputs::uniform(5, 6), 4, 300, 0, 4);
+    for_each_dimension<4, 4>([&](auto dim) { sample_cells<dim>(inputs::uniform(4, 7), 3, 1000, 0, 3); });
+    for_each_dimension<5, 5>([&](auto dim) { sample_cells<dim>(inputs::uniform(5, 6), 4, 300, 0, 4); });
 }
 
 TEST_CASE("bounds of cells in little memory") {
     little_memory<2>(inputs::uniform(2, 300), 2.5);
     little_memory<3>(inputs::uniform(3, 120), 2.5);
-    little_memory<4>(inputs::uniform(4, 16), 2.5);
-    little_memory<5>(inputs::uniform(5, 8), 4);
-    little_memory<6>(inputs::uniform(6, 5), 2.2);
+    for_each_dimension<4, 4>([&](auto dim) { little_memory<dim>(inputs::uniform(4, 16), 2.5); });
+    for_each_dimension<5, 5>([&](auto dim) { little_memory<dim>(inputs::uniform(5, 8), 4); });
+    for_each_dimension<6, 6>([&](auto dim) { little_memory<dim>(inputs::uniform(6, 5), 2.2); });
 }

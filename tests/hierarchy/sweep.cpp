@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/mesh_requests.hpp"
 #include "mesh/hierarchy_quality.hpp"
@@ -328,9 +329,9 @@ int main(int argc, char** argv) {
     const auto each = [&](const char* name, auto&& job) {
         if (what != name && !all && !(quick && std::string(name) != "times")) return;
         any = true;
-        if (only == 0 || only == 2) job(std::integral_constant<int, 2>{});
-        if (only == 0 || only == 3) job(std::integral_constant<int, 3>{});
-        if (only == 0 || only == 4) job(std::integral_constant<int, 4>{});
+        for_each_dimension<2, 4>([&](auto dim) {
+            if (only == 0 || only == dim) job(dim);
+        });
         std::fflush(stdout);
     };
     each("sizes", [&](auto d) { sizes<decltype(d)::value>(block, quick); });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "grid.hpp"
 
 using namespace netmesh;
@@ -72,9 +73,9 @@ TEST_CASE("a single cell") {
     std::mt19937 random(1);
     check_values<2>(grid::link<2>({{0, 1, 2}}, 3), random);
     check_values<3>(grid::link<3>({{0, 1, 2, 3}}, 4), random);
-    check_values<4>(grid::link<4>({{0, 1, 2, 3, 4}}, 5), random);
-    check_values<5>(grid::link<5>({{0, 1, 2, 3, 4, 5}}, 6), random);
-    check_values<6>(grid::link<6>({{0, 1, 2, 3, 4, 5, 6}}, 7), random);
+    for_each_dimension<4, 4>([&](auto dim) { check_values<dim>(grid::link<4>({{0, 1, 2, 3, 4}}, 5), random); });
+    for_each_dimension<5, 5>([&](auto dim) { check_values<dim>(grid::link<5>({{0, 1, 2, 3, 4, 5}}, 6), random); });
+    for_each_dimension<6, 6>([&](auto dim) { check_values<dim>(grid::link<6>({{0, 1, 2, 3, 4, 5, 6}}, 7), random); });
 }
 
 TEST_CASE("grids of the plane") {
@@ -89,32 +90,37 @@ TEST_CASE("grids of space") {
 }
 TEST_CASE("grids in four dimensions") {
     std::mt19937 random(4);
-    check_values<4>(grid::freudenthal<4>({2, 2, 3, 2}, random), random);
+    for_each_dimension<4, 4>([&](auto dim) { check_values<dim>(grid::freudenthal<4>({2, 2, 3, 2}, random), random); });
 }
 TEST_CASE("grids in five and six dimensions") {
     std::mt19937 random(5);
-    check_values<5>(grid::freudenthal<5>({2, 1, 1, 1, 2}, random), random);
-    check_values<6>(grid::freudenthal<6>({1, 1, 1, 1, 1, 1}, random), random);
+    for_each_dimension<5, 5>([&](auto dim) {
+        check_values<dim>(grid::freudenthal<5>({2, 1, 1, 1, 2}, random), random);
+    });
+    for_each_dimension<6, 6>([&](auto dim) {
+        check_values<dim>(grid::freudenthal<6>({1, 1, 1, 1, 1, 1}, random), random);
+    });
 }
 TEST_CASE("balls with vertices of very different degrees") {
     std::mt19937 random(9);
     for (int round = 0; round < 6; ++round) {
         check_values<2>(grid::irregular<2>(80, random), random);
         check_values<3>(grid::irregular<3>(60, random), random);
-        check_values<4>(grid::irregular<4>(25, random), random);
-        check_values<5>(grid::irregular<5>(12, random), random);
-        check_values<6>(grid::irregular<6>(6, random), random);
+        for_each_dimension<4, 4>([&](auto dim) { check_values<dim>(grid::irregular<4>(25, random), random); });
+        for_each_dimension<5, 5>([&](auto dim) { check_values<dim>(grid::irregular<5>(12, random), random); });
+        for_each_dimension<6, 6>([&](auto dim) { check_values<dim>(grid::irregular<6>(6, random), random); });
     }
 }
 TEST_CASE("links of more than 63 vertices") {
     std::mt19937 random(6);
     check_values<3>(grid::cone_over_stack<3>(90), random);
-    check_values<4>(grid::cone_over_stack<4>(80), random);
+    for_each_dimension<4, 4>([&](auto dim) { check_values<dim>(grid::cone_over_stack<4>(80), random); });
 }
 
-TEST_CASE("every arena size gives the diagram or out_of_memory") {
+TEST_CASE_TEMPLATE_DEFINE("every arena size gives the diagram or out_of_memory", T, any_arena) {
+    constexpr int D = T::value;
     std::mt19937 random(8);
-    const auto ball = grid::freudenthal<4>({2, 2, 2, 2}, random);
+    const auto ball = grid::freudenthal<D>({2, 2, 2, 2}, random);
     std::vector<double> value(ball.vertex_count);
     for (double& t : value) t = double(random() % 1000);
     const auto records = ball.records;
@@ -124,7 +130,7 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
         Block block(bytes);
         Monitor monitor;
         CountedPairs out;
-        const Status status = persist_lower_star<4>({ball.view(), value.data(), 20}, {3}, {block.arena, monitor}, &out);
+        const Status status = persist_lower_star<D>({ball.view(), value.data(), 20}, {3}, {block.arena, monitor}, &out);
         if (status == Status::ok) {
             fitted = true;
             REQUIRE(oracle::same(expected, out.pairs));
@@ -138,10 +144,12 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
     CHECK(fitted);
     CHECK(records == ball.records);
 }
+TEST_CASE_TEMPLATE_APPLY(any_arena, Dimensions<4, 4>);
 
-TEST_CASE("stopping at any poll leaves the arena as it was") {
+TEST_CASE_TEMPLATE_DEFINE("stopping at any poll leaves the arena as it was", T, any_poll) {
+    constexpr int D = T::value;
     std::mt19937 random(10);
-    const auto ball = grid::freudenthal<4>({9, 8, 7, 7}, random);
+    const auto ball = grid::freudenthal<D>({9, 8, 7, 7}, random);
     std::vector<double> value(ball.vertex_count);
     for (double& t : value) t = double(random());
     struct Countdown {
@@ -158,7 +166,7 @@ TEST_CASE("stopping at any poll leaves the arena as it was") {
         Countdown countdown = {polls};
         Monitor monitor(poll, &countdown);
         CountedPairs out;
-        const Status status = persist_lower_star<4>({ball.view(), value.data(), 0}, {3}, {block.arena, monitor}, &out);
+        const Status status = persist_lower_star<D>({ball.view(), value.data(), 0}, {3}, {block.arena, monitor}, &out);
         finished = status == Status::ok;
         if (finished) break;
         REQUIRE(status == Status::cancelled);
@@ -166,3 +174,4 @@ TEST_CASE("stopping at any poll leaves the arena as it was") {
     }
     CHECK(polls > 1);
 }
+TEST_CASE_TEMPLATE_APPLY(any_poll, Dimensions<4, 4>);

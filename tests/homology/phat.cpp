@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "grid.hpp"
 
 using namespace netmesh;
@@ -85,8 +86,8 @@ template <int D> void check(const std::array<std::uint32_t, D>& cubes, std::uint
 TEST_CASE("noise on larger grids equals PHAT's diagram") {
     check<2>({40, 50}, 21);
     check<3>({9, 10, 11}, 22);
-    check<4>({4, 3, 4, 3}, 23);
-    check<5>({2, 2, 2, 2, 2}, 24);
-    check<6>({2, 1, 2, 1, 1, 1}, 25);
+    for_each_dimension<4, 4>([&](auto dim) { check<dim>({4, 3, 4, 3}, 23); });
+    for_each_dimension<5, 5>([&](auto dim) { check<dim>({2, 2, 2, 2, 2}, 24); });
+    for_each_dimension<6, 6>([&](auto dim) { check<dim>({2, 1, 2, 1, 1, 1}, 25); });
 }
 #endif

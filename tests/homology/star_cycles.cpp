@@ -4,6 +4,7 @@
 
 #include "boundaries.hpp"
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "grid.hpp"
 #include "homology/cycles/cycles.hpp"
 
@@ -76,25 +77,28 @@ template <int D> void check_values(const grid::Ball<D>& ball, std::mt19937& rand
 TEST_CASE("cycles on grids") {
     std::mt19937 random(31);
     check_values<2>(grid::link<2>({{0, 1, 2}}, 3), random);
-    check_values<6>(grid::link<6>({{0, 1, 2, 3, 4, 5, 6}}, 7), random);
+    for_each_dimension<6, 6>([&](auto dim) { check_values<dim>(grid::link<6>({{0, 1, 2, 3, 4, 5, 6}}, 7), random); });
     check_values<2>(grid::freudenthal<2>({12, 9}, random), random);
     check_values<3>(grid::freudenthal<3>({5, 4, 4}, random), random);
-    check_values<4>(grid::freudenthal<4>({2, 2, 3, 2}, random), random);
-    check_values<5>(grid::freudenthal<5>({2, 1, 1, 1, 1}, random), random);
+    for_each_dimension<4, 4>([&](auto dim) { check_values<dim>(grid::freudenthal<4>({2, 2, 3, 2}, random), random); });
+    for_each_dimension<5, 5>([&](auto dim) {
+        check_values<dim>(grid::freudenthal<5>({2, 1, 1, 1, 1}, random), random);
+    });
 }
 TEST_CASE("cycles on balls with vertices of very different degrees") {
     std::mt19937 random(32);
     for (int round = 0; round < 4; ++round) {
         check_values<2>(grid::irregular<2>(80, random), random);
         check_values<3>(grid::irregular<3>(60, random), random);
-        check_values<4>(grid::irregular<4>(25, random), random);
-        check_values<5>(grid::irregular<5>(12, random), random);
-        check_values<6>(grid::irregular<6>(5, random), random);
+        for_each_dimension<4, 4>([&](auto dim) { check_values<dim>(grid::irregular<4>(25, random), random); });
+        for_each_dimension<5, 5>([&](auto dim) { check_values<dim>(grid::irregular<5>(12, random), random); });
+        for_each_dimension<6, 6>([&](auto dim) { check_values<dim>(grid::irregular<6>(5, random), random); });
     }
 }
-TEST_CASE("every arena size gives the cycles or out_of_memory") {
+TEST_CASE_TEMPLATE_DEFINE("every arena size gives the cycles or out_of_memory", T, any_arena) {
+    constexpr int D = T::value;
     std::mt19937 random(33);
-    const auto ball = grid::freudenthal<4>({2, 2, 2, 2}, random);
+    const auto ball = grid::freudenthal<D>({2, 2, 2, 2}, random);
     std::vector<double> value(ball.vertex_count);
     for (double& t : value) t = double(random() % 1000);
     const auto f = oracle::lower_star(oracle::all_faces(ball.cells()), value, 0);
@@ -115,3 +119,4 @@ TEST_CASE("every arena size gives the cycles or out_of_memory") {
     }
     CHECK(bytes > std::size_t{1} << 14);
 }
+TEST_CASE_TEMPLATE_APPLY(any_arena, Dimensions<4, 4>);

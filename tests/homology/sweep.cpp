@@ -2,6 +2,7 @@
 // Undisturbed against the general reduction; then without memory, and stopped.
 #include <doctest/doctest.h>
 
+#include "common/dimensions.hpp"
 #include "disturbed.hpp"
 #include "grid.hpp"
 #include "homology/cycles/cycles.hpp"
@@ -96,18 +97,24 @@ TEST_CASE("columns in blocks of all sizes, in space") {
     std::mt19937 random(61);
     check_sizes(random_values(grid::freudenthal<3>({5, 5, 4}, random), 1000, 30, random), 16000);
 }
-TEST_CASE("columns in blocks of all sizes, in four dimensions") {
+TEST_CASE_TEMPLATE_DEFINE("columns in blocks of all sizes, in four dimensions", T, blocks_4) {
+    constexpr int D = T::value;
     std::mt19937 random(62);
-    check_sizes(random_values(grid::freudenthal<4>({3, 2, 2, 2}, random), 1000, 0, random), 16000);
+    check_sizes(random_values(grid::freudenthal<D>({3, 2, 2, 2}, random), 1000, 0, random), 16000);
 }
-TEST_CASE("columns in blocks of all sizes, in five dimensions") {
+TEST_CASE_TEMPLATE_APPLY(blocks_4, Dimensions<4, 4>);
+TEST_CASE_TEMPLATE_DEFINE("columns in blocks of all sizes, in five dimensions", T, blocks_5) {
+    constexpr int D = T::value;
     std::mt19937 random(63);
-    check_sizes(random_values(grid::freudenthal<5>({2, 2, 1, 1, 1}, random), 1000, 0, random), 2500);
+    check_sizes(random_values(grid::freudenthal<D>({2, 2, 1, 1, 1}, random), 1000, 0, random), 2500);
 }
-TEST_CASE("columns in blocks of all sizes, in six dimensions") {
+TEST_CASE_TEMPLATE_APPLY(blocks_5, Dimensions<5, 5>);
+TEST_CASE_TEMPLATE_DEFINE("columns in blocks of all sizes, in six dimensions", T, blocks_6) {
+    constexpr int D = T::value;
     std::mt19937 random(64);
-    check_sizes(random_values(grid::freudenthal<6>({2, 1, 1, 1, 1, 1}, random), 1000, 0, random), 1200);
+    check_sizes(random_values(grid::freudenthal<D>({2, 1, 1, 1, 1, 1}, random), 1000, 0, random), 1200);
 }
+TEST_CASE_TEMPLATE_APPLY(blocks_6, Dimensions<6, 6>);
 
 TEST_CASE("large links in blocks of all sizes") {
     std::mt19937 random(62);
@@ -116,7 +123,7 @@ TEST_CASE("large links in blocks of all sizes") {
         auto four = random_values(grid::cone_over_stack<4>(66), 1000, 40, random);
         space.value.back() = four.value.back() = apex_first ? -1 : 500;
         check_sizes(space, 1000);
-        check_sizes(four, 1000);
+        for_each_dimension<4, 4>([&](auto dim) { check_sizes<dim>(four, 1000); });
     }
     // Along the stack, with the apex in between: its star is regular. Or in turns of six, and the lower link in pieces.
     for (const bool in_turns : {false, true}) {
@@ -126,7 +133,7 @@ TEST_CASE("large links in blocks of all sizes") {
         for (std::uint32_t v = 0; v < four.value.size(); ++v) four.value[v] = in_turns ? v / 6 % 2 * 100 + v % 6 : v;
         space.value.back() = four.value.back() = 40.5;
         check_sizes(space, 500);
-        check_sizes(four, 500);
+        for_each_dimension<4, 4>([&](auto dim) { check_sizes<dim>(four, 500); });
     }
 }
 
@@ -183,9 +190,5 @@ template <int D> void check_no_balls() {
 }  // namespace
 
 TEST_CASE("what is no ball is refused") {
-    check_no_balls<2>();
-    check_no_balls<3>();
-    check_no_balls<4>();
-    check_no_balls<5>();
-    check_no_balls<6>();
+    for_each_dimension([](auto dim) { check_no_balls<dim>(); });
 }

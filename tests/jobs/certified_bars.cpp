@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/triangulate.hpp"
 #include "homology/lower_star/lower_star.hpp"
@@ -136,16 +137,12 @@ TEST_CASE("certified bars stand for different true ones") {
             certified += certified_bars<3>(60, 100, doubt, seed);
         }
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        certified += certified_bars<4>(30, 20, 1.6, seed);
-        certified += certified_bars<5>(20, 20, 1.6, seed);
-        certified += certified_bars<5>(24, 1e4, 3, seed);
-        certified += certified_bars<6>(14, 20, 1.6, seed);
-        certified += certified_bars<6>(18, 1e4, 3, seed);
+        for_each_dimension<4, 4>([&](auto dim) { certified += certified_bars<dim>(30, 20, 1.6, seed); });
+        for_each_dimension<5, 5>([&](auto dim) { certified += certified_bars<dim>(20, 20, 1.6, seed); });
+        for_each_dimension<5, 5>([&](auto dim) { certified += certified_bars<dim>(24, 1e4, 3, seed); });
+        for_each_dimension<6, 6>([&](auto dim) { certified += certified_bars<dim>(14, 20, 1.6, seed); });
+        for_each_dimension<6, 6>([&](auto dim) { certified += certified_bars<dim>(18, 1e4, 3, seed); });
     }
     CHECK(certified > 300);
-    no_bars<2>();
-    no_bars<3>();
-    no_bars<4>();
-    no_bars<5>();
-    no_bars<6>();
+    for_each_dimension([](auto dim) { no_bars<dim>(); });
 }

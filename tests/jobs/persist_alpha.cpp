@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "common/dimensions.hpp"
 #include "complex/triangulations.hpp"
 
 using namespace netmesh;
@@ -303,9 +304,9 @@ TEST_CASE("grids: every tie there is") {
     for (double step : {1.0, 0.1}) {
         check_cubes<2>(7, step);
         check_cubes<3>(4, step);
-        check_cubes<4>(2, step);
-        check_cubes<5>(1, step);
-        check_cubes<6>(1, step);
+        for_each_dimension<4, 4>([&](auto dim) { check_cubes<dim>(2, step); });
+        for_each_dimension<5, 5>([&](auto dim) { check_cubes<dim>(1, step); });
+        for_each_dimension<6, 6>([&](auto dim) { check_cubes<dim>(1, step); });
     }
 }
 
@@ -314,16 +315,16 @@ TEST_CASE("values are those of the definition") {
         for (double flatten : {1.0, 1e-2, 1e-3}) {
             compare_with_definition<2>(16, flatten, seed);
             compare_with_definition<3>(13, flatten, seed);
-            if (flatten > 1e-3) compare_with_definition<4>(11, flatten, seed);  // all that long double can do
+            if (flatten > 1e-3)
+                for_each_dimension<4, 4>(
+                    [&](auto dim) { compare_with_definition<dim>(11, flatten, seed); });  // all that long double can do
         }
-        compare_with_definition<5>(10, 1, seed);
-        compare_with_definition<6>(10, 1, seed);
+        for_each_dimension<5, 5>([&](auto dim) { compare_with_definition<dim>(10, 1, seed); });
+        for_each_dimension<6, 6>([&](auto dim) { compare_with_definition<dim>(10, 1, seed); });
     }
 }
 
-TEST_CASE_TEMPLATE("the diagram in low degrees is that part of the whole", T, std::integral_constant<int, 2>,
-                   std::integral_constant<int, 3>, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                   std::integral_constant<int, 6>) {
+TEST_CASE_TEMPLATE_DEFINE("the diagram in low degrees is that part of the whole", T, low_degrees) {
     constexpr int D = T::value;
     Cloud<D> c;
     Random random{7};
@@ -345,10 +346,9 @@ TEST_CASE_TEMPLATE("the diagram in low degrees is that part of the whole", T, st
     for (const auto& degree : whole.degree) pairs += degree.size();
     CHECK(counted.pairs.count == pairs);
 }
+TEST_CASE_TEMPLATE_APPLY(low_degrees, Dimensions<>);
 
-TEST_CASE_TEMPLATE("values can be stopped at the cells", T, std::integral_constant<int, 2>,
-                   std::integral_constant<int, 3>, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                   std::integral_constant<int, 6>) {
+TEST_CASE_TEMPLATE_DEFINE("values can be stopped at the cells", T, stopped) {
     constexpr int D = T::value;
     constexpr std::uint32_t side[] = {0, 0, 170, 19, 6, 3, 2};
     Cloud<D> c;
@@ -363,6 +363,7 @@ TEST_CASE_TEMPLATE("values can be stopped at the cells", T, std::integral_consta
           Status::cancelled);
     CHECK(block.arena.bytes_used() == 0);
 }
+TEST_CASE_TEMPLATE_APPLY(stopped, Dimensions<>);
 
 TEST_CASE("values of edges can be stopped, and may be as long as squares overflow") {
     Cloud<2> c;

@@ -2,16 +2,21 @@
 #pragma once
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "common/meshed.hpp"
 #include "delaunay/check.hpp"
 #include "mesh/hierarchy_quality.hpp"
 
-// What the store violates as a Delaunay triangulation; null: nothing.
-template <int D> const char* delaunay_violation(const netmesh::Store<D>& store) {
+// What a checker has found, as a text that a failing CHECK prints; "": nothing.
+inline std::string found(const netmesh::CheckResult& r) { return r.violation == nullptr ? "" : r.violation; }
+
+// What the store violates as a Delaunay triangulation.
+template <int D> std::string delaunay_violation(const netmesh::Store<D>& store) {
     netmesh::CheckResult r = netmesh::check_combinatorial<D>(store);
     if (r.violation == nullptr) r = netmesh::check_geometric<D>(store);
     if (r.violation == nullptr) r = netmesh::check_delaunay<D>(store);
-    return r.violation;
+    return found(r);
 }
 
 template <int D> struct Hierarchical : Meshed<D> {

@@ -13,6 +13,7 @@
 #include <doctest/doctest.h>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 #include "complex/triangulations.hpp"
@@ -194,9 +195,9 @@ TEST_CASE("space") {
 }
 
 TEST_CASE("higher dimensions") {
-    compare<4>("uniform", inputs::uniform(4, 60));
-    compare<4>("grid", inputs::grid(4, 3));
-    compare<4>("Clifford helix", inputs::clifford(80));
-    compare<5>("uniform", inputs::uniform(5, 30));
-    compare<6>("uniform", inputs::uniform(6, 18));
+    for_each_dimension<4, 4>([&](auto dim) { compare<dim>("uniform", inputs::uniform(4, 60)); });
+    for_each_dimension<4, 4>([&](auto dim) { compare<dim>("grid", inputs::grid(4, 3)); });
+    for_each_dimension<4, 4>([&](auto dim) { compare<dim>("Clifford helix", inputs::clifford(80)); });
+    for_each_dimension<5, 5>([&](auto dim) { compare<dim>("uniform", inputs::uniform(5, 30)); });
+    for_each_dimension<6, 6>([&](auto dim) { compare<dim>("uniform", inputs::uniform(6, 18)); });
 }

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "common/session.hpp"
 #include "filtration/filters.hpp"
@@ -98,4 +99,6 @@ TEST_CASE("space") {
     claims_hold<3>("uniform", inputs::uniform(3, 100), 2.2, 0);
 }
 
-TEST_CASE("four dimensions") { claims_hold<4>("Clifford", inputs::clifford(400), 3.5, 1); }
+TEST_CASE("four dimensions") {
+    for_each_dimension<4, 4>([](auto dim) { claims_hold<dim>("Clifford", inputs::clifford(400), 3.5, 1); });
+}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 #include "oracle/log_distance.hpp"
 
@@ -71,8 +72,8 @@ TEST_CASE("refinement by the certificate") {
         reaches_ratio<3>("grid", inputs::grid(3, 4), ratio);
         reaches_ratio<3>("torus", inputs::torus(250, 27), ratio);
     }
-    reaches_ratio<4>("uniform", inputs::uniform(4, 60), 2.25);
-    reaches_ratio<4>("sphere", inputs::shell(4, 60, 1, 1, 31), 2.25);
+    for_each_dimension<4, 4>([&](auto dim) { reaches_ratio<dim>("uniform", inputs::uniform(4, 60), 2.25); });
+    for_each_dimension<4, 4>([&](auto dim) { reaches_ratio<dim>("sphere", inputs::shell(4, 60, 1, 1, 31), 2.25); });
 }
 
 TEST_CASE("plane") {

@@ -1,6 +1,7 @@
 #include <CGAL/Delaunay_triangulation.h>
 #include <CGAL/Epick_d.h>
 
+#include "common/dimensions.hpp"
 #include "delaunay.hpp"
 
 namespace {
@@ -26,6 +27,12 @@ template <int D> Cells<D> cgal_cells(const inputs::Points& points) {
 
 }  // namespace
 
-TEST_CASE("4D: the same cells as CGAL") { compare_with_cgal<4>(300, cgal_cells<4>); }
-TEST_CASE("5D: the same cells as CGAL") { compare_with_cgal<5>(150, cgal_cells<5>); }
-TEST_CASE("6D: the same cells as CGAL") { compare_with_cgal<6>(60, cgal_cells<6>); }
+TEST_CASE("4D: the same cells as CGAL") {
+    for_each_dimension<4, 4>([](auto dim) { compare_with_cgal<dim>(300, cgal_cells<4>); });
+}
+TEST_CASE("5D: the same cells as CGAL") {
+    for_each_dimension<5, 5>([](auto dim) { compare_with_cgal<dim>(150, cgal_cells<5>); });
+}
+TEST_CASE("6D: the same cells as CGAL") {
+    for_each_dimension<6, 6>([](auto dim) { compare_with_cgal<dim>(60, cgal_cells<6>); });
+}

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "common/dimensions.hpp"
 #include "inputs.hpp"
 #include "oracle.hpp"
 #include "portable.hpp"
@@ -57,6 +58,12 @@ template <int D> void agree_all() {
 
 TEST_CASE("orient and in_ball agree with GMP in 2D") { agree_all<2>(); }
 TEST_CASE("orient and in_ball agree with GMP in 3D") { agree_all<3>(); }
-TEST_CASE("orient and in_ball agree with GMP in 4D") { agree_all<4>(); }
-TEST_CASE("orient and in_ball agree with GMP in 5D") { agree_all<5>(); }
-TEST_CASE("orient and in_ball agree with GMP in 6D") { agree_all<6>(); }
+TEST_CASE("orient and in_ball agree with GMP in 4D") {
+    for_each_dimension<4, 4>([](auto dim) { agree_all<dim>(); });
+}
+TEST_CASE("orient and in_ball agree with GMP in 5D") {
+    for_each_dimension<5, 5>([](auto dim) { agree_all<dim>(); });
+}
+TEST_CASE("orient and in_ball agree with GMP in 6D") {
+    for_each_dimension<6, 6>([](auto dim) { agree_all<dim>(); });
+}

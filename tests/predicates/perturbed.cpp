@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "common/dimensions.hpp"
 #include "inputs.hpp"
 #include "oracle.hpp"
 #include "predicates/predicates.hpp"
@@ -164,11 +165,7 @@ template <int D> std::vector<Point> cross_polytope() {
 }  // namespace
 
 TEST_CASE("the perturbed predicate is that of generic weights") {
-    check_weights<2>();
-    check_weights<3>();
-    check_weights<4>();
-    check_weights<5>();
-    check_weights<6>();
+    for_each_dimension([](auto dim) { check_weights<dim>(); });
 }
 
 TEST_CASE("perturbed Delaunay cells of cospherical points fill their hull") {
@@ -177,8 +174,8 @@ TEST_CASE("perturbed Delaunay cells of cospherical points fill their hull") {
         check_fills<2>(grid<2>(4), 2 * 9, seed);
         check_fills<3>(grid<3>(2), 6, seed);
         check_fills<3>(grid<3>(3), 6 * 8, seed);
-        check_fills<4>(grid<4>(2), 24, seed);
-        check_fills<5>(cross_polytope<5>(), 32, seed);
-        check_fills<6>(cross_polytope<6>(), 64, seed);
+        for_each_dimension<4, 4>([&](auto dim) { check_fills<dim>(grid<4>(2), 24, seed); });
+        for_each_dimension<5, 5>([&](auto dim) { check_fills<dim>(cross_polytope<5>(), 32, seed); });
+        for_each_dimension<6, 6>([&](auto dim) { check_fills<dim>(cross_polytope<6>(), 64, seed); });
     }
 }

@@ -21,21 +21,11 @@ template <int D> int in_ball_of(const double* const* points) {
 }  // namespace
 
 int portable_orient(int dim, const double* const* points) {
-    switch (dim) {
-    case 2: return orient_of<2>(points);
-    case 3: return orient_of<3>(points);
-    case 4: return orient_of<4>(points);
-    case 5: return orient_of<5>(points);
-    default: return orient_of<6>(points);
-    }
+    return netmesh_portable::with_dimension(static_cast<std::uint32_t>(dim),
+                                            [&](auto d) { return orient_of<d>(points); });
 }
 
 int portable_in_ball(int dim, const double* const* points) {
-    switch (dim) {
-    case 2: return in_ball_of<2>(points);
-    case 3: return in_ball_of<3>(points);
-    case 4: return in_ball_of<4>(points);
-    case 5: return in_ball_of<5>(points);
-    default: return in_ball_of<6>(points);
-    }
+    return netmesh_portable::with_dimension(static_cast<std::uint32_t>(dim),
+                                            [&](auto d) { return in_ball_of<d>(points); });
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/dimensions.hpp"
 #include "predicates/predicates.hpp"
 
 using namespace netmesh;
@@ -99,11 +100,7 @@ template <int D> void check_stages() {
 }  // namespace
 
 TEST_CASE("orient and in_ball of a cube's corner") {
-    check_corners<2>();
-    check_corners<3>();
-    check_corners<4>();
-    check_corners<5>();
-    check_corners<6>();
+    for_each_dimension([](auto dim) { check_corners<dim>(); });
 }
 
 TEST_CASE("orient on a line compares") {
@@ -120,11 +117,7 @@ TEST_CASE("orient on a line compares") {
 }
 
 TEST_CASE("each stage decides what it is for") {
-    check_stages<2>();
-    check_stages<3>();
-    check_stages<4>();
-    check_stages<5>();
-    check_stages<6>();
+    for_each_dimension([](auto dim) { check_stages<dim>(); });
 }
 
 TEST_CASE("a coordinate far below the others' quantum is seen") {
