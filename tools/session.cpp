@@ -89,6 +89,8 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
                                   const std::string& said) const {
     const std::string option = option_of(options_, detail.field);
     switch (detail.field) {
+    case NETMESH_FIELD_DIM:  // of a library built without it: the tool itself takes 2..6 only
+        return data_error(cloud.name + ": dimension " + std::to_string(mesh_.dim) + ": " + said);
     case NETMESH_FIELD_POINT_COUNT: return data_error(cloud.name + ": " + said);
     case NETMESH_FIELD_K:
     case NETMESH_FIELD_K_FIRST:

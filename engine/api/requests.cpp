@@ -16,7 +16,8 @@ bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
 
 Complaint complaint_about_dim(std::uint32_t dim) {
     if (serves_dimension(dim)) return {};
-    return {NETMESH_FIELD_DIM, "the dimension is not 2..6"};
+    const bool left_out = dim >= NETMESH_DIM_MIN && dim <= NETMESH_DIM_MAX;
+    return {NETMESH_FIELD_DIM, left_out ? "the library was built without this dimension" : "the dimension is not 2..6"};
 }
 
 Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim) {
