@@ -5,6 +5,7 @@
 
 #include "common/block.hpp"
 #include "grid.hpp"
+#include "served.hpp"
 
 using namespace netmesh;
 
@@ -25,8 +26,8 @@ void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
             const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
             Monitor monitor;
             CountedPairs diagram;
-            REQUIRE(persist_lower_star<D>({ball.view(), value.data(), zero_born_count}, {degree, keep},
-                                          {block.arena, monitor}, &diagram) == Status::ok);
+            REQUIRE(served::persist_lower_star<D>({ball.view(), value.data(), zero_born_count}, {degree, keep},
+                                                  {block.arena, monitor}, &diagram) == Status::ok);
             const PairList& out = diagram.pairs;
             CHECK(diagram.simplices == simplices.size());
             REQUIRE(oracle::same(expected, out));
@@ -39,6 +40,7 @@ void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
 }
 
 template <int D> void check_values(const grid::Ball<D>& ball, std::mt19937& random) {
+    if (!serves_dimension(D)) return;
     const std::uint32_t n = ball.vertex_count;
     std::vector<double> value(n);
     const auto both = [&] {
@@ -113,6 +115,7 @@ TEST_CASE("links of more than 63 vertices") {
 }
 
 TEST_CASE("every arena size gives the diagram or out_of_memory") {
+    if (!serves_dimension(4)) return;
     std::mt19937 random(8);
     const auto ball = grid::freudenthal<4>({2, 2, 2, 2}, random);
     std::vector<double> value(ball.vertex_count);
@@ -124,7 +127,8 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
         Block block(bytes);
         Monitor monitor;
         CountedPairs out;
-        const Status status = persist_lower_star<4>({ball.view(), value.data(), 20}, {3}, {block.arena, monitor}, &out);
+        const Status status =
+            served::persist_lower_star<4>({ball.view(), value.data(), 20}, {3}, {block.arena, monitor}, &out);
         if (status == Status::ok) {
             fitted = true;
             REQUIRE(oracle::same(expected, out.pairs));
@@ -140,6 +144,7 @@ TEST_CASE("every arena size gives the diagram or out_of_memory") {
 }
 
 TEST_CASE("stopping at any poll leaves the arena as it was") {
+    if (!serves_dimension(4)) return;
     std::mt19937 random(10);
     const auto ball = grid::freudenthal<4>({9, 8, 7, 7}, random);
     std::vector<double> value(ball.vertex_count);
@@ -158,7 +163,8 @@ TEST_CASE("stopping at any poll leaves the arena as it was") {
         Countdown countdown = {polls};
         Monitor monitor(poll, &countdown);
         CountedPairs out;
-        const Status status = persist_lower_star<4>({ball.view(), value.data(), 0}, {3}, {block.arena, monitor}, &out);
+        const Status status =
+            served::persist_lower_star<4>({ball.view(), value.data(), 0}, {3}, {block.arena, monitor}, &out);
         finished = status == Status::ok;
         if (finished) break;
         REQUIRE(status == Status::cancelled);

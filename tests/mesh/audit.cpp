@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "common/dimensions.hpp"
 #include "hierarchical.hpp"
 #include "mesh/frame.hpp"
 #include "mesh/input_tree.hpp"
@@ -65,8 +66,6 @@ template <int D> struct Stored {
     Domain<D> domain;
 };
 
-template <int D> using Dimensions = std::integral_constant<int, D>;
-
 }  // namespace
 
 TEST_CASE_TEMPLATE_DEFINE("inputs stored in all D-balls: loads halve in every round, and the mesh is as good", T,
@@ -95,7 +94,7 @@ TEST_CASE_TEMPLATE_DEFINE("inputs stored in all D-balls: loads halve in every ro
             CHECK(audit.tests_mean >= audit.touches_mean);
         }
 }
-TEST_CASE_TEMPLATE_INVOKE(location, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>);
+TEST_CASE_TEMPLATE_APPLY(location, Dimensions<2, 5>);
 
 TEST_CASE("with cages neither rounds nor touches depend on the spread, without them touches do") {
     double least = infinity, most = 0;
@@ -147,7 +146,7 @@ TEST_CASE_TEMPLATE_DEFINE("an audit of quality is of the mesh that is made witho
         CHECK_FALSE(same_mesh<D>(plain, rounds));
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(same, Dimensions<2>, Dimensions<3>, Dimensions<4>);
+TEST_CASE_TEMPLATE_APPLY(same, Dimensions<2, 4>);
 
 TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls", T, missed) {
     constexpr int D = T::value;
@@ -171,7 +170,7 @@ TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls"
     CHECK(disagree > 5);
     CHECK(disagree < (D < 4 ? half - 10 : half));
 }
-TEST_CASE_TEMPLATE_INVOKE(missed, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(missed, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball is drawn from twice for the same inputs",
                           T, nets) {
@@ -205,7 +204,7 @@ TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball i
         CHECK(load == s.lists.load());
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(nets, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(nets, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("lists are refused where they do not fit", T, refused_lists) {
     constexpr int D = T::value;
@@ -226,7 +225,7 @@ TEST_CASE_TEMPLATE_DEFINE("lists are refused where they do not fit", T, refused_
     }
     CHECK(fits);
 }
-TEST_CASE_TEMPLATE_INVOKE(refused_lists, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(refused_lists, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounded after every insertion", T, quality) {
     constexpr int D = T::value;
@@ -250,7 +249,7 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
             CHECK(audit.input >= 1);
         }
 }
-TEST_CASE_TEMPLATE_INVOKE(quality, Dimensions<2>, Dimensions<3>, Dimensions<4>);
+TEST_CASE_TEMPLATE_APPLY(quality, Dimensions<2, 4>);
 
 TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, planted) {
     constexpr int D = T::value;
@@ -337,7 +336,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         CHECK(fits);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(planted, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(planted, Dimensions<>);
 
 TEST_CASE("any arena size leaves a whole mesh of what was inserted, with lists and without") {
     const inputs::Points points = inputs::nested(2, 3, 8, 1e3);
@@ -367,4 +366,4 @@ TEST_CASE_TEMPLATE_DEFINE("lists that run out end the job with a whole mesh of w
     }
     CHECK(partial > 3);
 }
-TEST_CASE_TEMPLATE_INVOKE(full_lists, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(full_lists, Dimensions<>);

@@ -191,9 +191,7 @@ TEST_CASE_TEMPLATE_DEFINE(
     REQUIRE((late.status == netmesh::Status::ok || (D > 3 && late.status == netmesh::Status::out_of_memory)));
     CHECK(late.state.vertex_count >= plain.state.vertex_count);
 }
-TEST_CASE_TEMPLATE_INVOKE(goals, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(goals, Dimensions<>);
 
 TEST_CASE("a mesh that promises less fails the check") {
     Session session(2);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/dimensions.hpp"
 #include "hierarchical.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality.hpp"
@@ -18,8 +19,6 @@ template <int D> std::uint32_t plain_size(const inputs::Points& points, double t
     REQUIRE(m.status == Status::ok);
     return m.state.vertex_count;
 }
-
-template <int D> using Dimensions = std::integral_constant<int, D>;
 
 }  // namespace
 
@@ -45,7 +44,7 @@ TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are Delaunay and of quality tau b
             REQUIRE(m.store.vertex(static_cast<std::uint32_t>(i / D)).x[i % D] == points[i]);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(quality, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(quality, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("the size per input does not depend on gaps", T, gaps) {
     constexpr int D = T::value;
@@ -61,7 +60,7 @@ TEST_CASE_TEMPLATE_DEFINE("the size per input does not depend on gaps", T, gaps)
     CHECK(high < 1.2 * low);
     CHECK(Hierarchical<D>(inputs::close_pairs(D, 50, 1e-12), by_hierarchy(3)).vertices_per_input() <= most[D]);
 }
-TEST_CASE_TEMPLATE_INVOKE(gaps, Dimensions<2>, Dimensions<3>, Dimensions<4>);
+TEST_CASE_TEMPLATE_APPLY(gaps, Dimensions<2, 4>);
 
 TEST_CASE("without gaps a hierarchical mesh is no larger than a plain one") {
     std::uint32_t hierarchical = 0, plain = 0;
@@ -97,7 +96,7 @@ TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than
     }
     CHECK(hierarchical <= 1.05 * plain);
 }
-TEST_CASE_TEMPLATE_INVOKE(finished, Dimensions<2>, Dimensions<3>);
+TEST_CASE_TEMPLATE_APPLY(finished, Dimensions<2, 3>);
 
 TEST_CASE("Steiner points release cages that have too little room, and the mesh is good without them") {
     Hierarchical<2> m(inputs::uniform(2, 20000, 3), by_hierarchy(2.3), std::size_t{1} << 25);
@@ -269,7 +268,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of hierarchical quality are found"
         CHECK(said() == "nothing");
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(planted, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(planted, Dimensions<>);
 
 TEST_CASE("parents and nearest distances of cages are those that the mesh implies") {
     Hierarchical<2> m(inputs::nested(2, 6, 8, 1e3), by_hierarchy(3));

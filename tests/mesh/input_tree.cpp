@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "mesh/frame.hpp"
 #include "mesh/separation.hpp"
@@ -43,8 +44,6 @@ template <int D> std::vector<std::pair<double, std::uint32_t>> by_distance(const
     std::sort(all.begin(), all.end());
     return all;
 }
-
-template <int D> using Dimensions = std::integral_constant<int, D>;
 
 }  // namespace
 
@@ -105,7 +104,7 @@ TEST_CASE_TEMPLATE_DEFINE("searches find what looking at all inputs finds", T, s
             CHECK(p.tree.touches() > 0);
         }
 }
-TEST_CASE_TEMPLATE_INVOKE(searches, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(searches, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("a tree is refused where it does not fit", T, refused_trees) {
     constexpr int D = T::value;
@@ -118,7 +117,7 @@ TEST_CASE_TEMPLATE_DEFINE("a tree is refused where it does not fit", T, refused_
     }
     CHECK(fits);
 }
-TEST_CASE_TEMPLATE_INVOKE(refused_trees, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(refused_trees, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("inputs out of range or below the resolution are named by row", T, separation) {
     constexpr int D = T::value;
@@ -163,7 +162,7 @@ TEST_CASE_TEMPLATE_DEFINE("inputs out of range or below the resolution are named
         CHECK(check().first == Status::too_close);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(separation, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(separation, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("segments cross a sphere where they should", T, crossings) {
     constexpr int D = T::value;
@@ -199,7 +198,7 @@ TEST_CASE_TEMPLATE_DEFINE("segments cross a sphere where they should", T, crossi
     place(2, 0, b);
     CHECK(sphere_crossings<D>(ball, a, b, z) == 0);  // inside
 }
-TEST_CASE_TEMPLATE_INVOKE(crossings, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(crossings, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("a ball around any set contains it and cannot shrink", T, enclosing) {
     constexpr int D = T::value;
@@ -224,4 +223,4 @@ TEST_CASE_TEMPLATE_DEFINE("a ball around any set contains it and cannot shrink",
         }
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(enclosing, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(enclosing, Dimensions<>);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/dimensions.hpp"
 #include "hierarchical.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality.hpp"
@@ -67,9 +68,7 @@ TEST_CASE_TEMPLATE_DEFINE("meshes are Delaunay, of quality tau, and hold their i
         }
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(quality, std::integral_constant<int, 2>, std::integral_constant<int, 3>,
-                          std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(quality, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 and covers its sphere", T, reference) {
     constexpr int D = T::value;
@@ -103,7 +102,7 @@ TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 
         for (std::size_t j = 0; j < i; ++j) REQUIRE(distance2<D>(net[i], net[j]) >= delta * delta * (1 - 1e-9));
     CHECK(worst_of(m) <= 3);
 }
-TEST_CASE_TEMPLATE_INVOKE(reference, std::integral_constant<int, 2>, std::integral_constant<int, 3>);
+TEST_CASE_TEMPLATE_APPLY(reference, Dimensions<2, 3>);
 
 TEST_CASE_TEMPLATE_DEFINE("the reference in arenas of any size, in 4D up to one that it fits", T, reference_arenas) {
     constexpr int D = T::value;
@@ -127,8 +126,7 @@ TEST_CASE_TEMPLATE_DEFINE("the reference in arenas of any size, in 4D up to one 
     }
     CHECK(partial > 5);
 }
-TEST_CASE_TEMPLATE_INVOKE(reference_arenas, std::integral_constant<int, 4>, std::integral_constant<int, 5>,
-                          std::integral_constant<int, 6>);
+TEST_CASE_TEMPLATE_APPLY(reference_arenas, Dimensions<4, 6>);
 
 TEST_CASE("clipped cells sampled at random keep the bound") {
     const inputs::Points points = inputs::uniform(2, 100, 9);
@@ -228,4 +226,4 @@ TEST_CASE_TEMPLATE_DEFINE("smallest enclosing balls", T, enclosing_balls) {
         CHECK(shifted2 >= far2 * (1 - 1e-9));
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(enclosing_balls, std::integral_constant<int, 2>, std::integral_constant<int, 3>);
+TEST_CASE_TEMPLATE_APPLY(enclosing_balls, Dimensions<2, 3>);

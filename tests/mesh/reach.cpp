@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/load.hpp"
 #include "delaunay/triangulate.hpp"
@@ -15,11 +16,7 @@
 
 using namespace netmesh;
 
-namespace {
-
-template <int D> using Dimensions = std::integral_constant<int, D>;
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE_TEMPLATE_DEFINE("size ratios in any gap: the same figure, or none", T, gaps) {
     constexpr int D = T::value;
@@ -65,7 +62,7 @@ TEST_CASE_TEMPLATE_DEFINE("size ratios in any gap: the same figure, or none", T,
     }
     CHECK(worst == aspect);
 }
-TEST_CASE_TEMPLATE_INVOKE(gaps, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(gaps, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("the farthest pole of a half ball, wherever the domain lies", T, poles) {
     constexpr int D = T::value;
@@ -119,7 +116,7 @@ TEST_CASE_TEMPLATE_DEFINE("the farthest pole of a half ball, wherever the domain
         CHECK(std::count(store.cell(cell).vertex, store.cell(cell).vertex + D + 1, v) == 1);
     }
 }
-TEST_CASE_TEMPLATE_INVOKE(poles, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(poles, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("cells too flat for a corner do not count", T, flat) {
     constexpr int D = T::value;
@@ -154,4 +151,4 @@ TEST_CASE_TEMPLATE_DEFINE("cells too flat for a corner do not count", T, flat) {
             if (radius > 0.5 * std::sqrt(D)) CHECK(out_radii(x.data(), corners, 2, radius) != alone);
         }
 }
-TEST_CASE_TEMPLATE_INVOKE(flat, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(flat, Dimensions<>);

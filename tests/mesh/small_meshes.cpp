@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/dimensions.hpp"
 #include "hierarchical.hpp"
 #include "mesh/quality.hpp"
 
@@ -49,8 +50,6 @@ template <int D> void check_mesh(Hierarchical<D>& m, const MeshRequest& request)
     }
 }
 
-template <int D> using Dimensions = std::integral_constant<int, D>;
-
 }  // namespace
 
 TEST_CASE_TEMPLATE_DEFINE("small meshes with gaps keep what they promise, cages kept or released", T, small) {
@@ -84,7 +83,7 @@ TEST_CASE_TEMPLATE_DEFINE("small meshes with gaps keep what they promise, cages 
     CHECK(kept > 10);
     CHECK(released >= 2);
 }
-TEST_CASE_TEMPLATE_INVOKE(small, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(small, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("any arena size leaves a Delaunay mesh of what was inserted, lists and audits or none", T,
                           arenas) {
@@ -106,4 +105,4 @@ TEST_CASE_TEMPLATE_DEFINE("any arena size leaves a Delaunay mesh of what was ins
     CHECK(partial > 10);
     CHECK(whole > 10);
 }
-TEST_CASE_TEMPLATE_INVOKE(arenas, Dimensions<2>, Dimensions<3>, Dimensions<4>, Dimensions<5>, Dimensions<6>);
+TEST_CASE_TEMPLATE_APPLY(arenas, Dimensions<>);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/block.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/mesh_points.hpp"
@@ -126,8 +127,6 @@ template <int D> struct Hierarchical {
     std::vector<std::uint32_t> domains;
 };
 
-template <int D> using Dimensions = std::integral_constant<int, D>;
-
 }  // namespace
 
 TEST_CASE_TEMPLATE_DEFINE("lemma 4.6.1: in-radius and feature size of additively weighted points", T, weighted_points) {
@@ -159,7 +158,7 @@ TEST_CASE_TEMPLATE_DEFINE("lemma 4.6.1: in-radius and feature size of additively
             }
         }
 }
-TEST_CASE_TEMPLATE_INVOKE(weighted_points, Dimensions<2>, Dimensions<3>, Dimensions<4>);
+TEST_CASE_TEMPLATE_APPLY(weighted_points, Dimensions<2, 4>);
 
 TEST_CASE("lemma 4.6.1 needs its premise") {
     Weighted<2> set{{0, 0, 1, 0, 5, 0}, {0, 0.8, 0}};
@@ -202,7 +201,7 @@ TEST_CASE_TEMPLATE_DEFINE("lemma 4.6.2: r <= f_M <= 3 r for the cells of vertice
     }
     CHECK(seen > 30);
 }
-TEST_CASE_TEMPLATE_INVOKE(caged, Dimensions<2>, Dimensions<3>, Dimensions<4>);
+TEST_CASE_TEMPLATE_APPLY(caged, Dimensions<2, 4>);
 
 TEST_CASE("lemma 4.6.2 fails for a cage that is encroached") {
     Hierarchical<2> m(inputs::geometric(2, 1e3, 10));
