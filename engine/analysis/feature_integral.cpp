@@ -25,8 +25,8 @@ struct Share {
 
 template <int D> class Boxes {
 public:
-    Boxes(const Store<D>& store, const InputTree<D>& tree, const double* centre, const double* radius, int balls)
-        : store_(store), tree_(tree), centre_(centre), radius_(radius), balls_(balls) {}
+    Boxes(const Store<D>& store, const InputTree<D>& tree, const IntegralRequest& request)
+        : store_(store), tree_(tree), centre_(request.centre), radius_(request.radius), balls_(request.balls) {}
 
     Status open(Arena& arena, std::uint32_t inputs);
     Status run(double eta, Monitor& monitor, FeatureIntegral* integral);
@@ -179,19 +179,18 @@ template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureInteg
 }  // namespace
 
 template <int D>
-Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs, const double* centre,
-                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, const Work& work,
-                        FeatureIntegral* integral) {
+Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs,
+                        const IntegralRequest& request, const Work& work, FeatureIntegral* integral) {
     ArenaScope scope(work.arena);
-    Boxes<D> boxes(store, tree, centre, radius, balls);
+    Boxes<D> boxes(store, tree, request);
     Status status = boxes.open(work.arena, inputs);
     if (status == Status::ok) status = boxes.run(coarsest<D>, work.monitor, integral);
     if (status != Status::ok) return status;
     // The number of boxes grows by 2^(D/2) a step.
     double eta = coarsest<D>, boxes_next = static_cast<double>(integral->boxes);
     const double step = 0.70710678118654752, growth = square_root(static_cast<double>(1u << D));
-    while (mean_at_most<D>(eta) / mean_at_least<D>(eta) > 1 + tolerance &&
-           boxes_next * growth <= static_cast<double>(boxes_max)) {
+    while (mean_at_most<D>(eta) / mean_at_least<D>(eta) > 1 + request.tolerance &&
+           boxes_next * growth <= static_cast<double>(request.boxes_max)) {
         eta *= step;
         boxes_next *= growth;
     }
@@ -199,8 +198,8 @@ Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::ui
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const double*,            \
-                                        const double*, int, double, std::uint64_t, const Work&, FeatureIntegral*);
+    template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const IntegralRequest&,   \
+                                        const Work&, FeatureIntegral*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
