@@ -25,8 +25,8 @@ struct Share {
 
 template <int D> class Boxes {
 public:
-    Boxes(const Store<D>& store, const InputTree<D>& tree, const double* centre, const double* radius, int balls)
-        : store_(store), tree_(tree), centre_(centre), radius_(radius), balls_(balls) {}
+    Boxes(const Store<D>& store, const InputTree<D>& tree, const IntegralRequest& request)
+        : store_(store), tree_(tree), centre_(request.centre), radius_(request.radius), balls_(request.balls) {}
 
     Status open(Arena& arena, std::uint32_t inputs);
     Status run(double eta, Monitor& monitor, FeatureIntegral* integral);
@@ -36,6 +36,13 @@ private:
     double feature_size(const double* x);
     Share share(const double* x, double half, double radius) const;
     bool settle(const double* x, double half, double eta, bool finest, FeatureIntegral* integral);
+    void enter_root();
+    bool is_finest() const;
+    bool enter_child();
+    void leave() {
+        --level_;
+        half_ *= 2;
+    }
 
     const Store<D>& store_;
     const InputTree<D>& tree_;
@@ -44,6 +51,8 @@ private:
     int balls_;
     double* centres_;       // [levels][D]
     std::uint8_t* child_;   // [levels]: the next child to go to
+    int level_ = 0;         // of the box at hand
+    double half_ = 0;       // of its side
     double feature_least_;  // f_P is nowhere smaller
     std::uint32_t first_ = none, second_ = none;
 };
@@ -113,46 +122,52 @@ bool Boxes<D>::settle(const double* x, double half, double eta, bool finest, Fea
     return true;
 }
 
-// Depth first. Box corners are multiples of their sides, so centres are exact as long as doubles have them.
-template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureIntegral* integral) {
-    *integral = {};
+// The box around the largest ball that all others are parts of. Box corners are multiples of their sides, so centres
+// are exact as long as doubles have them.
+template <int D> void Boxes<D>::enter_root() {
     const double reach = radius_[balls_ - 1];
-    double half = 1;
-    while (half < 2 * reach) half *= 2;
-    while (half >= 4 * reach) half *= 0.5;
+    half_ = 1;
+    while (half_ < 2 * reach) half_ *= 2;
+    while (half_ >= 4 * reach) half_ *= 0.5;
     for (int k = 0; k < D; ++k) {
-        const double corner = (centre_[k] - reach) / half;
+        const double corner = (centre_[k] - reach) / half_;
         const bool aligned = absolute(corner) < 0x1p51;
         double whole = aligned ? static_cast<double>(static_cast<std::int64_t>(corner)) : corner;
         if (whole > corner) whole -= 1;
-        at(0)[k] = whole * half + half;
+        at(0)[k] = whole * half_ + half_;
     }
-    int level = 0;
-    bool entered = true;
-    while (level >= 0) {
-        if (entered) {
-            bool finest = level + 1 == levels_max;
-            for (int k = 0; k < D; ++k) finest = finest || at(level)[k] + 0.5 * half == at(level)[k];
-            if (settle(at(level), half, eta, finest, integral)) {
-                --level;
-                half *= 2;
-                entered = false;
-                continue;
-            }
+    level_ = 0;
+}
+
+// Is there no smaller box, for want of levels or of digits?
+template <int D> bool Boxes<D>::is_finest() const {
+    bool finest = level_ + 1 == levels_max;
+    for (int k = 0; k < D; ++k) finest = finest || at(level_)[k] + 0.5 * half_ == at(level_)[k];
+    return finest;
+}
+
+// False when the box has no child left.
+template <int D> bool Boxes<D>::enter_child() {
+    if (child_[level_] == 1u << D) return false;
+    const unsigned corner = child_[level_]++;
+    half_ *= 0.5;
+    for (int k = 0; k < D; ++k) at(level_ + 1)[k] = at(level_)[k] + (corner >> k & 1u ? half_ : -half_);
+    ++level_;
+    return true;
+}
+
+// Depth first.
+template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureIntegral* integral) {
+    *integral = {};
+    enter_root();
+    for (bool entered = true; level_ >= 0;) {
+        const bool settled = entered && settle(at(level_), half_, eta, is_finest(), integral);
+        if (entered && !settled) {
             if (monitor.advance(integral->boxes, 8)) return Status::cancelled;
-            child_[level] = 0;
+            child_[level_] = 0;
         }
-        if (child_[level] == 1u << D) {
-            --level;
-            half *= 2;
-            entered = false;
-            continue;
-        }
-        const unsigned corner = child_[level]++;
-        half *= 0.5;
-        for (int k = 0; k < D; ++k) at(level + 1)[k] = at(level)[k] + (corner >> k & 1u ? half : -half);
-        ++level;
-        entered = true;
+        entered = !settled && enter_child();
+        if (!entered) leave();
     }
     for (int j = 0; j < balls_; ++j) {
         integral->lower[j] *= 1 - rounding;
@@ -164,19 +179,18 @@ template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureInteg
 }  // namespace
 
 template <int D>
-Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs, const double* centre,
-                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, const Work& work,
-                        FeatureIntegral* integral) {
+Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs,
+                        const IntegralRequest& request, const Work& work, FeatureIntegral* integral) {
     ArenaScope scope(work.arena);
-    Boxes<D> boxes(store, tree, centre, radius, balls);
+    Boxes<D> boxes(store, tree, request);
     Status status = boxes.open(work.arena, inputs);
     if (status == Status::ok) status = boxes.run(coarsest<D>, work.monitor, integral);
     if (status != Status::ok) return status;
     // The number of boxes grows by 2^(D/2) a step.
     double eta = coarsest<D>, boxes_next = static_cast<double>(integral->boxes);
     const double step = 0.70710678118654752, growth = square_root(static_cast<double>(1u << D));
-    while (mean_at_most<D>(eta) / mean_at_least<D>(eta) > 1 + tolerance &&
-           boxes_next * growth <= static_cast<double>(boxes_max)) {
+    while (mean_at_most<D>(eta) / mean_at_least<D>(eta) > 1 + request.tolerance &&
+           boxes_next * growth <= static_cast<double>(request.boxes_max)) {
         eta *= step;
         boxes_next *= growth;
     }
@@ -184,8 +198,8 @@ Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::ui
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const double*,            \
-                                        const double*, int, double, std::uint64_t, const Work&, FeatureIntegral*);
+    template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const IntegralRequest&,   \
+                                        const Work&, FeatureIntegral*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -15,7 +15,16 @@ struct FeatureIntegral {
     std::uint64_t boxes;  // that f_P was evaluated in
 };
 
-// radius[0..balls), increasing. A tree of boxes is refined where half their diagonal h exceeds eta f_P(centre): as f_P
+// What is asked: the balls, and how narrow the bounds are to be for how many boxes.
+struct IntegralRequest {
+    const double* centre;
+    const double* radius;  // [balls], increasing
+    int balls;
+    double tolerance;
+    std::uint64_t boxes_max;
+};
+
+// A tree of boxes is refined where half their diagonal h exceeds eta f_P(centre): as f_P
 // is 1-Lipschitz, the value in a box is then known within a factor, which eta is chosen for; what a box that crosses a
 // sphere has inside counts as one half or less, or more, as its centre says. The bounds are certain, with room for
 // rounding; upper / lower - 1 is at most about `tolerance` (boundary aside) if boxes_max boxes do; with less it is what
@@ -23,8 +32,7 @@ struct FeatureIntegral {
 // (D^1.5 / (2 eta))^D times the integral, in nearest-neighbour searches. Scratch: 8 D + 1 bytes for each level of
 // boxes, some 2,200 levels. out_of_memory, cancelled.
 template <int D>
-Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs, const double* centre,
-                        const double* radius, int balls, double tolerance, std::uint64_t boxes_max, const Work& work,
-                        FeatureIntegral* integral);
+Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs,
+                        const IntegralRequest& request, const Work& work, FeatureIntegral* integral);
 
 }  // namespace netmesh

@@ -65,71 +65,120 @@ template <int D> double along(const double* w, const double* x, double* half) {
     return dot / length;
 }
 
-}  // namespace
+constexpr double flat = 0x1p-30;  // relative: of a direction, a multiplier, a slope
 
-template <int D> double largest_inscribed_ball(const double* w, std::uint32_t count, double scale, double* centre) {
-    constexpr double flat = 0x1p-30;  // relative: of a direction, a multiplier, a slope
-    double y[D + 1] = {};
-    const auto slack = [&](std::uint32_t i) {
+// The active-set search: a ball inside the cell that grows while its centre moves, touching more and more planes.
+template <int D> class BallSearch {
+public:
+    BallSearch(const double* w, std::uint32_t count) : w_(w), count_(count) {}
+
+    void start();
+    void grow(double scale);
+    // The largest ball about the present centre that is inside. Whatever the search did, this one is.
+    double settle(double* centre);
+
+private:
+    const double* neighbour(std::uint32_t i) const { return w_ + std::size_t{i} * D; }
+    double slack(std::uint32_t i) const {
         double half;
-        const double dot = along<D>(w + std::size_t{i} * D, y, &half);
-        return half - dot - y[D];
-    };
-    ActiveSet<D> active;
-    const auto add = [&](std::uint32_t i) {
-        double half;
-        const double* const p = w + std::size_t{i} * D;
-        along<D>(p, y, &half);
-        for (int k = 0; k < D; ++k) active.row[active.size][k] = p[k] / (2 * half);
-        active.row[active.size][D] = 1;
-        active.index[active.size++] = i;
-    };
+        const double dot = along<D>(neighbour(i), y_, &half);
+        return half - dot - y_[D];
+    }
+    void touch(std::uint32_t i);
+    int plane_to_leave(const double* multiplier) const;
+    std::uint32_t first_plane_on_the_way(const double* direction, double* reach) const;
+
+    const double* const w_;
+    const std::uint32_t count_;
+    double y_[D + 1] = {};  // centre and radius
+    ActiveSet<D> active_;
+};
+
+// The ball about the origin up to the nearest plane.
+template <int D> void BallSearch<D>::start() {
     std::uint32_t first = 0;
-    double start = infinity;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    double radius = infinity;
+    for (std::uint32_t i = 0; i < count_; ++i) {
         double half;
-        along<D>(w + std::size_t{i} * D, y, &half);
-        if (!(half < start)) continue;
-        start = half;
+        along<D>(neighbour(i), y_, &half);
+        if (!(half < radius)) continue;
+        radius = half;
         first = i;
     }
-    y[D] = start;
-    add(first);
+    y_[D] = radius;
+    touch(first);
+}
+
+template <int D> void BallSearch<D>::touch(std::uint32_t i) {
+    double half;
+    const double* const p = neighbour(i);
+    along<D>(p, y_, &half);
+    for (int k = 0; k < D; ++k) active_.row[active_.size][k] = p[k] / (2 * half);
+    active_.row[active_.size][D] = 1;
+    active_.index[active_.size++] = i;
+}
+
+// A plane that keeps the ball from growing although it need not be touched, the first one by number; -1 when there is
+// none: then the ball is the largest.
+template <int D> int BallSearch<D>::plane_to_leave(const double* multiplier) const {
+    int worst = -1;
+    for (int i = 0; i < active_.size; ++i)
+        if (multiplier[i] < -flat && (worst < 0 || active_.index[i] < active_.index[worst])) worst = i;
+    return worst;
+}
+
+// The plane that the ball meets first when it changes in this direction, and how far that is; `count` if none.
+template <int D> std::uint32_t BallSearch<D>::first_plane_on_the_way(const double* direction, double* reach) const {
+    std::uint32_t blocking = count_;
+    *reach = infinity;
+    for (std::uint32_t i = 0; i < count_; ++i) {
+        double half;
+        const double slope = along<D>(neighbour(i), direction, &half) + direction[D];
+        if (!(slope > flat)) continue;
+        const double room = slack(i), length = room > 0 ? room / slope : 0;
+        if (!(length < *reach)) continue;
+        *reach = length;
+        blocking = i;
+    }
+    return blocking;
+}
+
+template <int D> void BallSearch<D>::grow(double scale) {
     for (int step = 0; step < 60 * (D + 1); ++step) {
         double multiplier[D + 1], rest[D + 1];
-        active.project(multiplier, rest);
-        if (!(rest[D] > flat) || active.size == D + 1) {  // rest[D] is the square of its length
-            int worst = -1;
-            for (int i = 0; i < active.size; ++i)
-                if (multiplier[i] < -flat && (worst < 0 || active.index[i] < active.index[worst])) worst = i;
-            if (worst < 0) break;
-            active.remove(worst);
+        active_.project(multiplier, rest);
+        if (!(rest[D] > flat) || active_.size == D + 1) {  // rest[D] is the square of its length
+            const int left = plane_to_leave(multiplier);
+            if (left < 0) return;
+            active_.remove(left);
             continue;
         }
-        double reach = infinity;
-        std::uint32_t blocking = count;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            double half;
-            const double slope = along<D>(w + std::size_t{i} * D, rest, &half) + rest[D];
-            if (!(slope > flat)) continue;
-            const double room = slack(i), length = room > 0 ? room / slope : 0;
-            if (!(length < reach)) continue;
-            reach = length;
-            blocking = i;
-        }
-        if (blocking == count || !(reach < 0x1p40 * scale)) break;
-        for (int k = 0; k <= D; ++k) y[k] += reach * rest[k];
-        add(blocking);
+        double reach;
+        const std::uint32_t blocking = first_plane_on_the_way(rest, &reach);
+        if (blocking == count_ || !(reach < 0x1p40 * scale)) return;
+        for (int k = 0; k <= D; ++k) y_[k] += reach * rest[k];
+        touch(blocking);
     }
-    // Whatever the search did, this ball is inside.
+}
+
+template <int D> double BallSearch<D>::settle(double* centre) {
     double radius = infinity;
-    y[D] = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    y_[D] = 0;
+    for (std::uint32_t i = 0; i < count_; ++i) {
         const double room = slack(i);
         if (room < radius) radius = room;
     }
-    for (int k = 0; k < D; ++k) centre[k] = y[k];
+    for (int k = 0; k < D; ++k) centre[k] = y_[k];
     return radius;
+}
+
+}  // namespace
+
+template <int D> double largest_inscribed_ball(const double* w, std::uint32_t count, double scale, double* centre) {
+    BallSearch<D> search(w, count);
+    search.start();
+    search.grow(scale);
+    return search.settle(centre);
 }
 
 #define NETMESH_INSTANTIATE(D) template double largest_inscribed_ball<D>(const double*, std::uint32_t, double, double*);

@@ -63,6 +63,90 @@ template <int D> std::uint32_t list_ranges(const InputTree<D>& tree, TreeRange* 
     return count;
 }
 
+// The farthest input from those taken so far.
+template <int D> class FarthestFirst {
+public:
+    FarthestFirst(const Store<D>& store, const InputTree<D>& tree) : store_(store), tree_(tree) {}
+
+    // For inputs 0..count-1, none taken. False: out of memory.
+    bool open(Arena& arena, std::uint32_t count) {
+        count_ = count;
+        near2_ = arena.take_high<double>(count);
+        far2_ = arena.take_high<double>(count);
+        visited_ = arena.take_high<TreeRange>(count);
+        if (near2_ == nullptr || far2_ == nullptr || visited_ == nullptr) return false;
+        for (std::uint32_t v = 0; v < count; ++v) near2_[v] = far2_[v] = infinity;
+        return true;
+    }
+    // The one farthest from input 0, which is not taken yet.
+    std::uint32_t from_input_0() const;
+    // Takes an input: the others come nearer to what is taken. How many ranges of the tree were visited.
+    std::uint32_t take(std::uint32_t input);
+    // Down the tree to a farthest one, the first in the tree's order among equals.
+    std::uint32_t from_all_taken() const;
+
+private:
+    const Store<D>& store_;
+    const InputTree<D>& tree_;
+    std::uint32_t count_ = 0;
+    // Squared distance to the inputs taken, -1 for those themselves; its maximum over each range.
+    double *near2_ = nullptr, *far2_ = nullptr;
+    TreeRange* visited_ = nullptr;
+};
+
+template <int D> std::uint32_t FarthestFirst<D>::from_input_0() const {
+    std::uint32_t farthest = 0;
+    double reach2 = -1;
+    for (std::uint32_t v = 0; v < count_; ++v) {
+        const double d2 = distance2<D>(store_.point(0), store_.point(v));
+        if (!(d2 > reach2)) continue;
+        reach2 = d2;
+        farthest = v;
+    }
+    return farthest;
+}
+
+template <int D> std::uint32_t FarthestFirst<D>::take(std::uint32_t input) {
+    const double* const x = store_.point(input);
+    near2_[input] = -1;
+    std::uint32_t visits = 0;
+    search<D>(
+        store_, tree_, x,
+        [&](TreeRange range, double plane2) {
+            // The range that holds the input itself is always visited: its plane is at most 0 away.
+            if (plane2 > far2_[range.middle()]) return true;
+            visited_[visits++] = range;
+            return false;
+        },
+        [&](std::uint32_t v) {
+            const double d2 = distance2<D>(x, store_.point(v));
+            if (d2 < near2_[v]) near2_[v] = d2;
+        });
+    for (std::uint32_t k = visits; k-- > 0;)
+        far2_[visited_[k].middle()] = summary<D>(
+            tree_, visited_[k], far2_, [&](std::uint32_t v) { return near2_[v]; },
+            [](double a, double b) { return a > b; });
+    return visits;
+}
+
+template <int D> std::uint32_t FarthestFirst<D>::from_all_taken() const {
+    for (TreeRange range = tree_.root();;) {
+        const double most = far2_[range.middle()];
+        std::uint32_t farthest = tree_.item(range.middle());
+        if (range.is_leaf()) {
+            for (std::uint32_t k = range.end; k-- > range.begin;)
+                if (near2_[tree_.item(k)] == most) farthest = tree_.item(k);
+            return farthest;
+        }
+        if (far2_[range.below().middle()] == most)
+            range = range.below();
+        else if (far2_[range.above().middle()] == most)
+            range = range.above();
+        else
+            return farthest;
+    }
+}
+
 }  // namespace
 
 template <int D>
@@ -110,57 +194,13 @@ template <int D>
 Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work,
                             std::uint32_t* order) {
     ArenaScope scope(work.arena);
-    // Squared distance to the points ordered so far, -1 for those themselves; its maximum over each range.
-    double* const near2 = work.arena.take_high<double>(count);
-    double* const far2 = work.arena.take_high<double>(count);
-    TreeRange* const visited = work.arena.take_high<TreeRange>(count);
-    if (near2 == nullptr || far2 == nullptr || visited == nullptr) return Status::out_of_memory;
-    std::uint32_t next = 0;
-    double reach2 = -1;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        near2[v] = far2[v] = infinity;
-        const double d2 = distance2<D>(store.point(0), store.point(v));
-        if (!(d2 > reach2)) continue;
-        reach2 = d2;
-        next = v;
-    }
+    FarthestFirst<D> farthest(store, tree);
+    if (!farthest.open(work.arena, count)) return Status::out_of_memory;
+    std::uint32_t next = farthest.from_input_0();
     for (std::uint32_t i = 0; i < count; ++i) {
         order[i] = next;
-        const double* const x = store.point(next);
-        near2[next] = -1;
-        std::uint32_t visits = 0;
-        search<D>(
-            store, tree, x,
-            [&](TreeRange range, double plane2) {
-                // The range that holds `next` itself is always visited: its plane is at most 0 away.
-                if (plane2 > far2[range.middle()]) return true;
-                visited[visits++] = range;
-                return false;
-            },
-            [&](std::uint32_t v) {
-                const double d2 = distance2<D>(x, store.point(v));
-                if (d2 < near2[v]) near2[v] = d2;
-            });
-        for (std::uint32_t k = visits; k-- > 0;)
-            far2[visited[k].middle()] = summary<D>(
-                tree, visited[k], far2, [&](std::uint32_t v) { return near2[v]; },
-                [](double a, double b) { return a > b; });
-        // Down to a farthest point, the first in the tree's order among equals.
-        for (TreeRange range = tree.root();;) {
-            const double most = far2[range.middle()];
-            next = tree.item(range.middle());
-            if (range.is_leaf()) {
-                for (std::uint32_t k = range.end; k-- > range.begin;)
-                    if (near2[tree.item(k)] == most) next = tree.item(k);
-                break;
-            }
-            if (far2[range.below().middle()] == most)
-                range = range.below();
-            else if (far2[range.above().middle()] == most)
-                range = range.above();
-            else
-                break;
-        }
+        const std::uint32_t visits = farthest.take(next);
+        next = farthest.from_all_taken();
         if (work.monitor.advance(i, 1 + visits)) return Status::cancelled;
     }
     return Status::ok;

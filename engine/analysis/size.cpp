@@ -98,8 +98,10 @@ Status analyse_size(const Store<D>& store, const Domain<D>& domain, std::uint32_
     if (status != Status::ok || inputs < 2) return status;
     status = measure_pace<D>(store, domain, tree, inputs, work, analysis);
     if (status == Status::ok)
-        status = feature_integral<D>(store, tree, inputs, domain.centre, analysis->radius, FeatureIntegral::balls_max,
-                                     options.tolerance, options.boxes_max, work, &analysis->integral);
+        status = feature_integral<D>(
+            store, tree, inputs,
+            {domain.centre, analysis->radius, FeatureIntegral::balls_max, options.tolerance, options.boxes_max}, work,
+            &analysis->integral);
     if (status != Status::ok) return status;
     const double volume = unit_ball_volume(D);
     analysis->size_lower = analysis->integral.lower[ball_domain] / (volume * power(options.tau, D)) * (1 - tolerance);

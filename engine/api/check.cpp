@@ -31,7 +31,7 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     const std::uint32_t cages = cage_count_of(context);
     Status status = cages == 0
                         ? recomputed_aspect_ratio<D>(store, domain, context.arena, &quality.worst, &quality.vertex)
-                        : measure_hierarchy<D>(store, cages_of(context), cages, domain, context.arena, &quality);
+                        : measure_hierarchy<D>(store, {cages_of(context), cages, domain}, context.arena, &quality);
     if (status != Status::ok) return status;
     *why = quality.encroached;
     if (why->violation != nullptr) return Status::check_failed;
@@ -40,10 +40,11 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
         return Status::check_failed;
     }
     if (cages > 0) return Status::ok;
-    double worst;
-    status = worst_size_ratio<D>(store, domain, context.input.distinct, promises.sizes, Corners::recomputed,
-                                 context.arena, &worst, &why->cell);
-    if (status != Status::ok || worst <= 1 + ratio_tolerance) return status;
+    SizeRatio ratio;
+    status = worst_size_ratio<D>(store, {domain, context.input.distinct, promises.sizes, Corners::recomputed},
+                                 context.arena, &ratio);
+    why->cell = ratio.vertex;
+    if (status != Status::ok || ratio.worst <= 1 + ratio_tolerance) return status;
     why->violation = "a clipped Voronoi cell is larger than the size asked for";
     return Status::check_failed;
 }

@@ -20,9 +20,10 @@ Complaint read_request(const netmesh_bottleneck_request* from, netmesh_bottlenec
     return {};
 }
 
-Complaint complaint_about_pairs(const PairView& a, const PairView& b, bool log_scale) {
-    if (!are_diagram(a, log_scale)) return {NETMESH_FIELD_PAIRS_A, "a birth is not finite, or a death before it"};
-    if (!are_diagram(b, log_scale)) return {NETMESH_FIELD_PAIRS_B, "a birth is not finite, or a death before it"};
+Complaint complaint_about_pairs(const DistanceRequest& asked) {
+    const char* const text = "a birth is not finite, or a death before it";
+    if (!are_diagram(asked.a, asked.log_scale)) return {NETMESH_FIELD_PAIRS_A, text};
+    if (!are_diagram(asked.b, asked.log_scale)) return {NETMESH_FIELD_PAIRS_B, text};
     return {};
 }
 
@@ -47,13 +48,15 @@ netmesh_status netmesh_bottleneck(const netmesh_bottleneck_request* from, netmes
     if (complaint.text == nullptr && !has_room(distance)) complaint = {NETMESH_FIELD_RESULT, "distance has no size"};
     Status status = Status::invalid_argument;
     if (complaint.text == nullptr) {
-        const PairView a = {request.pairs_a, request.pair_bytes, request.count_a};
-        const PairView b = {request.pairs_b, request.pair_bytes, request.count_b};
+        const DistanceRequest asked = {{request.pairs_a, request.pair_bytes, request.count_a},
+                                       {request.pairs_b, request.pair_bytes, request.count_b},
+                                       request.degree,
+                                       request.scale == NETMESH_SCALE_LOG,
+                                       request.scratch,
+                                       request.scratch_bytes};
         Monitor monitor = monitor_of(request.monitor);
-        status = bottleneck(a, b, request.degree, request.scale == NETMESH_SCALE_LOG, request.scratch,
-                            request.scratch_bytes, monitor, &found);
-        if (status == Status::invalid_argument)
-            complaint = complaint_about_pairs(a, b, request.scale == NETMESH_SCALE_LOG);
+        status = bottleneck(asked, monitor, &found);
+        if (status == Status::invalid_argument) complaint = complaint_about_pairs(asked);
     }
     if (status == Status::ok) give_result(found, distance);
     netmesh_detail said = detail_of(status, complaint.text);

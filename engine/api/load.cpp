@@ -83,13 +83,9 @@ Status measure_domain(netmesh_context* context, Store<D>& store, const double* g
     KeptMesh& mesh = context->mesh;
     keep_domain<D>(domain_about<D>(store, context->input.distinct, given), &mesh);
     HierarchyQuality quality;
-    std::uint32_t worst;
     Status status = measure_quality<D>(*context, store, &quality);
-    if (status == Status::ok)
-        status = worst_size_ratio<D>(store, domain_of<D>(mesh), context->input.distinct, sizes, Corners::kept,
-                                     context->arena, &mesh.size_ratio_max, &worst);
     mesh.aspect_ratio_max = quality.worst;
-    return status;
+    return status == Status::ok ? measure_sizes<D>(context, store, sizes) : status;
 }
 
 Complaint complaint_about(const netmesh_cages_request& request) {
@@ -170,7 +166,7 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
         Store<D> store(context->arena, mesh.store);
         HierarchyQuality quality = {};
         const auto count = static_cast<std::uint32_t>(request.cage_count);
-        Status status = measure_hierarchy<D>(store, kept, count, domain_of<D>(mesh), context->arena, &quality);
+        Status status = measure_hierarchy<D>(store, {kept, count, domain_of<D>(mesh)}, context->arena, &quality);
         if (status != Status::ok || !quality.is_hierarchy) {
             context->arena.release_low(mesh.low_end);
             if (status != Status::ok) return finish(context, status);
@@ -192,9 +188,9 @@ netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, u
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, context->mesh.store);
         HierarchyQuality quality;
-        const Status status =
-            measure_hierarchy<D>(store, cages_of(*context), cage_count_of(*context), domain_of<D>(context->mesh),
-                                 context->arena, &quality, ratios, domains);
+        const Status status = measure_hierarchy<D>(
+            store, {cages_of(*context), cage_count_of(*context), domain_of<D>(context->mesh), ratios, domains},
+            context->arena, &quality);
         return finish(context, status);
     });
 }

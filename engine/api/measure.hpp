@@ -4,6 +4,7 @@
 #include "filtration/filter.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/sizing.hpp"
 
 namespace netmesh {
 
@@ -19,7 +20,18 @@ template <int D> Status measure_quality(Context& context, Store<D>& store, Hiera
     *quality = HierarchyQuality{};
     return cage_count_of(context) == 0
                ? worst_aspect_ratio<D>(store, domain, context.arena, &quality->worst, &quality->vertex)
-               : measure_hierarchy<D>(store, cages_of(context), cage_count_of(context), domain, context.arena, quality);
+               : measure_hierarchy<D>(store, {cages_of(context), cage_count_of(context), domain}, context.arena,
+                                      quality);
+}
+
+// The largest size of a cell over the one asked for. out_of_memory.
+template <int D> Status measure_sizes(Context* context, const Store<D>& store, const SizeRule& sizes) {
+    KeptMesh& mesh = context->mesh;
+    SizeRatio ratio;
+    const Status status = worst_size_ratio<D>(
+        store, {domain_of<D>(mesh), context->input.distinct, sizes, Corners::kept}, context->arena, &ratio);
+    mesh.size_ratio_max = ratio.worst;
+    return status;
 }
 
 // The mesh as jobs on filters take it.

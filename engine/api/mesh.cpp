@@ -38,11 +38,7 @@ template <int D> Status measure(netmesh_context* context, Store<D>& store, const
     mesh.aspect_ratio_max = quality.worst;
     if (status == Status::ok) status = measured;
     if (status == Status::ok && quality.encroached.violation != nullptr) status = Status::internal;
-    std::uint32_t worst;
-    if (status == Status::ok)
-        status = worst_size_ratio<D>(store, domain_of<D>(mesh), context->input.distinct, sizes, Corners::kept,
-                                     context->arena, &mesh.size_ratio_max, &worst);
-    return status;
+    return status == Status::ok ? measure_sizes<D>(context, store, sizes) : status;
 }
 
 template <int D> void keep_mesh(netmesh_context* context, const MeshRequest& request, const MeshResult<D>& result) {

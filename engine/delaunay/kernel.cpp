@@ -49,6 +49,32 @@ template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp
     }
 }
 
+// Seen from outside a facet turns the other way, so the ghost behind facet i of the first cell has two of the facet's
+// vertices exchanged, those at the first two positions other than i.
+struct Exchanged {
+    std::uint32_t a, b;
+    explicit Exchanged(std::uint32_t i) : a(i == 0 ? 1 : 0), b(i <= 1 ? 2 : 1) {}
+    std::uint32_t position_of(std::uint32_t i) const { return i == a ? b : i == b ? a : i; }
+};
+
+// Ghost i of the first cell made[0], whose vertices are v: the one behind its facet i, made[1 + i].
+template <int D> void make_first_ghost(const CellId* made, const VertexId* v, std::uint32_t i, Cell<D>& ghost) {
+    const Exchanged here(i);
+    for (std::uint32_t j = 0; j <= D; ++j) ghost.vertex[j] = v[j];
+    ghost.vertex[i] = none;
+    ghost.vertex[here.a] = v[here.b];
+    ghost.vertex[here.b] = v[here.a];
+    ghost.neighbour[i] = FacetId(made[0], i);
+    // Without vertex k it borders ghost k without vertex i.
+    for (std::uint32_t j = 0; j <= D; ++j) {
+        if (j == i) continue;
+        const std::uint32_t k = here.position_of(j);
+        ghost.neighbour[j] = FacetId(made[1 + k], Exchanged(k).position_of(i));
+    }
+    make_ghost<D>(ghost);
+    ghost.mark = 0;
+}
+
 }  // namespace
 
 template <int D> [[gnu::noinline]] bool Kernel<D>::undecided_conflict(CellId c, const double* q, VertexId id) {
@@ -90,8 +116,7 @@ template <int D> Status Kernel<D>::start(const VertexId* ids) {
         p[0] = store_.point(v[0]);
         p[1] = store_.point(v[1]);
     }
-    // Cell 0 is finite; ghost 1 + i lies behind its facet i. Seen from outside a facet turns the other way, so a ghost
-    // has two of the facet's vertices exchanged.
+    // Cell 0 is finite; ghost 1 + i lies behind its facet i.
     CellId made[D + 2];
     for (CellId& c : made) c = store_.new_cell();
     Cell<D>& first = store_.cell(made[0]);
@@ -102,29 +127,7 @@ template <int D> Status Kernel<D>::start(const VertexId* ids) {
     }
     first.mark = 0;
     solve_sphere<D>(p, error_max_, first);
-    for (std::uint32_t i = 0; i <= D; ++i) {
-        Cell<D>& ghost = store_.cell(made[1 + i]);
-        for (int j = 0; j <= D; ++j) ghost.vertex[j] = v[j];
-        ghost.vertex[i] = none;
-        const std::uint32_t a = i == 0 ? 1 : 0, b = i <= 1 ? 2 : 1;
-        ghost.vertex[a] = v[b];
-        ghost.vertex[b] = v[a];
-        // Ghost i without vertex k borders ghost k without vertex i.
-        for (std::uint32_t j = 0; j <= D; ++j) {
-            if (j == i) {
-                ghost.neighbour[j] = FacetId(made[0], i);
-                continue;
-            }
-            const VertexId k = ghost.vertex[j];
-            std::uint32_t missing = 0;
-            while (v[missing] != k) ++missing;
-            const std::uint32_t a2 = missing == 0 ? 1 : 0, b2 = missing <= 1 ? 2 : 1;
-            const std::uint32_t position = i == a2 ? b2 : i == b2 ? a2 : i;
-            ghost.neighbour[j] = FacetId(made[1 + missing], position);
-        }
-        make_ghost<D>(ghost);
-        ghost.mark = 0;
-    }
+    for (std::uint32_t i = 0; i <= D; ++i) make_first_ghost<D>(made, v, i, store_.cell(made[1 + i]));
     store_.state.last_cell = made[0];
     return Status::ok;
 }

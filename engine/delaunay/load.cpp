@@ -63,6 +63,45 @@ template <int D> Status link_facets(Store<D>& store, CheckResult* why) {
     return Status::ok;
 }
 
+template <int D> void load_vertex(const double* x, std::uint32_t v, Vertex<D>& vertex) {
+    for (int k = 0; k < D; ++k) vertex.x[k] = x[k] + 0.0;
+    vertex.cell = none;
+    vertex.next = none;
+    vertex.origin = v;
+    vertex.marker = Marker::input;
+    vertex.queued = 0;
+    vertex.size_hint = 0;
+}
+
+// Gives a cell its vertices, and each of these the cell. What is wrong with them; null: nothing.
+template <int D> const char* take_vertices(Store<D>& store, const std::uint32_t* vertices, CellId made) {
+    Cell<D>& cell = store.cell(made);
+    for (int i = 0; i <= D; ++i) {
+        cell.vertex[i] = VertexId(vertices[i]);
+        if (cell.vertex[i] >= store.state.vertex_count) return "a cell has a vertex that does not exist";
+        for (int j = 0; j < i; ++j)
+            if (cell.vertex[j] == cell.vertex[i]) return "a cell has a vertex twice";
+        store.vertex(cell.vertex[i]).cell = made;
+    }
+    return nullptr;
+}
+
+// Turns a cell to positive orientation and finds its ball.
+template <int D> void orient_cell(Store<D>& store, Cell<D>& cell) {
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
+    if (orient<D>(p, store.state.orient_counts) == Sign::negative) {
+        const VertexId v = cell.vertex[0];
+        cell.vertex[0] = cell.vertex[1];
+        cell.vertex[1] = v;
+        const double* const q = p[0];
+        p[0] = p[1];
+        p[1] = q;
+    }
+    cell.mark = 0;
+    solve_sphere<D>(p, corner_error_max, cell);
+}
+
 }  // namespace
 
 template <int D> void measure_edges(Store<D>& store) {
@@ -95,45 +134,15 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     if (store.open_vertices(vertex_count) != Status::ok || store.open_cells() != Status::ok ||
         !store.has_room(cell_count, 0, 0))
         return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < vertex_count; ++v) {
-        Vertex<D>& vertex = store.vertex(v);
-        for (int k = 0; k < D; ++k) vertex.x[k] = coordinates[std::size_t{v} * D + k] + 0.0;
-        vertex.cell = none;
-        vertex.next = none;
-        vertex.origin = v;
-        vertex.marker = Marker::input;
-        vertex.queued = 0;
-        vertex.size_hint = 0;
-    }
+    for (std::uint32_t v = 0; v < vertex_count; ++v)
+        load_vertex<D>(coordinates + std::size_t{v} * D, v, store.vertex(v));
     for (std::uint32_t c = 0; c < cell_count; ++c) {
         const CellId made = store.new_cell();
-        Cell<D>& cell = store.cell(made);
-        const double* p[D + 1];
-        for (int i = 0; i <= D; ++i) {
-            cell.vertex[i] = VertexId(cells[std::size_t{c} * (D + 1) + i]);
-            if (cell.vertex[i] >= vertex_count) {
-                *why = {"a cell has a vertex that does not exist", made};
-                return Status::check_failed;
-            }
-            for (int j = 0; j < i; ++j)
-                if (cell.vertex[j] == cell.vertex[i]) {
-                    *why = {"a cell has a vertex twice", made};
-                    return Status::check_failed;
-                }
-            p[i] = store.point(cell.vertex[i]);
-            store.vertex(cell.vertex[i]).cell = made;
-        }
-        if (orient<D>(p, store.state.orient_counts) == Sign::negative) {
-            const VertexId v = cell.vertex[0];
-            cell.vertex[0] = cell.vertex[1];
-            cell.vertex[1] = v;
-            const double* const q = p[0];
-            p[0] = p[1];
-            p[1] = q;
-        }
-        cell.mark = 0;
-        solve_sphere<D>(p, corner_error_max, cell);
+        *why = {take_vertices<D>(store, cells + std::size_t{c} * (D + 1), made), made};
+        if (why->violation != nullptr) return Status::check_failed;
+        orient_cell<D>(store, store.cell(made));
     }
+    *why = {nullptr, none};
     measure_edges<D>(store);
     return link_facets<D>(store, why);
 }

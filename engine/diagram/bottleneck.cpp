@@ -197,17 +197,19 @@ std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b) {
     return memory.used;
 }
 
-Status bottleneck(const PairView& a, const PairView& b, std::uint32_t degree, bool log_scale, void* scratch,
-                  std::size_t scratch_bytes, Monitor& monitor, netmesh_distance* distance) {
+Status bottleneck(const DistanceRequest& request, Monitor& monitor, netmesh_distance* distance) {
+    const PairView &a = request.a, &b = request.b;
+    const bool log_scale = request.log_scale;
     if (!are_diagram(a, log_scale) || !are_diagram(b, log_scale)) return Status::invalid_argument;
-    if (bottleneck_bytes(a.count, b.count) > scratch_bytes) return Status::out_of_memory;
-    Scratch memory = {static_cast<unsigned char*>(scratch), 0};
+    if (bottleneck_bytes(a.count, b.count) > request.scratch_bytes) return Status::out_of_memory;
+    Scratch memory = {static_cast<unsigned char*>(request.scratch), 0};
     Workspace work = {};
     work.lay_out(memory, static_cast<std::size_t>(a.count), static_cast<std::size_t>(b.count));
     work.side[0].pairs = a;
     work.side[1].pairs = b;
     std::uint64_t key = 0;
     std::uint64_t from = 0;
+    std::uint32_t degree = request.degree;
     const bool all = degree == NETMESH_ALL_DEGREES;
     for (bool more = !all || next_degree(work, from, &degree); more; more = all && next_degree(work, from, &degree)) {
         if (!distance_in(work, degree, log_scale, monitor, &key)) return Status::cancelled;

@@ -22,6 +22,7 @@ public:
     }
     // Notes a pair unless its degree or its zero length leaves it out. False: out of memory.
     bool add(double birth, double death, std::uint32_t degree, std::uint32_t cycle = 0) {
+        NETMESH_ASSERT(birth <= death);
         if (!keeps(birth, death, degree)) return true;
         if (!grow()) return false;
         pairs()[count_++] = Pair{birth + 0.0, death + 0.0, degree, cycle};  // no negative zeros

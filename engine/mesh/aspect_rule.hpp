@@ -31,6 +31,11 @@ public:
         return frame_factor<D> * this->domain_.radius;
     }
     double promised_radius() const { return this->domain_.enclosing_radius * this->request_.domain_factor; }
+#ifdef NETMESH_VALIDATE
+    const char* clean_violation() const {
+        return aspect_violation<D>(this->store_, this->request_.tau, [this](VertexId) { return this->domain_; });
+    }
+#endif
 
 protected:
     bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }

@@ -58,6 +58,27 @@ public:
         return none;
     }
 
+#ifdef NETMESH_VALIDATE
+    // What is wrong with the lists; null: nothing. O(vertices).
+    const char* violation() const {
+        const std::uint32_t vertices = store_->state.vertex_count;
+        std::uint32_t listed = 0;
+        for (int b = 0; b < count; ++b) {
+            const Bucket& bucket = buckets_[b];
+            if ((filled_[b / 64] >> (b % 64) & 1) != (bucket.head != none)) return "a bucket's bit is wrong";
+            VertexId last = none;
+            for (VertexId v = bucket.head; v != none; v = store_->vertex(v).next) {
+                if (v >= vertices || ++listed > vertices) return "the list of a bucket does not end";
+                if (!store_->vertex(v).queued) return "a vertex in a bucket is not marked as queued";
+                last = v;
+            }
+            if (bucket.tail != last) return "the list of a bucket ends elsewhere";
+        }
+        for (VertexId v(0); v < vertices; ++v) listed -= store_->vertex(v).queued != 0;
+        return listed == 0 ? nullptr : "a vertex is marked as queued and in no bucket";
+    }
+#endif
+
 private:
     static constexpr int count = 512;
     struct Bucket {

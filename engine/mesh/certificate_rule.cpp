@@ -43,6 +43,8 @@ template <int D> class CertificateRule : public Refinement<D, CertificateRule<D>
     using Base::store_;
 
 public:
+    static constexpr bool keeps_input_distances = true;
+
     CertificateRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), goal_(request.goal), bound_(goal_.ratio),
           focus_(goal_.focus > 0 && goal_.focus < goal_.ratio ? goal_.focus : goal_.ratio) {}
@@ -61,6 +63,11 @@ public:
         input_distance2(store_.vertex(v)) = nearest.distance2;
     }
     void restore_distances() { measure_edges<D>(store_); }
+#ifdef NETMESH_VALIDATE
+    const char* clean_violation() const {
+        return ratio_violation<D>(store_, goal_.ratio * goal_.ratio, domain_.enclosing_radius);
+    }
+#endif
 
 private:
     struct CellView {

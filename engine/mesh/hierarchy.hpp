@@ -20,7 +20,10 @@ public:
         return Status::ok;
     }
 
-    Cage& cage(std::uint32_t d) { return cages_[d]; }
+    Cage& cage(std::uint32_t d) {
+        NETMESH_ASSERT(d < made_);
+        return cages_[d];
+    }
     Cage* cages() const { return cages_; }
     std::uint32_t made() const { return made_; }
     std::uint32_t live() const { return live_; }

@@ -29,8 +29,8 @@ template <int D> struct Clipped {
 
 template <int D> class Measurement {
 public:
-    Measurement(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena)
-        : store_(store), cages_(cages), count_(count), outermost_(outermost), arena_(arena) {}
+    Measurement(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena)
+        : store_(store), cages_(request.cages), count_(request.count), outermost_(request.outermost), arena_(arena) {}
 
     Status open();
     CheckResult find_domains();
@@ -294,11 +294,10 @@ template <int D> void Measurement<D>::copy(double* ratios, std::uint32_t* domain
 }  // namespace
 
 template <int D>
-Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena,
-                         HierarchyQuality* quality, double* ratios, std::uint32_t* domains) {
+Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena, HierarchyQuality* quality) {
     ArenaScope scope(arena);
     *quality = {0, none, false, {nullptr, none}};
-    Measurement<D> measurement(store, cages, count, outermost, arena);
+    Measurement<D> measurement(store, request, arena);
     if (measurement.open() != Status::ok) return Status::out_of_memory;
     quality->encroached = measurement.find_domains();
     if (quality->encroached.violation != nullptr) return Status::ok;
@@ -307,13 +306,12 @@ Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, cons
     if (quality->encroached.violation == nullptr) quality->encroached = measurement.find_encroached();
     measurement.measure_cells();
     measurement.worst(quality);
-    if (ratios != nullptr) measurement.copy(ratios, domains);
+    if (request.ratios != nullptr) measurement.copy(request.ratios, request.domains);
     return Status::ok;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status measure_hierarchy<D>(Store<D>&, Cage*, std::uint32_t, const Domain<D>&, Arena&, HierarchyQuality*, \
-                                         double*, std::uint32_t*);
+    template Status measure_hierarchy<D>(Store<D>&, const HierarchyRequest<D>&, Arena&, HierarchyQuality*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -14,15 +14,22 @@ struct HierarchyQuality {
     CheckResult encroached;  // why this is no hierarchical mesh: .cell is the centre of the cage at fault
 };
 
+template <int D> struct HierarchyRequest {
+    Cage* cages;
+    std::uint32_t count;
+    Domain<D> outermost;
+    double* ratios = nullptr;  // [vertex_count], with domains or neither
+    std::uint32_t* domains = nullptr;
+};
+
 // Finds parent and nearest2 of each cage anew, from centres and radii: the balls of cages must be nested or disjoint.
 // Encroached is a cage with an input between e r and r of its centre, with an input, or a vertex that is neither in
 // nor of the shell of a cage beside it, between r and 2 r / e, without a shell, with a centre that is not an input, or
 // with a sphere that sticks out of its parent. Ratios are as cage.hpp describes, corners solved for anew, nearest
 // distances recomputed. Where ratios is not null: ratios[v] := that of v's clipped cell, 0 for exempt vertices;
-// domains[v] := its innermost cage or none (both arrays or neither). The store may be in use: ghosts and free slots
+// domains[v] := its innermost cage or none. The store may be in use: ghosts and free slots
 // are passed over. O(depth of the hierarchy * cells); scratch: 20 bytes a vertex, 8 a cell, 16 a cage. out_of_memory.
 template <int D>
-Status measure_hierarchy(Store<D>& store, Cage* cages, std::uint32_t count, const Domain<D>& outermost, Arena& arena,
-                         HierarchyQuality* quality, double* ratios = nullptr, std::uint32_t* domains = nullptr);
+Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena, HierarchyQuality* quality);
 
 }  // namespace netmesh

@@ -2,6 +2,7 @@
 
 #include "mesh/aspect_rule.hpp"
 #include "mesh/cage_corner.hpp"
+#include "mesh/check_cages.hpp"
 #include "mesh/hierarchy.hpp"
 #include "numerics/random.hpp"
 #include "vocabulary/dimension.hpp"
@@ -43,7 +44,7 @@ template <int D> class HierarchyRule : public AspectRule<D, HierarchyRule<D>> {
     using Base::tree_;
 
 public:
-    static constexpr bool searches_rings = true;
+    static constexpr bool searches_rings = true, notes_nearest_inputs = false, makes_shells = true;
 
     HierarchyRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result) {}
@@ -65,6 +66,17 @@ public:
     const Cage* cages() const { return hierarchy_.cages(); }
     std::uint32_t cages_made() const { return hierarchy_.made(); }
     std::size_t keep_results(std::size_t low);
+#ifdef NETMESH_VALIDATE
+    const char* step_violation() const { return cages_violation<D>(store_, hierarchy_, inputs_); }
+    // Cells that a released cage has kept apart are found by the sweep at the end.
+    const char* clean_violation() const {
+        if (hierarchy_.live() != hierarchy_.made()) return nullptr;
+        return aspect_violation<D>(store_, this->request_.tau, [this](VertexId v) {
+            const std::uint32_t d = innermost_cage<D>(store_, hierarchy_, store_.point(v), 0);
+            return domain_ball<D>(store_, hierarchy_.cages(), d, domain_);
+        });
+    }
+#endif
 
 private:
     void locate_domain(VertexId p, const Cavity& cavity);

@@ -107,7 +107,7 @@ Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, con
     for (std::uint32_t d = 0; d < made; ++d)
         if (cages[d].shell != none) live[count++] = cages[d];
     HierarchyQuality quality;
-    Status status = measure_hierarchy<D>(store, live, count, outermost, arena, &quality, ratios, domains);
+    Status status = measure_hierarchy<D>(store, {live, count, outermost, ratios, domains}, arena, &quality);
     if (status != Status::ok) return status;
     ++audit->meshes;
     if (quality.encroached.violation != nullptr) ++audit->encroached;

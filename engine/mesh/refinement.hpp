@@ -8,6 +8,7 @@
 #include "delaunay/load.hpp"
 #include "memory/work.hpp"
 #include "mesh/bucket_queue.hpp"
+#include "mesh/check_growth.hpp"
 #include "mesh/frame.hpp"
 #include "mesh/input_order.hpp"
 #include "mesh/mesh_request.hpp"
@@ -47,6 +48,9 @@ public:
 
     static constexpr bool searches_rings = false;  // is InputTree::farthest_in_ring asked for?
     static constexpr bool heeds_sizes = false;     // does queue_bad heed sizes_?
+    // In records of vertices (check_growth.hpp): is `origin` always the nearest input, is `nearest2` of a Steiner
+    // vertex to that input, do exempt vertices come and go?
+    static constexpr bool notes_nearest_inputs = true, keeps_input_distances = false, makes_shells = false;
     // What the rule keeps at the arena's low end, before anything else; n inputs at most.
     Status reserve(std::size_t) { return Status::ok; }
     // Least distance of inputs over their coordinates.
@@ -91,6 +95,11 @@ public:
     void restore_distances() {}
     // The radius that is promised for the domain, without the margin.
     double promised_radius() const { return domain_.radius; }
+#ifdef NETMESH_VALIDATE
+    // What is wrong with all that the rule keeps, after a step; what is bad although the queue is empty.
+    const char* step_violation() const { return nullptr; }
+    const char* clean_violation() const { return nullptr; }
+#endif
 
 protected:
     // Inserts vertex v, whose record is complete, near cell `from`. Nothing has changed when memory runs out.
@@ -107,6 +116,16 @@ protected:
     Status finish_step(VertexId v, bool cleaning);
     Status clean();
     Status yielding_insert(const Split<D>& split);
+
+#ifdef NETMESH_VALIDATE
+    const char* insertion_violation() const {
+        const GrowthFacts facts = {inputs_, inserted_, Rule::notes_nearest_inputs, Rule::keeps_input_distances,
+                                   Rule::makes_shells};
+        const char* const violation = growth_violation<D>(store_, facts);
+        return violation == nullptr && store_.state.vertex_count <= validated_vertices_max ? queue_.violation()
+                                                                                           : violation;
+    }
+#endif
 
     VertexId nearest_input(VertexId v) const { return VertexId(netmesh::nearest_input<D>(store_, v)); }
 
@@ -176,6 +195,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
     if (store_.vertex(v).marker == Marker::input) ++inserted_;
     rule().update_distances(cavity, v);
     for (std::uint32_t k = 0; k < cavity.facets; ++k) rule().queue_bad(kernel_.new_cell(k));
+    NETMESH_VALIDATE_WHOLE(insertion_violation());
     // The mesh is whole, only the lists are not: the job stops as if it had been asked to.
     if (observers_.locates() && !observers_.after_fill(kernel_, cavity, v)) return Status::cancelled;
     monitor_.mesh_size(store_.state.vertex_count - inputs_ + inserted_, store_.live_cells());
@@ -198,6 +218,7 @@ template <int D, class Rule> void Refinement<D, Rule>::update_nearest(const Cavi
 
 template <int D, class Rule> Status Refinement<D, Rule>::finish_step(VertexId v, bool cleaning) {
     const Status status = rule().after_step();
+    if (status == Status::ok) NETMESH_VALIDATE_WHOLE(rule().step_violation());
     if (status != Status::ok || !observers_.measures()) return status;
     return observers_.measure(store_, rule().cages(), rule().cages_made(), domain_, v, cleaning);
 }
@@ -206,6 +227,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::finish_step(VertexId v,
 template <int D, class Rule> Status Refinement<D, Rule>::clean() {
     for (;;) {
         const VertexId v = queue_.pop();
+        if (v == none) NETMESH_VALIDATE_WHOLE(rule().clean_violation());
         if (v == none) return Status::ok;
         Split<D> split;
         const Verdict verdict = rule().judge(v, &split);

@@ -41,12 +41,21 @@ double wanted_size(const Store<D>& store, const InputTree<D>& tree, const SizeRu
 inline std::uint16_t size_hint_of(double x) { return static_cast<std::uint16_t>(bits_of(x) >> 47); }
 inline double value_of_size_hint(std::uint16_t hint) { return double_of_bits(static_cast<std::uint64_t>(hint) << 47); }
 
-// Largest R_v / f(v) over inserted vertices that are not exempt; Corners::recomputed: from vertices, neighbour words
-// and coordinates alone; vertices 0..inputs-1 are the inputs. 0 when the rule asks for nothing; +infinity when f is not
-// positive. O(cells + v log n); scratch: 8 bytes a vertex, 5 an input. out_of_memory.
+template <int D> struct SizeRatioRequest {
+    Domain<D> domain;
+    std::uint32_t inputs;  // vertices 0..inputs-1
+    SizeRule rule;
+    Corners corners;  // recomputed: from vertices, neighbour words and coordinates alone
+};
+struct SizeRatio {
+    double worst;
+    std::uint32_t vertex;  // whose; none when there is none
+};
+
+// Largest R_v / f(v) over inserted vertices that are not exempt. 0 when the rule asks for nothing; +infinity when f is
+// not positive. O(cells + v log n); scratch: 8 bytes a vertex, 5 an input. out_of_memory.
 template <int D>
-Status worst_size_ratio(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const SizeRule& rule,
-                        Corners corners, Arena& arena, double* worst, std::uint32_t* vertex);
+Status worst_size_ratio(const Store<D>& store, const SizeRatioRequest<D>& request, Arena& arena, SizeRatio* ratio);
 
 // Where a cell whose clipped part has no corner reaches farthest. Such a cell meets the domain's sphere in whole
 // spheres of its faces, and the farthest of their poles, as seen from v, is its farthest point: for each face (v and up

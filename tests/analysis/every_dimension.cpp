@@ -28,7 +28,7 @@ template <int D> struct Cloud {
     }
     FeatureIntegral integral(const double* centre, const double* radius, double tolerance, std::uint64_t boxes) {
         FeatureIntegral i;
-        REQUIRE(feature_integral<D>(store, tree, count, centre, radius, 3, tolerance, boxes, {block.arena, monitor},
+        REQUIRE(feature_integral<D>(store, tree, count, {centre, radius, 3, tolerance, boxes}, {block.arena, monitor},
                                     &i) == Status::ok);
         return i;
     }

@@ -124,9 +124,9 @@ TEST_CASE("the feature size integral against a fine grid, and its bounds against
     Ordered<2> o(points);
     const double radius[] = {o.held.domain.radius, 1.3 * o.held.domain.radius, 4 * o.held.domain.radius};
     FeatureIntegral coarse, fine;
-    REQUIRE(feature_integral<2>(o.held.store, o.tree, 12, o.held.domain.centre, radius, 3, infinity, 0,
+    REQUIRE(feature_integral<2>(o.held.store, o.tree, 12, {o.held.domain.centre, radius, 3, infinity, 0},
                                 {o.held.block.arena, o.held.monitor}, &coarse) == Status::ok);
-    REQUIRE(feature_integral<2>(o.held.store, o.tree, 12, o.held.domain.centre, radius, 3, 0.05, 1u << 22,
+    REQUIRE(feature_integral<2>(o.held.store, o.tree, 12, {o.held.domain.centre, radius, 3, 0.05, 1u << 22},
                                 {o.held.block.arena, o.held.monitor}, &fine) == Status::ok);
     CHECK(fine.boxes > coarse.boxes);
     double sum[3] = {};
@@ -155,7 +155,7 @@ TEST_CASE("two points: the integral of 3.8.3") {
     Ordered<3> o({0, 0, 0, 1, 0, 0});
     const double centre[3] = {0, 0, 0}, radius[] = {1, 4, 16};
     FeatureIntegral integral;
-    REQUIRE(feature_integral<3>(o.held.store, o.tree, 2, centre, radius, 3, 0.3, 1u << 20,
+    REQUIRE(feature_integral<3>(o.held.store, o.tree, 2, {centre, radius, 3, 0.3, 1u << 20},
                                 {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
     for (int k = 0; k < 3; ++k) {
         CHECK(integral.lower[k] < unit_ball_volume(3) * (1 + 3 * std::log(2 * radius[k])));

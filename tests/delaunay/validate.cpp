@@ -1,44 +1,17 @@
 // Builds with NETMESH_VALIDATE: whole structures are checked after every insertion, and a fault stops the program.
 #ifdef NETMESH_VALIDATE
 #include <doctest/doctest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <string>
 
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "common/last_words.hpp"
 #include "delaunay/check.hpp"
 #include "delaunay/triangulate.hpp"
 
 using namespace netmesh;
 
 namespace {
-
-// What a child process that runs this wrote to stderr before it ended by a signal; "lived" if it did not.
-template <class Run> std::string last_words(Run&& run) {
-    int pipe_ends[2];
-    REQUIRE(pipe(pipe_ends) == 0);
-    const pid_t child = fork();
-    REQUIRE(child >= 0);
-    if (child == 0) {
-        dup2(pipe_ends[1], 2);
-        signal(SIGABRT, SIG_DFL);  // doctest's own handler would report it
-        run();
-        _exit(0);
-    }
-    close(pipe_ends[1]);
-    std::string words;
-    char buffer[256];
-    for (ssize_t n; (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0;)
-        words.append(buffer, static_cast<std::size_t>(n));
-    close(pipe_ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFSIGNALED(status) ? words : "lived";
-}
 
 // A triangulation in use: all points but the last are inserted.
 template <int D> struct InUse {

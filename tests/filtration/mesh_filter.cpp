@@ -16,19 +16,15 @@ namespace {
 // Samples the inclusions that the certificate claims: at a point x of v's cell the cover enters at
 // t(v), or at |x - v| in an input's ball before, and that must be within a factor c of F(x) = min(d_P(x), rho).
 template <int D> void sample_inclusions(const inputs::Points& points, double tau, int samples) {
-    Block block(std::size_t{1} << 27);
-    StoreState state = {};
-    Store<D> store(block.arena, state);
-    Monitor monitor;
-    MeshResult<D> mesh;
-    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
-                           &mesh) == Status::ok);
-    const Domain<D>& domain = mesh.domain;
-    const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D);
-    std::vector<double> value(state.vertex_count);
+    Meshed<D> mesh(points, by_quality(tau, 1, true), std::size_t{1} << 27);
+    REQUIRE(mesh.status == Status::ok);
+    Store<D>& store = mesh.store;
+    const Domain<D>& domain = mesh.result.domain;
+    const std::uint32_t inputs = mesh.inputs();
+    std::vector<double> value(store.state.vertex_count);
     for (const FilterValues kind : {FilterValues::certified, FilterValues::thesis}) {
         Evaluation complete = {value.data()};
-        REQUIRE(evaluate<D>({store, domain, inputs}, {NETMESH_FILTER_COMPLETE, kind}, {block.arena, monitor},
+        REQUIRE(evaluate<D>({store, domain, inputs}, {NETMESH_FILTER_COMPLETE, kind}, {mesh.block.arena, mesh.monitor},
                             &complete) == Status::ok);
         CHECK(complete.zero_born == inputs);
         const Certificate certificate = complete.certificate;
@@ -44,13 +40,13 @@ template <int D> void sample_inclusions(const inputs::Points& points, double tau
         for (int s = 0; s < samples; ++s) {
             // Everywhere at first, then near vertices where cells are small.
             double x[D];
-            const std::uint32_t near = static_cast<std::uint32_t>(random.below(state.vertex_count));
+            const std::uint32_t near = static_cast<std::uint32_t>(random.below(store.state.vertex_count));
             const double scale = s % 2 == 0 ? 2.5 * rho : std::sqrt(store.vertex(near).nearest2);
             for (int k = 0; k < D; ++k)
                 x[k] = (s % 2 == 0 ? domain.centre[k] : store.point(near)[k]) + scale * (2 * random.uniform() - 1);
             std::uint32_t v = 0;
             double best = infinity, offset = infinity;
-            for (std::uint32_t w = 0; w < state.vertex_count; ++w) {
+            for (std::uint32_t w = 0; w < store.state.vertex_count; ++w) {
                 const double d = distance<D>(x, store.point(w));
                 if (d < best) {
                     best = d;
@@ -90,23 +86,18 @@ TEST_CASE("cells that only the last bits of their vertices keep from being flat 
 }
 
 TEST_CASE("the basic filter gives inputs zero and says from where its ratio holds") {
-    Block block(std::size_t{1} << 25);
-    StoreState state = {};
-    Store<2> store(block.arena, state);
-    Monitor monitor;
-    MeshResult<2> mesh;
-    const inputs::Points points = inputs::uniform(2, 100);
-    REQUIRE(mesh_points<2>(store, points.data(), 100, by_quality(2.5, 1, true), {block.arena, monitor}, &mesh) ==
-            Status::ok);
-    const Domain<2>& domain = mesh.domain;
-    std::vector<double> value(state.vertex_count);
+    Meshed<2> mesh(inputs::uniform(2, 100), by_quality(2.5, 1, true), std::size_t{1} << 25);
+    REQUIRE(mesh.status == Status::ok);
+    Store<2>& store = mesh.store;
+    const Domain<2>& domain = mesh.result.domain;
+    std::vector<double> value(store.state.vertex_count);
     Evaluation basic = {value.data()};
-    REQUIRE(evaluate<2>({store, domain, 100}, {NETMESH_FILTER_BASIC, FilterValues::thesis}, {block.arena, monitor},
-                        &basic) == Status::ok);
+    REQUIRE(evaluate<2>({store, domain, 100}, {NETMESH_FILTER_BASIC, FilterValues::thesis},
+                        {mesh.block.arena, mesh.monitor}, &basic) == Status::ok);
     CHECK(basic.zero_born == 0);
     const Certificate certificate = basic.certificate;
     for (std::uint32_t v = 0; v < 100; ++v) CHECK(value[v] == 0);
-    for (std::uint32_t v = 100; v < state.vertex_count; ++v) {
+    for (std::uint32_t v = 100; v < store.state.vertex_count; ++v) {
         double d = infinity;
         for (std::uint32_t p = 0; p < 100; ++p) d = std::min(d, distance<2>(store.point(v), store.point(p)));
         CHECK(value[v] == doctest::Approx(std::min(d, domain.enclosing_radius * (1 + 0x1p-40))));

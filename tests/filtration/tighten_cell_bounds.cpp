@@ -19,27 +19,24 @@ namespace {
 // cell that each is in.
 template <int D>
 void sample_cells(const inputs::Points& points, double tau, int samples, double share, double factor = 1) {
-    Block block(std::size_t{1} << 27);
-    StoreState state = {};
-    Store<D> store(block.arena, state);
-    Monitor monitor;
-    MeshResult<D> meshed;
-    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, factor, true),
-                           {block.arena, monitor}, &meshed) == Status::ok);
-    const Domain<D>& domain = meshed.domain;
-    const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
-    const FilteredMesh<D> mesh = {store, domain, inputs};
+    Meshed<D> meshed(points, by_quality(tau, factor, true), std::size_t{1} << 27);
+    REQUIRE(meshed.status == Status::ok);
+    Arena& arena = meshed.block.arena;
+    Store<D>& store = meshed.store;
+    Monitor& monitor = meshed.monitor;
+    const std::uint32_t inputs = meshed.inputs(), count = store.state.vertex_count;
+    const FilteredMesh<D> mesh = {store, meshed.result.domain, inputs};
     const double rho = mesh.cut();
     std::vector<double> value(count);
     std::vector<Interval> known(count), sharp;
     Evaluation complete = {value.data(), known.data()};
-    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {block.arena, monitor}, &complete) ==
+    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {arena, monitor}, &complete) ==
             Status::ok);
     sharp = known;
-    const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-    REQUIRE(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, sharp.data()) == Status::ok);
-    CHECK(block.arena.low_mark() == low);
-    CHECK(block.arena.high_mark() == high);
+    const std::size_t low = arena.low_mark(), high = arena.high_mark();
+    REQUIRE(tighten_cell_bounds<D>(mesh, {arena, monitor}, sharp.data()) == Status::ok);
+    CHECK(arena.low_mark() == low);
+    CHECK(arena.high_mark() == high);
     std::size_t narrower = 0;
     for (std::uint32_t v = 0; v < count; ++v) {
         CHECK(sharp[v].lo >= known[v].lo);
@@ -92,33 +89,30 @@ template <int D> void random_hulls() {
 // What does not fit, and a caller that wants to stop, leave the arena as it was.
 template <int D> void little_memory(const inputs::Points& points, double tau) {
     CAPTURE(D);
-    Block block(std::size_t{1} << 25);
-    StoreState state = {};
-    Store<D> store(block.arena, state);
-    Monitor monitor;
-    MeshResult<D> meshed;
-    REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, by_quality(tau, 1, true), {block.arena, monitor},
-                           &meshed) == Status::ok);
-    const Domain<D>& domain = meshed.domain;
-    const std::uint32_t inputs = static_cast<std::uint32_t>(points.size() / D), count = state.vertex_count;
-    const FilteredMesh<D> mesh = {store, domain, inputs};
+    Meshed<D> meshed(points, by_quality(tau, 1, true), std::size_t{1} << 25);
+    REQUIRE(meshed.status == Status::ok);
+    Arena& arena = meshed.block.arena;
+    Store<D>& store = meshed.store;
+    Monitor& monitor = meshed.monitor;
+    const std::uint32_t inputs = meshed.inputs(), count = store.state.vertex_count;
+    const FilteredMesh<D> mesh = {store, meshed.result.domain, inputs};
     const double rho = mesh.cut();
     std::vector<double> value(count);
     std::vector<Interval> known(count), whole, sharp;
     Evaluation complete = {value.data(), known.data()};
-    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {block.arena, monitor}, &complete) ==
+    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {arena, monitor}, &complete) ==
             Status::ok);
     whole = known;
-    REQUIRE(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, whole.data()) == Status::ok);
-    const std::size_t free_bytes = block.arena.bytes_free();
+    REQUIRE(tighten_cell_bounds<D>(mesh, {arena, monitor}, whole.data()) == Status::ok);
+    const std::size_t free_bytes = arena.bytes_free();
     int refused = 0;
     for (std::size_t left = 64; left <= std::size_t{1} << 20; left += left / 8) {
-        const std::size_t high = block.arena.high_mark();
-        REQUIRE(block.arena.template take_high<unsigned char>(free_bytes - left) != nullptr);
+        const std::size_t high = arena.high_mark();
+        REQUIRE(arena.template take_high<unsigned char>(free_bytes - left) != nullptr);
         sharp = known;
-        const Status status = tighten_cell_bounds<D>(mesh, {block.arena, monitor}, sharp.data());
-        block.arena.release_high(high);
-        CHECK(block.arena.bytes_free() == free_bytes);
+        const Status status = tighten_cell_bounds<D>(mesh, {arena, monitor}, sharp.data());
+        arena.release_high(high);
+        CHECK(arena.bytes_free() == free_bytes);
         for (std::uint32_t v = 0; v < count; ++v) {  // each as it was or as it will be
             CHECK((sharp[v].lo == known[v].lo || sharp[v].lo == whole[v].lo));
             if (status == Status::ok) CHECK(sharp[v].hi == whole[v].hi);
@@ -129,7 +123,7 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     CHECK(refused > 3);
     // Of a vertex on the hull, and of one with a corner that is not known, no more is found.
     std::uint32_t open = none, vague = none;
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c)
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
         for (int i = 0; i <= D; ++i)
             if (store.cell(c).neighbour[i] == none) open = store.cell(c).vertex[i == 0];
     for (std::uint32_t v = inputs; v < count; ++v)
@@ -139,7 +133,7 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     const Marker marker = store.vertex(open).marker;
     std::vector<double> kept;
     store.vertex(open).marker = Marker::steiner;
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
         kept.push_back(store.cell(c).radius2);
         for (const std::uint32_t v : store.cell(c).vertex)
             if (v == vague) store.cell(c).radius2 = infinity;
@@ -147,13 +141,13 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     std::vector<Interval> before = known;
     before[open] = {rho / 8, rho};
     sharp = before;
-    CHECK(tighten_cell_bounds<D>(mesh, {block.arena, monitor}, sharp.data()) == Status::ok);
+    CHECK(tighten_cell_bounds<D>(mesh, {arena, monitor}, sharp.data()) == Status::ok);
     for (const std::uint32_t v : {open, vague}) {
         CHECK(sharp[v].lo == before[v].lo);
         CHECK(sharp[v].hi == before[v].hi);
     }
     store.vertex(open).marker = marker;
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c) store.cell(c).radius2 = kept[c];
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) store.cell(c).radius2 = kept[c];
     // Stopped at the first poll, if there is one.
     int polls = 0;
     Monitor stopping(
@@ -163,9 +157,9 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
         },
         &polls);
     sharp = known;
-    const Status status = tighten_cell_bounds<D>(mesh, {block.arena, stopping}, sharp.data());
+    const Status status = tighten_cell_bounds<D>(mesh, {arena, stopping}, sharp.data());
     CHECK(status == (polls > 0 ? Status::cancelled : Status::ok));
-    CHECK((polls > 0 || state.vertex_count < 1000));
+    CHECK((polls > 0 || store.state.vertex_count < 1000));
 }
 
 }  // namespace

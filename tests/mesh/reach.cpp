@@ -35,22 +35,22 @@ TEST_CASE_TEMPLATE_DEFINE("size ratios in any gap: the same figure, or none", T,
     store.vertex(3).cell = none;  // what is not in the mesh has no size
     SizeRule rule;
     rule.eps = 0.5;
-    double expected, worst, aspect;
-    std::uint32_t at, v;
-    REQUIRE(worst_size_ratio<D>(store, domain, n, rule, Corners::recomputed, block.arena, &expected, &at) ==
-            Status::ok);
+    double worst, aspect;
+    std::uint32_t v;
+    SizeRatio expected, sized;
+    REQUIRE(worst_size_ratio<D>(store, {domain, n, rule, Corners::recomputed}, block.arena, &expected) == Status::ok);
     REQUIRE(recomputed_aspect_ratio<D>(store, domain, block.arena, &aspect, &v) == Status::ok);
-    CHECK(expected > 0);
-    CHECK(at != 3);
+    CHECK(expected.worst > 0);
+    CHECK(expected.vertex != 3);
     const std::size_t low = block.arena.low_mark(), top = block.arena.high_mark();
     bool fits = false;
     for (std::size_t bytes = 0; !fits; bytes += 16) {
         block.arena.release_low(top - bytes);
-        const Status status = worst_size_ratio<D>(store, domain, n, rule, Corners::kept, block.arena, &worst, &v);
+        const Status status = worst_size_ratio<D>(store, {domain, n, rule, Corners::kept}, block.arena, &sized);
         block.arena.release_low(low);
         fits = status == Status::ok;
         REQUIRE((fits || status == Status::out_of_memory));
-        if (fits) CHECK(worst == doctest::Approx(expected));
+        if (fits) CHECK(sized.worst == doctest::Approx(expected.worst));
     }
     bool measured = false;
     for (std::size_t bytes = 0; !measured; bytes += 16) {

@@ -92,8 +92,8 @@ template <int D> struct Hierarchical {
         domains.resize(state.vertex_count);
         nearest2.resize(state.vertex_count);
         HierarchyQuality quality;
-        REQUIRE(measure_hierarchy<D>(store, cages, report.cages, domain, block.arena, &quality, ratios.data(),
-                                     domains.data()) == Status::ok);
+        REQUIRE(measure_hierarchy<D>(store, {cages, report.cages, domain, ratios.data(), domains.data()}, block.arena,
+                                     &quality) == Status::ok);
         recomputed_nearest2<D>(store, nearest2.data());
     }
     bool is_frame(std::uint32_t v) const { return domains[v] == none && store.vertex(v).marker == Marker::exempt; }

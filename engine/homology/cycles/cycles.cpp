@@ -200,6 +200,7 @@ Status Tracer::run(Representatives* out) {
     for (std::uint32_t k = top_; k >= 2 && status == Status::ok; --k) {
         paired_.adopt(paired_words_[(top_ - k + 1) % 2], of(k - 1).count);
         status = reduce(k);
+        if (status == Status::ok) NETMESH_VALIDATE_WHOLE(pivots_violation(of(k), k, of(k - 1).count, paired_));
         paired_above_ = paired_;
     }
     if (status == Status::ok) status = close_edges();

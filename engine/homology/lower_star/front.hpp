@@ -190,7 +190,46 @@ public:
         at->at = begin_of(at->block);
     }
 
+#ifdef NETMESH_VALIDATE
+    // Between two stars, r the last one visited: every column waits at its first simplex, before r in the filtration,
+    // was made at r or later, and has sorted runs. For small fronts. O(vertices + entries).
+    const char* violation(std::uint32_t vertex_count, std::uint32_t r) const {
+        constexpr std::uint32_t small = 1000;
+        if (vertex_count > small || columns_ > small) return nullptr;
+        std::uint32_t waiting = 0;
+        for (std::uint32_t star = 0; star < vertex_count; ++star) {
+            if (first_[star] != none && (star >= r || !waiting_.has(star))) return "a column waits where nobody comes";
+            for (std::uint32_t c = first_[star]; c != none; c = block(c)[0]) {
+                if (++waiting > columns_) return "there are more columns than were made";
+                const char* const violation = column_violation(c, star, r);
+                if (violation != nullptr) return violation;
+            }
+        }
+        return waiting == columns_ ? nullptr : "a column waits nowhere";
+    }
+#endif
+
 private:
+#ifdef NETMESH_VALIDATE
+    const char* column_violation(std::uint32_t c, std::uint32_t star, std::uint32_t r) const {
+        const std::uint32_t n = dimension(c);
+        if (n < 2 || n > ranks_max || creator_rank(c) < r) return "a column has no creator";
+        bool is_at_star = false;
+        for (std::uint32_t i = 0; i < runs_max; ++i) {
+            std::uint32_t previous[ranks_max] = {none};
+            for (Cursor at = begin(run(c, i)); at.left > 0; advance(&at)) {
+                const std::uint32_t* const ranks = entry(at, n);
+                for (std::uint32_t j = 1; j < n; ++j)
+                    if (ranks[j] >= ranks[j - 1]) return "the ranks of a simplex do not descend";
+                if (compare(ranks, previous, n) >= 0) return "a run is not sorted";
+                if (ranks[0] > star) return "a column waits later than its first simplex";
+                is_at_star |= ranks[0] == star;
+                copy(previous, ranks, n);
+            }
+        }
+        return is_at_star ? nullptr : "a column waits where it has no simplex";
+    }
+#endif
     static constexpr std::uint32_t block_words = 16, data_words = block_words - 2, runs_max = 4;
     static_assert(ranks_max <= data_words && 4 + 3 * runs_max <= block_words, "entries and columns must fit a block");
 

@@ -142,6 +142,7 @@ template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
         std::uint32_t counts[D + 1] = {};
         for (std::uint32_t i = 0; i < star_.count(); ++i) ++counts[star_.dimension(i)];
         const bool regular = sweeps_ && star_.match() == 0;
+        if (regular) NETMESH_VALIDATE_WHOLE(star_.gradient_violation(0));
         star_.close(ball_);
         if (!count_star(v, counts, regular)) return Status::out_of_memory;
         if (monitor_.advance(v, 1 + star_.count() / 2)) return Status::cancelled;

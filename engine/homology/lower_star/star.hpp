@@ -68,6 +68,11 @@ public:
         return label;
     }
 
+#ifdef NETMESH_VALIDATE
+    // What is wrong with the gradient that match() made, with so many critical simplices. O(simplices).
+    const char* gradient_violation(std::uint32_t critical) const;
+#endif
+
 private:
     std::uint32_t label_of(const TriangulatedBall<D>& ball, std::uint32_t u);
     void clear_table(std::uint32_t cell_count, bool hull);
@@ -260,5 +265,28 @@ template <int D> std::uint32_t Star<D>::match() {
     }
     return critical;
 }
+
+#ifdef NETMESH_VALIDATE
+// Simplices come after their facets; pairs are facet and simplex, mutual and next to each other in the filtration, so
+// each is an apparent pair and the gradient has no cycles.
+template <int D> const char* Star<D>::gradient_violation(std::uint32_t critical) const {
+    for (std::uint32_t i = 0; i < count_; ++i) {
+        if (position_[i] >= count_ || at_[position_[i]] != i) return "positions of a star are not a permutation";
+        bool has_partner = false;
+        for (std::uint32_t f = 0; f < dimension(i); ++f) {
+            const std::uint32_t facet = facets(i)[f];
+            if (facet >= count_ || dimension(facet) + 1 != dimension(i)) return "a facet has another dimension";
+            if (position_[facet] >= position_[i]) return "a simplex of a star comes before its facet";
+            has_partner |= facet == partner_[i];
+        }
+        critical -= partner_[i] == none;
+        if (partner_[i] == none) continue;
+        if (partner_[i] >= count_ || partner_[partner_[i]] != i) return "a pair of the gradient is not mutual";
+        if (!is_tail(i) && (!has_partner || position_[partner_[i]] + 1 != position_[i]))
+            return "a pair of the gradient is not a simplex and its last facet";
+    }
+    return critical == 0 ? nullptr : "the count of critical simplices is wrong";
+}
+#endif
 
 }  // namespace netmesh

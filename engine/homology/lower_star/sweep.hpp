@@ -70,6 +70,9 @@ private:
         return ka != kb ? ka > kb : front_.age(a) > front_.age(b);
     }
     std::uint32_t merge(std::uint32_t a, std::uint32_t b);
+#ifdef NETMESH_VALIDATE
+    const char* owners_violation(std::uint32_t k);
+#endif
 
     const TriangulatedBall<D>& ball_;
     Star<D>& star_;
@@ -105,6 +108,7 @@ template <int D> Status Sweep<D>::run(Arena& arena) {
         work_ = 1;
         const Status status = visit(r);
         if (status != Status::ok) return status;
+        NETMESH_VALIDATE_WHOLE(front_.violation(ball_.vertex_count, r));
         if (monitor_.advance(ball_.vertex_count - r, work_)) return Status::cancelled;
     }
     if constexpr (D > 2) {
@@ -127,6 +131,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     if (!star_.open(ball_, v)) return Status::internal;
     prefetch_star(front_.waiting().top());
     critical_ = star_.match();
+    NETMESH_VALIDATE_WHOLE(star_.gradient_violation(critical_));
     work_ += star_.count() / 2;
     for (std::uint32_t i = 0; i < star_.count(); ++i) star_.owner(i) = none;
     Status status = critical_ > 0 ? components_.unite_critical_facets(v) : Status::ok;
@@ -151,6 +156,7 @@ template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
             if (!reduce(c, v)) return Status::out_of_memory;
             c = following;
         }
+        NETMESH_VALIDATE_WHOLE(owners_violation(k));
         while (done_columns_ != none) {
             const std::uint32_t done = done_columns_;
             done_columns_ = front_.next(done);
@@ -159,6 +165,30 @@ template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
     }
     return Status::ok;
 }
+
+#ifdef NETMESH_VALIDATE
+// The columns of creators of dimension k that took a pivot in this star: each owns one critical (k-1)-simplex of it,
+// and each owner of one is among them. The part of the column in this star has that one for its last simplex.
+template <int D> const char* Sweep<D>::owners_violation(std::uint32_t k) {
+    std::uint32_t done = 0;
+    for (std::uint32_t c = done_columns_; c != none; c = front_.next(c), ++done) {
+        std::uint32_t owned = 0;
+        for (std::uint32_t i = 0; i < star_.count(); ++i) {
+            if (star_.dimension(i) + 1 != k || star_.owner(i) != c) continue;
+            ++owned;
+            const Run local = front_.local(c);
+            std::uint32_t last = 0;
+            for (auto at = front_.begin(local); at.left > 0; front_.advance(&at))
+                if (*front_.entry(at, 1) > last) last = *front_.entry(at, 1);
+            if (star_.partner(i) != none || last != star_.position(i)) return "a column has a wrong pivot";
+        }
+        if (owned != 1) return "a column took not one pivot but none or several";
+    }
+    for (std::uint32_t i = 0; i < star_.count(); ++i)
+        done -= star_.dimension(i) + 1 == k && star_.partner(i) == none && star_.owner(i) != none;
+    return done == 0 ? nullptr : "a pivot is owned by no column";
+}
+#endif
 
 // Stars next to each other in rank are far apart in memory: the cells of what is likely the next one come while this
 // one is worked on.

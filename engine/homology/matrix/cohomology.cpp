@@ -140,6 +140,8 @@ Status Cohomology::run() {
         if (k == complex_.dimension || of(k + 1).count == 0) return add_essential(k);
         kills_above_.adopt(kill_words_[k % 2], of(k + 1).count);
         status = reduce(k);
+        if (status == Status::ok)
+            NETMESH_VALIDATE_WHOLE(killers_violation(of(k + 1), k + 1, of(k).count, kills_above_));
         kills_ = kills_above_;
     }
     return status;

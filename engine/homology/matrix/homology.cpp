@@ -157,11 +157,13 @@ Status Homology::run() {
     if (!reserve()) return Status::out_of_memory;
     Status status = unite_edges(owner_, of(0).count, complex_.edge_count(),
                                 ComponentWriter{complex_, writer_, joining_, progress_});
+    if (status == Status::ok && top_ > 0) NETMESH_VALIDATE_WHOLE(killers_violation(of(1), 1, of(0).count, joining_));
     paired_above_.adopt(paired_words_[0], of(top_).count);
     for (std::uint32_t k = top_; k >= 2 && status == Status::ok; --k) {
         paired_.adopt(paired_words_[(top_ - k + 1) % 2], of(k - 1).count);
         const bool dual = k == complex_.dimension && has_two_cofaces_at_most(k);
         status = dual ? unite_top(k) : reduce(k);
+        if (status == Status::ok) NETMESH_VALIDATE_WHOLE(pivots_violation(of(k), k, of(k - 1).count, paired_));
         paired_above_ = paired_;
     }
     return status == Status::ok && complex_.dimension >= 1 && max_degree_ >= 1 ? add_loops() : status;

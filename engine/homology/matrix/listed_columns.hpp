@@ -7,6 +7,7 @@
 #include "complex/filtered_complex.hpp"
 #include "homology/bit_set.hpp"
 #include "homology/bit_tree.hpp"
+#include "homology/check_reduction.hpp"
 #include "homology/matrix/column_store.hpp"
 #include "homology/progress.hpp"
 #include "vocabulary/status.hpp"
@@ -100,6 +101,16 @@ struct KeptSums {
         return true;
     }
     void forget() {}
+#ifdef NETMESH_VALIDATE
+    // Whether the kept column `owner` has the pivot `row`. It is the matrix's own, or its rows descend from there.
+    template <class Matrix> bool has_pivot(const Matrix& matrix, std::uint32_t owner, std::uint32_t row) const {
+        if (owner < ColumnStore::stored) return matrix.pivot_of(owner) == row;
+        const std::uint32_t* const column = store->column(owner);
+        for (std::uint32_t i = 1; i < column[1]; ++i)
+            if (column[2 + i] >= column[1 + i]) return false;
+        return column[1] > 0 && column[2] == row;
+    }
+#endif
 };
 
 // A changed column is kept as the columns that were added to it, of which there are fewer where columns are long.
@@ -125,6 +136,17 @@ struct KeptSources {
         return true;
     }
     void forget() { sources.clear(); }
+#ifdef NETMESH_VALIDATE
+    // Whether the kept column `owner` has the pivot `row`: R = D V, added up anew.
+    template <class Matrix> bool has_pivot(const Matrix& matrix, std::uint32_t owner, std::uint32_t row) const {
+        SmallChain sum;
+        const bool is_given = owner < ColumnStore::stored;
+        const std::uint32_t* const column = is_given ? nullptr : store->column(owner);
+        matrix.add(is_given ? owner : column[0], sum);
+        for (std::uint32_t i = 0; !is_given && i < column[1]; ++i) matrix.add(column[2 + i], sum);
+        return !sum.is_known() || sum.largest() == row;
+    }
+#endif
 
 private:
     template <class Matrix> std::uint32_t add_source(const Matrix& matrix, std::uint32_t j, Column& to) {
@@ -142,6 +164,9 @@ public:
     ListedColumns(const Matrix& matrix, const Kept& kept, std::uint32_t rows, std::uint32_t* owner,
                   std::uint64_t* words, Progress& progress)
         : matrix_(matrix), kept_(kept), owner_(owner), progress_(progress) {
+#ifdef NETMESH_VALIDATE
+        rows_ = rows;
+#endif
         column_.adopt(words, rows);
         for (std::uint32_t i = 0; i < rows; ++i) owner_[i] = none;
     }
@@ -182,6 +207,23 @@ public:
     // Whether column j was never changed and owns its pivot.
     bool is_given(std::uint32_t j) const { return owner_[matrix_.pivot_of(j)] == j; }
 
+#ifdef NETMESH_VALIDATE
+    // Pivots are those of the columns that own them, and no column owns two. In full for column j, the last one; the
+    // others have been looked at when it was their turn. O(rows) and what column j takes.
+    const char* violation(std::uint32_t j) const {
+        if (column_.top() != none) return "the column at work was not emptied";
+        if (rows_ > validated_columns_max) return nullptr;
+        std::uint32_t owned = 0;
+        for (std::uint32_t row = 0; row < rows_; ++row) {
+            const std::uint32_t owner = owner_[row];
+            if (owner == none || (owner < ColumnStore::stored ? owner : kept_.store->column(owner)[0]) != j) continue;
+            if (++owned > 1) return "a column owns two pivots";
+            if (!kept_.has_pivot(matrix_, owner, row)) return "a column owns a pivot that is not its own";
+        }
+        return nullptr;
+    }
+#endif
+
 private:
     Matrix matrix_;
     Kept kept_;
@@ -189,6 +231,9 @@ private:
     std::uint32_t* owner_;
     Progress& progress_;
     std::uint32_t pivot_ = none;
+#ifdef NETMESH_VALIDATE
+    std::uint32_t rows_ = 0;
+#endif
 };
 
 }  // namespace netmesh

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "vocabulary/status.hpp"
+#include "vocabulary/validate.hpp"
 
 namespace netmesh {
 
@@ -17,6 +18,7 @@ namespace netmesh {
 //   bool has_owner()     whether the column at work has a pivot that is owned
 //   Status add_owner()   adds that owner to it
 //   bool is_zero()
+//   const char* violation(j)   only with NETMESH_VALIDATE: what is wrong with what is kept, after column j was reduced
 // Recorder:
 //   bool next(&j)        the next column to reduce, false: no more. Columns known to be zero are left out (clearing)
 //   Status pair(j)       column j is reduced and has a pivot that nobody owns, which it becomes the owner of
@@ -27,6 +29,7 @@ template <class Columns, class Recorder> Status reduce_columns(Columns& columns,
         while (status == Status::ok && columns.has_owner()) status = columns.add_owner();
         if (status == Status::ok) status = columns.is_zero() ? recorder.zero(j) : recorder.pair(j);
         if (status != Status::ok) return status;
+        NETMESH_VALIDATE_WHOLE(columns.violation(j));
     }
     return Status::ok;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "homology/check_reduction.hpp"
 #include "homology/rips/rips_simplices.hpp"
 #include "memory/arena.hpp"
 
@@ -32,6 +33,20 @@ public:
         return key_[at] == key ? column_[at] : none;
     }
     bool has(std::uint64_t key) const { return key_[place_of(key)] == key; }
+#ifdef NETMESH_VALIDATE
+    // Whether each pivot is found where it is and no column owns two. Two pivots of up to validated_columns_max columns
+    // are compared with each other.
+    const char* violation() const {
+        const std::size_t slots = std::size_t{1} << bits_;
+        for (std::size_t at = 0; slots <= 4 * validated_columns_max && at < slots; ++at) {
+            if (key_[at] == no_key) continue;
+            if (place_of(key_[at]) != at) return "a pivot is in the table twice";
+            for (std::size_t other = 0; other < at; ++other)
+                if (key_[other] != no_key && column_[other] == column_[at]) return "a column owns two pivots";
+        }
+        return nullptr;
+    }
+#endif
     // Moves the keys up so that they end at `end`; the columns are gone. Returns where they begin.
     std::size_t keep_keys(Arena& arena, std::size_t end) {
         const std::size_t bytes = sizeof(std::uint64_t) << bits_;

@@ -64,7 +64,33 @@ public:
         arena_.release_high(arena_.high_mark() + sizeof *added_ * static_cast<std::size_t>(adding_));
     }
 
+#ifdef NETMESH_VALIDATE
+    // The pivot of column j, the last one, is that of R = D V, added up anew, and nobody else's.
+    const char* violation(std::uint32_t j) const {
+        if (is_zero()) return nullptr;
+        if (pivots_.find(pivot()) != j) return "a pivot is not owned by its column";
+        SmallChain sum;
+        add_cofaces(column(j), sum);
+        const std::ptrdiff_t at = added_at_[j];
+        const std::uint64_t count = at == 0 ? 0 : added_[-at];
+        for (std::uint64_t i = 1; i <= count && sum.is_known(); ++i)
+            add_cofaces(added_[static_cast<std::ptrdiff_t>(i) - at], sum);
+        if (sum.is_known() && sum.least() != pivot()) return "a column owns a pivot that is not its own";
+        return pivots_.violation();
+    }
+#endif
+
 private:
+#ifdef NETMESH_VALIDATE
+    void add_cofaces(std::uint64_t key, SmallChain& sum) const {
+        RipsSimplex s;
+        simplices_.read(key, p_, &s);
+        simplices_.each_coface(s, [&sum](std::uint64_t coface) {
+            sum.toggle(coface);
+            return true;
+        });
+    }
+#endif
     // Makes `key` the pivot and finds its owner.
     void look_at(std::uint64_t key) {
         simplices_.read(key, p_ + 1, &pivot_);

@@ -1,11 +1,53 @@
 #include "homology/vineyard/vineyard.hpp"
 
+#include "homology/check_reduction.hpp"
 #include "homology/matrix/reduction.hpp"
 #include "homology/rank.hpp"
 #include "numerics/real.hpp"
 #include "numerics/sort.hpp"
 
 namespace netmesh {
+
+#ifdef NETMESH_VALIDATE
+// Of k-simplex s, k > 0: R = D V, V upper triangular with s itself, the pivot that of R, and owned by s.
+const char* Vineyard::violation_at(std::uint32_t k, std::uint32_t s) const {
+    const Record& record = of_[k].at[s];
+    SmallChain boundary;
+    const std::uint32_t* const v = pool_.rows(record.v);
+    bool has_itself = false;
+    for (std::uint32_t i = 0; i < record.v.length; ++i) {
+        has_itself |= v[i] == s;
+        if (of_[k].at[v[i]].position > record.position) return "V is not upper triangular";
+        for (std::uint32_t j = 0; j <= k; ++j) boundary.toggle(complex_.facets[k][std::size_t{k + 1} * v[i] + j]);
+    }
+    if (!has_itself) return "V lacks its diagonal";
+    if (!boundary.is_known()) return nullptr;
+    const std::uint32_t* const r = pool_.rows(record.r);
+    for (std::uint32_t i = 0; i < record.r.length; ++i)
+        if (!boundary.has(r[i])) return "R is not D V";
+    if (boundary.count() != record.r.length) return "R is not D V";
+    if (record.low != pivot_of(k, record.r)) return "a pivot is not that of R";
+    return record.low == none || of_[k - 1].at[record.low].owner == s ? nullptr : "two columns have the same pivot";
+}
+
+// Of a small vineyard: every column, and no simplex owned that is nobody's pivot.
+const char* Vineyard::violation() const {
+    std::uint32_t simplices = 0;
+    for (std::uint32_t k = 0; k <= top_; ++k) simplices += complex_.count[k];
+    for (std::uint32_t k = 0; simplices <= validated_columns_max / 2 && k <= top_; ++k)
+        for (std::uint32_t s = 0; s < complex_.count[k]; ++s) {
+            const std::uint32_t owner = of_[k].at[s].owner;
+            if (of_[k].at[of_[k].order[of_[k].at[s].position]].position != of_[k].at[s].position ||
+                of_[k].order[of_[k].at[s].position] != s)
+                return "positions and order disagree";
+            if (owner != none && (k == top_ || of_[k + 1].at[owner].low != s))
+                return "the owner of a pivot has another";
+            const char* const violation = k == 0 ? nullptr : violation_at(k, s);
+            if (violation != nullptr) return violation;
+        }
+    return nullptr;
+}
+#endif
 
 Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value,
                       const Work& work) {
@@ -45,6 +87,7 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
     work.monitor.begin(NETMESH_STAGE_REDUCE, total);
     work_ = 0;
     for (std::uint32_t k = top_; k >= 1 && status == Status::ok; --k) status = reduce(k, work.monitor);
+    if (status == Status::ok) NETMESH_VALIDATE_WHOLE(violation());
     vine_count_ = 0;
     for (std::uint32_t k = 0; k <= max_degree_; ++k)
         for (std::uint32_t s = 0; s < complex.count[k]; ++s)
@@ -90,6 +133,9 @@ public:
         return Status::ok;
     }
     bool is_zero() const { return pivot_ == none; }
+#ifdef NETMESH_VALIDATE
+    const char* violation(std::uint32_t s) const { return v_.violation_at(k_, s); }
+#endif
 
     // As a recorder. Where the dimension above has found that a simplex gives birth, the column that it is the pivot
     // of is a cycle that it completes: R = 0 and V that cycle (clearing).
@@ -215,6 +261,7 @@ Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monit
         d.order[i + 1] = a;
         d.at[a].position = i + 1;
         d.at[b].position = i;
+        NETMESH_VALIDATE_WHOLE(violation());
         time[i] = infinity;
         std::uint32_t next = i;
         if (i < last) {

@@ -80,6 +80,10 @@ private:
     bool transpose_positive(std::uint32_t k, std::uint32_t a, std::uint32_t b);
     bool transpose_negative(std::uint32_t k, std::uint32_t a, std::uint32_t b);
     bool exchange(std::uint32_t k, std::uint32_t a, std::uint32_t b);
+#ifdef NETMESH_VALIDATE
+    const char* violation_at(std::uint32_t k, std::uint32_t s) const;
+    const char* violation() const;
+#endif
 
     ComplexView complex_ = {};
     std::uint32_t max_degree_ = 0, top_ = 0;  // top_: highest dimension looked at
