@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/dimensions.hpp"
 #include "fuzz/decoder.hpp"
 #include "predicates/predicates.hpp"
 #include "tests/predicates/oracle.hpp"
@@ -76,12 +77,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::Tape tape(data, size);
     const std::uint32_t dim = 2 + tape.below(5);
     const Points points = decode_points(tape, dim);
-    switch (dim) {
-    case 2: compare<2>(points); break;
-    case 3: compare<3>(points); break;
-    case 4: compare<4>(points); break;
-    case 5: compare<5>(points); break;
-    default: compare<6>(points); break;
-    }
+    for_each_dimension([&](auto served) {
+        if (served == static_cast<int>(dim)) compare<served>(points);
+    });
     return 0;
 }
