@@ -64,6 +64,9 @@ template <class Request> Request points_defaults(std::uint32_t dim) {
     return defaults;
 }
 
+// A caller's number may be none of an enumeration's: C++ must not read it as one. The job refuses it.
+template <class E> void keep(const E& from, E* to) { __builtin_memcpy(to, &from, sizeof *to); }
+
 }  // namespace
 }  // namespace netmesh
 
@@ -130,7 +133,7 @@ void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes
 
 void netmesh_vineyard_request_init(netmesh_vineyard_request* request, size_t request_bytes, netmesh_filter filter) {
     netmesh_vineyard_request defaults = {};
-    defaults.filter = filter;
+    keep(filter, &defaults.filter);
     defaults.k_first = defaults.k_last = 1;
     defaults.max_degree = NETMESH_DIM_MAX;
     start(defaults, request, request_bytes);
@@ -146,7 +149,7 @@ void netmesh_points_request_init(netmesh_points_request* request, size_t request
                                  netmesh_filter filter) {
     netmesh_points_request defaults = {};
     defaults.dim = clamped(dim);
-    defaults.filter = filter;
+    keep(filter, &defaults.filter);
     defaults.k = 1;
     defaults.max_degree = 1;
     start(defaults, request, request_bytes);

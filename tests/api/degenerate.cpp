@@ -31,7 +31,10 @@ long long volume(const Session& session) {
     const std::size_t dim = session.request.dim;
     long long sum = 0;
     const std::vector<netmesh_vertex> vertices = session.vertices();
-    for (const netmesh_cell& cell : read_all(session.context, netmesh_get_cell)) {
+    const std::vector<netmesh_cell> cells = read_all(session.context, netmesh_get_cell);
+    REQUIRE(vertices.size() == session.report().mesh.vertices);
+    REQUIRE(cells.size() == session.report().mesh.cells);
+    for (const netmesh_cell& cell : cells) {
         const netmesh_vertex& first = vertices.at(cell.vertices[0]);
         std::vector<std::vector<long long>> edges(dim, std::vector<long long>(dim));
         for (std::size_t i = 0; i < dim; ++i) {

@@ -135,12 +135,13 @@ netmesh_context* fresh(Block* block, std::size_t bytes) {
 struct Undisturbed {
     Outcome outcome;
     long requests, polls;
-    std::size_t bytes;
+    std::size_t bytes, own_bytes;  // all that it used, and without what an empty context does
 };
 
 Undisturbed undisturbed(const Job& job) {
     Block block(enough(job), 0, false);
     netmesh_context* const context = fresh(&block, enough(job));
+    const std::uint64_t empty = whole_report(context).memory.used_bytes;
     run(job, context);  // inputs that a job makes for itself are made now
     disturbance = {};
     Undisturbed u;
@@ -148,6 +149,7 @@ Undisturbed undisturbed(const Job& job) {
     u.requests = disturbance.requests;
     u.polls = disturbance.polls;
     u.bytes = static_cast<std::size_t>(whole_report(context).memory.peak_bytes);
+    u.own_bytes = u.bytes - static_cast<std::size_t>(empty);
     require(u.outcome.status == NETMESH_OK, "the undisturbed run fails");
     return u;
 }
@@ -308,12 +310,14 @@ void sweep(const Job& job, Mode mode) {
     refuse_and_cancel(job, u, mode);
     const double growth = mode == Mode::quick ? 1.1 : job.tries_max > 0 ? 1.1 : 1.005;
     if (mode != Mode::refuse) sizes(job, u, mode == Mode::quick ? 256 : 16, growth);
-    // Every single byte of the way, where it is short.
-    if (mode == Mode::all && job.dim == 2 && u.bytes < 9000) sizes(job, u, 1, 1);
+    // Every single byte of the way, where it is short: by what the job takes, so that a larger context leaves none out.
+    const bool every_byte = mode == Mode::all && job.dim == 2 && u.own_bytes < 8000;
+    if (every_byte) sizes(job, u, 1, 1);
     std::printf("%-16s D%d: %5ld requests, %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %5ld of them with "
-                "a partial mesh, %6ld whole\n",
+                "a partial mesh, %6ld whole%s\n",
                 job.name, job.dim, u.requests, u.polls, u.bytes, total.refused - before.refused,
-                total.cancelled - before.cancelled, total.partial - before.partial, total.whole - before.whole);
+                total.cancelled - before.cancelled, total.partial - before.partial, total.whole - before.whole,
+                every_byte ? ", at every byte" : "");
     std::fflush(stdout);
 }
 
