@@ -32,7 +32,8 @@ Complaint complaint_about(const netmesh_points_request& request) {
     const bool with_k = filter->has(filter_trait::needs_k);
     if (with_k && request.k == 0) return {NETMESH_FIELD_K, "k is 0"};
     if (request.max_degree > points_degree_max) return {NETMESH_FIELD_MAX_DEGREE, "max_degree is above 30"};
-    if (with_k && (request.k > points_degree_max || request.k + request.max_degree > points_degree_max))
+    if (with_k && request.k > points_degree_max) return {NETMESH_FIELD_K, "k is above 30"};
+    if (with_k && request.k + request.max_degree > points_degree_max)
         return {NETMESH_FIELD_MAX_DEGREE, "k + max_degree is above 30"};
     if (request.representatives != 0 && !filter->has(filter_trait::has_cycles))
         return {NETMESH_FIELD_REPRESENTATIVES, "there are no representatives of barycentric filtrations"};
