@@ -4,7 +4,7 @@ namespace netmesh {
 namespace {
 
 // Messages are static texts of this library, and so is this one: their distances do not depend on where it is loaded.
-std::uintptr_t text_origin() { return reinterpret_cast<std::uintptr_t>(netmesh_status_text(NETMESH_OK)); }
+const char* text_origin() { return netmesh_status_text(NETMESH_OK); }
 
 }  // namespace
 
@@ -27,16 +27,15 @@ netmesh_detail detail_of(Status status, const char* text, std::uint64_t a, std::
 }
 
 void keep_detail(netmesh_context* context, const netmesh_detail& detail) {
-    const auto distance = reinterpret_cast<std::uintptr_t>(detail.message) - text_origin();
+    const auto from = reinterpret_cast<std::uintptr_t>(text_origin());
     context->detail.said = detail;
     context->detail.said.message = nullptr;
-    context->detail.message_from = static_cast<std::intptr_t>(distance);
+    context->detail.message_from = static_cast<std::intptr_t>(reinterpret_cast<std::uintptr_t>(detail.message) - from);
 }
 
 netmesh_detail kept_detail(const netmesh_context* context) {
-    const auto distance = static_cast<std::uintptr_t>(context->detail.message_from);
     netmesh_detail detail = context->detail.said;
-    detail.message = reinterpret_cast<const char*>(text_origin() + distance);
+    detail.message = text_origin() + context->detail.message_from;
     return detail;
 }
 
