@@ -17,7 +17,7 @@ bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
 
 Complaint complaint_about_dim(std::uint32_t dim) {
     if (serves_dimension(dim)) return {};
-    return {NETMESH_FIELD_DIM, "the dimension is not 2..6"};
+    return {NETMESH_FIELD_DIM, "the dimension is not one that this library was built for"};
 }
 
 Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim) {
