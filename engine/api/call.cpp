@@ -1,6 +1,12 @@
 #include "api/call.hpp"
 
 namespace netmesh {
+namespace {
+
+// Messages are static texts of this library, and so is this one: their distances do not depend on where it is loaded.
+const char* text_origin() { return netmesh_status_text(NETMESH_OK); }
+
+}  // namespace
 
 bool usable(netmesh_context* context) {
     if (context == nullptr || context->magic != context_magic) return false;
@@ -20,16 +26,36 @@ netmesh_detail detail_of(Status status, const char* text, std::uint64_t a, std::
     return detail;
 }
 
+void keep_detail(netmesh_context* context, const netmesh_detail& detail) {
+    const auto from = reinterpret_cast<std::uintptr_t>(text_origin());
+    context->detail.said = detail;
+    context->detail.said.message = nullptr;
+    context->detail.message_from = static_cast<std::intptr_t>(reinterpret_cast<std::uintptr_t>(detail.message) - from);
+}
+
+netmesh_detail kept_detail(const netmesh_context* context) {
+    netmesh_detail detail = context->detail.said;
+    const auto from = reinterpret_cast<std::uintptr_t>(text_origin());
+    const std::uintptr_t address = from + static_cast<std::uintptr_t>(context->detail.message_from);
+    detail.message = reinterpret_cast<const char*>(address);  // NOLINT(performance-no-int-to-ptr)
+    return detail;
+}
+
 netmesh_status finish(netmesh_context* context, Status status, const char* text, std::uint64_t a, std::uint64_t b) {
     if (status == Status::internal && context->mesh.is_loaded) {
         // What was loaded passed as a ball by its facets and its hull alone.
         status = Status::check_failed;
         text = "the cells that were loaded are not a triangulated ball";
     }
-    context->detail = detail_of(status, text, a, b);
-    if (status == Status::out_of_memory)
-        context->detail.bytes_wanted = context->arena.bytes_wanted() + (context->block_bytes - context->arena.bytes());
-    return context->detail.status;
+    netmesh_detail detail = detail_of(status, text, a, b);
+    if (status == Status::out_of_memory) {
+        // Lists that fill their share of the block ask for nothing: more than the block it is all the same.
+        const std::uint64_t wanted = context->arena.bytes_wanted() + (context->block_bytes - context->arena.bytes());
+        const std::uint64_t least = context->block_bytes + Arena::alignment;
+        detail.bytes_wanted = wanted > least ? wanted : least;
+    }
+    keep_detail(context, detail);
+    return detail.status;
 }
 
 netmesh_status fail_and_clear(netmesh_context* context, Status status, const char* text, std::uint64_t a,
@@ -40,8 +66,9 @@ netmesh_status fail_and_clear(netmesh_context* context, Status status, const cha
 }
 
 netmesh_status refuse(netmesh_context* context, const Complaint& complaint, std::uint64_t row) {
-    context->detail = detail_of(Status::invalid_argument, complaint.text, row);
-    context->detail.field = complaint.field;
+    netmesh_detail detail = detail_of(Status::invalid_argument, complaint.text, row);
+    detail.field = complaint.field;
+    keep_detail(context, detail);
     return NETMESH_INVALID_ARGUMENT;
 }
 

@@ -76,8 +76,9 @@ template <int D>
 Status check_promises(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
     *why = check_markers<D>(store);
     if (why->violation != nullptr) return Status::check_failed;
-    return promises.goal.ratio > 0 ? check_ratio<D>(context, store, promises.goal, monitor, why)
-                                   : check_quality<D>(context, store, promises, why);
+    const bool by_certificate = promises.goal.ratio > 0 && cage_count_of(context) == 0;
+    return by_certificate ? check_ratio<D>(context, store, promises.goal, monitor, why)
+                          : check_quality<D>(context, store, promises, why);
 }
 
 // What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and

@@ -45,7 +45,8 @@ Complaint complaint_about(const netmesh_points_request& request) {
     const bool with_k = filter->has(filter_trait::needs_k);
     if (with_k && request.k == 0) return {NETMESH_FIELD_K, "k is 0"};
     if (request.max_degree > points_degree_max) return {NETMESH_FIELD_MAX_DEGREE, "max_degree is above 30"};
-    if (with_k && (request.k > points_degree_max || request.k + request.max_degree > points_degree_max))
+    if (with_k && request.k > points_degree_max) return {NETMESH_FIELD_K, "k is above 30"};
+    if (with_k && request.k + request.max_degree > points_degree_max)
         return {NETMESH_FIELD_MAX_DEGREE, "k + max_degree is above 30"};
     if (request.representatives != 0 && !filter->has(filter_trait::has_cycles))
         return {NETMESH_FIELD_REPRESENTATIVES, "there are no representatives of barycentric filtrations"};
@@ -138,8 +139,8 @@ netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology
         const SimplexFault& fault = made.fault;
         const bool of_input = status == Status::not_a_complex || status == Status::not_finite;
         fail_and_clear(context, status, of_input ? text_of(fault) : nullptr, fault.simplex, fault.other);
-        context->detail.fault = fault.kind;
-        return context->detail.status;
+        context->detail.said.fault = fault.kind;
+        return static_cast<netmesh_status>(status);
     }
     KeptDiagram diagram;
     diagram.max_degree = made.max_degree;

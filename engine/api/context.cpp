@@ -57,7 +57,7 @@ netmesh_status netmesh_adopt(void* block, netmesh_context** context) {
 
 netmesh_status netmesh_get_detail(const netmesh_context* context, netmesh_detail* detail) {
     const bool known = usable(context);
-    const bool given = give_result(known ? context->detail : detail_of(Status::ok, nullptr), detail);
+    const bool given = give_result(known ? kept_detail(context) : detail_of(Status::ok, nullptr), detail);
     return known && given ? NETMESH_OK : NETMESH_INVALID_ARGUMENT;
 }
 

@@ -115,12 +115,19 @@ struct KeptCycles {
     KeptComplex complex;
 };
 
+// What the last call said. Its text is kept as the distance from a text of this library's, which is the same wherever
+// the program is loaded, so that a block read from a file can be used as well.
+struct KeptDetail {
+    netmesh_detail said = {};       // but for the message
+    std::int64_t message_from = 0;  // see call.cpp
+};
+
 struct Context {
     std::uint64_t magic;
     std::uint64_t block_bytes;
     std::uint64_t start;  // low end of an empty context
     Arena arena;
-    netmesh_detail detail;
+    KeptDetail detail;
     bool complete;  // the job ran to its end
 
     KeptInput input;

@@ -4,7 +4,6 @@
 
 #include "api/structs.hpp"
 #include "filtration/filters.hpp"
-#include "numerics/fingerprint.hpp"
 
 namespace netmesh {
 namespace {
@@ -61,6 +60,8 @@ template <> struct Figures_of<netmesh_report> {
                                quality = IF_BIT(mesh.audit.what, NETMESH_AUDIT_QUALITY), diagram = IF(diagram.present),
                                scales = IF(scales.present), bounds = IF(bounds.present), vines = IF(vineyard.present);
     static constexpr std::uint16_t degrees = NETMESH_DEGREE_MAX + 1;
+    static constexpr auto before_pairs = static_cast<std::uint8_t>(FingerprintPart::diagram);
+    static constexpr auto before_vines = static_cast<std::uint8_t>(FingerprintPart::vineyard);
     static constexpr Row rows[] = {
         ONE("complete", flag, complete, IF(input.present), 0, 0),
         ONE("input.points", uint64, input.points, points, 0, 0),
@@ -111,7 +112,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("diagram.representatives", flag, diagram.representatives, diagram, 0, 0),
         ARRAY("diagram.pairs", uint64, diagram.pairs, degrees, diagram, diagram.max_degree, 1, 0, 0),
         ARRAY("diagram.essential", uint64, diagram.essential, degrees, diagram, diagram.max_degree, 1, 0, 0),
-        ONE("diagram.certified_ratio", real, diagram.certified_ratio, diagram, 0, 1),
+        ONE("diagram.certified_ratio", real, diagram.certified_ratio, diagram, 0, before_pairs),
         ONE("diagram.certified_ratio_best", real, diagram.certified_ratio_best, diagram, 0, 0),
         ONE("diagram.from", real, diagram.certified_from, diagram, 0, 0),
         ONE("diagram.simplices", uint64, diagram.simplices, diagram, 0, 0),
@@ -132,7 +133,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("vineyard.points", uint64, vineyard.points, vines, on_request, 0),
         ONE("vineyard.transpositions", uint64, vineyard.transpositions, vines, on_request, 0),
         ONE("vineyard.simplices", uint64, vineyard.simplices, vines, on_request, 0),
-        ONE("vineyard.certified_ratio", real, vineyard.certified_ratio, vines, on_request, 1),
+        ONE("vineyard.certified_ratio", real, vineyard.certified_ratio, vines, on_request, before_vines),
 
         ONE("memory.arena_bytes", uint64, memory.block_bytes, unconditional, positive, 0),
         ONE("memory.peak_bytes", uint64, memory.peak_bytes, unconditional, positive, 0),
@@ -292,22 +293,29 @@ void add(Fingerprint* f, const Row& row, const void* base, std::uint16_t place) 
     }
 }
 
-}  // namespace
-
-std::uint64_t fingerprint_of(const netmesh_analysis& analysis) {
-    using List = Figures_of<netmesh_analysis>;
-    Fingerprint f;
-    for (std::uint8_t rank = 1; rank <= List::ranks; ++rank) {
-        bool more = true;
-        for (std::uint16_t place = 0; more; ++place) {
-            more = false;
-            for (const Row& row : List::rows) {
-                if (row.rank != rank || place >= row.places) continue;
-                add(&f, row, &analysis, place);
-                more = true;
-            }
+// The figures of one rank, arrays in turns.
+template <class Report> void add_rank(Fingerprint* f, const Report& report, std::uint8_t rank) {
+    bool more = true;
+    for (std::uint16_t place = 0; more; ++place) {
+        more = false;
+        for (const Row& row : Figures_of<Report>::rows) {
+            if (row.rank != rank || place >= row.places) continue;
+            add(f, row, &report, place);
+            more = true;
         }
     }
+}
+
+}  // namespace
+
+void add_figures(Fingerprint* f, const netmesh_report& report, FingerprintPart part) {
+    add_rank<netmesh_report>(f, report, static_cast<std::uint8_t>(part));
+}
+
+std::uint64_t fingerprint_of(const netmesh_analysis& analysis) {
+    Fingerprint f;
+    for (std::uint8_t rank = 1; rank <= Figures_of<netmesh_analysis>::ranks; ++rank)
+        add_rank<netmesh_analysis>(&f, analysis, rank);
     return f.value();
 }
 

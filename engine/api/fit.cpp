@@ -56,9 +56,7 @@ Complaint complaint_about(const netmesh_fit_request& request) {
     if (request.ratio != 0 && !is_valid_ratio(request.ratio))
         return {NETMESH_FIELD_RATIO, "ratio is not a finite number above the root of 2"};
     const bool focused = request.focus_from != 0 || request.focus_to != 0;
-    if (focused && !(request.focus_from > 0 && request.focus_from < request.focus_to))
-        return {NETMESH_FIELD_FOCUS_FROM, "not 0 < focus_from < focus_to"};
-    return {};
+    return focused ? complaint_about_focus(request.focus_from, request.focus_to) : Complaint{};
 }
 
 }  // namespace

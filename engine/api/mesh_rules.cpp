@@ -16,6 +16,16 @@ Complaint complaint_about_audit(const netmesh_mesh_request& request) {
     return {};
 }
 
+Complaint complaint_about_ratios(const netmesh_certificate_goal& goal) {
+    const bool focused = goal.focus_ratio != 0 || goal.focus_from != 0 || goal.focus_to != 0;
+    if (goal.ratio == 0) return {NETMESH_FIELD_RATIO, focused ? "a focus without a ratio" : nullptr};
+    if (!is_valid_ratio(goal.ratio)) return {NETMESH_FIELD_RATIO, "ratio is not a finite number above the root of 2"};
+    if (!focused) return {};
+    if (!(goal.focus_ratio > 1 && goal.focus_ratio < goal.ratio))
+        return {NETMESH_FIELD_FOCUS_RATIO, "focus_ratio is not between 1 and ratio"};
+    return complaint_about_focus(goal.focus_from, goal.focus_to);
+}
+
 }  // namespace
 
 Complaint complaint_about_numbers(const netmesh_mesh_request& request) {
@@ -43,20 +53,19 @@ Complaint complaint_about_method(const netmesh_mesh_request& request) {
 }
 
 Complaint complaint_about_goal(const netmesh_mesh_request& request) {
-    const netmesh_certificate_goal& goal = request.certificate;
-    const bool focused = goal.focus_ratio != 0 || goal.focus_from != 0 || goal.focus_to != 0;
-    if (goal.ratio == 0) return {NETMESH_FIELD_RATIO, focused ? "a focus without a ratio" : nullptr};
-    if (!is_valid_ratio(goal.ratio)) return {NETMESH_FIELD_RATIO, "ratio is not a finite number above the root of 2"};
-    if (focused && !(goal.focus_ratio > 1 && goal.focus_ratio < goal.ratio))
-        return {NETMESH_FIELD_FOCUS_RATIO, "focus_ratio is not between 1 and ratio"};
-    if (focused && !(goal.focus_from > 0 && goal.focus_from < goal.focus_to))
-        return {NETMESH_FIELD_FOCUS_FROM, "not 0 < focus_from < focus_to"};
+    const Complaint complaint = complaint_about_ratios(request.certificate);
+    if (complaint.text != nullptr || request.certificate.ratio == 0) return complaint;
     if (request.purpose != NETMESH_PURPOSE_PERSIST)
         return {NETMESH_FIELD_PURPOSE, "refinement by the certificate is for persistence with the complete filter"};
     if (request.method != NETMESH_METHOD_SVR)
         return {NETMESH_FIELD_METHOD, "refinement by the certificate is a method of its own"};
     if (sizes_of(request).asks()) return {NETMESH_FIELD_SIZES, "refinement by the certificate does not over-refine"};
     return {};
+}
+
+Complaint complaint_about_promises(const netmesh_mesh_request& request) {
+    const Complaint complaint = complaint_about_numbers(request);
+    return complaint.text != nullptr ? complaint : complaint_about_ratios(request.certificate);
 }
 
 SizeRule sizes_of(const netmesh_mesh_request& request) {

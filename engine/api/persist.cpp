@@ -21,16 +21,6 @@ Complaint read_function(const netmesh_function* from, netmesh_function* function
     return {};
 }
 
-// Why the context's result is not what the filter needs; null when it is.
-const char* missing_result(const netmesh_context* context, const Filter& filter) {
-    if (!context->complete) return "there is no complete triangulation or mesh";
-    if (!context->mesh.present) return "there is no triangulation or mesh";
-    if (filter.source == FilterSource::delaunay && context->mesh.is_mesh)
-        return "the alpha filter needs a Delaunay triangulation of the points alone";
-    if (filter.source == FilterSource::mesh && !context->mesh.is_mesh) return "this filter needs a mesh";
-    return context->mesh.cages.count > 0 ? "this filter needs a mesh without cages" : nullptr;
-}
-
 void keep_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
                   const FilterDiagram& diagram) {
     const Arena& arena = context->arena;

@@ -1,6 +1,6 @@
 // The report of what the context holds, and its fingerprint.
+#include "api/figures.hpp"
 #include "api/items.hpp"
-#include "numerics/fingerprint.hpp"
 
 namespace netmesh {
 namespace {
@@ -26,7 +26,6 @@ template <int D> void add_mesh(Fingerprint& f, const netmesh_context* context) {
 
 void add_pairs(Fingerprint& f, const netmesh_context* context) {
     const Pair* const pairs = context->diagram.pairs.in(context);
-    f.add(context->diagram.certified_ratio);
     for (std::uint64_t i = 0; i < context->diagram.pairs.count; ++i) {
         f.add(static_cast<std::uint64_t>(pairs[i].degree));
         f.add(pairs[i].birth);
@@ -36,7 +35,6 @@ void add_pairs(Fingerprint& f, const netmesh_context* context) {
 
 void add_vines(Fingerprint& f, const netmesh_context* context) {
     const VinePoint* const points = context->vineyard.points.in(context);
-    f.add(context->vineyard.certified_ratio);
     for (std::uint64_t i = 0; i < context->vineyard.points.count; ++i) {
         f.add(static_cast<std::uint64_t>(points[i].vine) << 32 | points[i].k);
         f.add(static_cast<std::uint64_t>(points[i].degree));
@@ -45,7 +43,7 @@ void add_vines(Fingerprint& f, const netmesh_context* context) {
     }
 }
 
-std::uint64_t fingerprint_of(const netmesh_context* context) {
+std::uint64_t fingerprint_of(const netmesh_context* context, const netmesh_report& report) {
     Fingerprint f;
     if (context->input.is_complex) {
         f.add(context->input.fingerprint);
@@ -53,8 +51,14 @@ std::uint64_t fingerprint_of(const netmesh_context* context) {
     } else {
         with_dimension(context->input.dim, [&](auto dimension) { add_mesh<decltype(dimension)::value>(f, context); });
     }
-    if (context->diagram.present) add_pairs(f, context);
-    if (context->vineyard.present) add_vines(f, context);
+    if (context->diagram.present) {
+        add_figures(&f, report, FingerprintPart::diagram);
+        add_pairs(f, context);
+    }
+    if (context->vineyard.present) {
+        add_figures(&f, report, FingerprintPart::vineyard);
+        add_vines(f, context);
+    }
     return f.value();
 }
 
@@ -192,7 +196,7 @@ netmesh_report report_of(const netmesh_context* context) {
     if (context->vineyard.present) report_vineyard(context->vineyard, &report.vineyard);
     report.simplicial_complex.present = input.is_complex;
     report.simplicial_complex.vertices = input.is_complex ? input.distinct : 0;
-    report.fingerprint = fingerprint_of(context);
+    report.fingerprint = fingerprint_of(context, report);
     return report;
 }
 

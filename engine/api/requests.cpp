@@ -1,5 +1,6 @@
 #include "api/requests.hpp"
 
+#include "api/mesh_rules.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -32,6 +33,22 @@ Complaint complaint_about_values(const netmesh_values& values) {
     return {NETMESH_FIELD_VALUES, "unknown kind of values"};
 }
 
+Complaint complaint_about_focus(double from, double to) {
+    const char* const text = "not 0 < focus_from < focus_to";
+    if (!(from > 0) || !is_finite(from)) return {NETMESH_FIELD_FOCUS_FROM, text};
+    if (!(from < to)) return {NETMESH_FIELD_FOCUS_TO, text};
+    return {};
+}
+
+const char* missing_result(const netmesh_context* context, const Filter& filter) {
+    if (!context->complete) return "there is no complete triangulation or mesh";
+    if (!context->mesh.present) return "there is no triangulation or mesh";
+    if (filter.source == FilterSource::delaunay && context->mesh.is_mesh)
+        return "the alpha filter needs a Delaunay triangulation of the points alone";
+    if (filter.source == FilterSource::mesh && !context->mesh.is_mesh) return "this filter needs a mesh";
+    return context->mesh.cages.count > 0 ? "this filter needs a mesh without cages" : nullptr;
+}
+
 Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Promises* promises) {
     *promises = {};
     promises->tau = tau_of(dim, 0);
@@ -40,6 +57,8 @@ Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Pro
     const netmesh_field fault = read_struct(mesh, &request, sizeof request);
     if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
     if (request.dim != dim) return {NETMESH_FIELD_MESH, "the mesh request is of another dimension"};
+    const Complaint complaint = complaint_about_promises(request);
+    if (complaint.text != nullptr) return complaint;
     promises->tau = tau_of(dim, request.tau);
     promises->sizes = size_rule_of(request.sizes);
     promises->goal = goal_of(request.certificate);

@@ -2,6 +2,7 @@
 #pragma once
 #include "api/call.hpp"
 #include "certificate/certificate.hpp"
+#include "filtration/filter.hpp"
 #include "mesh/mesh_request.hpp"
 #include "mesh/sizing.hpp"
 
@@ -31,6 +32,10 @@ bool is_valid_theta(double theta);
 Complaint complaint_about_dim(std::uint32_t dim);
 Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim);
 Complaint complaint_about_values(const netmesh_values& values);
+Complaint complaint_about_focus(double from, double to);
+
+// Why the context does not hold what a filter is evaluated on; null when it does.
+const char* missing_result(const netmesh_context* context, const Filter& filter);
 
 // What a mesh promises, for requests that point to a mesh request.
 struct Promises {

@@ -46,8 +46,8 @@ extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, const netme
     if (begun != NETMESH_OK) return begun;
     const Complaint complaint = complaint_about(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
-    if (!context->complete || !context->mesh.is_mesh)
-        return finish(context, Status::no_result, "there is no complete mesh");
+    const char* const missing = missing_result(context, *find_filter(request.filter));
+    if (missing != nullptr) return finish(context, Status::no_result, missing);
     if (request.k_last > context->input.distinct)
         return refuse(context, NETMESH_FIELD_K_LAST, "k is more than the number of different points");
     clear_diagram(context);

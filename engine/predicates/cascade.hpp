@@ -1,4 +1,12 @@
-// One sign from the first stage that is sure of it.
+// One sign from the first stage that is sure of it, in this order:
+//
+//   1. float about the last point, in the plane with a bound of its own before
+//   2. the same number, when the quantum certificate shows that nothing was rounded: 0 is certain then as well
+//   3. float about the point that is nearest to the others (frame.hpp), its rows scaled
+//   4. integers of limited width, when differences of coordinates fit them
+//   5. integers as wide as it takes
+//
+// An exact 0 is left to the caller: predicates.cpp breaks ties by index.
 #pragma once
 #include "predicates/exact_stage.hpp"
 #include "predicates/float_stage.hpp"

@@ -259,6 +259,12 @@ TEST_CASE("points and what is asked of meshes") {
                 NETMESH_FIELD_RATIO);
         refused([=](auto& r) { by_ratio(r), r.certificate.focus_ratio = 3; }, NETMESH_FIELD_FOCUS_RATIO);
         refused([=](auto& r) { by_ratio(r), r.certificate.focus_ratio = 2; }, NETMESH_FIELD_FOCUS_FROM);
+        const auto focused = [=](auto& r) { by_ratio(r), r.certificate.focus_ratio = 2, r.certificate.focus_from = 1; };
+        for (const double to : {0.0, 1.0, -1.0, not_a_number})
+            refused([=](auto& r) { focused(r), r.certificate.focus_to = to; }, NETMESH_FIELD_FOCUS_TO);
+        for (const double from : {-1.0, not_a_number, infinite})
+            refused([=](auto& r) { focused(r), r.certificate.focus_from = from, r.certificate.focus_to = 2; },
+                    NETMESH_FIELD_FOCUS_FROM);
         refused([=](auto& r) { by_ratio(r), r.purpose = NETMESH_PURPOSE_MESH; }, NETMESH_FIELD_PURPOSE);
         refused([=](auto& r) { by_ratio(r), r.method = NETMESH_METHOD_REFINE; }, NETMESH_FIELD_METHOD);
         refused([=](auto& r) { by_ratio(r), r.sizes.eps = 1; }, NETMESH_FIELD_SIZES);
@@ -290,6 +296,8 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
         bad_fit = fit;
         bad_fit.focus_to = 1;
         f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_FOCUS_FROM);
+        bad_fit.focus_from = 2;
+        f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_FOCUS_TO);
 
         const netmesh_points_request rips = f.session.points_request(f.points, NETMESH_FILTER_RIPS);
         const auto no_points = [&](auto change, netmesh_field field) {
@@ -305,7 +313,8 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
         no_points([](auto& r) { r.values = static_cast<netmesh_values>(7); }, NETMESH_FIELD_VALUES);
         no_points([=](auto& r) { barycentric(r), r.k = 0; }, NETMESH_FIELD_K);
         no_points([](auto& r) { r.max_degree = 31; }, NETMESH_FIELD_MAX_DEGREE);
-        no_points([=](auto& r) { barycentric(r), r.k = 31, r.max_degree = 0; }, NETMESH_FIELD_MAX_DEGREE);
+        no_points([=](auto& r) { barycentric(r), r.k = 31, r.max_degree = 0; }, NETMESH_FIELD_K);
+        no_points([=](auto& r) { barycentric(r), r.k = 30, r.max_degree = 1; }, NETMESH_FIELD_MAX_DEGREE);
         no_points([=](auto& r) { barycentric(r), r.representatives = 1; }, NETMESH_FIELD_REPRESENTATIVES);
     }
 }
@@ -546,6 +555,25 @@ TEST_CASE("checks, analyses and cages after a mesh") {
         check.mesh = &other;
         f.refused(netmesh_check(f.c, &check), NETMESH_FIELD_MESH);
         auto analysis = netmesh::sized<netmesh_analysis>();
+        const auto promises = [&](auto change, netmesh_field field) {
+            netmesh::requests::Mesh mesh(static_cast<std::uint32_t>(dim));
+            change(mesh);
+            check.mesh = &mesh;
+            f.refused(netmesh_check(f.c, &check), field);
+            netmesh::requests::Analyse analyse_it;
+            analyse_it.mesh = &mesh;
+            f.refused(netmesh_analyse(f.c, &analyse_it, &analysis), field);
+            const Arrays arrays(s);
+            const netmesh_load_request load = arrays.load_request(mesh);
+            f.refused(netmesh_load(f.c, &load), field);
+        };
+        for (const double tau : {2.0, -1.0, not_a_number, infinite})
+            promises([=](auto& r) { r.tau = tau; }, NETMESH_FIELD_TAU);
+        for (const double eps : {-1.0, not_a_number, infinite})
+            promises([=](auto& r) { r.sizes.eps = eps; }, NETMESH_FIELD_SIZES);
+        for (const double ratio : {-1.0, 1.4, not_a_number, infinite})
+            promises([=](auto& r) { r.certificate.ratio = ratio; }, NETMESH_FIELD_RATIO);
+        promises([=](auto& r) { r.certificate = {2, 3, 1, 2}; }, NETMESH_FIELD_FOCUS_RATIO);
         f.refused(s.analyse(&analysis, 0), NETMESH_FIELD_WHAT);
         f.refused(s.analyse(&analysis, 8), NETMESH_FIELD_WHAT);
         f.refused(s.analyse(&analysis, 2, -1), NETMESH_FIELD_TOLERANCE);

@@ -46,7 +46,7 @@ TEST_CASE("ratios asked of a loaded mesh") {
         CHECK(fails(100, 1.001, 1e9, 2e9).empty());     // above all cells
         CHECK(fails(100, 1.001, 1e-12, 1e-9).empty());  // below
         for (std::uint8_t& m : mesh.markers) m = m == 2 ? 1 : m;
-        s.request.certificate.focus_ratio = 0;
+        s.request.certificate = {100, 0, 0, 0};
         REQUIRE(mesh.load(s) == NETMESH_OK);
         CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         CHECK(said(s) == "a vertex of the mesh's hull is not exempt");

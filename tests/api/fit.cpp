@@ -40,7 +40,7 @@ TEST_CASE("ratios that make no sense") {
         CHECK(mesh(NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
     }
     session.request.certificate = {2.25, 0, 0.1, 0};
-    fit_refused(NETMESH_FIELD_FOCUS_FROM);
+    fit_refused(NETMESH_FIELD_FOCUS_TO);
     session.request.certificate = {2.25, 0, 0, 1};
     fit_refused(NETMESH_FIELD_FOCUS_FROM);
     CHECK(mesh(NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);

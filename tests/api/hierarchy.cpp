@@ -99,6 +99,13 @@ TEST_CASE("methods, finishing and what goes with them") {
     CHECK(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
     REQUIRE(session.mesh(points) == NETMESH_OK);
     CHECK(session.persist() == NETMESH_NO_RESULT);
+    CHECK(session.vineyard(NETMESH_FILTER_KNN, 1, 2) == NETMESH_NO_RESULT);
+    CHECK(session.detail().message == std::string("this filter needs a mesh without cages"));
+    netmesh::requests::Mesh by_ratio(2);
+    by_ratio.certificate.ratio = 1.5;
+    netmesh::requests::Check check;
+    check.mesh = &by_ratio;
+    CHECK(netmesh_check(session.context, &check) == NETMESH_OK);  // cages have ratios of their own
     const std::uint64_t caged = session.report().mesh.vertices;
     session.request.finish = 1;
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);

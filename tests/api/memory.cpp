@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstring>
+#include <string>
 
 #include "common/calls.hpp"
 #include "common/dimensions.hpp"
@@ -126,6 +127,35 @@ TEST_CASE("a job cancelled at any poll leaves a Delaunay mesh, and the next run 
     CHECK(cancelled > 5);
     CHECK(fingerprint(calls) == whole);
     CHECK(memory.guards_intact());
+}
+
+TEST_CASE("what a call said is kept without an address") {
+    GuardedBlock memory(std::size_t{1} << 16, 0xAA), copy(std::size_t{1} << 16, 0x55);
+    Calls calls(2);
+    REQUIRE(netmesh_init(memory.block(), std::size_t{1} << 16, &calls.context) == NETMESH_OK);
+    CHECK(netmesh_mesh(calls.context, nullptr) == NETMESH_INVALID_ARGUMENT);
+    const netmesh_detail said = calls.detail();
+    CHECK(said.message == std::string("the request is null"));
+    std::memcpy(copy.block(), memory.block(), std::size_t{1} << 16);
+    for (std::size_t i = 0; i + sizeof said.message <= std::size_t{1} << 16; ++i)
+        if (std::memcmp(copy.block() + i, &said.message, sizeof said.message) == 0) FAIL("an address at " << i);
+    REQUIRE(netmesh_adopt(copy.block(), &calls.context) == NETMESH_OK);
+    CHECK(calls.detail().message == said.message);
+    CHECK(calls.detail().field == NETMESH_FIELD_REQUEST);
+}
+
+TEST_CASE("more bytes are wanted than there are") {
+    for (const int dim : dimensions(2, 3)) {
+        const inputs::Points points = inputs::uniform(dim, 60);
+        Calls calls(dim);
+        calls.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+        for (std::size_t bytes = 16384; bytes < 65536; bytes += 1616) {
+            GuardedBlock memory(bytes, 0);
+            if (netmesh_init(memory.block(), bytes, &calls.context) != NETMESH_OK) continue;
+            REQUIRE(calls.mesh_in_block(points) == NETMESH_OUT_OF_MEMORY);
+            CHECK(calls.detail().bytes_wanted > bytes);
+        }
+    }
 }
 
 TEST_CASE("arguments that cannot be meant are refused by their field, and nothing is lost") {

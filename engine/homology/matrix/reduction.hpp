@@ -4,7 +4,8 @@
 // is added. What is left in the end is zero, or it has a pivot of its own and the two simplices are a pair. Listed
 // matrices (listed_columns.hpp: boundaries for homology and cycles, coboundaries), implicit ones (rips/) and those of
 // vineyards differ in how columns are held, which a class Columns says, and in what is made of the outcome, which a
-// recorder says.
+// recorder says. The table from pivots to their owners is the columns', as an implicit matrix owns pivots without one;
+// pair(j) is where the recorder has column j entered.
 #pragma once
 #include <cstdint>
 
