@@ -61,7 +61,11 @@ public:
         CHECK(netmesh_get_cycle_simplex(context, pair, count, &s) == NETMESH_INVALID_ARGUMENT);
         return all;
     }
-    netmesh_report report() const { return report_of(context); }
+    netmesh_report report() const {
+        auto r = netmesh::sized<netmesh_report>();
+        REQUIRE(netmesh_get_report(context, &r) == NETMESH_OK);
+        return r;
+    }
     netmesh_detail detail() const { return detail_of(context); }
 
     netmesh_context* context = nullptr;
