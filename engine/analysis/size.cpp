@@ -3,21 +3,13 @@
 #include "analysis/pacing.hpp"
 #include "mesh/split.hpp"
 #include "numerics/elementary.hpp"
+#include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr double tolerance = 0x1p-15;  // of tau and of distances, where a bound is compared
-
-template <int D> double distance(const double* a, const double* b) {
-    double d2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double d = a[k] - b[k];
-        d2 += d * d;
-    }
-    return square_root(d2);
-}
 
 // |M|, the feature ratio and how far in-balls reach from the domain's centre.
 template <int D>

@@ -72,5 +72,7 @@ extern "C" netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fi
     if (complaint.text != nullptr) return refuse(context, complaint);
     const RatioLadder ladder(request.ratio != 0 ? request.ratio : coarsest_ratio, request.focus_from, request.focus_to);
     const FitRun run(context, request);
-    return static_cast<netmesh_status>(fit(ladder, [&](const RatioGoal& goal) { return run.make(goal); }));
+    const Status status = fit(ladder, [&](const RatioGoal& goal) { return run.make(goal); });
+    if (status != Status::ok) clear(context);  // a mesh or a diagram of which a part is missing is no answer
+    return static_cast<netmesh_status>(status);
 }

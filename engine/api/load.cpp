@@ -121,7 +121,8 @@ netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request
     if (complaint.text == nullptr) complaint = read_promises(request.mesh, request.dim, &promises);
     if (complaint.text != nullptr) return refuse(context, complaint);
     for (size_t i = 0; i < request.vertex_count * request.dim; ++i)
-        if (!is_finite(request.vertices[i])) return finish(context, Status::not_finite, nullptr, i / request.dim);
+        if (!is_finite(request.vertices[i]))
+            return fail_and_clear(context, Status::not_finite, nullptr, i / request.dim);
     clear(context);
     return with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;

@@ -5,8 +5,13 @@
 #include "api/mesh_rules.hpp"
 #include "complex/triangulation.hpp"
 #include "delaunay/store.hpp"
+#include "filtration/mesh_filter.hpp"
+#include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
-#include "mesh/cage.hpp"
+#include "mesh/ball_lists.hpp"
+#include "mesh/hierarchy.hpp"
+#include "mesh/hierarchy_quality.hpp"
+#include "mesh/quality_audit.hpp"
 
 namespace netmesh {
 namespace {
@@ -17,15 +22,9 @@ constexpr double margin = 1.3;
 constexpr double boundary_cells = 64;
 constexpr double block_overhead = 16384;
 
-constexpr double word = sizeof(std::uint32_t), number = sizeof(double);
-constexpr double order_bytes = word + word + 1;        // a point: its order, its nearest, a mark
-constexpr double hierarchy_bytes = 9 * word + number;  // a point: trees of inputs and cages while it meshes
-constexpr double filter_bytes = 3 * number;            // a vertex: value, out-radius, reach
-constexpr double gradient_bytes = 2 * word;            // a simplex: critical simplices and their columns
-constexpr double alpha_bytes = 12 * word;              // a simplex: rows, values, order, columns and fill
-constexpr double scale_bytes = 8 * word;               // a point: of the partition into scales
-constexpr double audit_vertex_bytes = 5 * number, audit_cell_bytes = 4 * word, audit_point_bytes = 6 * word;
-constexpr double ball_entry_bytes = 4 * word;  // an input in a D-ball, and as much to sort it again
+// Bytes a simplex, measured with what reductions fill in: gradient and critical columns of a filter on a mesh; rows,
+// values, order and columns of an alpha complex.
+constexpr double gradient_bytes = 8, alpha_bytes = 48;
 
 double power_in_eighths(double x, int k) {
     const double root = square_root(square_root(square_root(x)));
@@ -62,19 +61,25 @@ template <int D> Amounts mesh_amounts(double points, double tau, double eps, dou
 }
 
 template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
-    double bytes = n.vertices * sizeof(Vertex<D>) + n.cells * sizeof(Cell<D>) + order_bytes * n.points;
-    if (planned.hierarchy || planned.audit) bytes += hierarchy_bytes * n.points;
+    using Tree = InputTree<D>;
+    using Lists = BallLists<D>;
+    const double order_bytes = sizeof(std::uint32_t);  // a point's place in the order of insertion
+    double bytes = n.vertices * sizeof(Vertex<D>) + n.cells * sizeof(Cell<D>);
+    bytes += (order_bytes + Tree::input_bytes) * n.points;
+    if (planned.hierarchy || planned.audit) bytes += (Hierarchy<D>::input_bytes + Tree::ring_bytes) * n.points;
     if (planned.audit) {
-        bytes += audit_vertex_bytes * n.vertices + audit_cell_bytes * n.cells + audit_point_bytes * n.points;
+        bytes += (HierarchyScratch::vertex_bytes + AuditScratch::vertex_bytes) * n.vertices;
+        bytes += (HierarchyScratch::cell_bytes + Lists::cell_bytes) * n.cells + Lists::input_bytes * n.points;
+        bytes += order_bytes * n.points;  // turns of the inputs, drawn by the lists
         // Lists take their share of what is left of the block.
-        const double lists = ball_entry_bytes * figures<D>.audit_balls_per_point * n.points;
+        const double lists = sizeof(typename Lists::Entry) * figures<D>.audit_balls_per_point * n.points;
         if (bytes < 3 * lists) bytes = 3 * lists;
         bytes += bytes / 3;
     }
     const double simplices = n.cells * figures<D>.simplices_per_cell;
-    if (planned.filter) bytes += filter_bytes * n.vertices + gradient_bytes * simplices;
+    if (planned.filter) bytes += (sizeof(double) + mesh_filter_vertex_bytes) * n.vertices + gradient_bytes * simplices;
     if (planned.alpha) bytes += alpha_bytes * simplices;
-    if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + scale_bytes);
+    if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + ScalePartition<D>::point_bytes + order_bytes);
     return margin * bytes + sizeof(netmesh_context) + block_overhead +
            boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
 }

@@ -22,8 +22,10 @@
 
 namespace netmesh {
 
+constexpr std::size_t mesh_filter_vertex_bytes = 2 * sizeof(double);  // scratch: bounds of every cell
+
 // value[v]: t(v), cut at rho; the basic filter gives inputs 0 and says from which scale its ratio holds, the largest
-// out-radius of an input. O(cells). Scratch: 16 bytes a vertex. out_of_memory.
+// out-radius of an input. O(cells). out_of_memory.
 template <int D>
 Status complete_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out);
 template <int D>

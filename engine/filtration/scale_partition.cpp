@@ -4,6 +4,7 @@
 #include "numerics/sort.hpp"
 #include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/validate.hpp"
 
 namespace netmesh {
 namespace {
@@ -23,9 +24,11 @@ Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, doubl
     total_ = count - 1;
     done_ = clusters_ = chosen_count_ = 0;
     separation_ = infinity;
+    [[maybe_unused]] const std::size_t low = arena.low_mark();
     left_ = arena.take_low<PointLeft>(total_);
     chosen_ = arena.take_low<std::uint32_t>(count);
     if (left_ == nullptr || chosen_ == nullptr) return Status::out_of_memory;
+    NETMESH_ASSERT(arena.low_mark() - low <= point_bytes * count + 2 * Arena::alignment);
     for (std::uint32_t i = 0; i < total_; ++i) left_[i] = {0, 0, i + 1, 0};
     return Status::ok;
 }

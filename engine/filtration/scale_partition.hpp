@@ -41,8 +41,10 @@ struct PointLeft {
 // One cluster after the other, parents before children.
 template <int D> class ScalePartition {
 public:
-    // Of the store's vertices 0..count-1, distinct points that stay where they are. 28 bytes a point at the arena's low
-    // end. 0 < theta <= 1/9. out_of_memory.
+    static constexpr std::size_t point_bytes = sizeof(PointLeft) + sizeof(std::uint32_t);  // what open places for each
+
+    // Of the store's vertices 0..count-1, distinct points that stay where they are; at the arena's low end.
+    // 0 < theta <= 1/9. out_of_memory.
     Status open(const Store<D>& store, std::uint32_t count, double theta, Arena& arena);
     // The next cluster's P_i, representative first, in the order of choice. False: there is none. The clusters cost
     // O(sum |C_i| |P_i|). *stopped: the monitor wants to stop.

@@ -244,7 +244,8 @@ size_t netmesh_plan_delaunay(const netmesh_delaunay_request* request);
  * the context held, also on failure.
  * Expected cost: 6 / 28 / 158 / 898 / 4264 cells made per point for uniform points in D = 2..6.
  * INVALID_ARGUMENT, NOT_FINITE, FLAT, OUT_OF_MEMORY, CANCELLED. On the last two the context holds the Delaunay
- * triangulation of the points inserted so far (report.complete is 0) if there is one. */
+ * triangulation of the points inserted so far (report.complete is 0) if there is one; the other points are vertices
+ * without a cell. */
 netmesh_status netmesh_delaunay(netmesh_context* context, const netmesh_delaunay_request* request);
 
 typedef enum netmesh_method {
@@ -527,7 +528,8 @@ typedef struct netmesh_persist_request {
 void netmesh_persist_request_init(netmesh_persist_request* request, size_t request_bytes);
 
 /* Persistent homology over Z/2 of the filtration on what the context holds. Values are radii, not squared radii. ALPHA
- * needs a Delaunay triangulation, the others a mesh without cages; one mesh serves every k. Replaces the diagram.
+ * needs a Delaunay triangulation, the others a mesh without cages; one mesh serves every k. Replaces the diagram, also
+ * when it fails.
  * Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
  * For FUNCTION: the sublevel sets of a function (8.6). certified_ratio is infinite where f is too small for its change
  * across a Voronoi cell; a distance_factor keeps it finite.
@@ -627,7 +629,7 @@ void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes
  * the cells whose bounds are worst. With focus_from and focus_to the ratios of the ladder are asked of those scales
  * alone, and R of everything else. What fits depends on the points, the request and the block's size alone, and a
  * larger block never gives a larger ratio. Leaves mesh and diagram as netmesh_mesh and netmesh_persist with the
- * report's certificate goal do. Costs about seven such runs.
+ * report's certificate goal do; without OK the context is empty. Costs about seven such runs.
  * INVALID_ARGUMENT, OUT_OF_MEMORY (not even R fits), and what those calls say. */
 netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fit_request* request);
 
@@ -644,7 +646,7 @@ void netmesh_vineyard_request_init(netmesh_vineyard_request* request, size_t req
 
 /* One mesh for all k: the diagrams of the filter for k = k_first..k_last, and the vines that connect them (6.3, 8.6),
  * by transpositions on R = D V while every simplex's value moves on a straight line from one k to the next. The
- * diagram at each k is that of netmesh_persist. Replaces the diagram.
+ * diagram at each k is that of netmesh_persist. Replaces the diagram, also when it fails.
  * Memory above the mesh: about 130 bytes a simplex of dimension up to max_degree + 1, and the columns. Time: O(log n)
  * for each two simplices of a dimension that change their order between two k; that is millions for small meshes
  * already. INVALID_ARGUMENT (K_LAST: more than the number of different points), NO_RESULT, OUT_OF_MEMORY, CANCELLED.

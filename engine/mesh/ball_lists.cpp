@@ -2,17 +2,20 @@
 
 #include "numerics/random.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/validate.hpp"
 
 namespace netmesh {
 
 template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::uint32_t inputs) {
     store_ = &store;
     inputs_ = inputs;
+    [[maybe_unused]] const std::size_t low = arena.low_mark();
     std::uint32_t** const arrays[] = {&first_of_input_, &ply_, &waiting_next_, &stamp_, &touches_};
     for (std::uint32_t** const array : arrays) {
         *array = arena.take_low<std::uint32_t>(inputs);
         if (*array == nullptr) return Status::out_of_memory;
     }
+    NETMESH_ASSERT(arena.low_mark() - low <= input_bytes * inputs + 5 * Arena::alignment);
     for (std::uint32_t p = 0; p < inputs; ++p) {
         first_of_input_[p] = none;
         ply_[p] = stamp_[p] = touches_[p] = 0;

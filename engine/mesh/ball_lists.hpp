@@ -50,13 +50,16 @@ public:
 
     void report(LocationAudit* audit) const;
 
-private:
-    // From a range net of size O(D log D) (4.7.1 with epsilon = 1 / (2 D)) what is left out by chance is drawn again.
-    static constexpr std::uint32_t net_size = 4 * D;
+    // What open places for each input and cell, and for each input in a ball.
+    static constexpr std::size_t input_bytes = 5 * sizeof(std::uint32_t), cell_bytes = 2 * sizeof(std::uint32_t);
     struct Entry {
         CellId cell;
         std::uint32_t input, next_of_cell, next_of_input;
     };
+
+private:
+    // From a range net of size O(D log D) (4.7.1 with epsilon = 1 / (2 D)) what is left out by chance is drawn again.
+    static constexpr std::uint32_t net_size = 4 * D;
     bool open_ball(CellId cell);
     bool store(CellId cell, std::uint32_t input);
     bool consider(Kernel<D>& kernel, CellId cell, std::uint32_t input);

@@ -10,12 +10,16 @@ namespace netmesh {
 // from the innermost outwards contain it from some one on.
 template <int D> class Hierarchy {
 public:
-    // For meshes of up to `inputs` inputs, at the arena's low end: 36 bytes each, the cages first. out_of_memory.
+    static constexpr std::size_t input_bytes = sizeof(Cage) + sizeof(std::uint32_t);  // what open places for each input
+
+    // For meshes of up to `inputs` inputs, at the arena's low end, the cages first. out_of_memory.
     Status open(const Store<D>& store, Arena& arena, std::uint32_t inputs) {
+        [[maybe_unused]] const std::size_t low = arena.low_mark();
         store_ = &store;
         cages_ = arena.take_low<Cage>(inputs);
         domain_ = arena.take_low<std::uint32_t>(inputs);
         if (cages_ == nullptr || domain_ == nullptr) return Status::out_of_memory;
+        NETMESH_ASSERT(arena.low_mark() - low <= input_bytes * inputs + 2 * Arena::alignment);
         for (std::uint32_t v = 0; v < inputs; ++v) domain_[v] = none;
         return Status::ok;
     }

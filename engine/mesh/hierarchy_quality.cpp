@@ -3,6 +3,7 @@
 #include "delaunay/sphere.hpp"
 #include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/validate.hpp"
 
 namespace netmesh {
 namespace {
@@ -68,6 +69,7 @@ private:
 };
 
 template <int D> Status Measurement<D>::open() {
+    [[maybe_unused]] const std::size_t low = arena_.low_mark();
     const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
     order_ = arena_.template take_low<std::uint32_t>(count_);
     cage_out2_ = arena_.template take_low<double>(count_);
@@ -79,6 +81,9 @@ template <int D> Status Measurement<D>::open() {
     if (order_ == nullptr || cage_out2_ == nullptr || domain_ == nullptr || nearest2_ == nullptr || out2_ == nullptr ||
         list_ == nullptr || mark_ == nullptr)
         return Status::out_of_memory;
+    NETMESH_ASSERT(arena_.low_mark() - low <= HierarchyScratch::cage_bytes * count_ +
+                                                  HierarchyScratch::vertex_bytes * vertices +
+                                                  HierarchyScratch::cell_bytes * cells + 7 * Arena::alignment);
     for (std::uint32_t c = 0; c < cells; ++c) mark_[c] = 0;
     return Status::ok;
 }

@@ -14,6 +14,13 @@ struct HierarchyQuality {
     CheckResult encroached;  // why this is no hierarchical mesh: .cell is the centre of the cage at fault
 };
 
+// Scratch of measure_hierarchy.
+struct HierarchyScratch {
+    static constexpr std::size_t vertex_bytes = 2 * sizeof(double) + sizeof(std::uint32_t);
+    static constexpr std::size_t cell_bytes = 2 * sizeof(std::uint32_t);
+    static constexpr std::size_t cage_bytes = sizeof(double) + sizeof(std::uint32_t);
+};
+
 template <int D> struct HierarchyRequest {
     Cage* cages;
     std::uint32_t count;
@@ -28,7 +35,7 @@ template <int D> struct HierarchyRequest {
 // with a sphere that sticks out of its parent. Ratios are as cage.hpp describes, corners solved for anew, nearest
 // distances recomputed. Where ratios is not null: ratios[v] := that of v's clipped cell, 0 for exempt vertices;
 // domains[v] := its innermost cage or none. The store may be in use: ghosts and free slots
-// are passed over. O(depth of the hierarchy * cells); scratch: 20 bytes a vertex, 8 a cell, 16 a cage. out_of_memory.
+// are passed over. O(depth of the hierarchy * cells); scratch: HierarchyScratch. out_of_memory.
 template <int D>
 Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena, HierarchyQuality* quality);
 

@@ -2,6 +2,7 @@
 
 #include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/validate.hpp"
 
 namespace netmesh {
 namespace {
@@ -72,10 +73,12 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
 }
 
 template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings) {
+    [[maybe_unused]] const std::size_t low = arena.low_mark();
     items_ = arena.take_low<std::uint32_t>(count);
     axis_ = arena.take_low<std::uint8_t>(count);
     reach_ = rings ? arena.take_low<double>(count) : nullptr;
     if (items_ == nullptr || axis_ == nullptr || (rings && reach_ == nullptr)) return Status::out_of_memory;
+    NETMESH_ASSERT(arena.low_mark() - low <= (input_bytes + (rings ? ring_bytes : 0)) * count + 3 * Arena::alignment);
     store_ = &store;
     count_ = count;
     touches_ = 0;

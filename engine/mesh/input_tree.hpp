@@ -27,6 +27,10 @@ struct Neighbour {
 
 template <int D> class InputTree {
 public:
+    // What build places for each input, and with rings besides.
+    static constexpr std::size_t input_bytes = sizeof(std::uint32_t) + sizeof(std::uint8_t);
+    static constexpr std::size_t ring_bytes = sizeof(double);
+
     // Over vertices 0..count-1, at the arena's low end; `rings`: to be asked for farthest_in_ring too. O(n log n).
     // out_of_memory.
     Status build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings = false);

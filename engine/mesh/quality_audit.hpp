@@ -30,10 +30,16 @@ struct AuditStep {
     bool cleaning;
 };
 
+// What audit_quality places besides HierarchyScratch: ratios and domains, and the lists of each domain's vertices.
+struct AuditScratch {
+    static constexpr std::size_t vertex_bytes = sizeof(double) + 2 * sizeof(std::uint32_t);
+    static constexpr std::size_t cage_bytes = sizeof(Cage) + 2 * sizeof(std::uint32_t);
+};
+
 // Adds one mesh to *audit. cages[0..made): those released have no shell. P is what of the inputs is inserted; f_P says
 // nothing in a domain of fewer than two, and is left out there. Works on a store in use as on a compact one. Cost:
-// that of measure_hierarchy, and the square of the largest domain's vertices. Scratch: 40 bytes a vertex, 8 a cell, 60
-// a cage. out_of_memory.
+// that of measure_hierarchy, and the square of the largest domain's vertices. Scratch: that and
+// AuditScratch. out_of_memory.
 template <int D>
 Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, const Domain<D>& outermost, Arena& arena,
                      const AuditStep& step, QualityAudit* audit);

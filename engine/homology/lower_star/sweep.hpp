@@ -55,7 +55,7 @@ private:
     void prefetch_star(std::uint32_t r);
     bool reserve_columns(Arena& arena);
     bool add_zero_pairs(double value);
-    Status reduce_columns(std::uint32_t r);
+    Status reduce_columns_at(std::uint32_t r);
     std::uint32_t sorted(std::uint32_t columns);
     bool start_columns(std::uint32_t k, VertexId v);
     bool gather(std::uint32_t c, std::uint32_t r);
@@ -137,14 +137,14 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     Status status = critical_ > 0 ? components_.unite_critical_facets(v) : Status::ok;
     if constexpr (D > 2) {
         if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
-        if (status == Status::ok) status = reduce_columns(r);
+        if (status == Status::ok) status = reduce_columns_at(r);
     }
     star_.close(ball_);
     return status;
 }
 
 // From the top dimension down: the columns of the star's own critical simplices, then those that have arrived.
-template <int D> Status Sweep<D>::reduce_columns(std::uint32_t r) {
+template <int D> Status Sweep<D>::reduce_columns_at(std::uint32_t r) {
     const VertexId v(ball_.order[r]);
     column_.adopt(column_words_, star_.count());
     std::uint32_t c = sorted(front_.arrive(r));
