@@ -1,5 +1,5 @@
 // Versions, statuses and fields as text.
-#include "include/netmesh.h"
+#include "api/call.hpp"
 
 #define NETMESH_TEXT_OF(x) #x
 #define NETMESH_TEXT(x) NETMESH_TEXT_OF(x)
@@ -14,6 +14,7 @@ const char* netmesh_version_text(void) {
 }
 
 const char* netmesh_status_text(netmesh_status status) {
+    if (!netmesh::in_range(status, NETMESH_OK, NETMESH_NOT_A_COMPLEX)) return "unknown status";
     switch (status) {
     case NETMESH_OK: return "done";
     case NETMESH_INVALID_ARGUMENT: return "invalid argument";
@@ -33,6 +34,7 @@ const char* netmesh_status_text(netmesh_status status) {
 }
 
 const char* netmesh_field_text(netmesh_field field) {
+    if (!netmesh::in_range(field, NETMESH_FIELD_NONE, NETMESH_FIELD_COUNT)) return "unknown field";
     switch (field) {
     case NETMESH_FIELD_NONE: return "none";
     case NETMESH_FIELD_REQUEST: return "request";
