@@ -32,6 +32,7 @@ enum : std::uint32_t {
     inputs_enter_first = 1 << 9,
     bounds_by_scale = 1 << 10,    // bars are bounded by the intervals of all cells, not by the ratio alone
     has_tighter_cells = 1 << 11,  // its intervals are those of single cells, which tighten_cell_bounds.hpp narrows
+    made_of_edges = 1 << 12,      // on points: a simplex enters with its last edge (Rips), not with its ball (Cech)
 };
 }  // namespace filter_trait
 

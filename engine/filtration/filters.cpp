@@ -32,11 +32,11 @@ constexpr Filter table[] = {
      has_eps | has_values | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale, "tight", offsets},
     {NETMESH_FILTER_SCALES, FilterSource::scales, FilterPurpose::mesh, has_eps | has_theta | has_values, "scales",
      offsets},
-    {NETMESH_FILTER_RIPS, FilterSource::points, FilterPurpose::mesh, has_cycles, "rips",
+    {NETMESH_FILTER_RIPS, FilterSource::points, FilterPurpose::mesh, has_cycles | made_of_edges, "rips",
      "Vietoris-Rips complex of the points, edges at half their length"},
     {NETMESH_FILTER_CECH, FilterSource::points, FilterPurpose::mesh, has_cycles, "cech", offsets},
     {NETMESH_FILTER_BARYCENTRIC_CECH, FilterSource::points, FilterPurpose::mesh, needs_k, "barycentric-cech", kth},
-    {NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, FilterPurpose::mesh, needs_k | has_values,
+    {NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, FilterPurpose::mesh, needs_k | has_values | made_of_edges,
      "barycentric-rips", kth},
 };
 constexpr std::uint32_t rows = sizeof table / sizeof table[0];

@@ -64,7 +64,12 @@ Status take_points(const PointsRequest& request, Arena& arena, PointSet* out, st
     return Status::ok;
 }
 
+// Of the k-nearest-neighbour kind: chains of sets of k points and more (8.5).
 bool is_barycentric(const PointsFilter& filter) { return find_filter(filter.filter)->has(filter_trait::needs_k); }
+bool has_edges(const PointsFilter& filter) { return find_filter(filter.filter)->has(filter_trait::made_of_edges); }
+bool is_rips(const PointsFilter& filter) { return has_edges(filter) && !is_barycentric(filter); }
+// Balls of sets are told by edges alone, up to a factor between 1 and the root of 2.
+bool is_approximate(const PointsFilter& filter) { return has_edges(filter) && is_barycentric(filter); }
 
 // Dimension of the complex on n points, and of the nested sets in it.
 std::uint32_t skeleton_dimension(const PointsFilter& filter, std::uint64_t n) {
@@ -75,12 +80,10 @@ std::uint32_t skeleton_dimension(const PointsFilter& filter, std::uint64_t n) {
 
 // The factor on the filter's own values, and the ratio that the diagram then has.
 double factor_of(const PointsFilter& filter) {
-    return filter.filter == NETMESH_FILTER_BARYCENTRIC_RIPS && filter.values == FilterValues::certified
-               ? fourth_root_of_two
-               : 1;
+    return is_approximate(filter) && filter.values == FilterValues::certified ? fourth_root_of_two : 1;
 }
 double ratio_of(const PointsFilter& filter) {
-    if (filter.filter != NETMESH_FILTER_BARYCENTRIC_RIPS) return 1;
+    if (!is_approximate(filter)) return 1;
     return filter.values == FilterValues::certified ? fourth_root_of_two : root_of_two;
 }
 
@@ -91,11 +94,12 @@ Status make_complex(const PointSet& points, const PointsFilter& filter, const Wo
     ListedComplex sets;
     ListedComplex* const made = is_barycentric(filter) ? &sets : out;
     Status status;
-    switch (filter.filter) {
-    case NETMESH_FILTER_RIPS: status = rips_complex<D>(x, points.count, dimension, work, made); break;
-    case NETMESH_FILTER_BARYCENTRIC_RIPS: status = full_rips_complex<D>(x, points.count, dimension, work, made); break;
-    default: status = cech_complex<D>(x, points.count, dimension, work, made); break;
-    }
+    if (!has_edges(filter))
+        status = cech_complex<D>(x, points.count, dimension, work, made);
+    else if (is_barycentric(filter))
+        status = full_rips_complex<D>(x, points.count, dimension, work, made);
+    else
+        status = rips_complex<D>(x, points.count, dimension, work, made);
     if (status != Status::ok || !is_barycentric(filter)) return status;
     status = barycentric_complex(sets, filter.k, filter.max_degree + 1, work, out);
     for (std::uint32_t m = 0; status == Status::ok && m <= out->dimension; ++m) {
@@ -112,7 +116,7 @@ Status persist_listed(const PointsRequest& request, const PointSet& set, const W
     });
     if (status != Status::ok) return status;
     ComplexRequest counted = {{filter.max_degree, request.keep_zero}, request.representatives};
-    if (filter.filter == NETMESH_FILTER_RIPS) counted.counted = filter.max_degree > 1 ? filter.max_degree : 1;
+    if (is_rips(filter)) counted.counted = filter.max_degree > 1 ? filter.max_degree : 1;
     return persist_complex(complex, counted, work, &out->diagram);
 }
 
@@ -148,8 +152,7 @@ Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram
     out->input_fingerprint = set.fingerprint;
     out->ratio = ratio_of(request.filter);
     bool done = false;
-    if (request.filter.filter == NETMESH_FILTER_RIPS && !request.representatives)
-        status = persist_edges(request, set, work, out, &done);
+    if (is_rips(request.filter) && !request.representatives) status = persist_edges(request, set, work, out, &done);
     return done ? status : persist_listed(request, set, work, out);
 }
 
@@ -180,7 +183,7 @@ double points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t d
     // A simplex of `width` vertices: facets, cofaces, value; then tables, orders and columns.
     const auto bytes = [](double count, std::uint32_t width) { return count * (8.0 * width + 8 + 24); };
     double total = bytes(skeleton_count(n, dimension), dimension + 1);
-    if (filter.filter == NETMESH_FILTER_RIPS) total = edges_bytes(n, filter.max_degree);
+    if (is_rips(filter)) total = edges_bytes(n, filter.max_degree);
     if (is_barycentric(filter)) {
         const double chains = barycentric_count(n, filter.k, dimension + 1, filter.max_degree + 1);
         total += bytes(chains, filter.max_degree + 2);
