@@ -2,6 +2,7 @@
 
 #include "analysis/pacing.hpp"
 #include "mesh/split.hpp"
+#include "mesh/quality.hpp"
 #include "numerics/elementary.hpp"
 #include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"

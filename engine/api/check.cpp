@@ -5,15 +5,18 @@
 #include "api/measure.hpp"
 #include "api/requests.hpp"
 #include "filtration/filters.hpp"
+#include "mesh/check_reach.hpp"
 #include "mesh/sizing.hpp"
 
 namespace netmesh {
 namespace {
 
-// Room for the rounding of a ratio, when the mesh was made elsewhere.
-constexpr double ratio_tolerance = 0x1p-40;
+// Room for the rounding of a ratio, when the mesh was made elsewhere, and of the places of a boundary net.
+constexpr double ratio_tolerance = 0x1p-40, net_tolerance = 0x1p-30;
+constexpr const char* aspect_violation = "a clipped Voronoi cell has an aspect ratio above tau";
 
-template <int D> CheckResult check_markers(const Store<D>& store) {
+// A vertex of the hull is exempt: its cell is not bounded.
+template <int D> CheckResult check_hull(const Store<D>& store) {
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
         for (int i = 0; i <= D; ++i) {
             if (store.cell(c).neighbour[i] != none) continue;
@@ -24,29 +27,83 @@ template <int D> CheckResult check_markers(const Store<D>& store) {
     return {nullptr, none};
 }
 
+// Besides those of the hull, and of the shells of cages, only vertices of the boundary net are exempt (thesis 3.5): they are
+// on the domain's sphere, and as far apart as delta, the diameter of the enclosing ball, so that there are few. Marks
+// those of the hull as queued meanwhile. O(cells), and the square of the net.
+template <int D>
+CheckResult check_exempt(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains) {
+    const std::uint32_t vertices = store.state.vertex_count;
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i)
+            for (int j = 0; j <= D && store.cell(c).neighbour[i] == none; ++j)
+                if (j != i) store.vertex(store.cell(c).vertex[j]).queued = 1;
+    const double delta = 2 * domain.enclosing_radius * (1 - net_tolerance);
+    CheckResult result = {nullptr, none};
+    const auto is_of_net = [&](std::uint32_t v) {
+        const Vertex<D>& vertex = store.vertex(v);
+        const bool is_of_shell = domains != nullptr && domains[v] != none;
+        return vertex.cell != none && vertex.marker == Marker::exempt && !vertex.queued && !is_of_shell;
+    };
+    for (std::uint32_t v = 0; v < vertices && result.violation == nullptr; ++v) {
+        if (!is_of_net(v)) continue;
+        bool net = absolute(square_root(domain.distance2(store.point(v))) - domain.radius) <= net_tolerance * domain.radius;
+        for (std::uint32_t w = 0; w < v && net; ++w)
+            net = !is_of_net(w) || distance2<D>(store.point(v), store.point(w)) >= delta * delta;
+        if (!net) result = {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
+    }
+    for (std::uint32_t v = 0; v < vertices; ++v) store.vertex(v).queued = 0;
+    return result;
+}
+
+// The squared size that each cell may have.
+template <int D>
+Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& sizes, Arena& arena, double* limit2) {
+    const ArenaScope scope(arena);
+    InputTree<D> tree;
+    if (tree.build(store, arena, inputs) != Status::ok) return Status::out_of_memory;
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
+        if (!(limit2[v] < infinity)) continue;
+        const double size = wanted_size<D>(store, tree, sizes, v) * (1 + ratio_tolerance);
+        limit2[v] = size > 0 ? size * size : 0;
+    }
+    return Status::ok;
+}
+
 // Quality by definition 4.5 where there are cages, of each clipped cell and its size where there are none.
 template <int D> Status check_quality(Context& context, Store<D>& store, const Promises& promises, CheckResult* why) {
     const Domain<D> domain = domain_of<D>(context.mesh);
-    HierarchyQuality quality = {};
-    const std::uint32_t cages = cage_count_of(context);
-    Status status = cages == 0
-                        ? recomputed_aspect_ratio<D>(store, domain, context.arena, &quality.worst, &quality.vertex)
-                        : measure_hierarchy<D>(store, {cages_of(context), cages, domain}, context.arena, &quality);
-    if (status != Status::ok) return status;
-    *why = quality.encroached;
-    if (why->violation != nullptr) return Status::check_failed;
-    if (!(quality.worst <= promises.tau * (1 + ratio_tolerance))) {
-        *why = {"a clipped Voronoi cell has an aspect ratio above tau", quality.vertex};
-        return Status::check_failed;
+    const std::uint32_t cages = cage_count_of(context), vertices = store.state.vertex_count;
+    Arena& arena = context.arena;
+    const ArenaScope scope(arena);
+    double* const limit2 = arena.take_low<double>(vertices);
+    double* const ratios = arena.take_low<double>(cages == 0 ? 0 : vertices);
+    std::uint32_t* const domains = arena.take_low<std::uint32_t>(cages == 0 ? 0 : vertices);
+    if (limit2 == nullptr || ratios == nullptr || domains == nullptr) return Status::out_of_memory;
+    if (cages > 0) {
+        HierarchyQuality quality;
+        const HierarchyRequest<D> request = {cages_of(context), cages, domain, ratios, domains};
+        const Status status = measure_hierarchy<D>(store, request, arena, &quality);
+        if (status != Status::ok) return status;
+        *why = quality.encroached;
+        if (why->violation == nullptr && !(quality.worst <= promises.tau * (1 + ratio_tolerance)))
+            *why = {aspect_violation, quality.vertex};
     }
-    if (cages > 0) return Status::ok;
-    SizeRatio ratio;
-    status = worst_size_ratio<D>(store, {domain, context.input.distinct, promises.sizes, Corners::recomputed},
-                                 context.arena, &ratio);
-    why->cell = ratio.vertex;
-    if (status != Status::ok || ratio.worst <= 1 + ratio_tolerance) return status;
-    why->violation = "a clipped Voronoi cell is larger than the size asked for";
-    return Status::check_failed;
+    if (why->violation == nullptr) *why = check_exempt<D>(store, domain, cages == 0 ? nullptr : domains);
+    if (why->violation != nullptr) return Status::check_failed;
+    recomputed_nearest2<D>(store, limit2);
+    const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
+    for (std::uint32_t v = 0; v < vertices; ++v)
+        limit2[v] = store.vertex(v).marker == Marker::exempt || store.vertex(v).cell == none ? infinity
+                                                                                        : most * most * limit2[v];
+    std::uint32_t beyond;
+    Status status = check_reach<D>(store, {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains}, &beyond);
+    if (status == Status::ok && beyond != none) *why = {aspect_violation, beyond};
+    if (status == Status::ok && why->violation == nullptr && cages == 0 && promises.sizes.asks()) {
+        status = find_limits<D>(store, context.input.distinct, promises.sizes, arena, limit2);
+        if (status == Status::ok) status = check_reach<D>(store, {domain, limit2}, &beyond);
+        if (beyond != none) *why = {"a clipped Voronoi cell is larger than the size asked for", beyond};
+    }
+    return status == Status::ok && why->violation != nullptr ? Status::check_failed : status;
 }
 
 // What refinement by the certificate promises, from the bounds of every cell.
@@ -74,7 +131,7 @@ Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Mon
 
 template <int D>
 Status check_promises(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
-    *why = check_markers<D>(store);
+    *why = check_hull<D>(store);
     if (why->violation != nullptr) return Status::check_failed;
     const bool by_certificate = promises.goal.ratio > 0 && cage_count_of(context) == 0;
     return by_certificate ? check_ratio<D>(context, store, promises.goal, monitor, why)

@@ -25,11 +25,11 @@ template <int D> Status measure_quality(Context& context, Store<D>& store, Hiera
 }
 
 // The largest size of a cell over the one asked for. out_of_memory.
-template <int D> Status measure_sizes(Context* context, const Store<D>& store, const SizeRule& sizes) {
+template <int D> Status measure_sizes(Context* context, Store<D>& store, const SizeRule& sizes) {
     KeptMesh& mesh = context->mesh;
     SizeRatio ratio;
     const Status status = worst_size_ratio<D>(
-        store, {domain_of<D>(mesh), context->input.distinct, sizes, Corners::kept}, context->arena, &ratio);
+        store, {domain_of<D>(mesh), context->input.distinct, sizes}, context->arena, &ratio);
     mesh.size_ratio_max = ratio.worst;
     return status;
 }

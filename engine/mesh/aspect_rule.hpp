@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "mesh/clipped_cell.hpp"
 #include "mesh/refinement.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -12,8 +13,10 @@ namespace netmesh {
 // Smaller values make more layers of vertices, larger ones more vertices a layer.
 template <int D> constexpr double pull_back = figures<D>.pull_back;
 
-// What is refined is the corner of a clipped cell: a Voronoi corner inside the ball that the cell is clipped to, or a
-// point where a Voronoi edge crosses its sphere.
+// What is refined is the farthest corner of a clipped cell: a Voronoi corner inside the ball that the cell is clipped
+// to, or a point where a Voronoi edge crosses its sphere. Where none of these is too far another point of the sphere
+// may be, see clipped_cell.hpp: those are looked for when it is a vertex's turn. A new vertex leaves other cells no
+// larger than they were, so only those whose nearest neighbour it becomes and its own can become bad.
 //
 // `Rule` also has
 //
@@ -40,6 +43,9 @@ public:
 protected:
     bool is_bad(double corner2, double nearest2) const { return 4 * corner2 > tau_ * tau_ * nearest2; }
 
+    // The squared distance that a corner must be beyond to be bad.
+    double least_bad2(const Vertex<D>& vertex) const { return 0.25 * tau_ * tau_ * vertex.nearest2; }
+
     // Positions of those vertices of a new cell whose cells its corner can make bad, as bits.
     unsigned positions_of_bad(const Cell<D>& cell) const {
         unsigned bad = 0;
@@ -54,6 +60,38 @@ protected:
         for (int i = 0; i <= D; ++i)
             if (positions >> i & 1u) this->queue_.push(cell.vertex[i]);
     }
+    // v has just filled the cavity. Does its cell, clipped to the ball, end on the sphere, with a corner far enough to be
+    // bad elsewhere?
+    void queue_new(const Cavity& cavity, const Domain<D>& ball, VertexId v) {
+        const Vertex<D>& vertex = this->store_.vertex(v);
+        if (vertex.queued || vertex.marker == Marker::exempt) return;
+        for (std::uint32_t k = 0; k < cavity.facets; ++k) {
+            const Cell<D>& cell = this->store_.cell(this->kernel_.new_cell(k));
+            if (!rule().may_be_bad(cell.radius2, vertex) || (cell.radius2 < infinity && ball.contains(cell.centre)))
+                continue;
+            this->queue_.push(v);
+            return;
+        }
+    }
+    // A point of v's clipped cell that is neither a corner nor on an edge, and farther from v than the root of bound2.
+    // distance2 of *found is negative when there is none. Just before, v's star of `count` cells has been visited.
+    void find_beyond(const Domain<D>& ball, VertexId v, double bound2, std::uint32_t count, Corner<D>* found) const {
+        *found = Corner<D>{};
+        const double* const p = this->store_.point(v);
+        const CellId* const star = this->store_.list_top();
+        const Cut<D> cut(ball, p, bound2);
+        CutCorners<D> corners;
+        for (std::uint32_t k = 0; k < count; ++k)
+            offer_cut_corners<D>(this->store_, cut, v, star[-1 - static_cast<std::ptrdiff_t>(k)], &corners);
+        if (!corners.reach_beyond(bound2)) return;
+        double x[D];
+        if (find_reaching_point<D>(this->store_, cut, v, corners, x))
+            return found->offer(x, distance2<D>(x, p), corners.far.cell);
+        found->distance2 = bound2;
+        offer_poles<D>(this->store_, ball, v, star, count, found);
+        if (!(found->distance2 > bound2)) found->distance2 = -1;
+    }
+
     // The corner is outside of the ball: which of its edges cross the sphere too far from these vertices? A crossing
     // on an edge from an old outer cell need not be looked at: the edge has only become shorter.
     void queue_bad_crossings(const Domain<D>& ball, const Cell<D>& cell, unsigned positions) {

@@ -69,4 +69,15 @@ template <int D> inline bool is_on_boundary(const Store<D>& store, const Cage& c
     return inside && outside;
 }
 
+// Are there vertices inside and outside of the cage among those of facet i of cell c? Then the edge behind it is one
+// of the cage's cell.
+template <int D> inline bool is_mixed(const Store<D>& store, const Cage& cage, std::uint32_t c, int i) {
+    bool inside = false, outside = false;
+    for (int k = 0; k <= D; ++k) {
+        const VertexId v = store.cell(c).vertex[k];
+        if (k != i) (v != none && is_inside<D>(store, cage, store.point(v)) ? inside : outside) = true;
+    }
+    return inside && outside;
+}
+
 }  // namespace netmesh

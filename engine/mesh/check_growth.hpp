@@ -6,7 +6,7 @@
 
 #include "certificate/interval.hpp"
 #include "delaunay/store.hpp"
-#include "mesh/domain.hpp"
+#include "mesh/clipped_cell.hpp"
 #include "numerics/vector.hpp"
 
 namespace netmesh {
@@ -94,8 +94,8 @@ template <int D> const char* growth_violation(const Store<D>& store, const Growt
 }
 
 // When the queue is empty: is the aspect ratio of the cell of each vertex v that is not exempt, clipped to ball_of(v),
-// at most tau? By all corners and all crossings. O(cells).
-template <int D, class BallOf> const char* aspect_violation(const Store<D>& store, double tau, BallOf&& ball_of) {
+// at most tau? By all corners and crossings, then by planes. O(cells).
+template <int D, class BallOf> const char* aspect_violation(Store<D>& store, double tau, BallOf&& ball_of) {
     if (store.state.vertex_count > validated_vertices_max) return nullptr;
     const char* const violation = "a cell is bad and nobody has noticed";
     for (CellId c(0); c < store.state.cell_slots; ++c) {
@@ -119,6 +119,13 @@ template <int D, class BallOf> const char* aspect_violation(const Store<D>& stor
                     if (distance2<D>(z[k], vertex.x) > bad2) return violation;
             }
         }
+    }
+    for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        const Vertex<D>& vertex = store.vertex(v);
+        if (!is_in_mesh(store, v) || vertex.marker == Marker::exempt) continue;
+        const double bad2 = 0.25 * tau * tau * vertex.nearest2;
+        double reach2 = bad2;
+        if (raise_to_poles<D>(store, ball_of(v), v, &reach2) && reach2 > bad2) return violation;
     }
     return nullptr;
 }

@@ -1,6 +1,8 @@
 #include "mesh/hierarchy_quality.hpp"
 
 #include "delaunay/sphere.hpp"
+#include "mesh/cage_corner.hpp"
+#include "mesh/clipped_cell.hpp"
 #include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
 #include "vocabulary/validate.hpp"
@@ -38,6 +40,7 @@ public:
     CheckResult find_shells();
     CheckResult find_encroached();
     void measure_cells();
+    Status measure_poles();
     void worst(HierarchyQuality* quality) const;
     void copy(double* ratios, std::uint32_t* domains) const;
 
@@ -50,10 +53,10 @@ private:
         return facet == none || store_.is_ghost(facet.cell()) ? none : facet.cell();
     }
     bool corner(std::uint32_t c, Cell<D>* scratch) const;
-    double ratio(std::uint32_t v) const {
-        const bool counts = store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt;
-        return counts ? 2 * square_root(out2_[v] / nearest2_[v]) : 0;
+    bool counts(std::uint32_t v) const {
+        return store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt;
     }
+    double ratio(std::uint32_t v) const { return counts(v) ? 2 * square_root(out2_[v] / nearest2_[v]) : 0; }
     void raise_vertices(std::uint32_t c, const Cell<D>& corner);
     void raise_cages(std::uint32_t c, const Cell<D>& corner);
     void clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& corner, Clipped<D>* points) const;
@@ -66,6 +69,7 @@ private:
     std::uint32_t *order_, *domain_, *list_, *mark_;
     std::uint32_t stamp_ = 0;
     double *nearest2_, *out2_, *cage_out2_;
+    bool *leaves_ball_, *cage_leaves_ball_;  // has the cell a corner outside of its ball, or one that is not known?
 };
 
 template <int D> Status Measurement<D>::open() {
@@ -73,17 +77,19 @@ template <int D> Status Measurement<D>::open() {
     const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
     order_ = arena_.template take_low<std::uint32_t>(count_);
     cage_out2_ = arena_.template take_low<double>(count_);
+    cage_leaves_ball_ = arena_.template take_low<bool>(count_);
     domain_ = arena_.template take_low<std::uint32_t>(vertices);
     nearest2_ = arena_.template take_low<double>(vertices);
     out2_ = arena_.template take_low<double>(vertices);
+    leaves_ball_ = arena_.template take_low<bool>(vertices);
     list_ = arena_.template take_low<std::uint32_t>(cells);
     mark_ = arena_.template take_low<std::uint32_t>(cells);
-    if (order_ == nullptr || cage_out2_ == nullptr || domain_ == nullptr || nearest2_ == nullptr || out2_ == nullptr ||
-        list_ == nullptr || mark_ == nullptr)
+    if (order_ == nullptr || cage_out2_ == nullptr || cage_leaves_ball_ == nullptr || domain_ == nullptr || nearest2_ == nullptr || out2_ == nullptr ||
+        leaves_ball_ == nullptr || list_ == nullptr || mark_ == nullptr)
         return Status::out_of_memory;
     NETMESH_ASSERT(arena_.low_mark() - low <= HierarchyScratch::cage_bytes * count_ +
                                                   HierarchyScratch::vertex_bytes * vertices +
-                                                  HierarchyScratch::cell_bytes * cells + 7 * Arena::alignment);
+                                                  HierarchyScratch::cell_bytes * cells + 9 * Arena::alignment);
     for (std::uint32_t c = 0; c < cells; ++c) mark_[c] = 0;
     return Status::ok;
 }
@@ -150,7 +156,10 @@ template <int D> CheckResult Measurement<D>::find_shells() {
         if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
         Cage& cage = cages_[domain_[v]];
         const double least = shell_factor * (1 - 2 * shell_jitter) * cage.radius;
-        if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least) ++cage.next;
+        if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least)
+            ++cage.next;
+        else
+            return {"an exempt vertex within a cage is not of its shell", v};
     }
     CheckResult result = {nullptr, none};
     for (std::uint32_t d = 0; d < count_; ++d) {
@@ -215,7 +224,10 @@ template <int D> void Measurement<D>::raise_vertices(std::uint32_t c, const Cell
             if (domain_[cell.vertex[i]] == d) equal |= 1u << i;
         left &= ~equal;
         Clipped<D> points;
-        clip(domain_ball<D>(store_, cages_, d, outermost_), c, here, &points);
+        const Domain<D> ball = domain_ball<D>(store_, cages_, d, outermost_);
+        for (int i = first; i <= D && !ball.contains(here.centre); ++i)
+            if (equal >> i & 1u) leaves_ball_[cell.vertex[i]] = true;
+        clip(ball, c, here, &points);
         for (int k = 0; k < points.count; ++k)
             for (int i = 0; i <= D; ++i) {
                 if (i == points.facet[k] || (equal >> i & 1u) == 0) continue;
@@ -238,10 +250,12 @@ template <int D> void Measurement<D>::raise_cages(std::uint32_t c, const Cell<D>
                     if (d2 < cages_[d].nearest2) cages_[d].nearest2 = d2;
                 }
             Clipped<D> points;
-            clip(domain_ball<D>(store_, cages_, cages_[d].parent, outermost_), c, here, &points);
+            const Domain<D> ball = domain_ball<D>(store_, cages_, cages_[d].parent, outermost_);
+            if (!ball.contains(here.centre)) cage_leaves_ball_[d] = true;
+            clip(ball, c, here, &points);
             for (int k = 0; k < points.count; ++k) {
                 const int facet = points.facet[k];
-                if (facet >= 0 && !is_on_boundary<D>(store_, cages_[d], cell.neighbour[facet].cell())) continue;
+                if (facet >= 0 && !is_mixed<D>(store_, cages_[d], c, facet)) continue;
                 const double d2 = distance2<D>(points.x[k], centre);
                 if (d2 > cage_out2_[d]) cage_out2_[d] = d2;
             }
@@ -252,10 +266,12 @@ template <int D> void Measurement<D>::measure_cells() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         nearest2_[v] = infinity;
         out2_[v] = 0;
+        leaves_ball_[v] = false;
     }
     for (std::uint32_t d = 0; d < count_; ++d) {
         cages_[d].nearest2 = infinity;
         cage_out2_[d] = 0;
+        cage_leaves_ball_[d] = false;
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
         if (!is_finite(c)) continue;
@@ -269,11 +285,33 @@ template <int D> void Measurement<D>::measure_cells() {
                 if (d2 < nearest2_[cell.vertex[j]]) nearest2_[cell.vertex[j]] = d2;
             }
         }
+        for (int i = 0; i <= D; ++i)
+            for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+                if (k != i) out2_[cell.vertex[k]] = infinity;
         Cell<D> here;
-        if (!corner(c, &here)) continue;
+        if (!corner(c, &here)) {
+            for (const VertexId v : cell.vertex) leaves_ball_[v] = true;
+            continue;
+        }
         raise_vertices(c, here);
         if (!equal) raise_cages(c, here);
     }
+}
+
+// What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
+template <int D> Status Measurement<D>::measure_poles() {
+    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
+        if (!leaves_ball_[v] || !(out2_[v] < infinity) || !counts(v)) continue;
+        const Domain<D> ball = domain_ball<D>(store_, cages_, domain_[v], outermost_);
+        if (!raise_to_poles<D>(store_, ball, v, &out2_[v])) return Status::out_of_memory;
+    }
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        const Domain<D> ball = domain_ball<D>(store_, cages_, cages_[d].parent, outermost_);
+        Corner<D> pole;
+        if (cage_leaves_ball_[d]) find_cage_pole<D>(store_, cages_[d], ball, cage_out2_[d] * (1 + 0x1p-40), &pole);
+        if (pole.distance2 > cage_out2_[d]) cage_out2_[d] = pole.distance2;
+    }
+    return Status::ok;
 }
 
 template <int D> void Measurement<D>::worst(HierarchyQuality* quality) const {
@@ -310,6 +348,7 @@ Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Ar
     quality->encroached = measurement.find_shells();
     if (quality->encroached.violation == nullptr) quality->encroached = measurement.find_encroached();
     measurement.measure_cells();
+    if (measurement.measure_poles() != Status::ok) return Status::out_of_memory;
     measurement.worst(quality);
     if (request.ratios != nullptr) measurement.copy(request.ratios, request.domains);
     return Status::ok;

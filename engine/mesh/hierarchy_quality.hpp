@@ -16,9 +16,9 @@ struct HierarchyQuality {
 
 // Scratch of measure_hierarchy.
 struct HierarchyScratch {
-    static constexpr std::size_t vertex_bytes = 2 * sizeof(double) + sizeof(std::uint32_t);
+    static constexpr std::size_t vertex_bytes = 2 * sizeof(double) + sizeof(std::uint32_t) + sizeof(bool);
     static constexpr std::size_t cell_bytes = 2 * sizeof(std::uint32_t);
-    static constexpr std::size_t cage_bytes = sizeof(double) + sizeof(std::uint32_t);
+    static constexpr std::size_t cage_bytes = sizeof(double) + sizeof(std::uint32_t) + sizeof(bool);
 };
 
 template <int D> struct HierarchyRequest {

@@ -55,6 +55,7 @@ public:
     VertexId yields_to(const Split<D>& split, NearestInput* nearest) const;
     void update_distances(const Cavity& cavity, VertexId v);
     void queue_bad(CellId c);
+    void queue_new(const Cavity& cavity, VertexId v);
     bool may_be_bad(double corner2, const Vertex<D>& vertex) const { return is_bad(corner2, vertex.nearest2); }
     // A cage waits in the place of its first shell vertex.
     Verdict judge(VertexId v, Split<D>* split) {
@@ -88,6 +89,7 @@ private:
 
     void update_cages(VertexId w, const Vertex<D>& fresh, std::uint32_t within);
     void queue_bad_vertices(CellId c);
+    void queue_all_far(CellId c);
     void queue_bad_cages(CellId c);
     void queue_cage(std::uint32_t d) {
         const Cage& cage = hierarchy_.cage(d);
@@ -293,6 +295,11 @@ template <int D> void HierarchyRule<D>::queue_bad(CellId c) {
     if (hierarchy_.live() > 0) queue_bad_cages(c);
 }
 
+// A shell vertex waits only with its cage.
+template <int D> void HierarchyRule<D>::queue_new(const Cavity& cavity, VertexId v) {
+    if (store_.vertex(v).marker != Marker::exempt) Base::queue_new(cavity, ball_of(hierarchy_.of(v)), v);
+}
+
 // Domain by domain.
 template <int D> void HierarchyRule<D>::queue_bad_vertices(CellId c) {
     const Cell<D>& cell = store_.cell(c);
@@ -315,6 +322,12 @@ template <int D> void HierarchyRule<D>::queue_bad_vertices(CellId c) {
         else
             this->queue_bad_crossings(ball, cell, equal);
     }
+}
+
+// Queues all vertices whose cells this corner, or a point of the sphere on a face that it belongs to, could make bad.
+template <int D> void HierarchyRule<D>::queue_all_far(CellId c) {
+    const Cell<D>& cell = store_.cell(c);
+    if (!store_.is_ghost(c)) this->queue_positions(cell, this->positions_of_bad(cell));
 }
 
 // Queues the cages whose boundary cell c is on, where it makes them bad. Corners outside of the ball of the
@@ -348,19 +361,29 @@ template <int D> void HierarchyRule<D>::requeue(VertexId v) {
 // By the farthest corner of v's cell clipped to the ball of its domain.
 template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* split) {
     const double* const p = store_.point(v);
-    const double nearest2 = store_.vertex(v).nearest2, least2 = 0.25 * tau_ * tau_ * nearest2;
+    const double nearest2 = store_.vertex(v).nearest2, least2 = this->least_bad2(store_.vertex(v));
     const Domain<D> ball = ball_of(hierarchy_.of(v));
     Corner<D> corner;
+    std::uint32_t cells = 0;
+    bool leaves_ball = false;
     const bool fits = kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
-        if (!(cell.radius2 < infinity)) return;
-        if (ball.contains(cell.centre))
+        ++cells;
+        if (!(cell.radius2 < infinity)) {
+            leaves_ball = true;
+        } else if (ball.contains(cell.centre)) {
             corner.offer(cell.centre, distance2<D>(cell.centre, p), c);
-        else
+        } else {
             offer_crossings<D>(store_, ball, v, c, least2, &corner);
+            leaves_ball |= cell.radius2 > least2;
+        }
     });
     if (!fits) return Verdict::out_of_memory;
-    if (!is_bad(corner.distance2, nearest2)) return Verdict::good;
+    if (!is_bad(corner.distance2, nearest2)) {
+        corner.distance2 = -1;
+        if (leaves_ball) this->find_beyond(ball, v, least2, cells, &corner);
+        if (corner.distance2 < 0) return Verdict::good;
+    }
     this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), pull_back<D>), split);
     return Verdict::bad;
 }
@@ -368,10 +391,17 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
 // By the farthest corner of the cage's cell, clipped to the ball of the domain around it.
 template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>* split) {
     const Cage& cage = hierarchy_.cage(d);
+    const Domain<D> ball = ball_of(hierarchy_.parent(d));
     Corner<D> corner;
-    if (!find_cage_corner<D>(store_, cage, ball_of(hierarchy_.parent(d)), &corner)) return Verdict::out_of_memory;
-    const double inner = in_radius<D>(cage), whole = square_root(corner.distance2 > 0 ? corner.distance2 : 0);
-    if (!(whole > tau_ * inner)) return Verdict::good;
+    bool leaves_ball;
+    if (!find_cage_corner<D>(store_, cage, ball, &corner, &leaves_ball)) return Verdict::out_of_memory;
+    const double inner = in_radius<D>(cage), most = tau_ * inner;
+    if (!(corner.distance2 > most * most)) {
+        corner.distance2 = -1;
+        if (leaves_ball) find_cage_pole<D>(store_, cage, ball, most * most, &corner);
+        if (corner.distance2 < 0) return Verdict::good;
+    }
+    const double whole = square_root(corner.distance2);
     const double wanted = pull_back<D> * tau_ * inner;
     this->split_towards(VertexId(cage.centre), corner, wanted, split);
     const double empty = (wanted < whole ? wanted : whole) - cage.radius;
@@ -385,7 +415,7 @@ template <int D> Status HierarchyRule<D>::sweep() {
     do {
         before = store_.state.vertex_count;
         for (CellId c(0); c < store_.state.cell_slots; ++c)
-            if (store_.is_live(c)) queue_bad_vertices(c);
+            if (store_.is_live(c)) queue_all_far(c);
         for (std::uint32_t d = 0; d < hierarchy_.made(); ++d)
             if (hierarchy_.is_live(d)) queue_cage(d);
         const Status status = this->clean();

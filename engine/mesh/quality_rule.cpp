@@ -33,6 +33,7 @@ public:
     Status take_turn(VertexId p);
     Status finish_mesh() { return reference_ ? this->clean() : Status::ok; }
     void queue_bad(CellId c);
+    void queue_new(const Cavity& cavity, VertexId v) { Base::queue_new(cavity, domain_, v); }
     Verdict judge(VertexId v, Split<D>* split);
     bool must_yield(const Split<D>& split, const NearestInput& nearest) const;
     bool may_be_bad(double corner2, const Vertex<D>& vertex) const {
@@ -41,6 +42,8 @@ public:
 
 private:
     struct CellView {
+        std::uint32_t cells;
+        bool leaves_domain;  // some corner is outside, far enough to matter, or not known
         Corner<D> clipped;  // farthest corner of the clipped cell
         Corner<D> whole;    // farthest corner of the whole cell
         double reach2;      // squared distance from the nearest input to the farthest corner from it
@@ -49,8 +52,8 @@ private:
     Status insert_boundary_net();
     bool may_spoil_certificate(VertexId v, const double* x) const;
     bool view_cell(VertexId v, CellView* view);
-    bool find_pole(VertexId v, Corner<D>* corner);
     bool spoils_certificate(VertexId v, const CellView& view) const;
+    void find_beyond(VertexId v, std::uint32_t cells, Corner<D>* beyond);
 
     const bool reference_, certify_;
     const double pull_;
@@ -112,32 +115,30 @@ template <int D> bool QualityRule<D>::may_spoil_certificate(VertexId v, const do
 template <int D> bool QualityRule<D>::view_cell(VertexId v, CellView* view) {
     *view = CellView{};
     // A corner that cannot be bad does not matter.
-    double least2 = 0.25 * tau_ * tau_ * store_.vertex(v).nearest2;
+    double least2 = this->least_bad2(store_.vertex(v));
     const double sized2 = sizes_.bound2(store_.vertex(v));
     if (sized2 < least2) least2 = sized2;
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
-        if (!(cell.radius2 < infinity)) return;  // a ghost, or so flat that its corner is not known
+        ++view->cells;
+        if (!(cell.radius2 < infinity)) {  // so flat that its corner is not known
+            view->leaves_domain = true;
+            return;
+        }
         const double d2 = distance2<D>(cell.centre, p);
         if (domain_.contains(cell.centre))
             view->clipped.offer(cell.centre, d2, c);
-        else
+        else {
             offer_crossings<D>(store_, domain_, v, c, least2, &view->clipped);
+            view->leaves_domain |= cell.radius2 > least2;
+        }
         if (!certify_) return;
         view->whole.offer(cell.centre, d2, c);
         const double reach2 = distance2<D>(cell.centre, input);
         if (reach2 > view->reach2) view->reach2 = reach2;
     });
-}
-
-// The farthest point of a clipped cell without corners; no Voronoi edge meets the domain there.
-template <int D> bool QualityRule<D>::find_pole(VertexId v, Corner<D>* corner) {
-    std::uint32_t count = 0;
-    if (!kernel_.visit_star(v, [&](CellId) { ++count; })) return false;
-    corner->distance2 = farthest_pole<D>(store_, domain_, v, store_.list_top(), count, corner->x, &corner->cell);
-    return true;
 }
 
 // Do lo and hi on the whole cell say that the filter does not have the ratio that tau promises?
@@ -152,16 +153,28 @@ template <int D> bool QualityRule<D>::spoils_certificate(VertexId v, const CellV
     return hi > (2 + tau_) * lo || hi > tau_ * d;
 }
 
+// A point of the sphere that is too far from v although no corner is.
+template <int D> void QualityRule<D>::find_beyond(VertexId v, std::uint32_t cells, Corner<D>* beyond) {
+    const double least2 = this->least_bad2(store_.vertex(v)), sized2 = sizes_.bound2(store_.vertex(v));
+    Base::find_beyond(domain_, v, sized2 < least2 ? sized2 : least2, cells, beyond);
+    if (beyond->distance2 < 0 || !(sized2 < least2)) return;
+    const double limit2 = sizes_.limit2(v);
+    Base::find_beyond(domain_, v, limit2 < least2 ? limit2 : least2, cells, beyond);
+}
+
 template <int D> Verdict QualityRule<D>::judge(VertexId v, Split<D>* split) {
     CellView view;
     if (!view_cell(v, &view)) return Verdict::out_of_memory;
-    if (sizes_.have_started() && view.clipped.distance2 < 0 && !find_pole(v, &view.clipped))
-        return Verdict::out_of_memory;
     const double nearest2 = store_.vertex(v).nearest2, clipped2 = view.clipped.distance2;
     const Corner<D>* corner = &view.clipped;
+    Corner<D> beyond;
     if (!is_bad(clipped2, nearest2) && !sizes_.are_exceeded(v, clipped2)) {
-        if (!certify_ || !spoils_certificate(v, view)) return Verdict::good;
-        corner = &view.whole;
+        if (view.leaves_domain) find_beyond(v, view.cells, &beyond);
+        corner = &beyond;
+        if (beyond.distance2 < 0) {
+            if (!certify_ || !spoils_certificate(v, view)) return Verdict::good;
+            corner = &view.whole;
+        }
     }
     this->split_towards(v, *corner, this->wanted_distance(square_root(nearest2), pull_), split);
     return Verdict::bad;

@@ -71,6 +71,8 @@ public:
     }
     // Distances kept with vertices and the like, when v has just filled the cavity.
     void update_distances(const Cavity& cavity, VertexId v) { update_nearest(cavity, v); }
+    // Queues v, which has just filled the cavity, where queue_bad cannot tell from single cells that its own is bad.
+    void queue_new(const Cavity&, VertexId) {}
     // The input that a Steiner point yields to, none when it need not; then *nearest is its nearest input.
     VertexId yields_to(const Split<D>& split, NearestInput* nearest) const {
         nearest->input = VertexId(tree_.nearest(split.x, split.input, none, &nearest->distance2));
@@ -195,6 +197,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
     if (store_.vertex(v).marker == Marker::input) ++inserted_;
     rule().update_distances(cavity, v);
     for (std::uint32_t k = 0; k < cavity.facets; ++k) rule().queue_bad(kernel_.new_cell(k));
+    rule().queue_new(cavity, v);
     NETMESH_VALIDATE_WHOLE(insertion_violation());
     // The mesh is whole, only the lists are not: the job stops as if it had been asked to.
     if (observers_.locates() && !observers_.after_fill(kernel_, cavity, v)) return Status::cancelled;

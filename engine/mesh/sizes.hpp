@@ -35,11 +35,15 @@ public:
     // No corner within this squared distance is too far for v, whose size has been noted; the others may be.
     double bound2(const Vertex<D>& v) const { return started_ ? value_of_size_hint(v.size_hint) : infinity; }
 
+    // What bound2 is a lower bound of. Evaluates the rule, once sizes are asked for.
+    double limit2(VertexId v) const {
+        if (!started_) return infinity;
+        const double size = wanted_size<D>(store_, tree_, rule_, v) * (1 - margin_);
+        return size * size;
+    }
     // Is a corner at this squared distance too far for v?
     bool are_exceeded(VertexId v, double corner2) const {
-        if (!(corner2 > bound2(store_.vertex(v)))) return false;
-        const double size = wanted_size<D>(store_, tree_, rule_, v) * (1 - margin_);
-        return corner2 > size * size;
+        return corner2 > bound2(store_.vertex(v)) && corner2 > limit2(v);
     }
 
 private:

@@ -4,7 +4,6 @@
 
 #include "mesh/domain.hpp"
 #include "mesh/input_tree.hpp"
-#include "mesh/quality.hpp"
 
 namespace netmesh {
 
@@ -45,7 +44,6 @@ template <int D> struct SizeRatioRequest {
     Domain<D> domain;
     std::uint32_t inputs;  // vertices 0..inputs-1
     SizeRule rule;
-    Corners corners;  // recomputed: from vertices, neighbour words and coordinates alone
 };
 struct SizeRatio {
     double worst;
@@ -55,15 +53,6 @@ struct SizeRatio {
 // Largest R_v / f(v) over inserted vertices that are not exempt. 0 when the rule asks for nothing; +infinity when f is
 // not positive. O(cells + v log n); scratch: 8 bytes a vertex, 5 an input. out_of_memory.
 template <int D>
-Status worst_size_ratio(const Store<D>& store, const SizeRatioRequest<D>& request, Arena& arena, SizeRatio* ratio);
-
-// Where a cell whose clipped part has no corner reaches farthest. Such a cell meets the domain's sphere in whole
-// spheres of its faces, and the farthest of their poles, as seen from v, is its farthest point: for each face (v and up
-// to D-1 others of a cell of its star) the point of the sphere on the face's flat that is opposite to v's foot, if it
-// is in Vor(v). star[-1 - k], k < count: the cells at v, all finite. Returns the squared distance from v, negative
-// when there is no pole, the pole in *x and a cell that it is near in *cell. O(2^D D^2 + D count) a cell of the star.
-template <int D>
-double farthest_pole(const Store<D>& store, const Domain<D>& domain, std::uint32_t v, const CellId* star,
-                     std::uint32_t count, double* x, CellId* cell);
+Status worst_size_ratio(Store<D>& store, const SizeRatioRequest<D>& request, Arena& arena, SizeRatio* ratio);
 
 }  // namespace netmesh

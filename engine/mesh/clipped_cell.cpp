@@ -1,0 +1,198 @@
+#include "mesh/clipped_cell.hpp"
+
+#include "delaunay/cell_list.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+// Normals and feet that are shorter than this times what they are made from have lost their direction.
+constexpr double lost2 = 0x1p-60;
+
+// Is x as near to v as to all other vertices of its star?
+template <int D>
+bool is_in_cell(const Store<D>& store, VertexId v, const double* x, const CellId* star, std::uint32_t count) {
+    const double* const p = store.point(v);
+    double y[D];
+    for (int k = 0; k < D; ++k) y[k] = x[k] - p[k];
+    const double slack = 0x1p-30 * dot<D>(y, y);
+    for (std::uint32_t s = 0; s < count; ++s)
+        for (const VertexId w : store.cell(star[-1 - static_cast<std::ptrdiff_t>(s)]).vertex) {
+            if (w == v || w == none) continue;
+            double nearer = 0;  // |y|^2 - |y - e|^2
+            for (int k = 0; k < D; ++k) {
+                const double e = store.point(w)[k] - p[k];
+                nearer += e * (2 * y[k] - e);
+            }
+            if (nearer > slack) return false;
+        }
+    return true;
+}
+
+template <int D> void raise(const Store<D>& store, const double* corner, VertexId v, double* out2) {
+    const double d2 = distance2<D>(corner, store.point(v));
+    if (d2 > out2[v]) out2[v] = d2;
+}
+
+// By corners inside the ball and crossings of edges. Vertices whose cells have a corner outside, or one that is not
+// known, are marked as queued.
+template <int D> void measure_corners(const Store<D>& store, const Domain<D>& ball, double* out2) {
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
+        const Cell<D>& cell = store.cell(c);
+        for (int i = 0; i <= D; ++i)
+            for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+                if (k != i) out2[cell.vertex[k]] = infinity;
+        const bool known = cell.radius2 < infinity;
+        if (known && ball.contains(cell.centre)) {
+            for (const VertexId v : cell.vertex) raise<D>(store, cell.centre, v, out2);
+            continue;
+        }
+        for (const VertexId v : cell.vertex) store.vertex(v).queued = 1;
+        for (int i = 0; i <= D && known; ++i) {
+            if (cell.neighbour[i] == none) continue;
+            const CellId n = cell.neighbour[i].cell();
+            const Cell<D>& other = store.cell(n);
+            if (!(other.radius2 < infinity) || (n < c && !ball.contains(other.centre))) continue;
+            double z[2][D];
+            const int crossings = sphere_crossings<D>(ball, cell.centre, other.centre, z);
+            for (int j = 0; j < crossings; ++j)
+                for (int k = 0; k <= D; ++k)
+                    if (k != i) raise<D>(store, z[j], cell.vertex[k], out2);
+        }
+    }
+}
+
+// Positions of the neighbours of c at v, across facets, that have a smaller index.
+template <int D> unsigned neighbours_before(const Store<D>& store, VertexId v, CellId c) {
+    const Cell<D>& cell = store.cell(c);
+    unsigned before = 0;
+    for (int i = 0; i <= D; ++i) {
+        if (cell.vertex[i] == v) continue;
+        const CellId n = cell.neighbour[i].cell();
+        if (n < c && !store.is_ghost(n)) before |= 1u << i;
+    }
+    return before;
+}
+
+}  // namespace
+
+template <int D> bool Flat<D>::cut(const double* u, const double* w, const double* x) {
+    double* const n = normal[codimension];
+    double length2 = 0, rest2 = 0, level = 0;
+    for (int k = 0; k < D; ++k) {
+        n[k] = x[k] - w[k];
+        length2 += n[k] * n[k];
+        level += n[k] * (w[k] - u[k]);
+    }
+    level += 0.5 * length2;
+    for (int i = 0; i < codimension; ++i) {
+        const double along = dot<D>(n, normal[i]);
+        for (int k = 0; k < D; ++k) n[k] -= along * normal[i][k];
+        level -= along * offset[i];
+    }
+    for (int k = 0; k < D; ++k) rest2 += n[k] * n[k];
+    const double rest = square_root(rest2);
+    if (!(rest2 > lost2 * length2)) return false;
+    for (int k = 0; k < D; ++k) n[k] /= rest;
+    offset[codimension++] = level / rest;
+    return true;
+}
+
+template <int D> void Flat<D>::foot(const double* p, double* at) const {
+    copy<D>(p, at);
+    for (int i = 0; i < codimension; ++i) {
+        double along = -offset[i];
+        for (int k = 0; k < D; ++k) along += p[k] * normal[i][k];
+        for (int k = 0; k < D; ++k) at[k] -= along * normal[i][k];
+    }
+}
+
+template <int D> void Flat<D>::direction(double* along) const {
+    double best = 0;
+    for (int axis = 0; axis < D; ++axis) {
+        double p[D] = {};
+        p[axis] = 1;
+        for (int i = 0; i < codimension; ++i)
+            for (int k = 0; k < D; ++k) p[k] -= normal[i][axis] * normal[i][k];
+        const double length2 = dot<D>(p, p);
+        if (!(length2 > best)) continue;
+        best = length2;
+        for (int k = 0; k < D; ++k) along[k] = p[k] / square_root(length2);
+    }
+}
+
+template <int D> bool Flat<D>::poles(const Domain<D>& ball, const double* u, double (&x)[2][D]) const {
+    const double zero[D] = {};
+    double centre[D], middle[D], nearest[D], away[D];
+    for (int k = 0; k < D; ++k) centre[k] = ball.centre[k] - u[k];
+    foot(centre, middle);
+    foot(zero, nearest);
+    for (int k = 0; k < D; ++k) away[k] = middle[k] - nearest[k];
+    const double radius2 = ball.radius * ball.radius - distance2<D>(middle, centre), away2 = dot<D>(away, away);
+    if (!(radius2 > 0)) return false;
+    if (away2 > lost2 * ball.radius * ball.radius)
+        for (int k = 0; k < D; ++k) away[k] /= square_root(away2);
+    else
+        direction(away);
+    const double radius = square_root(radius2);
+    for (int k = 0; k < D; ++k) {
+        x[0][k] = middle[k] + radius * away[k];
+        x[1][k] = middle[k] - radius * away[k];
+    }
+    return true;
+}
+
+template <int D>
+void offer_poles(const Store<D>& store, const Domain<D>& ball, VertexId v, const CellId* star, std::uint32_t count,
+                 Corner<D>* farthest) {
+    const auto contains = [&](const double* x) { return is_in_cell<D>(store, v, x, star, count); };
+    for (std::uint32_t s = 0; s < count; ++s) {
+        const CellId c = star[-1 - static_cast<std::ptrdiff_t>(s)];
+        if (store.is_ghost(c)) continue;
+        offer_poles<D>(store, ball, store.point(v), v, c, neighbours_before<D>(store, v, c), contains, farthest);
+    }
+}
+
+template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, VertexId v, double* out2) {
+    const Cut<D> cut(ball, store.point(v), *out2 * (1 + 0x1p-40));
+    CutCorners<D> corners;
+    std::uint32_t count = 0;
+    const bool fits = visit_star(store, v, [&](CellId c) {
+        offer_cut_corners<D>(store, cut, v, c, &corners);
+        ++count;
+    });
+    if (!fits) return false;
+    if (!corners.reach_beyond(cut.distance2())) return true;
+    Corner<D> farthest;
+    farthest.distance2 = *out2;
+    offer_poles<D>(store, ball, v, store.list_top(), count, &farthest);
+    *out2 = farthest.distance2;
+    return true;
+}
+
+template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) out2[v] = 0;
+    measure_corners<D>(store, ball, out2);
+    Status status = Status::ok;
+    for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        Vertex<D>& vertex = store.vertex(v);
+        const bool near_sphere = vertex.queued != 0;
+        vertex.queued = 0;
+        if (vertex.cell == none || vertex.marker == Marker::exempt)
+            out2[v] = 0;
+        else if (near_sphere && out2[v] < infinity && status == Status::ok && !raise_to_poles<D>(store, ball, v, &out2[v]))
+            status = Status::out_of_memory;
+    }
+    return status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template struct Flat<D>;                                                                                           \
+    template void offer_poles<D>(const Store<D>&, const Domain<D>&, VertexId, const CellId*, std::uint32_t,            \
+                                 Corner<D>*);                                                                          \
+    template bool raise_to_poles<D>(Store<D>&, const Domain<D>&, VertexId, double*);                                   \
+    template Status measure_clipped_cells<D>(Store<D>&, const Domain<D>&, double*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,176 @@
+// How far a Voronoi cell, clipped to a ball, reaches from a point (the out-radius of definitions 2.4 and 4.5).
+//
+// The farthest point x is a corner of the cell inside the ball or it is on the ball's sphere. There it lies in the
+// relative interior of some face of the cell. The sphere meets the flat of that face, of dimension j, in a sphere of
+// dimension j - 1, on which the distance is largest at one point alone, its pole: opposite to the foot of the point
+// that distances are measured from. So x is a corner, or the pole of a face of any dimension from 1 on: for an edge
+// either of its two crossings, for the cell itself the point of the sphere that is opposite.
+//
+// In most cells x is a corner or a crossing of an edge. A plane tells the others: whatever of the ball is at s or more
+// from u lies on one side of the plane that contains the intersection of the ball's sphere with that of radius s about
+// u, because |x - c|^2 <= r^2 and |x - u| >= s give 2 (x - u) (u - c) <= r^2 - s^2 - |u - c|^2. A cell cut by this
+// half-space is a polytope; when none of its corners is farther than s from u, no point of the clipped cell is. The
+// other way round, when it has points on both sides of the sphere about u, the segment between them meets that sphere
+// in a point of the clipped cell.
+#pragma once
+#include <cstdint>
+
+#include "mesh/corner.hpp"
+
+namespace netmesh {
+
+// That half-space.
+template <int D> class Cut {
+public:
+    Cut(const Domain<D>& ball, const double* u, double s2) : u_(u), s2_(s2) {
+        double away2 = 0;
+        for (int k = 0; k < D; ++k) {
+            const double a = u[k] - ball.centre[k];
+            normal_[k] = 2 * a;
+            away2 += a * a;
+        }
+        level_ = ball.radius * ball.radius - away2 - s2;
+    }
+    // At most 0 in the half-space.
+    double height(const double* x) const {
+        double sum = -level_;
+        for (int k = 0; k < D; ++k) sum += normal_[k] * (x[k] - u_[k]);
+        return sum;
+    }
+    const double* origin() const { return u_; }
+    double distance2() const { return s2_; }
+
+private:
+    const double* u_;
+    double s2_, level_, normal_[D];
+};
+
+// Corners of a cell cut by the half-space: the farthest one from its origin, and the nearest.
+template <int D> struct CutCorners {
+    Corner<D> far;
+    double near[D], near2 = infinity;
+    bool unknown = false;  // a corner of the whole cell is not known: it is too flat for doubles
+
+    void offer(const double* x, double d2, CellId c) {
+        far.offer(x, d2, c);
+        if (!(d2 < near2)) return;
+        near2 = d2;
+        copy<D>(x, near);
+    }
+    bool reach_beyond(double s2) const { return unknown || far.distance2 > s2; }
+};
+
+// Offers those corners of Vor(w) after the cut that corner c of it gives rise to: itself, and where its edges are cut
+// but for those that lead to a corner with a smaller index.
+template <int D>
+void offer_cut_corners(const Store<D>& store, const Cut<D>& cut, VertexId w, CellId c, CutCorners<D>* corners) {
+    const Cell<D>& cell = store.cell(c);
+    if (!(cell.radius2 < infinity)) {
+        corners->unknown |= !store.is_ghost(c);
+        return;
+    }
+    const double here = cut.height(cell.centre);
+    if (!(here > 0)) corners->offer(cell.centre, distance2<D>(cell.centre, cut.origin()), c);
+    for (int i = 0; i <= D; ++i) {
+        if (cell.vertex[i] == w || cell.neighbour[i] == none) continue;
+        const CellId n = cell.neighbour[i].cell();
+        const Cell<D>& other = store.cell(n);
+        if (n < c || !(other.radius2 < infinity)) continue;
+        const double there = cut.height(other.centre);
+        if (here > 0 ? there > 0 : !(there > 0)) continue;
+        // From the nearer end, as the other one may be farther away than its digits reach.
+        const bool swap = other.radius2 < cell.radius2;
+        const double* const a = swap ? other.centre : cell.centre;
+        const double* const b = swap ? cell.centre : other.centre;
+        const double t = swap ? there / (there - here) : here / (here - there);
+        double x[D];
+        for (int k = 0; k < D; ++k) x[k] = a[k] + t * (b[k] - a[k]);
+        corners->offer(x, distance2<D>(x, cut.origin()), c);
+    }
+}
+
+// A point of Vor(w) within the ball at distance s from u, the cut's origin, on the way to the farthest corner after the
+// cut from w or from the nearest one, whichever is within s of u. False when none is, or no corner is beyond s.
+template <int D>
+bool find_reaching_point(const Store<D>& store, const Cut<D>& cut, VertexId w, const CutCorners<D>& corners,
+                         double* x) {
+    const double *const u = cut.origin(), s2 = cut.distance2();
+    const double* from = store.point(w);
+    if (cut.height(from) > 0 || distance2<D>(from, u) > s2) from = corners.near;
+    if (!(corners.far.distance2 > s2) || (from == corners.near && !(corners.near2 <= s2))) return false;
+    double along = 0, length2 = 0, from2 = 0;
+    for (int k = 0; k < D; ++k) {
+        const double e = corners.far.x[k] - from[k], f = from[k] - u[k];
+        along += e * f;
+        length2 += e * e;
+        from2 += f * f;
+    }
+    // from + t e is at distance s: the larger root, without cancellation.
+    const double rest = s2 > from2 ? s2 - from2 : 0, root = square_root(along * along + length2 * rest);
+    const double t = along > 0 ? rest / (along + root) : (root - along) / length2;
+    for (int k = 0; k < D; ++k) x[k] = from[k] + t * (corners.far.x[k] - from[k]);
+    return true;
+}
+
+// The flat of points equidistant from w and some others, by orthonormal normals; relative to u.
+template <int D> struct Flat {
+    double normal[D][D];
+    double offset[D];
+    int codimension = 0;
+
+    // False when the bisector of w and x is parallel to what there is.
+    bool cut(const double* u, const double* w, const double* x);
+    // The point of the flat nearest to p.
+    void foot(const double* p, double* at) const;
+    // A unit vector along the flat, the longest that an axis leaves.
+    void direction(double* along) const;
+    // The pole of the ball's sphere cut with the flat, as seen from u, and the point opposite to it; relative to u.
+    // False when they do not meet.
+    bool poles(const Domain<D>& ball, const double* u, double (&x)[2][D]) const;
+};
+
+// Offers the poles, as seen from u, of the faces of Vor(w) that its corner c belongs to, where contains(x) is true of
+// them and they are farther than what has been offered; `left`: but for faces that a neighbour of c across a facet at
+// any of these positions belongs to as well.
+template <int D, class Contains>
+void offer_poles(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId w, CellId c, unsigned left,
+                 Contains&& contains, Corner<D>* farthest) {
+    const Cell<D>& cell = store.cell(c);
+    unsigned own = 0;
+    for (int i = 0; i <= D; ++i)
+        if (cell.vertex[i] == w) own = 1u << i;
+    for (unsigned set = 0; set < (2u << D) - 1; ++set) {
+        if ((set & own) != 0 || (left & ~set) != 0) continue;
+        Flat<D> flat;
+        bool proper = true;
+        for (int i = 0; i <= D && proper; ++i)
+            if (set >> i & 1u)
+                proper = flat.codimension < D - 1 && flat.cut(u, store.point(w), store.point(cell.vertex[i]));
+        double at[2][D];
+        if (!proper || !flat.poles(ball, u, at)) continue;
+        for (int side = 0; side < (flat.codimension == D - 1 ? 2 : 1); ++side) {
+            const double d2 = dot<D>(at[side], at[side]);
+            if (!(d2 > farthest->distance2)) continue;
+            for (int k = 0; k < D; ++k) at[side][k] += u[k];
+            if (contains(at[side])) farthest->offer(at[side], d2, c);
+        }
+    }
+}
+
+// The same for all faces of the cell of v, as seen from v. star[-1 - k], k < count: the cells at v, of which those that
+// are finite count. O(2^D (D^2 + D count)) a cell, of which most is seldom needed.
+template <int D>
+void offer_poles(const Store<D>& store, const Domain<D>& ball, VertexId v, const CellId* star, std::uint32_t count,
+                 Corner<D>* farthest);
+
+// Raises *out2, the squared distance from v to the farthest corner of its clipped cell or crossing of an edge, to that
+// of its farthest pole. False when the gap is too small for v's star.
+template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, VertexId v, double* out2);
+
+// out2[v] := squared distance to which v's clipped cell reaches; 0 for vertices that are exempt or not in the mesh,
+// +infinity where the whole cell is not bounded. Corners that are not known are left out: neighbours have the same
+// ones. Needs a compact store, and room for the star of a vertex in its gap. O(cells) and what poles take.
+// out_of_memory.
+template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2);
+
+}  // namespace netmesh
