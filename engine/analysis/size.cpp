@@ -1,8 +1,8 @@
 #include "analysis/size.hpp"
 
 #include "analysis/pacing.hpp"
-#include "mesh/split.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/split.hpp"
 #include "numerics/elementary.hpp"
 #include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"

@@ -27,9 +27,9 @@ template <int D> CheckResult check_hull(const Store<D>& store) {
     return {nullptr, none};
 }
 
-// Besides those of the hull, and of the shells of cages, only vertices of the boundary net are exempt (thesis 3.5): they are
-// on the domain's sphere, and as far apart as delta, the diameter of the enclosing ball, so that there are few. Marks
-// those of the hull as queued meanwhile. O(cells), and the square of the net.
+// Besides those of the hull, and of the shells of cages, only vertices of the boundary net are exempt (thesis 3.5):
+// they are on the domain's sphere, and as far apart as delta, the diameter of the enclosing ball, so that there are
+// few. Marks those of the hull as queued meanwhile. O(cells), and the square of the net.
 template <int D>
 CheckResult check_exempt(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains) {
     const std::uint32_t vertices = store.state.vertex_count;
@@ -46,7 +46,8 @@ CheckResult check_exempt(const Store<D>& store, const Domain<D>& domain, const s
     };
     for (std::uint32_t v = 0; v < vertices && result.violation == nullptr; ++v) {
         if (!is_of_net(v)) continue;
-        bool net = absolute(square_root(domain.distance2(store.point(v))) - domain.radius) <= net_tolerance * domain.radius;
+        bool net =
+            absolute(square_root(domain.distance2(store.point(v))) - domain.radius) <= net_tolerance * domain.radius;
         for (std::uint32_t w = 0; w < v && net; ++w)
             net = !is_of_net(w) || distance2<D>(store.point(v), store.point(w)) >= delta * delta;
         if (!net) result = {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
@@ -94,7 +95,7 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
     for (std::uint32_t v = 0; v < vertices; ++v)
         limit2[v] = store.vertex(v).marker == Marker::exempt || store.vertex(v).cell == none ? infinity
-                                                                                        : most * most * limit2[v];
+                                                                                             : most * most * limit2[v];
     std::uint32_t beyond;
     Status status = check_reach<D>(store, {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains}, &beyond);
     if (status == Status::ok && beyond != none) *why = {aspect_violation, beyond};

@@ -28,8 +28,8 @@ template <int D> Status measure_quality(Context& context, Store<D>& store, Hiera
 template <int D> Status measure_sizes(Context* context, Store<D>& store, const SizeRule& sizes) {
     KeptMesh& mesh = context->mesh;
     SizeRatio ratio;
-    const Status status = worst_size_ratio<D>(
-        store, {domain_of<D>(mesh), context->input.distinct, sizes}, context->arena, &ratio);
+    const Status status =
+        worst_size_ratio<D>(store, {domain_of<D>(mesh), context->input.distinct, sizes}, context->arena, &ratio);
     mesh.size_ratio_max = ratio.worst;
     return status;
 }

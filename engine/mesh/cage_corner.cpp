@@ -90,7 +90,7 @@ void find_cage_pole(const Store<D>& store, const Cage& cage, const Domain<D>& ba
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*, bool*);                           \
+    template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*, bool*);                    \
     template void find_cage_pole<D>(const Store<D>&, const Cage&, const Domain<D>&, double, Corner<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -116,8 +116,7 @@ template <int D> typename Reach<D>::HalfSpace Reach<D>::half_space_of(VertexId v
 }
 
 // Does the edge from the corner y, outside of the half-space, to that of cell n enter it beyond the limit?
-template <int D>
-bool Reach<D>::crosses_beyond(VertexId v, const HalfSpace& half, const double* y, CellId n) const {
+template <int D> bool Reach<D>::crosses_beyond(VertexId v, const HalfSpace& half, const double* y, CellId n) const {
     const Centre<D> centre = centre_of<D>(store_, n);
     if (!centre.known) return false;
     double z[D], x[D], x2 = 0;
@@ -255,8 +254,7 @@ template <int D> Status check_reach(Store<D>& store, const ReachRequest<D>& requ
     return Reach<D>(store, request).find_beyond(beyond);
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status check_reach<D>(Store<D>&, const ReachRequest<D>&, std::uint32_t*);
+#define NETMESH_INSTANTIATE(D) template Status check_reach<D>(Store<D>&, const ReachRequest<D>&, std::uint32_t*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

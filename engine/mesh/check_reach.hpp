@@ -10,8 +10,8 @@ namespace netmesh {
 
 template <int D> struct ReachRequest {
     Domain<D> outermost;
-    const double* limit2;                   // [vertices]: squared, +infinity for vertices that may reach anywhere
-    const Cage* cages = nullptr;            // with domains or neither
+    const double* limit2;                    // [vertices]: squared, +infinity for vertices that may reach anywhere
+    const Cage* cages = nullptr;             // with domains or neither
     const std::uint32_t* domains = nullptr;  // [vertices]: the cage to whose ball v's cell is clipped; none: outermost
 };
 

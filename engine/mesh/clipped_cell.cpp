@@ -180,7 +180,8 @@ template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& 
         vertex.queued = 0;
         if (vertex.cell == none || vertex.marker == Marker::exempt)
             out2[v] = 0;
-        else if (near_sphere && out2[v] < infinity && status == Status::ok && !raise_to_poles<D>(store, ball, v, &out2[v]))
+        else if (near_sphere && out2[v] < infinity && status == Status::ok &&
+                 !raise_to_poles<D>(store, ball, v, &out2[v]))
             status = Status::out_of_memory;
     }
     return status;

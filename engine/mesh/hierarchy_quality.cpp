@@ -84,8 +84,8 @@ template <int D> Status Measurement<D>::open() {
     leaves_ball_ = arena_.template take_low<bool>(vertices);
     list_ = arena_.template take_low<std::uint32_t>(cells);
     mark_ = arena_.template take_low<std::uint32_t>(cells);
-    if (order_ == nullptr || cage_out2_ == nullptr || cage_leaves_ball_ == nullptr || domain_ == nullptr || nearest2_ == nullptr || out2_ == nullptr ||
-        leaves_ball_ == nullptr || list_ == nullptr || mark_ == nullptr)
+    if (order_ == nullptr || cage_out2_ == nullptr || cage_leaves_ball_ == nullptr || domain_ == nullptr ||
+        nearest2_ == nullptr || out2_ == nullptr || leaves_ball_ == nullptr || list_ == nullptr || mark_ == nullptr)
         return Status::out_of_memory;
     NETMESH_ASSERT(arena_.low_mark() - low <= HierarchyScratch::cage_bytes * count_ +
                                                   HierarchyScratch::vertex_bytes * vertices +
@@ -151,6 +151,7 @@ template <int D> CheckResult Measurement<D>::find_domains() {
 
 // Exempt vertices of a cage's domain are its shell: near its sphere, and as many as a cross-polytope has.
 template <int D> CheckResult Measurement<D>::find_shells() {
+    CheckResult result = {nullptr, none};
     for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
@@ -159,9 +160,8 @@ template <int D> CheckResult Measurement<D>::find_shells() {
         if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least)
             ++cage.next;
         else
-            return {"an exempt vertex within a cage is not of its shell", v};
+            result = {"an exempt vertex within a cage is not of its shell", v};
     }
-    CheckResult result = {nullptr, none};
     for (std::uint32_t d = 0; d < count_; ++d) {
         if (cages_[d].next != shell_size<D>) result = {"a cage lacks its shell", cages_[d].centre};
         cages_[d].next = none;

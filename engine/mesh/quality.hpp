@@ -6,10 +6,10 @@
 
 namespace netmesh {
 
-// Out-radius over in-radius of clipped Voronoi cells (2.4, 7.3.1): out-radius as clipped_cell.hpp has it, in-radius half
-// of vertex.nearest2's root. *worst: the largest over inserted vertices that are not exempt, +infinity where a cell is
-// not bounded; *vertex: where; 0 and `none` when there are none. Needs a compact store with spheres and nearest2.
-// Scratch: 8 bytes a vertex, the star of a vertex. out_of_memory.
+// Out-radius over in-radius of clipped Voronoi cells (2.4, 7.3.1): out-radius as clipped_cell.hpp has it, in-radius
+// half of vertex.nearest2's root. *worst: the largest over inserted vertices that are not exempt, +infinity where a
+// cell is not bounded; *vertex: where; 0 and `none` when there are none. Needs a compact store with spheres and
+// nearest2. Scratch: 8 bytes a vertex, the star of a vertex. out_of_memory.
 template <int D>
 Status worst_aspect_ratio(Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst, std::uint32_t* vertex);
 

@@ -44,9 +44,9 @@ private:
     struct CellView {
         std::uint32_t cells;
         bool leaves_domain;  // some corner is outside, far enough to matter, or not known
-        Corner<D> clipped;  // farthest corner of the clipped cell
-        Corner<D> whole;    // farthest corner of the whole cell
-        double reach2;      // squared distance from the nearest input to the farthest corner from it
+        Corner<D> clipped;   // farthest corner of the clipped cell
+        Corner<D> whole;     // farthest corner of the whole cell
+        double reach2;       // squared distance from the nearest input to the farthest corner from it
     };
 
     Status insert_boundary_net();

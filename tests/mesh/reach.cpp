@@ -1,154 +1,196 @@
-// How far clipped cells reach, on triangulations made by hand: against sampling, with flat cells, and where memory is
-// short.
+// How far clipped cells reach: as measured and as checked against sampling by brute force, and where memory is short.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "common/block.hpp"
 #include "common/dimensions.hpp"
-#include "common/inputs.hpp"
-#include "delaunay/load.hpp"
-#include "delaunay/triangulate.hpp"
+#include "common/meshed.hpp"
+#include "mesh/check_reach.hpp"
+#include "mesh/clipped_cell.hpp"
+#include "mesh/quality.hpp"
 #include "mesh/sizing.hpp"
 #include "numerics/vector.hpp"
 
 using namespace netmesh;
 
-namespace {}  // namespace
+namespace {
 
-TEST_CASE_TEMPLATE_DEFINE("size ratios in any gap: the same figure, or none", T, gaps) {
+// A point of the ball, every other one on its sphere.
+template <int D> void sample(inputs::Random& random, const Domain<D>& ball, bool on_sphere, double* x) {
+    double length2;
+    do {
+        length2 = 0;
+        for (int k = 0; k < D; ++k) {
+            x[k] = 2 * random.uniform() - 1;
+            length2 += x[k] * x[k];
+        }
+    } while (length2 > 1 || length2 == 0);
+    const double scale = on_sphere ? ball.radius / std::sqrt(length2) : ball.radius;
+    for (int k = 0; k < D; ++k) x[k] = ball.centre[k] + scale * x[k];
+}
+
+// Squared distance of each vertex to the farthest of some points of the ball that it is nearest to.
+template <int D> std::vector<double> sampled_reach2(const Store<D>& store, const Domain<D>& ball, int samples) {
+    std::vector<double> reach2(store.state.vertex_count, 0);
+    inputs::Random random(11);
+    for (int s = 0; s < samples; ++s) {
+        double x[D], nearest2 = infinity;
+        sample<D>(random, ball, s % 2 == 1, x);
+        std::uint32_t nearest = 0;
+        for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
+            const double d2 = distance2<D>(x, store.point(v));
+            if (!(d2 < nearest2)) continue;
+            nearest2 = d2;
+            nearest = v;
+        }
+        reach2[nearest] = std::max(reach2[nearest], nearest2);
+    }
+    return reach2;
+}
+
+// Inputs in few dimensions out of D: their cells end on the sphere, most of them without a corner.
+inputs::Points flat(int dim, int within, std::size_t n, std::uint64_t seed) {
+    inputs::Points points = inputs::uniform(within, n, seed), all;
+    for (std::size_t i = 0; i < n; ++i)
+        for (int k = 0; k < dim; ++k)
+            all.push_back(k < within ? points[i * static_cast<std::size_t>(within) + static_cast<std::size_t>(k)] : 0);
+    return all;
+}
+
+inputs::Points on_curve(int dim, std::size_t n) {
+    inputs::Points points;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double t = double(i) / double(n - 1);
+        for (int k = 0; k < dim; ++k)
+            points.push_back(k == 0 ? std::cos(t) : k == 1 ? std::sin(t) : 0.05 * std::pow(t, k));
+    }
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on cells that nothing has refined", T,
+                          agree) {
     constexpr int D = T::value;
-    const inputs::Points points = inputs::jittered(D, 2, 0.1, 3);
-    const std::uint32_t n = 1u << D;
-    Block block(std::size_t{1} << 23);
-    StoreState state = {};
-    Store<D> store(block.arena, state);
-    Monitor monitor;
-    InputReport input;
-    REQUIRE(triangulate<D>(store, points.data(), n, 1, monitor, &input) == Status::ok);
-    measure_edges<D>(store);
-    Domain<D> domain;
-    smallest_enclosing_ball<D>(store, n, domain);
-    domain.radius = domain.enclosing_radius;
-    store.vertex(3).cell = none;  // what is not in the mesh has no size
+    const int samples = 20000;
+    for (int kind = 0; kind < 8; ++kind) {
+        const std::size_t n = kind == 0 ? 2 : kind == 1 ? 3 : 3 + static_cast<std::size_t>(3 * kind);
+        const int within = kind < 2 ? D : 1 + kind % D;
+        const inputs::Points points = kind == 7 ? on_curve(D, n) : flat(D, within, n, 7 + static_cast<unsigned>(kind));
+        Meshed<D> m(points, by_quality(1e9));
+        REQUIRE(m.status == Status::ok);
+        REQUIRE(m.state.vertex_count == n + 2 * D);  // no Steiner point
+        INFO("kind " << kind);
+        for (const double factor : {1.0, 1.3}) {
+            Domain<D> ball = m.result.domain;
+            ball.radius *= factor;
+            std::vector<double> out2(m.state.vertex_count);
+            REQUIRE(measure_clipped_cells<D>(m.store, ball, out2.data()) == Status::ok);
+            const std::vector<double> sampled2 = sampled_reach2<D>(m.store, ball, samples);
+            std::vector<double> limit2(m.state.vertex_count, infinity);
+            std::uint32_t beyond;
+            for (std::uint32_t v = 0; v < n; ++v) {
+                CHECK(sampled2[v] <= out2[v] * (1 + 1e-9));
+                if (n < 4) CHECK(out2[v] <= sampled2[v] * 1.3);  // half of the ball and more: it is sampled densely
+                limit2[v] = out2[v] * (1 + 1e-7);
+            }
+            REQUIRE(check_reach<D>(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+            CHECK(beyond == none);
+            for (std::uint32_t v = 0; v < n; ++v) {
+                limit2[v] = out2[v] * (1 - 1e-6);
+                REQUIRE(check_reach<D>(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+                CHECK(beyond == v);
+                limit2[v] = sampled2[v] * (1 - 1e-9);
+                REQUIRE(check_reach<D>(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+                if (sampled2[v] > 0) CHECK(beyond == v);
+                limit2[v] = out2[v] * (1 + 1e-7);
+            }
+        }
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(agree, Dimensions<>);
+
+TEST_CASE_TEMPLATE_DEFINE("sampled cells of flat and curved inputs keep tau", T, keep) {
+    constexpr int D = T::value;
+    constexpr double tau = D < 4 ? 2.5 : 4;
+    for (int within = 1; within <= D; ++within)
+        for (const bool certify : {false, true}) {
+            const std::size_t n = within == 1 ? 40 : 12;
+            const inputs::Points points = certify && within == D ? on_curve(D, 30) : flat(D, within, n, 5);
+            for (const MeshRequest& request : {by_quality(tau, 1, certify), by_hierarchy(tau, true)}) {
+                Meshed<D> m(points, request);
+                REQUIRE(m.status == Status::ok);
+                const std::vector<double> reach2 = sampled_reach2<D>(m.store, m.result.domain, D < 4 ? 20000 : 4000);
+                double worst = 0;
+                for (std::uint32_t v = 0; v < m.state.vertex_count; ++v)
+                    if (m.store.vertex(v).marker != Marker::exempt)
+                        worst = std::max(worst, 2 * std::sqrt(reach2[v] / m.store.vertex(v).nearest2));
+                CHECK(worst <= tau);
+                CHECK(worst > 1);
+            }
+        }
+}
+TEST_CASE_TEMPLATE_APPLY(keep, Dimensions<2, 4>);
+
+TEST_CASE_TEMPLATE_DEFINE("the farthest point of half a ball, wherever the ball lies", T, half_ball) {
+    constexpr int D = T::value;
+    // v at the origin, w beside it, all others far away: in the ball there is only the bisector of v and w.
+    inputs::Points points(2 * D, 0.0);
+    points[D] = 1;
+    for (const double off : {-3.0, -0.5, 0.0, 0.25, 0.4, 0.5}) {
+        Meshed<D> m(points, by_quality(1e9, 20));
+        REQUIRE(m.status == Status::ok);
+        Domain<D> ball = {};
+        ball.centre[0] = off;
+        ball.radius = 1;
+        std::vector<double> out2(m.state.vertex_count);
+        REQUIRE(measure_clipped_cells<D>(m.store, ball, out2.data()) == Status::ok);
+        // Left of x = 1/2. The point opposite to the origin, when it is there; otherwise where the plane meets the
+        // ball.
+        const double opposite = off + (off > 0 ? 1 : -1);
+        const double rim2 = 0.25 + (1 - (0.5 - off) * (0.5 - off));
+        const double expected2 = opposite <= 0.5 ? opposite * opposite : rim2;
+        CHECK(out2[0] == doctest::Approx(expected2).epsilon(1e-9));
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(half_ball, Dimensions<>);
+
+TEST_CASE_TEMPLATE_DEFINE("reach in any gap: the same figure, or none", T, gaps) {
+    constexpr int D = T::value;
+    const inputs::Points points = flat(D, D - 1, 6, 3);
+    Meshed<D> m(points, by_quality(1e9));
+    REQUIRE(m.status == Status::ok);
     SizeRule rule;
     rule.eps = 0.5;
-    double worst, aspect;
-    std::uint32_t v;
+    const std::uint32_t n = m.inputs();
     SizeRatio expected, sized;
-    REQUIRE(worst_size_ratio<D>(store, {domain, n, rule, Corners::recomputed}, block.arena, &expected) == Status::ok);
-    REQUIRE(recomputed_aspect_ratio<D>(store, domain, block.arena, &aspect, &v) == Status::ok);
+    REQUIRE(worst_size_ratio<D>(m.store, {m.result.domain, n, rule}, m.block.arena, &expected) == Status::ok);
     CHECK(expected.worst > 0);
-    CHECK(expected.vertex != 3);
-    const std::size_t low = block.arena.low_mark(), top = block.arena.high_mark();
-    bool fits = false;
-    for (std::size_t bytes = 0; !fits; bytes += 16) {
-        block.arena.release_low(top - bytes);
-        const Status status = worst_size_ratio<D>(store, {domain, n, rule, Corners::kept}, block.arena, &sized);
-        block.arena.release_low(low);
-        fits = status == Status::ok;
-        REQUIRE((fits || status == Status::out_of_memory));
-        if (fits) CHECK(sized.worst == doctest::Approx(expected.worst));
+    double expected_worst, worst;
+    std::uint32_t v, beyond;
+    REQUIRE(worst_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &expected_worst, &v) == Status::ok);
+    std::vector<double> limit2(m.state.vertex_count, infinity);
+    for (std::uint32_t p = 0; p < n; ++p) limit2[p] = 0.25 * m.store.vertex(p).nearest2;
+    const std::size_t low = m.block.arena.low_mark(), top = m.block.arena.high_mark();
+    int done[3] = {};
+    for (std::size_t bytes = 0; bytes < top - low; bytes += 16) {
+        m.block.arena.release_low(top - bytes);
+        const Status status[3] = {
+            worst_size_ratio<D>(m.store, {m.result.domain, n, rule}, m.block.arena, &sized),
+            worst_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &worst, &v),
+            check_reach<D>(m.store, {m.result.domain, limit2.data()}, &beyond),
+        };
+        m.block.arena.release_low(low);
+        for (int i = 0; i < 3; ++i) {
+            REQUIRE((status[i] == Status::ok || status[i] == Status::out_of_memory));
+            done[i] += status[i] == Status::ok;
+        }
+        if (status[0] == Status::ok) CHECK(sized.worst == expected.worst);
+        if (status[1] == Status::ok) CHECK(worst == expected_worst);
+        if (done[0] > 100 && done[1] > 100 && done[2] > 100) break;
     }
-    bool measured = false;
-    for (std::size_t bytes = 0; !measured; bytes += 16) {
-        block.arena.release_low(top - bytes);
-        const Status status = recomputed_aspect_ratio<D>(store, domain, block.arena, &worst, &v);
-        block.arena.release_low(low);
-        measured = status == Status::ok;
-        REQUIRE((measured || status == Status::out_of_memory));
-    }
-    CHECK(worst == aspect);
+    for (const int times : done) CHECK(times > 0);
 }
 TEST_CASE_TEMPLATE_APPLY(gaps, Dimensions<>);
-
-TEST_CASE_TEMPLATE_DEFINE("the farthest pole of a half ball, wherever the domain lies", T, poles) {
-    constexpr int D = T::value;
-    // v at the origin, w beside it, all others far away: in the domain there is only the bisector of v and w.
-    inputs::Points points(static_cast<std::size_t>(D), 0.0);
-    points.resize(2 * D, 0.0);
-    points[D] = 1;
-    for (int i = 1; i < D; ++i)
-        for (const double far : {-1e3, 1e3}) {
-            points.resize(points.size() + D, 0.0);
-            points[points.size() - D + static_cast<std::size_t>(i)] = far;
-        }
-    points.resize(points.size() + D, 0.0);
-    points[points.size() - D] = -1e3;
-    const std::uint32_t n = static_cast<std::uint32_t>(points.size() / D);
-    Block block(std::size_t{1} << 20);
-    StoreState state = {};
-    Store<D> store(block.arena, state);
-    Monitor monitor;
-    InputReport input;
-    REQUIRE(triangulate<D>(store, points.data(), n, 1, monitor, &input) == Status::ok);
-    std::uint32_t v = 0, count = 0;
-    while (store.point(v)[0] != 0 || std::fabs(store.point(v)[D - 1]) > 1) ++v;
-    for (CellId c(0); c < state.cell_slots; ++c)
-        if (std::count(store.cell(c).vertex, store.cell(c).vertex + D + 1, v) == 1)
-            store.list_top()[-1 - static_cast<std::ptrdiff_t>(count++)] = c;
-    REQUIRE(count > 1);
-    inputs::Random random(4);
-    for (const double off : {-3.0, -0.5, 0.0, 0.25, 0.4, 0.5}) {
-        Domain<D> domain = {};
-        domain.centre[0] = off;
-        if (D > 2 && off == 0.25) domain.centre[D - 1] = 0.25;
-        domain.radius = 2;
-        double x[D], farthest = 0;
-        CellId cell;
-        const double found = std::sqrt(farthest_pole<D>(store, domain, v, store.list_top(), count, x, &cell));
-        for (int sample = 0; sample < 4000; ++sample) {
-            double y[D], length = 0;
-            for (double& c : y) {
-                c = 2 * random.uniform() - 1;
-                length += c * c;
-            }
-            for (int k = 0; k < D; ++k) y[k] = domain.centre[k] + domain.radius * y[k] / std::sqrt(length);
-            if (y[0] <= 0.5) farthest = std::max(farthest, std::sqrt(distance2<D>(y, store.point(v))));
-        }
-        CHECK(found >= farthest * (1 - 1e-9));
-        CHECK(found <= farthest * 1.2);
-        CHECK(std::sqrt(distance2<D>(x, store.point(v))) == doctest::Approx(found));
-        CHECK(std::sqrt(domain.distance2(x)) == doctest::Approx(domain.radius));
-        CHECK(x[0] <= 0.5 + 1e-6);
-        CHECK(std::count(store.cell(cell).vertex, store.cell(cell).vertex + D + 1, v) == 1);
-    }
-}
-TEST_CASE_TEMPLATE_APPLY(poles, Dimensions<>);
-
-TEST_CASE_TEMPLATE_DEFINE("cells too flat for a corner do not count", T, flat) {
-    constexpr int D = T::value;
-    // Two cells at a common facet; with all of the first one's vertices in a plane it has no corner.
-    std::vector<double> x(static_cast<std::size_t>(D * (D + 2)), 0.0);
-    for (int i = 1; i <= D; ++i) x[static_cast<std::size_t>(i * D + i - 1)] = 1;
-    for (int k = 0; k < D; ++k) x[static_cast<std::size_t>((D + 1) * D + k)] = 1;
-    std::uint32_t cells[2 * (D + 1)];
-    for (std::uint32_t i = 0; i <= D; ++i) {
-        cells[i] = i;
-        cells[D + 1 + i] = i == 0 ? D + 1 : i;
-    }
-    const auto out_radii = [&](const double* places, Corners corners, std::uint32_t count, double radius) {
-        Block block(std::size_t{1} << 16);
-        StoreState state = {};
-        Store<D> store(block.arena, state);
-        CheckResult why;
-        REQUIRE(load_cells<D>(store, places, D + 2, cells + (count == 1 ? D + 1 : 0), count, &why) == Status::ok);
-        Domain<D> domain = {};
-        domain.radius = domain.enclosing_radius = radius;
-        std::vector<double> out2(D + 2);
-        clipped_out_radii<D>(store, domain, corners, out2.data());
-        return out2;
-    };
-    // The common corner inside of the domain and outside.
-    for (const double radius : {0.6 * std::sqrt(D), 0.4 * std::sqrt(D)})
-        for (const Corners corners : {Corners::kept, Corners::recomputed}) {
-            const std::vector<double> alone = out_radii(x.data(), corners, 1, radius);
-            std::vector<double> flattened = x;  // vertex 0 into the plane of the common facet
-            for (int k = 0; k < D; ++k) flattened[static_cast<std::size_t>(k)] = k < 2 ? 0.5 : 0;
-            CHECK(out_radii(flattened.data(), corners, 2, radius) == alone);
-            if (radius > 0.5 * std::sqrt(D)) CHECK(out_radii(x.data(), corners, 2, radius) != alone);
-        }
-}
-TEST_CASE_TEMPLATE_APPLY(flat, Dimensions<>);
