@@ -123,7 +123,7 @@ protected:
     // The distance at which 3.3 puts a Steiner point, for a nearest neighbour this far away.
     double wanted_distance(double nearest, double pull) const { return pull * 0.5 * tau_ * nearest; }
 
-    const double tau_;
+    double tau_;  // what cells are held to
 
 private:
     const Rule& rule() const { return static_cast<const Rule&>(*this); }

@@ -8,12 +8,18 @@
 namespace netmesh {
 namespace {
 
+// While inputs are missing, cells are held to this times tau. 1 makes the meshes of close pairs larger by a fourth to a
+// half, and those of uniform points by 2% to 6%: layers that are made from outside inwards, before an input is medial,
+// fit those that grow outwards from it better when they are fewer.
+constexpr double slack_while_inserting = 2;
+
 template <int D> class QualityRule : public AspectRule<D, QualityRule<D>> {
     using Base = AspectRule<D, QualityRule<D>>;
     using Base::domain_;
     using Base::is_bad;
     using Base::kernel_;
     using Base::nearest_input;
+    using Base::observers_;
     using Base::queue_;
     using Base::sizes_;
     using Base::store_;
@@ -29,9 +35,9 @@ public:
 
     double choose_domain();
     double promised_radius() const { return reference_ ? domain_.radius : Base::promised_radius(); }
-    Status begin() { return reference_ ? insert_boundary_net() : Status::ok; }
+    Status begin();
     Status take_turn(VertexId p);
-    Status finish_mesh() { return reference_ ? this->clean() : Status::ok; }
+    Status finish_mesh();
     void queue_bad(CellId c);
     void queue_new(const Cavity& cavity, VertexId v) { Base::queue_new(cavity, domain_, v); }
     Verdict judge(VertexId v, Split<D>* split);
@@ -51,12 +57,17 @@ private:
 
     Status insert_boundary_net();
     bool may_spoil_certificate(VertexId v, const double* x) const;
-    bool view_cell(VertexId v, CellView* view);
+    bool view_cell(VertexId v, double least2, CellView* view);
     bool spoils_certificate(VertexId v, const CellView& view) const;
     void find_beyond(VertexId v, std::uint32_t cells, Corner<D>* beyond);
 
+    VertexId nearest_in_conflict(VertexId p, const Cavity& cavity) const;
+    bool is_surely_medial(VertexId p, VertexId u) const;
+    Verdict judge_medial(VertexId p, VertexId u, Split<D>* split);
+
     const bool reference_, certify_;
     const double pull_;
+    VertexId waiting_ = none;  // the input whose turn it is, until it is medial
 };
 
 template <int D> double QualityRule<D>::choose_domain() {
@@ -64,8 +75,84 @@ template <int D> double QualityRule<D>::choose_domain() {
     return domain_.radius = reference_radius(this->request_.tau, domain_.enclosing_radius);
 }
 
+template <int D> Status QualityRule<D>::begin() {
+    if (reference_) return insert_boundary_net();
+    tau_ *= slack_while_inserting;
+    return Status::ok;
+}
+
+template <int D> Status QualityRule<D>::finish_mesh() {
+    if (!reference_) {
+        tau_ /= slack_while_inserting;
+        for (VertexId v(0); v < store_.state.vertex_count; ++v)
+            if (store_.vertex(v).marker != Marker::exempt) queue_.push(v);
+    }
+    return this->clean();
+}
+
+// Splits the cell of the nearest vertex until p is medial, unless p goes in as another cell is split.
 template <int D> Status QualityRule<D>::take_turn(VertexId p) {
-    return reference_ ? this->insert_input(p, store_.state.last_cell, false) : Base::take_turn(p);
+    if (reference_) return this->insert_input(p, store_.state.last_cell, false);
+    waiting_ = p;
+    Status status = Status::ok;
+    CellId from = observers_.start_for(store_, p);
+    while (status == Status::ok && store_.vertex(p).cell == none) {
+        Cavity cavity;
+        if (!this->find_cavity(p, from, &cavity)) return Status::out_of_memory;
+        const VertexId u = nearest_in_conflict(p, cavity);
+        Split<D> split;
+        Verdict medial = Verdict::good;
+        if (!is_surely_medial(p, u)) {
+            medial = judge_medial(p, u, &split);  // where it walks around u the cavity is lost
+            if (medial == Verdict::good && !this->find_cavity(p, store_.vertex(u).cell, &cavity))
+                return Status::out_of_memory;
+        }
+        if (medial == Verdict::out_of_memory) return Status::out_of_memory;
+        if (medial == Verdict::bad) {
+            status = this->yielding_insert(split);
+        } else {
+            status = this->fill(p, cavity);
+            if (status == Status::ok) status = this->finish_step(p, false);
+        }
+        if (status == Status::ok) status = this->clean();
+        from = store_.vertex(u).cell;
+    }
+    waiting_ = none;
+    return status;
+}
+
+// The vertex nearest to p, which is one of the cells in conflict. Those are finite, as the frame's hull contains the
+// domain.
+template <int D> VertexId QualityRule<D>::nearest_in_conflict(VertexId p, const Cavity& cavity) const {
+    VertexId nearest = none;
+    double best2 = infinity;
+    for (std::uint32_t k = 0; k < cavity.cells; ++k)
+        for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
+            const double d2 = distance2<D>(store_.point(p), store_.point(w));
+            if (!(d2 < best2)) continue;
+            best2 = d2;
+            nearest = w;
+        }
+    return nearest;
+}
+
+// u's cell reaches no farther than tau/2 of the way to its nearest neighbour, as the mesh is clean.
+template <int D> bool QualityRule<D>::is_surely_medial(VertexId p, VertexId u) const {
+    const Vertex<D>& vertex = store_.vertex(u);
+    const double d2 = distance2<D>(store_.point(p), vertex.x);
+    return vertex.marker == Marker::exempt || !(this->least_bad2(vertex) > mediality * mediality * d2);
+}
+
+// Does the cell of u, the nearest vertex of p, reach farther than p is medial for? Then it is split there.
+template <int D> Verdict QualityRule<D>::judge_medial(VertexId p, VertexId u, Split<D>* split) {
+    const double bound2 = mediality * mediality * distance2<D>(store_.point(p), store_.point(u));
+    CellView view;
+    if (!view_cell(u, bound2, &view)) return Verdict::out_of_memory;
+    if (!(view.clipped.distance2 > bound2) && view.leaves_domain)
+        offer_poles<D>(store_, domain_, u, store_.list_top(), view.cells, &view.clipped);
+    if (!(view.clipped.distance2 > bound2)) return Verdict::good;
+    this->split_towards(u, view.clipped, square_root(view.clipped.distance2), split);
+    return Verdict::bad;
 }
 
 template <int D> Status QualityRule<D>::insert_boundary_net() {
@@ -111,13 +198,9 @@ template <int D> bool QualityRule<D>::may_spoil_certificate(VertexId v, const do
     return 4 * hi2 > (2 + tau_) * (2 + tau_) * distance2<D>(store_.point(v), input);
 }
 
-// Walks around v's cell. False when the gap is too small for that.
-template <int D> bool QualityRule<D>::view_cell(VertexId v, CellView* view) {
+// Walks around v's cell; corners within the root of least2 do not matter. False when the gap is too small for that.
+template <int D> bool QualityRule<D>::view_cell(VertexId v, double least2, CellView* view) {
     *view = CellView{};
-    // A corner that cannot be bad does not matter.
-    double least2 = this->least_bad2(store_.vertex(v));
-    const double sized2 = sizes_.bound2(store_.vertex(v));
-    if (sized2 < least2) least2 = sized2;
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](CellId c) {
@@ -164,7 +247,8 @@ template <int D> void QualityRule<D>::find_beyond(VertexId v, std::uint32_t cell
 
 template <int D> Verdict QualityRule<D>::judge(VertexId v, Split<D>* split) {
     CellView view;
-    if (!view_cell(v, &view)) return Verdict::out_of_memory;
+    const double least2 = this->least_bad2(store_.vertex(v)), sized2 = sizes_.bound2(store_.vertex(v));
+    if (!view_cell(v, sized2 < least2 ? sized2 : least2, &view)) return Verdict::out_of_memory;
     const double nearest2 = store_.vertex(v).nearest2, clipped2 = view.clipped.distance2;
     const Corner<D>* corner = &view.clipped;
     Corner<D> beyond;
@@ -183,6 +267,7 @@ template <int D> Verdict QualityRule<D>::judge(VertexId v, Split<D>* split) {
 // What the proof in the header asks of inputs that are not inserted yet.
 template <int D> bool QualityRule<D>::must_yield(const Split<D>& split, const NearestInput& nearest) const {
     const double input2 = nearest.distance2;
+    if (nearest.input == waiting_) return false;
     if (input2 < yield_radius * yield_radius * split.empty2 || !(input2 < split.empty2)) return input2 < split.empty2;
     double second2;  // f_P(x) squared
     tree_.nearest(split.x, none, nearest.input, &second2);
