@@ -41,6 +41,9 @@ template <int D> void forget_sphere(const double* const* p, Cell<D>& cell) {
     cell.error = static_cast<float>(infinity);
 }
 
+// A squared radius above this loses no more than 2^-60 of itself to underflow: the inputs of a mesh are 2^-500 apart.
+constexpr double shortest2 = 0x1p-1010;
+
 // Makes the ball of p0 + x. The two terms of the error are the shape's, shape2 its square, and the rounding of the
 // centre's coordinates. False when it is above error_max.
 template <int D> bool keep_sphere(const double* p0, const double* x, double shape2, double error_max, Cell<D>& cell) {
@@ -52,7 +55,7 @@ template <int D> bool keep_sphere(const double* p0, const double* x, double shap
         size2 += cell.centre[j] * cell.centre[j];
     }
     const double error2 = 2.1 * (shape2 + 8 * u * u * (size2 / radius2));
-    if (!(error2 < error_max * error_max) || !(radius2 > 0x1p-960)) return false;
+    if (!(error2 < error_max * error_max) || !(radius2 > shortest2)) return false;
     cell.radius2 = radius2;
     cell.error = static_cast<float>(1.01 * square_root(error2));
     return true;
@@ -113,7 +116,7 @@ template <int D> [[gnu::noinline]] void solve_sphere_precisely(const double* con
             const double size = __builtin_fabs(a[j][i].high);
             if (size > largest) largest = size;
         }
-        if (!(largest > 0x1p-500 && largest < 0x1p500)) return forget_sphere<D>(p, cell);
+        if (!(largest > 0x1p-1000 && largest < 0x1p1000)) return forget_sphere<D>(p, cell);
         const int exponent = exponent_of(largest);
         DoubleDouble square = {0, 0};
         for (int j = 0; j < D; ++j) {

@@ -105,9 +105,10 @@ bool find_reaching_point(const Store<D>& store, const Cut<D>& cut, VertexId w, c
         length2 += e * e;
         from2 += f * f;
     }
-    // from + t e is at distance s: the larger root, without cancellation.
-    const double rest = s2 > from2 ? s2 - from2 : 0, root = square_root(along * along + length2 * rest);
-    const double t = along > 0 ? rest / (along + root) : (root - along) / length2;
+    // The larger root, without cancellation, and with no more than squares of lengths on the way.
+    const double length = square_root(length2), height = along / length, rest = s2 > from2 ? s2 - from2 : 0;
+    const double root = square_root(height * height + rest);
+    const double t = (height > 0 ? rest / (height + root) : root - height) / length;
     for (int k = 0; k < D; ++k) x[k] = from[k] + t * (corners.far.x[k] - from[k]);
     return true;
 }

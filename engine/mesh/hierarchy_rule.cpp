@@ -62,6 +62,10 @@ public:
         return store_.vertex(v).marker == Marker::exempt ? judge_cage(hierarchy_.of(v), split) : judge_vertex(v, split);
     }
     void requeue(VertexId v);
+    Status begin() {
+        this->loosen();
+        return Status::ok;
+    }
     Status after_step() { return release_encroached(); }
     Status finish_mesh();
     const Cage* cages() const { return hierarchy_.cages(); }
@@ -425,6 +429,7 @@ template <int D> Status HierarchyRule<D>::sweep() {
 }
 
 template <int D> Status HierarchyRule<D>::finish_mesh() {
+    this->tighten();
     const Status swept = sweep();
     if (swept != Status::ok || !this->request_.finish) return swept;
     observers_.stop_measuring();

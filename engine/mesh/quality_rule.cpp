@@ -8,11 +8,6 @@
 namespace netmesh {
 namespace {
 
-// While inputs are missing, cells are held to this times tau. 1 makes the meshes of close pairs larger by a fourth to a
-// half, and those of uniform points by 2% to 6%: layers that are made from outside inwards, before an input is medial,
-// fit those that grow outwards from it better when they are fewer.
-constexpr double slack_while_inserting = 2;
-
 template <int D> class QualityRule : public AspectRule<D, QualityRule<D>> {
     using Base = AspectRule<D, QualityRule<D>>;
     using Base::domain_;
@@ -77,13 +72,13 @@ template <int D> double QualityRule<D>::choose_domain() {
 
 template <int D> Status QualityRule<D>::begin() {
     if (reference_) return insert_boundary_net();
-    tau_ *= slack_while_inserting;
+    this->loosen();
     return Status::ok;
 }
 
 template <int D> Status QualityRule<D>::finish_mesh() {
     if (!reference_) {
-        tau_ /= slack_while_inserting;
+        this->tighten();
         for (VertexId v(0); v < store_.state.vertex_count; ++v)
             if (store_.vertex(v).marker != Marker::exempt) queue_.push(v);
     }

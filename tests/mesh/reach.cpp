@@ -7,6 +7,8 @@
 
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
+#include "delaunay/load.hpp"
+#include "delaunay/triangulate.hpp"
 #include "mesh/check_reach.hpp"
 #include "mesh/clipped_cell.hpp"
 #include "mesh/quality.hpp"
@@ -69,6 +71,30 @@ inputs::Points on_curve(int dim, std::size_t n) {
     return points;
 }
 
+// The triangulation of points and of a frame around them, unrefined, as a mesh has it.
+template <int D> struct Framed {
+    explicit Framed(const inputs::Points& points) : block(std::size_t{1} << 26), store(block.arena, state) {
+        const std::uint32_t n = static_cast<std::uint32_t>(points.size() / D);
+        smallest_enclosing_ball<D>(points.data(), n, domain.centre, &domain.radius);
+        domain.enclosing_radius = domain.radius;
+        inputs::Points all = points;
+        for (int i = 0; i < 2 * D; ++i)
+            for (int k = 0; k < D; ++k)
+                all.push_back(domain.centre[k] + (k == i / 2 ? (i % 2 == 0 ? 4 : -4) * domain.radius : 0));
+        Monitor monitor;
+        InputReport input;
+        REQUIRE(triangulate<D>(store, all.data(), n + 2 * D, 1, monitor, &input) == Status::ok);
+        measure_edges<D>(store);
+        for (CellId c(0); c < state.cell_slots; ++c)
+            for (const VertexId v : store.cell(c).vertex) store.vertex(v).cell = c;
+        for (std::uint32_t v = n; v < n + 2 * D; ++v) store.vertex(v).marker = Marker::exempt;
+    }
+    Block block;
+    StoreState state = {};
+    Store<D> store;
+    Domain<D> domain = {};
+};
+
 }  // namespace
 
 TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on cells that nothing has refined", T,
@@ -79,12 +105,10 @@ TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on ce
         const std::size_t n = kind == 0 ? 2 : kind == 1 ? 3 : 3 + static_cast<std::size_t>(3 * kind);
         const int within = kind < 2 ? D : 1 + kind % D;
         const inputs::Points points = kind == 7 ? on_curve(D, n) : flat(D, within, n, 7 + static_cast<unsigned>(kind));
-        Meshed<D> m(points, by_quality(1e9));
-        REQUIRE(m.status == Status::ok);
-        REQUIRE(m.state.vertex_count == n + 2 * D);  // no Steiner point
+        Framed<D> m(points);
         INFO("kind " << kind);
         for (const double factor : {1.0, 1.3}) {
-            Domain<D> ball = m.result.domain;
+            Domain<D> ball = m.domain;
             ball.radius *= factor;
             std::vector<double> out2(m.state.vertex_count);
             REQUIRE(measure_clipped_cells<D>(m.store, ball, out2.data()) == Status::ok);
@@ -133,6 +157,33 @@ TEST_CASE_TEMPLATE_DEFINE("sampled cells of flat and curved inputs keep tau", T,
         }
 }
 TEST_CASE_TEMPLATE_APPLY(keep, Dimensions<2, 4>);
+
+TEST_CASE("quality does not depend on the scale, to the ends of the range") {
+    const inputs::Points points = inputs::clusters(3, 30);
+    const Meshed<3> plain(points, by_quality(2.5));
+    REQUIRE(plain.status == Status::ok);
+    for (const int exponent : {-470, -300, 300, 490}) {
+        inputs::Points scaled = points;
+        for (double& x : scaled) x = std::ldexp(x, exponent);
+        Meshed<3> m(scaled, by_quality(2.5));
+        INFO("exponent " << exponent);
+        REQUIRE(m.status == Status::ok);
+        CHECK(m.state.vertex_count == plain.state.vertex_count);
+        double worst;
+        std::uint32_t v, beyond;
+        REQUIRE(worst_aspect_ratio<3>(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
+        CHECK(worst <= 2.5);
+        CHECK(worst > 2);
+        std::vector<double> limit2(m.state.vertex_count, infinity);
+        for (std::uint32_t w = 0; w < m.state.vertex_count; ++w)
+            if (m.store.vertex(w).marker != Marker::exempt) limit2[w] = 1.25 * 1.25 * m.store.vertex(w).nearest2;
+        REQUIRE(check_reach<3>(m.store, {m.result.domain, limit2.data()}, &beyond) == Status::ok);
+        CHECK(beyond == none);
+        limit2[v] = 0.9 * 0.25 * worst * worst * m.store.vertex(v).nearest2;
+        REQUIRE(check_reach<3>(m.store, {m.result.domain, limit2.data()}, &beyond) == Status::ok);
+        CHECK(beyond == v);
+    }
+}
 
 TEST_CASE_TEMPLATE_DEFINE("the farthest point of half a ball, wherever the ball lies", T, half_ball) {
     constexpr int D = T::value;
