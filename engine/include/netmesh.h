@@ -565,19 +565,21 @@ typedef struct netmesh_bar_bounds {
     uint32_t certain; /* 1: surely real: all bars with 1 belong to different true bars within their bounds. Surely so
                          when death > certain_after, often for other reasons */
     double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched */
-    double certain_after; /* psi(phi(birth)), certificates hold near the scale `birth` within
-                             sqrt(certain_after / birth) */
+    double certain_after; /* a bar of this birth that dies later is surely real; not below birth_high */
 } netmesh_bar_bounds;
 /* Of the pair of that index, after netmesh_bound_bars. O(1). */
 netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds);
 
-/* The certified ratio as a function of scale, after netmesh_bound_bars: for alpha from `from` up to the next step's
- * `from` it is min(certified_ratio, sqrt(max(reach, alpha) / alpha)), before the first step 1. Steps ascend in `from`
- * and in `reach`. O(1). */
+/* The certificate as a function of scale, after netmesh_bound_bars. For alpha from `from` up to the next step's `from`
+ * a birth or death at alpha stands for a true one between min(low, alpha) and max(high, alpha), and within the factor
+ * `ratio`; c(alpha), the certified ratio at alpha, is max(high / alpha, alpha / low, 1) or `ratio`, whichever is less.
+ * A bar born at alpha that dies after max(reach, alpha) is surely real. Bars without a true bar have death / c(death)
+ * <= birth * c(birth); true bars without a bar have birth >= alpha / c(alpha), death <= alpha * c(alpha) for some
+ * alpha. Before the first step c is 1. Steps ascend in all but ratio. O(1). */
 typedef struct netmesh_scale_step {
     uint32_t struct_bytes;
-    double from, reach; /* radii; reach may be infinite */
-    double ratio;       /* at alpha = from, the largest of the step */
+    double from, low, high, reach; /* radii; those but `from` may be infinite */
+    double ratio;                  /* at most certified_ratio where from >= certified_from */
 } netmesh_scale_step;
 netmesh_status netmesh_get_scale_step(const netmesh_context* context, uint64_t index, netmesh_scale_step* step);
 

@@ -16,30 +16,53 @@ public:
                           lows_.open_least(count, t, lo, arena);
         return room ? Status::ok : Status::out_of_memory;
     }
-    double phi(double b) const { return larger(by_value_.largest_up_to(b), b); }
+    double phi(double b) const { return larger(highest(b), b); }
     double psi(double a) const { return larger(by_low_.largest_up_to(a), a); }
-    double psi_inverse(double b) const {
-        const double least = lows_.least_from(b);
-        return least < b ? least : b;
-    }
+    double psi_inverse(double b) const { return smaller(lowest(b), b); }
     // The step that begins at scale `from`, where the next one begins; infinity for the last.
     ScaleStep step(double from, double* next) const {
-        const double enough = psi(phi(from)) * (1 + 0x1p-4);
-        const auto exceeds = [&](double a) { return a > from && psi(phi(a)) > enough; };
-        const std::uint32_t i = by_value_.first_where(exceeds), j = by_low_.first_where(exceeds);
-        const double a = i < by_value_.count() ? by_value_.key(i) : infinity;
-        const double b = j < by_low_.count() ? by_low_.key(j) : infinity;
-        *next = a < b ? a : b;
-        // Between keys psi(phi(a)) is constant or a.
-        double reach = psi(phi(from));
-        if (i > 0) reach = larger(reach, psi(phi(by_value_.key(i - 1))));
-        if (j > 0) reach = larger(reach, psi(phi(by_low_.key(j - 1))));
-        return {from, reach};
+        constexpr double growth = 1 + 0x1p-4;
+        const double high = highest(from) * growth, reach = psi(phi(from)) * growth;
+        const auto grown = [&](double a) { return a > from && (highest(a) > high || psi(phi(a)) > reach); };
+        *next = smaller(begin_of_lowest(from, growth), smaller(by_value_.key_or_infinity(by_value_.first_where(grown)),
+                                                               by_low_.key_or_infinity(by_low_.first_where(grown))));
+        // From the last key on `highest` is constant, and psi(phi(a)) is constant or a.
+        const double last = larger(from, larger(last_key(by_value_, *next), last_key(by_low_, *next)));
+        return {from, lowest(from), highest(last), psi(phi(last)), largest_ratio(from, *next)};
     }
-    double first_scale() const { return by_value_.first() < by_low_.first() ? by_value_.first() : by_low_.first(); }
+    double first_scale() const { return smaller(by_value_.first(), by_low_.first()); }
 
 private:
     static double larger(double a, double b) { return a > b ? a : b; }
+    static double smaller(double a, double b) { return a < b ? a : b; }
+    // Before `next`, 0 for none.
+    static double last_key(const ValueTable& table, double next) {
+        const std::uint32_t i = table.keys_until(next, true);
+        return i > 0 ? table.key(i - 1) : 0;
+    }
+    // phi(a) = max(a, highest(a)), psi^-(a) = min(a, lowest(a)). At 0 any number does as lowest, so what comes later.
+    double highest(double a) const { return by_value_.largest_up_to(a); }
+    double lowest(double a) const { return a > 0 ? lows_.least_from(a) : lows_.least_after(0); }
+    // Where `lowest` first has grown by so much: just after a key, as psi^- is continuous from the left. Infinity when
+    // no key is left.
+    double begin_of_lowest(double from, double growth) const {
+        const double enough = lowest(from) * growth;
+        if (!(enough < infinity)) return infinity;
+        return next_up(lows_.key(lows_.first_where([&](double a) { return lowest(a) > enough; }) - 1));
+    }
+    // The largest c(a) for a in [from, next): phi(a) / a is largest at `from` or a key, a / psi^-(a) at a key or just
+    // before `next`.
+    double largest_ratio(double from, double next) const {
+        double ratio = larger(ratio_above(from), ratio_below(next));
+        for (std::uint32_t i = by_value_.keys_until(from, true); by_value_.key_or_infinity(i) < next; ++i) {
+            const double a = by_value_.key(i);
+            ratio = larger(ratio, larger(ratio_above(a), ratio_below(a)));
+        }
+        return ratio;
+    }
+    double ratio_above(double a) const { return quotient(highest(a), a); }
+    double ratio_below(double a) const { return quotient(a, lowest(a)); }
+    static double quotient(double a, double b) { return !(a > b) ? 1 : b > 0 ? a / b * up : infinity; }
 
     ValueTable by_value_, by_low_, lows_;  // hi by t, t by lo, lo by t
 };
@@ -88,13 +111,8 @@ Status bound_by_ratio(double ratio, const BarList& bars, Arena& arena, BarBounds
     }
     *curve = {arena.take_low<ScaleStep>(ratio > 1 ? 1 : 0), ratio > 1 ? 1u : 0u};
     if (curve->steps == nullptr) return Status::out_of_memory;
-    if (ratio > 1) curve->steps[0] = {0, infinity};
+    if (ratio > 1) curve->steps[0] = {0, 0, infinity, infinity, ratio};
     return Status::ok;
-}
-
-double step_ratio(const ScaleStep& step, double certified_ratio) {
-    const double ratio = step.reach > step.from ? square_root(step.reach / step.from) * up : 1;
-    return ratio < certified_ratio ? ratio : certified_ratio;
 }
 
 }  // namespace netmesh

@@ -39,26 +39,26 @@ struct BarList {
     std::uint64_t count;
 };
 
-// From scale `from` to the next step's, psi(phi(a)) <= max(reach, a). Before the first step it is a.
+// For each scale a from `from` up to the next step's: phi(a) <= max(high, a), psi^-(a) >= min(low, a), psi(phi(a)) <=
+// max(reach, a), and a birth or death at a is off by the factor c(a) = max(phi(a) / a, a / psi^-(a)) <= ratio at most.
+// Before the first step all is exact: c = 1. From the scale on from which the filter's own ratio c holds c(a) <= c, as
+// hi_v <= c t_v and t_v <= c lo_v. (0.1.0 said sqrt(psi(phi(a)) / a), see DESIGN.md.)
 struct ScaleStep {
-    double from, reach;
+    double from, low, high, reach, ratio;
 };
 
 struct ScaleCurve {
-    ScaleStep* steps;  // [count], ascending in both, at the arena's low end
+    ScaleStep* steps;  // [count], ascending in all but ratio, at the arena's low end
     std::uint64_t count;
 };
 
-// bounds[i] of bar i, and the curve. Deaths at infinity are exact. A step comes where psi(phi(a)) has grown by a 16th;
-// their number is bounded by the logarithm of the spread of scales. O((vertices + bars + steps) log vertices). Scratch:
-// 48 bytes a vertex. out_of_memory.
+// bounds[i] of bar i, and the curve. Deaths at infinity are exact. A step comes where one of the three bounds has grown
+// by a 16th; their number is bounded by the logarithm of the spread of scales. O((vertices + bars + steps) log
+// vertices). Scratch: 48 bytes a vertex. out_of_memory.
 Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 
 // The same from one ratio, which holds at every scale. Deaths at infinity are exact. out_of_memory.
 Status bound_by_ratio(double ratio, const BarList& bars, Arena& arena, BarBounds* bounds, ScaleCurve* curve);
-
-// The certified ratio of a step: the largest that the curve allows in it, and no more than the diagram's.
-double step_ratio(const ScaleStep& step, double certified_ratio);
 
 }  // namespace netmesh

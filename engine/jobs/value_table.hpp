@@ -20,6 +20,7 @@ public:
     }
     std::uint32_t count() const { return count_; }
     double key(std::uint32_t i) const { return key_[i]; }  // ascending
+    double key_or_infinity(std::uint32_t i) const { return i < count_ ? key_[i] : infinity; }
     double first() const { return key_[0]; }
     double last() const { return key_[count_ - 1]; }
 

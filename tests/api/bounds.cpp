@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/dimensions.hpp"
+#include "common/read.hpp"
 #include "common/session.hpp"
 
 TEST_CASE("bounds of bars") {
@@ -95,54 +96,80 @@ TEST_CASE("the basic filter's bounds begin where its ratio does") {
     CHECK(certain == 1);
 }
 
-// The ratio at a scale as netmesh_scale_step says.
-static double ratio_at(const Session& session, double alpha) {
-    const double c = session.report().diagram.certified_ratio;
-    double reach = alpha;
-    auto step = netmesh::sized<netmesh_scale_step>();
-    for (std::uint64_t i = 0; netmesh_get_scale_step(session.context, i, &step) == NETMESH_OK && step.from <= alpha;
-         ++i)
-        reach = step.reach;
-    return std::fmin(c, std::sqrt(std::fmax(reach, alpha) / alpha));
+// The step of a scale; before the first one, one in which all is exact.
+static netmesh_scale_step step_at(const std::vector<netmesh_scale_step>& steps, double alpha) {
+    netmesh_scale_step at = {0, 0, HUGE_VAL, 0, 0, 1};
+    for (const netmesh_scale_step& step : steps)
+        if (step.from <= alpha) at = step;
+    return at;
+}
+static double ratio_at(const std::vector<netmesh_scale_step>& steps, double alpha) {
+    const netmesh_scale_step at = step_at(steps, alpha);
+    return std::fmax(std::fmax(at.high, alpha) / alpha, alpha / std::fmin(at.low, alpha));
 }
 
 TEST_CASE("the ratio by scale") {
     Session session(2);
+    std::size_t compared = 0;
     session.bounds = true;
     for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_KNN}) {
         REQUIRE(session.mesh_and_persist(inputs::shell(2, 80, 0.8, 1, 15), persist_by(filter, 3)) == NETMESH_OK);
         REQUIRE(session.bound_bars() == NETMESH_OK);
-        const double c = session.report().diagram.certified_ratio;
-        auto step = netmesh::sized<netmesh_scale_step>(), before = step;
-        before.from = before.reach = -1;
+        const netmesh_diagram_report diagram = session.report().diagram;
+        const std::vector<netmesh_scale_step> steps = read_all(session.context, netmesh_get_scale_step);
         double worst = 0;
-        std::uint64_t steps = 0;
-        for (; netmesh_get_scale_step(session.context, steps, &step) == NETMESH_OK; ++steps) {
-            CHECK(step.from > before.from);
-            CHECK(step.reach > before.reach);
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const netmesh_scale_step& step = steps[i];
+            CAPTURE(i);
             CHECK(step.ratio >= 1);
-            CHECK(step.ratio <= c);
-            CHECK(step.ratio >= ratio_at(session, step.from) * (1 - 1e-9));
-            worst = std::fmax(worst, step.ratio);
-            before = step;
+            if (step.from >= diagram.certified_from) {
+                CHECK(step.ratio <= diagram.certified_ratio);
+                worst = std::fmax(worst, step.ratio);
+            }
+            // low and high say the same to within a step.
+            const double end = i + 1 < steps.size() ? steps[i + 1].from : step.from;
+            if (step.from > 0) {
+                const double loose = std::fmax(std::fmax(step.high / step.from, end / step.low), 1);
+                CHECK(step.ratio <= loose * (1 + 1e-9));
+                CHECK(step.ratio * (1 + 1.0 / 16) >= loose * (1 - 1e-9));
+            }
+            if (i > 0) {
+                const netmesh_scale_step& before = steps[i - 1];
+                CHECK(step.from > before.from);
+                CHECK(step.low >= before.low);
+                CHECK(step.high >= before.high);
+                CHECK(step.reach >= before.reach);
+            }
         }
-        CHECK(steps > 3);
-        CHECK(steps < 200);
-        if (filter == NETMESH_FILTER_COMPLETE) CHECK(ratio_at(session, 1e-9) == 1);
+        CHECK(steps.size() > 3);
+        CHECK(steps.size() < 400);
+        if (filter == NETMESH_FILTER_COMPLETE) CHECK(ratio_at(steps, 1e-9) == 1);
         CHECK(worst > 1.2);
-        CHECK(ratio_at(session, 10) == 1);
-        // What a bar needs to be real by interleaving is the curve at its birth.
+        CHECK(ratio_at(steps, 10) == 1);
+        // What bars need to be real, and the bounds of those that are not said to be, are those of the curve at birth
+        // and death, to within a step; the others can have narrower bounds.
+        const double wide = (1 + 1.0 / 16) * (1 + 1e-9);
+        const auto follows = [&](double at, double low, double high) {
+            const netmesh_scale_step step = step_at(steps, at);
+            CHECK(std::fmin(step.low, at) <= low);
+            CHECK(std::fmin(step.low, at) * wide >= low);
+            CHECK(std::fmax(step.high, at) >= high);
+            CHECK(std::fmax(step.high, at) <= high * wide);
+        };
         const std::vector<netmesh_pair> pairs = session.pairs();
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             auto b = netmesh::sized<netmesh_bar_bounds>();
             REQUIRE(netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK);
-            if (!(pairs[i].birth > 0)) continue;
-            const double here = ratio_at(session, pairs[i].birth);
-            const bool capped = here >= c * (1 - 1e-9);
-            CHECK((capped || b.certain_after <= here * here * pairs[i].birth * (1 + 1e-9)));
-            CHECK(b.certain_after * (1 + 1.0 / 16) * (1 + 1e-9) >= here * here * pairs[i].birth);
+            const double reach = std::fmax(step_at(steps, pairs[i].birth).reach, pairs[i].birth);
+            CHECK(reach >= b.certain_after);
+            CHECK(reach <= b.certain_after * wide);
+            if (b.certain == 1) continue;
+            ++compared;
+            follows(pairs[i].birth, b.birth_low, b.birth_high);
+            follows(pairs[i].death, b.death_low, b.death_high);
         }
     }
+    CHECK(compared > 10);
 }
 
 TEST_CASE("covers within and around the offsets find more than the bounds of all cells together") {

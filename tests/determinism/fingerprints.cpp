@@ -72,7 +72,7 @@ void bound(const char* job, Session& session) {
     }
     const auto steps = read_all(session.context, netmesh_get_scale_step);
     for (const netmesh_scale_step& s : steps)
-        for (const double x : {s.from, s.reach, s.ratio}) add(x);
+        for (const double x : {s.from, s.low, s.high, s.reach, s.ratio}) add(x);
     std::printf("bounds %s D%" PRIu32 " %016" PRIx64 " bars %zu certain %" PRIu64 " steps %zu status %d\n", job,
                 session.request.dim, hash, bars.size(), certain, steps.size(), static_cast<int>(status));
     std::fflush(stdout);

@@ -1,11 +1,6 @@
 // The alpha filter against GUDHI, whose values are exact squares of ours rounded to double.
-#include <gudhi/Alpha_complex.h>
-#include <gudhi/Persistent_cohomology.h>
-#include <gudhi/Simplex_tree.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,12 +13,10 @@
 #include "common/session.hpp"
 #include "complex/triangulations.hpp"
 #include "filtration/alpha.hpp"
+#include "oracle/gudhi_alpha.hpp"
 
 namespace {
 
-using Kernel = CGAL::Epeck_d<CGAL::Dynamic_dimension_tag>;
-using Tree = Gudhi::Simplex_tree<>;
-using Field = Gudhi::persistent_cohomology::Field_Zp;
 using Simplex = std::vector<std::uint32_t>;
 
 struct Bar {
@@ -37,31 +30,19 @@ struct Peer {
 };
 
 Peer peer_of(int dim, const inputs::Points& points) {
-    std::vector<Kernel::Point_d> rows;
-    for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim))
-        rows.emplace_back(points.begin() + static_cast<std::ptrdiff_t>(i),
-                          points.begin() + static_cast<std::ptrdiff_t>(i) + dim);
-    Gudhi::alpha_complex::Alpha_complex<Kernel> complex(rows);
-    Tree tree;
-    REQUIRE(complex.create_complex(tree, std::numeric_limits<double>::infinity(), true));
+    GudhiAlpha alpha(dim, points);
     Peer peer;
-    for (auto handle : tree.complex_simplex_range()) {
+    for (auto handle : alpha.tree.complex_simplex_range()) {
         Simplex simplex;
-        for (auto v : tree.simplex_vertex_range(handle)) simplex.push_back(static_cast<std::uint32_t>(v));
+        for (auto v : alpha.tree.simplex_vertex_range(handle)) simplex.push_back(static_cast<std::uint32_t>(v));
         std::sort(simplex.begin(), simplex.end());
-        peer.value[simplex] = std::sqrt(tree.filtration(handle));
+        peer.value[simplex] = std::sqrt(alpha.tree.filtration(handle));
     }
-    tree.initialize_filtration();
-    Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Field> cohomology(tree);
-    cohomology.init_coefficients(2);
-    cohomology.compute_persistent_cohomology(-1);
     peer.bars.resize(static_cast<std::size_t>(dim));
-    for (const auto& pair : cohomology.get_persistent_pairs()) {
-        const auto birth = std::get<0>(pair), death = std::get<1>(pair);
-        const std::size_t degree = static_cast<std::size_t>(tree.dimension(birth));
-        REQUIRE(degree < static_cast<std::size_t>(dim));
-        peer.bars[degree].push_back({std::sqrt(tree.filtration(birth)), std::sqrt(tree.filtration(death))});
-    }
+    alpha.for_each_bar([&](int degree, double birth, double death) {
+        REQUIRE(degree < dim);
+        peer.bars[static_cast<std::size_t>(degree)].push_back({birth, death});
+    });
     return peer;
 }
 

@@ -30,6 +30,7 @@ template <int D> void within_certificate(const std::string& name, const inputs::
         CHECK(ratio >= 1);
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
+        CHECK(moves_within(curve(session), diagram(session), truth));
         CHECK(certain > 0);
         MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
                      << " values: true ratio " << ratio << ", certified " << r.diagram.certified_ratio << ", tau "
@@ -51,6 +52,7 @@ template <int D> void reaches_ratio(const std::string& name, const inputs::Point
     CHECK(true_ratio <= r.diagram.certified_ratio);
     std::size_t certain = 0;
     CHECK(bounds_hold(session, truth, &certain));
+    CHECK(moves_within(curve(session), diagram(session), truth));
     MESSAGE(name << " D=" << D << " by the certificate: true ratio " << true_ratio << ", certified "
                  << r.diagram.certified_ratio << ", " << r.mesh.vertices << " vertices, " << certain
                  << " bars surely real");

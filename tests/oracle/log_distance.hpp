@@ -71,43 +71,40 @@ struct Claim {
     netmesh_bar_bounds bounds;
 };
 
+// Can all of `left` be matched, each to one of `right` of its own? fits(i, j): i to j. Augmenting paths.
+template <class Fits> bool all_matched(std::size_t left, std::size_t right, Fits fits) {
+    std::vector<std::size_t> taken(right, left), has(left, right);
+    for (std::size_t start = 0; start < left; ++start) {
+        std::vector<std::size_t> queue = {start}, reached_by(right, left);
+        bool done = false;
+        for (std::size_t q = 0; q < queue.size() && !done; ++q)
+            for (std::size_t j = 0; j < right && !done; ++j) {
+                if (reached_by[j] != left || !fits(queue[q], j)) continue;
+                reached_by[j] = queue[q];
+                done = taken[j] == left;
+                if (!done) queue.push_back(taken[j]);
+                for (std::size_t at = j; done && at != right;) {  // turn the path round
+                    taken[at] = reached_by[at];
+                    std::swap(at, has[reached_by[at]]);
+                }
+            }
+        if (!done) return false;
+    }
+    return true;
+}
+
 // Can the claims be matched to true bars within their bounds, all of them at once? The truth is known to within the
 // factor slack.
 inline bool all_real(const std::vector<Claim>& claims, const Diagram& truth, double slack) {
-    // Augmenting paths. The alpha complex's values are exact to about 1e-12.
-    std::map<std::uint32_t, std::vector<std::size_t>> taken;
-    for (const auto& [degree, bars] : truth) taken[degree].assign(bars.size(), claims.size());
-    const auto fits = [more = slack](const netmesh_bar_bounds& b, const std::pair<double, double>& bar) {
-        return b.birth_low <= bar.first * more && bar.first <= b.birth_high * more &&
-               b.death_low <= bar.second * more && bar.second <= b.death_high * more;
-    };
-    for (std::size_t start = 0; start < claims.size(); ++start) {
-        const std::uint32_t degree = claims[start].degree;
-        if (truth.count(degree) == 0) return false;
-        const Bars& bars = truth.at(degree);
-        std::vector<std::size_t> queue = {start}, reached_by(bars.size(), claims.size());
-        bool done = false;
-        for (std::size_t q = 0; q < queue.size() && !done; ++q)
-            for (std::size_t j = 0; j < bars.size() && !done; ++j) {
-                if (reached_by[j] != claims.size() || !fits(claims[queue[q]].bounds, bars[j])) continue;
-                reached_by[j] = queue[q];
-                if (taken[degree][j] != claims.size()) {
-                    queue.push_back(taken[degree][j]);
-                    continue;
-                }
-                // Turn the path round.
-                for (std::size_t at = j;;) {
-                    const std::size_t claim = reached_by[at];
-                    std::size_t before = bars.size();
-                    for (std::size_t m = 0; m < bars.size(); ++m)
-                        if (taken[degree][m] == claim) before = m;
-                    taken[degree][at] = claim;
-                    if (claim == start) break;
-                    at = before;
-                }
-                done = true;
-            }
-        if (!done) return false;
+    std::map<std::uint32_t, std::vector<netmesh_bar_bounds>> bounds;
+    for (const Claim& claim : claims) bounds[claim.degree].push_back(claim.bounds);
+    for (const auto& [degree, list] : bounds) {
+        const Bars bars = truth.count(degree) ? truth.at(degree) : Bars();
+        const auto fits = [&, &boxes = list](std::size_t i, std::size_t j) {
+            return boxes[i].birth_low <= bars[j].first * slack && bars[j].first <= boxes[i].birth_high * slack &&
+                   boxes[i].death_low <= bars[j].second * slack && bars[j].second <= boxes[i].death_high * slack;
+        };
+        if (!all_matched(list.size(), bars.size(), fits)) return false;
     }
     return true;
 }
@@ -133,4 +130,69 @@ inline bool bounds_hold(Session& session, const Diagram& truth, std::size_t* cer
         if (claim.bounds.certain && (slack < 1.001 || seen)) claims.push_back(claim);
     }
     return all_real(claims, truth, slack);
+}
+
+// Where the true value of a birth or death surely is.
+struct Range {
+    double low, high;
+};
+
+// A ratio as a function of scale: what netmesh_scale_step says, before the first step 1.
+struct Curve {
+    std::vector<netmesh_scale_step> steps;
+
+    static Range in_step(const netmesh_scale_step& step, double a) {
+        const double low = std::min(step.low, a), high = std::max(step.high, a);
+        return {a > 0 ? std::max(low, a / step.ratio) : 0, a > 0 ? std::min(high, a * step.ratio) : high};
+    }
+    Range at(double a) const {
+        Range range = {a, a};
+        for (std::size_t i = 0; i < steps.size() && steps[i].from <= a && a < HUGE_VAL; ++i)
+            range = in_step(steps[i], a);
+        return range;
+    }
+    // Is there a scale whose range holds this whole true bar? Then it need not be in the diagram.
+    bool may_be_missed(double birth, double death) const {
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            // The last scale of the step whose range begins at the birth or before.
+            const double next = i + 1 < steps.size() ? steps[i + 1].from : HUGE_VAL;
+            const double last = std::min(next, steps[i].low <= birth ? birth * steps[i].ratio : birth);
+            if (last >= steps[i].from && in_step(steps[i], last).high >= death) return true;
+        }
+        return false;
+    }
+};
+
+inline Curve curve(const Session& session) { return {read_all(session.context, netmesh_get_scale_step)}; }
+
+// Is no bar farther from the truth than the curve allows at its own scale? Every bar has a true bar of its own within
+// the ranges of its birth and death, or these meet; every true bar has such a bar, or may be missed. (Where each side's
+// bars can be matched, both sides' can at once.) slack as below.
+inline bool moves_within(const Curve& curve, const Diagram& ours, const Diagram& truth, double slack = 1 + 1e-9) {
+    struct Box {
+        Range birth, death;
+    };
+    std::map<std::uint32_t, std::pair<std::vector<Box>, Bars>> degrees;
+    for (const auto& [degree, bars] : ours)
+        for (const auto& [birth, death] : bars) degrees[degree].first.push_back({curve.at(birth), curve.at(death)});
+    for (const auto& [degree, bars] : truth) degrees[degree].second = bars;
+    for (auto& [degree, both] : degrees) {
+        auto& [boxes, bars] = both;
+        // Those that need a partner to the front.
+        const auto some = [slack](const Box& b) { return b.death.low > b.birth.high * slack * slack; };
+        const auto needed = static_cast<std::size_t>(std::partition(boxes.begin(), boxes.end(), some) - boxes.begin());
+        const auto seen = [&curve, slack](const std::pair<double, double>& bar) {
+            return bar.second > bar.first * slack * slack &&
+                   !curve.may_be_missed(bar.first * slack, bar.second / slack);
+        };
+        const auto due = static_cast<std::size_t>(std::partition(bars.begin(), bars.end(), seen) - bars.begin());
+        const auto fits = [slack, &boxes = boxes, &bars = bars](std::size_t i, std::size_t j) {
+            const auto [birth, death] = bars[j];
+            return boxes[i].birth.low <= birth * slack && birth <= boxes[i].birth.high * slack &&
+                   boxes[i].death.low <= death * slack && death <= boxes[i].death.high * slack;
+        };
+        if (!all_matched(needed, bars.size(), fits)) return false;
+        if (!all_matched(due, boxes.size(), [&](std::size_t j, std::size_t i) { return fits(i, j); })) return false;
+    }
+    return true;
 }

@@ -1,9 +1,9 @@
 // Certified ratio, true ratio and theory's bound of every filter on point sets in 2D, 3D and 4D, as a table
 // (ctest -R oracle.ratios -V). The truth: the alpha complex; for d_k nested sets of points, on sets small enough; for
 // the k-distance sublevel sets on a fine grid. The true ratio is e to the exact log-bottleneck distance. Each is inside
-// its certified ratio, that inside theory's bound, and each bar said to be real inside its bounds. The bound for d_k
-// and the k-distance holds where every cell is as good as tau says (filtration/function_filter.hpp); refinement looks
-// at the cells as the complete filter needs them.
+// its certified ratio and its ratio by scale, that inside theory's bound, and each bar said to be real inside its
+// bounds. The bound for d_k and the k-distance holds where every cell is as good as tau says
+// (filtration/function_filter.hpp); refinement looks at the cells as the complete filter needs them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -50,6 +50,7 @@ void judge(const Case& c, Session& session, const char* filter, const Diagram& t
     if (promised) CHECK(certified <= theory * (1 + 1e-9));
     std::size_t certain = 0;
     CHECK(bounds_hold(session, truth, &certain, slack));
+    CHECK(moves_within(curve(session), diagram(session), truth, slack));
     print_row(c, session, filter, ratio, theory, certain);
 }
 

@@ -29,6 +29,7 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
         CHECK(distance <= eps);
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
+        CHECK(moves_within(curve(session), diagram(session), truth));
         CHECK(certain > 0);
         MESSAGE(name << " D=" << D << ", eps " << eps
                      << std::string(values == NETMESH_VALUES_THESIS ? ", thesis" : ", certified")

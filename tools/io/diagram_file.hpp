@@ -29,8 +29,8 @@ struct Bounds {
     std::vector<netmesh_scale_step> steps;
 };
 
-// With bounds, comments `# scale FROM reach REACH ratio RATIO` (netmesh_scale_step) come first, and every line ends in
-// a comment: `# birth A B death C D real`, the last word where it is.
+// With bounds, comments `# scale FROM low LOW high HIGH reach REACH ratio RATIO` (netmesh_scale_step) come first, and
+// every line ends in a comment: `# birth A B death C D real`, the last word where it is.
 void write_diagram(const std::vector<Bar>& bars, const Bounds& bounds, TextWriter& out);
 
 // A line that write_diagram makes of bounds.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/io/numbers.hpp"
+
 namespace netmesh::tool {
 
 namespace {
@@ -15,6 +17,7 @@ constexpr double gap_stretch = 48;
 constexpr double group_least = 32;   // so that the labels of a degree fit
 constexpr double group_share = 1.4;  // at most this many times an equal share of the panel goes to one degree
 constexpr double row_most = 9;
+constexpr double ratio_most = 10;      // of c(r), where the diagram has no ratio
 constexpr double least_ratio = 1.002;  // death / birth of a bar that is worth a row when there are too many
 
 struct Horizontal {
@@ -192,6 +195,46 @@ void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& gro
         }
         y += height + gap;
     }
+}
+
+void draw_ratio(Svg& svg, const Panel& panel, const LogScale& scale, const BarStyle& style) {
+    const Horizontal x{panel, scale};
+    const double bottom = panel.y + panel.height;
+    const double most = std::isfinite(style.ratio) && style.ratio > 1 ? style.ratio : ratio_most;
+    const auto y = [&](double ratio) {
+        return bottom - std::min(std::log(ratio) / std::log(most), 1.0) * panel.height;
+    };
+    for (const double ratio : {1.0, most}) {
+        svg.line(x.left(), y(ratio), x.right(), y(ratio), rule, 1);
+        svg.text(panel.x - 12, y(ratio) + 4, rounded_text(ratio, 3), 11, faint_ink, Anchor::end);
+    }
+    svg.text(panel.x - label_width, (panel.y + bottom) / 2 + 4, "c(r)", 14, ink, Anchor::start);
+    const double low = std::exp(scale.low), high = std::exp(scale.high);
+    svg.begin_path();
+    bool begun = false;
+    const auto go = [&](double radius, double ratio) {
+        begun ? svg.draw_to(x.at(radius), y(ratio)) : svg.move_to(x.at(radius), y(ratio));
+        begun = true;
+    };
+    if (style.steps[0].from > low) {
+        go(low, 1);
+        go(std::min(style.steps[0].from, high), 1);
+    }
+    for (std::size_t i = 0; i < style.steps.size(); i++) {
+        const netmesh_scale_step& step = style.steps[i];
+        const double first = std::max(step.from, low);
+        const double last = std::min(i + 1 < style.steps.size() ? style.steps[i + 1].from : high, high);
+        if (!(first < last)) continue;
+        // Between these scales ln c(r) is a line in ln r.
+        std::vector<double> ends = {first, last};
+        for (const double end : {std::sqrt(step.low) * std::sqrt(step.high), step.low, step.high,
+                                 step.high / step.ratio, step.low * step.ratio}) {
+            if (end > first && end < last) ends.push_back(end);
+        }
+        std::sort(ends.begin(), ends.end());
+        for (const double end : ends) go(end, std::min(step.ratio, std::max({step.high / end, end / step.low, 1.0})));
+    }
+    svg.end_path("#d9b95c", 1.5);
 }
 
 }  // namespace netmesh::tool

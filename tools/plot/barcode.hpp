@@ -1,5 +1,6 @@
 // The two panels of a diagram's picture.
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "netmesh.h"
@@ -15,13 +16,15 @@ struct Panel {
 struct BarStyle {
     double ratio;                                // certified ratio c
     double from;                                 // radius from which it holds
-    std::vector<netmesh_scale_step> steps = {};  // the ratio by scale, when it is known
+    std::vector<netmesh_scale_step> steps = {};  // the certificate by scale, when it is known
     bool has_flags = false;                      // then `real` tells which bars are
     std::vector<Bar> real = {};                  // sorted
     // True when the exact diagram surely has a class for this bar.
     bool certain(const Bar& bar) const;
     // Death up to which a bar with this birth may be an artefact.
     double doubtful(double birth) const;
+    // Do the steps come from the bounds of cells, not from one ratio?
+    bool has_curve() const { return !steps.empty() && std::isfinite(steps.back().high); }
 };
 
 // The style that certified ratio and bounds, if there are any, give.
@@ -40,6 +43,8 @@ std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max
 
 void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& groups, const LogScale& scale,
                   const BarStyle& style);
+// The certified ratio by scale, c(r) upwards on a log scale from 1, above the barcode's axis.
+void draw_ratio(Svg& svg, const Panel& panel, const LogScale& scale, const BarStyle& style);
 void draw_scatter(Svg& svg, const Panel& panel, const std::vector<Bar>& bars, const LogScale& scale,
                   const BarStyle& style);
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double page_width = 1280, page_height = 750;
 constexpr std::size_t rows_max = 40;  // bars shown of one degree
+constexpr double ratio_height = 60;
 
 std::string superscript(std::uint32_t dim) {
     static constexpr const char* digits[] = {
@@ -63,11 +64,10 @@ void draw_key(Svg& svg, double x, double y, const netmesh_report& report, const 
     const double square = report.diagram.certified_ratio * report.diagram.certified_ratio;
     svg.rect(x + 8, y - 11, 22, 13, "#fbf3dc");
     if (style.has_flags) {
-        svg.text(
-            x + 38, y,
-            "death / birth \xE2\x89\xA4 c(birth)\xC2\xB2, the certified ratio at the scale of birth; faint bars may be "
-            "artefacts, every solid class is real",
-            12, faint_ink, Anchor::start);
+        const std::string shown = style.has_curve() ? "; c(r): certified ratio at radius r" : "";
+        svg.text(x + 38, y,
+                 "too short to be surely real by scale; faint bars may be artefacts, every solid class is real" + shown,
+                 12, faint_ink, Anchor::start);
         return;
     }
     svg.text(x + 38, y,
@@ -89,7 +89,12 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     svg.text(48, 40, "Persistent homology of " + subject, 20, ink, Anchor::start, true);
     svg.text(48, 62, subtitle(report), 13, faint_ink, Anchor::start);
     svg.text(48, 82, certificate(report), 13, ink, Anchor::start);
-    const Panel barcode{152, 112, 572, 520};
+    Panel barcode{152, 112, 572, 520};
+    if (style.has_curve()) {
+        draw_ratio(svg, {barcode.x, barcode.y, barcode.width, ratio_height}, scale, style);
+        barcode.y += ratio_height + 20;
+        barcode.height -= ratio_height + 20;
+    }
     draw_barcode(svg, barcode, group_bars(bars, report.diagram.max_degree, rows_max), scale, style);
     const Panel scatter{800, 112, 440, 520};
     draw_scatter(svg, scatter, bars, scale, style);

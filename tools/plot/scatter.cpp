@@ -92,7 +92,7 @@ void draw_regions(Svg& svg, const Square& square, const LogScale& scale, const B
     const double below[] = {square.x_of(scale.low),  square.y_of(scale.low), square.x_of(scale.high),
                             square.y_of(scale.high), square.right(),         square.bottom()};
     svg.polygon(below, 3, "#f4f5f6");
-    if (!style.steps.empty() && std::isfinite(style.steps.back().reach)) {
+    if (style.has_curve()) {
         draw_doubt(svg, square, scale, style);
         return;
     }

@@ -46,14 +46,14 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
     json.close('}');
 }
 
-// The ratio by scale; with the bars, in their order: birth from, to, death from, to, and whether the bar is surely
-// real.
+// The certificate by scale (netmesh_scale_step); with the bars, in their order: birth from, to, death from, to, and
+// whether the bar is surely real.
 void write_bounds(Json& json, const RunReport& run) {
     json.key("scale_steps");
     json.open('[');
     for (const netmesh_scale_step& step : run.bounds->steps) {
         json.open('[');
-        for (const double x : {step.from, step.reach, step.ratio}) json.value(x);
+        for (const double x : {step.from, step.low, step.high, step.reach, step.ratio}) json.value(x);
         json.close(']');
     }
     json.close(']');

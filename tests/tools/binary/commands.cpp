@@ -298,7 +298,7 @@ TEST_CASE("persist: bounds of single bars") {
         CHECK(json.out.find("\"scale_steps\": [") != std::string::npos);
     }
     CHECK(folder.run("persist p.csv --bounds --quiet -o d.pers --svg d.svg").exit == 0);
-    CHECK(folder.read("d.svg").find("the certified ratio at the scale of birth") != std::string::npos);
+    CHECK(folder.read("d.svg").find("certified ratio at radius r") != std::string::npos);
 }
 
 TEST_CASE("check: vineyards") {

@@ -222,6 +222,17 @@ TEST_CASE("pictures are whole documents that show what they should") {
     CHECK(picture.find("certified ratio c = 2") != std::string::npos);
     CHECK(picture.find("nan") == std::string::npos);
     CHECK(height_of(picture, "filter complete") != height_of(picture, "certified ratio c"));  // both are long lines
+    CHECK(picture.find("c(r)") == std::string::npos);
+    // The ratio by scale as a curve, cut at the diagram's where it is larger; not of a single ratio.
+    Bounds bounds;
+    bounds.bars.resize(bars.size());
+    bounds.steps = {{0, 0, HUGE_VAL, HUGE_VAL, HUGE_VAL, 2}};
+    CHECK(diagram_picture(bars, report, bounds).find("c(r)") == std::string::npos);
+    bounds.steps = {{0, 0, 0, 1, 1, HUGE_VAL}, {0, .6, .5, 1, 1, 1.8}, {0, 1.1, HUGE_VAL, 1, 1.1, 1}};
+    const std::string curve = diagram_picture(bars, report, bounds);
+    CHECK(curve.find("c(r)") != std::string::npos);
+    CHECK(curve.find("nan") == std::string::npos);
+    CHECK(curve.find("inf") == std::string::npos);
     const std::string lonely = diagram_picture({{0, 0, HUGE_VAL}}, report);
     CHECK(lonely.find("nan") == std::string::npos);
     CHECK(lonely.find("1 bar<") != std::string::npos);

@@ -1,0 +1,149 @@
+// Bounds of bars and the certificate by scale against phi, psi and psi^- as they are defined, vertex by vertex.
+#include "jobs/bar_bounds.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "common/block.hpp"
+#include "common/inputs.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+struct Filter {
+    std::vector<double> t;
+    std::vector<Interval> interval;
+
+    double phi(double b) const {
+        double most = b;
+        for (std::size_t v = 0; v < t.size(); ++v)
+            if (t[v] <= b) most = std::max(most, interval[v].hi);
+        return most;
+    }
+    double psi(double a) const {
+        double most = a;
+        for (std::size_t v = 0; v < t.size(); ++v)
+            if (interval[v].lo <= a) most = std::max(most, t[v]);
+        return most;
+    }
+    // The least x with psi(x) >= a; psi rises by steps at the lo of vertices, and is x otherwise.
+    double psi_inverse(double a) const {
+        double least = a;
+        for (const Interval& i : interval)
+            if (i.lo < least && psi(i.lo) >= a) least = i.lo;
+        return least;
+    }
+    double ratio(double a) const {
+        return a == 0 ? 1 : std::max(phi(a) / a, psi_inverse(a) > 0 ? a / psi_inverse(a) : HUGE_VAL);
+    }
+    // Where anything changes, one double before and after, and in between.
+    std::set<double> scales(inputs::Random& random) const {
+        std::set<double> scales = {0};
+        for (std::size_t v = 0; v < t.size(); ++v)
+            for (const double a : {t[v], interval[v].lo, interval[v].hi})
+                scales.insert({a, std::max(std::nextafter(a, 0), 0.0), std::nextafter(a, HUGE_VAL)});
+        for (int i = 0; i < 30; ++i)
+            scales.insert(std::ldexp(1 + random.uniform(), static_cast<int>(random.below(12)) - 8));
+        return scales;
+    }
+};
+
+// Numbers of few digits, so that many are equal; some values and lo are 0 where asked for.
+Filter coarse_filter(inputs::Random& random, bool with_zeros) {
+    Filter filter;
+    const auto number = [&] {
+        return std::ldexp(1 + static_cast<double>(random.below(16)) / 16, static_cast<int>(random.below(8)) - 6);
+    };
+    for (std::uint64_t left = 1 + random.below(24); left > 0; --left) {
+        double lo = number(), hi = number() * 2;
+        if (hi < lo) std::swap(lo, hi);
+        double t = random.below(4) == 0 ? number() : lo + (hi - lo) * static_cast<double>(random.below(5)) / 4;
+        if (with_zeros && random.below(4) == 0) t = 0;
+        if (with_zeros && random.below(6) == 0) lo = 0;
+        filter.t.push_back(t);
+        filter.interval.push_back({lo, hi});
+    }
+    return filter;
+}
+
+// Many values within one step of the curve.
+Filter fine_filter(inputs::Random& random) {
+    Filter filter;
+    const double above = 1 + random.uniform(), below = random.uniform();
+    for (int i = 0; i < 40; ++i) {
+        const double t = 1 + random.uniform() / 2;
+        filter.t.push_back(t);
+        filter.interval.push_back({t * (1 - below * random.uniform()), t * (1 + above * random.uniform())});
+    }
+    return filter;
+}
+
+void compare(const Filter& filter, inputs::Random& random) {
+    const std::set<double> scales = filter.scales(random);
+    std::vector<Pair> pairs;
+    for (const double a : scales) pairs.push_back({a, 2 * a, 0, 0});
+    std::vector<BarBounds> bounds(pairs.size());
+    Block block(std::size_t{1} << 20);
+    ScaleCurve curve;
+    REQUIRE(bound_by_scale({filter.t.data(), filter.interval.data(), static_cast<std::uint32_t>(filter.t.size())},
+                           {pairs.data(), pairs.size()}, block.arena, bounds.data(), &curve) == Status::ok);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const BarBounds& b = bounds[i];
+        CHECK(b.birth_low == filter.psi_inverse(pairs[i].birth));
+        CHECK(b.birth_high == filter.phi(pairs[i].birth));
+        CHECK(b.death_low == filter.psi_inverse(pairs[i].death));
+        CHECK(b.death_high == filter.phi(pairs[i].death));
+        CHECK(b.certain_after == filter.psi(filter.phi(pairs[i].birth)));
+    }
+    const double growth = 1 + 1.0 / 16;
+    for (std::uint64_t i = 0; i < curve.count; ++i) {
+        const ScaleStep& step = curve.steps[i];
+        const double next = i + 1 < curve.count ? curve.steps[i + 1].from : HUGE_VAL;
+        CHECK(step.from < next);
+        double ratio = 1;
+        for (auto a = scales.lower_bound(step.from); a != scales.end() && *a < next; ++a) {
+            CHECK(filter.psi_inverse(*a) >= std::min(step.low, *a));
+            CHECK(filter.phi(*a) <= std::max(step.high, *a));
+            const double reach = filter.psi(filter.phi(*a));
+            CHECK(reach <= std::max(step.reach, *a));
+            // Nor are they much wider than need be.
+            CHECK(filter.psi_inverse(*a) <= std::min(step.low, *a) * growth);
+            CHECK(filter.phi(*a) * growth >= std::max(step.high, *a));
+            CHECK(reach * growth >= std::max(step.reach, *a));
+            ratio = std::max(ratio, filter.ratio(*a));
+        }
+        CHECK(ratio <= step.ratio);
+        CHECK(ratio * (1 + 1e-9) >= step.ratio);
+    }
+    for (const double a : scales)
+        if (curve.count > 0 && a < curve.steps[0].from) CHECK(filter.ratio(a) == 1);
+}
+
+}  // namespace
+
+TEST_CASE("bounds by scale are phi and psi^-, the curve holds them") {
+    inputs::Random random(41);
+    for (int i = 0; i < 300; ++i) {
+        CAPTURE(i);
+        compare(i % 3 == 2 ? fine_filter(random) : coarse_filter(random, i % 3 == 0), random);
+    }
+}
+
+TEST_CASE("bounds by one ratio") {
+    Block block(std::size_t{1} << 16);
+    ScaleCurve curve;
+    BarBounds bounds;
+    const Pair pair = {2, 3, 1, 0};
+    REQUIRE(bound_by_ratio(1.5, {&pair, 1}, block.arena, &bounds, &curve) == Status::ok);
+    REQUIRE(curve.count == 1);
+    CHECK(curve.steps[0].from == 0);
+    CHECK(curve.steps[0].ratio == 1.5);
+    CHECK(bounds.birth_high == 3);
+    CHECK(bounds.death_low == 2);
+    CHECK(bounds.certain_after == 4.5);
+}
