@@ -127,7 +127,7 @@ bool shell_to_a_side(Mesh* mesh, const Planter& p) {
         if (hierarchy.domain[v] != hierarchy.domain[one] || !is_shell(*mesh, hierarchy, v) || v == one) continue;
         Point x = pole;
         const Point d = p.random.direction(mesh->dim);
-        for (int k = 0; k < mesh->dim; k++) x[k] += 0.2 * length * d[k];
+        for (int k = 0; k < mesh->dim; k++) x[k] += 0.05 * length * d[k];
         const double now = distance(centre, x, mesh->dim);
         for (int k = 0; k < mesh->dim; k++) x[k] = centre[k] + length / now * (x[k] - centre[k]);
         mesh->vertices[v] = x;

@@ -93,10 +93,10 @@ void run_long(const Tool& tool, Settings settings, const Arguments& arguments, A
     settings.refined = 60;
     for (std::size_t& size : settings.size) size *= 3;
     try_named(tool, settings, 1, dims.back(), account);
-    for (int round = 0; now() < end; round++) {
+    for (std::size_t round = 0; now() < end; round++) {
         const int dim = dims[seeds.below(dims.size())];
         if (round % 25 == 0) {
-            try_plants(tool, settings, dim, seeds.next() >> 16, account);
+            try_plants(tool, settings, dims[round / 25 % dims.size()], seeds.next() >> 16, account);
         } else {
             try_family(tool, settings, dim, seeds.below(families().size()), seeds.next() >> 16, account);
         }
@@ -177,5 +177,5 @@ int main(int count, char** words) {
     } else {
         run_slice(tool, settings, arguments.seed, &account);
     }
-    return report(account, true);
+    return report(account, arguments.minutes == 0);
 }
