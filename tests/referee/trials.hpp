@@ -9,11 +9,11 @@
 namespace referee {
 
 struct Settings {
-    std::size_t size[dim_max + 1] = {0, 0, 40, 24, 9, 6, 6};  // points of a family, about
+    std::size_t size[dim_max + 1] = {0, 0, 30, 12, 6, 6, 6};  // points of a family, about
     std::size_t refined = 6;                                  // points in space that --method refine is tried on
-    double cells_max = 1500;                                  // of the largest dimension; ten times as many below
+    double cells_max = 500;                                   // of the largest dimension; ten times as many below
     std::size_t samples = 20000;
-    unsigned seconds = 20;      // for each run of the tool
+    unsigned seconds = 10;      // for each run of the tool
     bool every_ground = false;  // plants in every kind of mesh, not in one of them
     std::string keep;           // folder for the files of failed trials
 };
