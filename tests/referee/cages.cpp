@@ -1,0 +1,95 @@
+#include "cages.hpp"
+
+namespace referee {
+namespace {
+
+const CageLine& line_of(const Mesh& mesh, int cage) { return mesh.cages[static_cast<std::size_t>(cage)]; }
+
+// Sign of |x - centre of the cage| - factor r.
+int compare(const Mesh& mesh, int cage, const Point& x, double factor) {
+    const CageLine& line = line_of(mesh, cage);
+    return compare_distance(mesh.vertices[line.centre], x, mesh.dim, factor * line.radius);
+}
+
+bool judge_lines(const Mesh& mesh, Verdict* verdict) {
+    for (const CageLine& line : mesh.cages)
+        if (line.centre >= mesh.count() || mesh.markers[line.centre] != input_marker || !(line.radius > 0)) {
+            verdict->add("cages", "a cage is not a ball about an input");
+            return false;
+        }
+    const int count = static_cast<int>(mesh.cages.size());
+    for (int a = 0; a < count; a++)
+        for (int b = 0; b < a; b++) {
+            const CageLine &p = line_of(mesh, a), &q = line_of(mesh, b);
+            const double apart = distance(mesh.vertices[p.centre], mesh.vertices[q.centre], mesh.dim);
+            const double room = 0x1p-40 * (p.radius + q.radius), across = std::fabs(p.radius - q.radius);
+            if (p.radius == q.radius && p.centre == q.centre) {
+                verdict->add("cages", "a cage stands there twice");
+                return false;
+            }
+            if (apart < p.radius + q.radius - room && apart > across + room) {
+                verdict->add("cages",
+                             "the balls about " + count_text(p.centre) + " and " + count_text(q.centre) + " cross");
+                return false;
+            }
+        }
+    return true;
+}
+
+void judge_cage(const Mesh& mesh, const Hierarchy& hierarchy, int cage, Verdict* verdict) {
+    const CageLine& line = line_of(mesh, cage);
+    const std::string name = "the cage about " + count_text(line.centre);
+    int shell = 0;
+    for (std::uint32_t v = 0; v < mesh.count(); v++) {
+        const Point& x = mesh.vertices[v];
+        if (is_in_cage(mesh, cage, v)) {
+            const bool inner = compare(mesh, cage, x, cage_inner) <= 0;
+            if (!inner && mesh.markers[v] == input_marker)
+                verdict->add("cages", "input " + count_text(v) + " is in the gap inside " + name);
+            shell += !inner && mesh.markers[v] == exempt_marker && hierarchy.domain[v] == cage;
+        } else if (compare(mesh, cage, x, cage_outer) < 0 && mesh.markers[v] != exempt_marker) {
+            const int other = hierarchy.domain[v];
+            const bool beside = other != no_cage && !is_in_cage(mesh, other, line.centre);
+            if (mesh.markers[v] == input_marker || !beside)
+                verdict->add("cages", "vertex " + count_text(v) + " is in the gap around " + name);
+        }
+    }
+    if (shell != 2 * mesh.dim) verdict->add("cages", name + " has a shell of " + count_text(shell) + " vertices");
+    const int parent = hierarchy.parent[static_cast<std::size_t>(cage)];
+    const double reach = distance(clip_centre(mesh, parent), mesh.vertices[line.centre], mesh.dim) + line.radius;
+    if (reach > clip_radius(mesh, parent) * (1 + 0x1p-40) && parent != no_cage)
+        verdict->add("cages", name + " sticks out of the domain around it");
+}
+
+}  // namespace
+
+bool is_in_cage(const Mesh& mesh, int cage, std::uint32_t v) { return compare(mesh, cage, mesh.vertices[v], 1) < 0; }
+
+bool is_shell(const Mesh& mesh, const Hierarchy& hierarchy, std::uint32_t v) {
+    const int cage = hierarchy.domain[v];
+    return mesh.markers[v] == exempt_marker && cage != no_cage && compare(mesh, cage, mesh.vertices[v], cage_inner) > 0;
+}
+
+Hierarchy judge_cages(const Mesh& mesh, Verdict* verdict) {
+    Hierarchy hierarchy;
+    const int count = static_cast<int>(mesh.cages.size());
+    hierarchy.domain.assign(mesh.count(), no_cage);
+    hierarchy.parent.assign(mesh.cages.size(), no_cage);
+    if (!judge_lines(mesh, verdict)) return hierarchy;
+    const auto innermost = [&](std::uint32_t v, double above) {
+        int found = no_cage;
+        for (int c = 0; c < count; c++) {
+            const double radius = line_of(mesh, c).radius;
+            if (radius <= above || !is_in_cage(mesh, c, v)) continue;
+            if (found == no_cage || radius < line_of(mesh, found).radius) found = c;
+        }
+        return found;
+    };
+    for (std::uint32_t v = 0; v < mesh.count() && count > 0; v++) hierarchy.domain[v] = innermost(v, 0);
+    for (int c = 0; c < count; c++)
+        hierarchy.parent[static_cast<std::size_t>(c)] = innermost(line_of(mesh, c).centre, line_of(mesh, c).radius);
+    for (int c = 0; c < count; c++) judge_cage(mesh, hierarchy, c, verdict);
+    return hierarchy;
+}
+
+}  // namespace referee

@@ -1,0 +1,106 @@
+#include "certificate.hpp"
+
+#include <algorithm>
+
+namespace referee {
+namespace {
+
+// Corners are known to this part of their distances; so are the numbers made of them.
+constexpr double corner_room = 1e-9;
+
+std::uint32_t nearest(const Mesh& mesh, const Point& x, bool inputs_only, double* least) {
+    std::uint32_t found = 0;
+    *least = INFINITY;
+    for (std::uint32_t v = 0; v < mesh.count(); v++) {
+        if (inputs_only && mesh.markers[v] != input_marker) continue;
+        const double d = distance(mesh.vertices[v], x, mesh.dim);
+        if (d < *least) {
+            *least = d;
+            found = v;
+        }
+    }
+    return found;
+}
+
+// The corner of a cell from its first vertex on, with an error far below corner_room.
+Vector<Rational> exact_corner(const Mesh& mesh, const Entries& cell) {
+    Matrix<Rational> rows;
+    Vector<Rational> heights, y;
+    for (int i = 0; i < mesh.dim; i++) {
+        rows[i] = difference<Rational>(mesh.vertices[cell[0]], mesh.vertices[cell[i + 1]], mesh.dim);
+        heights[i] = norm2<Rational>(rows[i], mesh.dim) / 2;
+    }
+    solve<Rational>(rows, heights, mesh.dim, &y);
+    return y;
+}
+
+double corner_distance(const Mesh& mesh, const Vector<Rational>& corner, const Point& from, const Point& to) {
+    Vector<Rational> d = difference<Rational>(to, from, mesh.dim);
+    for (int k = 0; k < mesh.dim; k++) d[k] = d[k] + corner[k];
+    return std::sqrt(norm2<Rational>(d, mesh.dim).get_d());
+}
+
+// The radius of a ball about the domain's centre that contains the inputs.
+double enclosing_radius(const Mesh& mesh) {
+    double most = 0;
+    for (std::size_t v = 0; v < mesh.count(); v++)
+        if (mesh.markers[v] == input_marker) most = std::max(most, distance(mesh.vertices[v], mesh.centre, mesh.dim));
+    return most;
+}
+
+}  // namespace
+
+void judge_certificate(const Mesh& mesh, const Diagram& diagram, const Hull& hull, Verdict* verdict) {
+    const std::size_t count = mesh.count();
+    const double rho = enclosing_radius(mesh);
+    std::vector<double> out(count, 0), far(count, 0), from_inputs(count);
+    std::vector<std::uint32_t> origin(count);
+    for (std::uint32_t v = 0; v < count; v++) origin[v] = nearest(mesh, mesh.vertices[v], true, &from_inputs[v]);
+    for (const Entries& cell : mesh.cells) {
+        const Vector<Rational> corner = exact_corner(mesh, cell);
+        const Point& from = mesh.vertices[cell[0]];
+        const double radius = corner_distance(mesh, corner, from, from);
+        for (int i = 0; i <= mesh.dim; i++) {
+            const std::uint32_t v = cell[i];
+            out[v] = std::max(out[v], radius);
+            far[v] = std::max(far[v], corner_distance(mesh, corner, from, mesh.vertices[origin[v]]));
+        }
+    }
+    for (std::uint32_t v = 0; v < count; v++) {
+        const double d = from_inputs[v];
+        double low = std::max(d / 2, d - out[v]), high = far[v];
+        if (mesh.markers[v] == input_marker) low = diagram.nearest(v) / 2, high = out[v];
+        if (hull.has[v]) low = d / 2, high = INFINITY;
+        const double ratio = std::sqrt(std::min(high, rho) / std::min(low, rho));
+        verdict->worst_ratio = std::max(verdict->worst_ratio, ratio);
+        if (ratio > mesh.ratio * (1 + corner_room))
+            verdict->add("certificate", "the cell of vertex " + count_text(v) + " has the ratio " + number_text(ratio));
+    }
+}
+
+void sample_values(const Mesh& mesh, const Diagram& diagram, std::size_t samples, Random& random, Verdict* verdict) {
+    const double c = mesh.ratio * (1 + corner_room), rho = enclosing_radius(mesh);
+    for (std::size_t s = 0; s < samples; s++) {
+        const Point direction = random.direction(mesh.dim);
+        Point x = mesh.centre;
+        double length = mesh.radius * std::pow(random.unit(), 1.0 / mesh.dim);
+        if (s % 2 == 0) {  // near a vertex
+            const std::uint32_t v = random.below(mesh.count());
+            if (mesh.markers[v] == exempt_marker) continue;
+            x = mesh.vertices[v];
+            length = diagram.nearest(v) * random.between(0, 1.5);
+        }
+        for (int k = 0; k < mesh.dim; k++) x[k] += length * direction[k];
+        if (distance(x, mesh.centre, mesh.dim) > mesh.radius) continue;
+        double apart, d;
+        const std::uint32_t v = nearest(mesh, x, false, &apart);
+        nearest(mesh, x, true, &d);
+        d = std::min(d, rho);
+        const bool in_ball = mesh.markers[v] == input_marker && apart <= diagram.nearest(v) / 2;
+        if (d > c * mesh.values[v] || (!in_ball && d < mesh.values[v] / c))
+            verdict->add("certificate", "a point of the cell of vertex " + count_text(v) + " is at " + number_text(d) +
+                                            ", the vertex has the value " + number_text(mesh.values[v]));
+    }
+}
+
+}  // namespace referee

@@ -1,0 +1,181 @@
+// The referee: judges the files that `netmesh` writes, by its own definitions, and plants violations that `check` must
+// refuse. Shares no code with what it judges.
+//
+//   referee NETMESH [--seed S] [--minutes M] [--keep FOLDER]      a slice, or new seeds for M minutes
+//   referee NETMESH --trial D:FAMILY:SEED | --plants D:SEED       one trial that failed
+//   referee NETMESH --judge STEM                                  files STEM.node, .ele, .neigh as they are
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "trials.hpp"
+
+using namespace referee;
+
+namespace {
+
+struct Arguments {
+    std::string tool, trial, plants, keep, stem;
+    std::uint64_t seed = 1;
+    double minutes = 0;
+};
+
+bool parse(int count, char** words, Arguments* arguments) {
+    if (count < 2) return false;
+    arguments->tool = words[1];
+    for (int i = 2; i < count; i += 2) {
+        if (i + 1 == count) return false;
+        const std::string name = words[i], value = words[i + 1];
+        if (name == "--seed") {
+            arguments->seed = std::strtoull(value.c_str(), nullptr, 0);
+        } else if (name == "--minutes") {
+            arguments->minutes = std::atof(value.c_str());
+        } else if (name == "--trial") {
+            arguments->trial = value;
+        } else if (name == "--plants") {
+            arguments->plants = value;
+        } else if (name == "--keep") {
+            arguments->keep = value;
+        } else if (name == "--judge") {
+            arguments->stem = value;
+        } else {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<std::uint64_t> numbers_of(const std::string& text) {
+    std::vector<std::uint64_t> numbers;
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ':');) numbers.push_back(std::strtoull(part.c_str(), nullptr, 0));
+    return numbers;
+}
+
+double now() {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+// Of 2, 3 and 4 those that the tool was built with; 2 and 3 must be.
+std::vector<int> dimensions_of(const Tool& tool) {
+    std::vector<int> dims = {2, 3};
+    std::vector<Point> simplex(5);
+    for (std::size_t i = 0; i < 4; i++) simplex[i][i] = 1;
+    write_points(tool.path("simplex.txt"), simplex, 4);
+    if (tool.run({"delaunay", tool.path("simplex.txt"), "-o", tool.path("simplex.node")}, 60).exit == done) {
+        dims.push_back(4);
+    } else {
+        std::printf("D = 4 is left out: the tool was built without it\n");
+    }
+    return dims;
+}
+
+void run_slice(const Tool& tool, const Settings& settings, std::uint64_t seed, Account* account) {
+    Random seeds(seed);
+    const std::vector<int> dims = dimensions_of(tool);
+    try_named(tool, settings, 4, dims.back(), account);
+    for (const int dim : dims)
+        for (std::size_t family = 0; family < families().size(); family++)
+            try_family(tool, settings, dim, family, seeds.next() >> 16, account);
+    for (const int dim : dims) try_plants(tool, settings, dim, seeds.next() >> 16, account);
+}
+
+void run_long(const Tool& tool, Settings settings, const Arguments& arguments, Account* account) {
+    Random seeds(arguments.seed);
+    const double end = now() + 60 * arguments.minutes;
+    const std::vector<int> dims = dimensions_of(tool);
+    settings.every_ground = true;
+    settings.seconds = 60;
+    settings.refined = 60;
+    for (std::size_t& size : settings.size) size *= 3;
+    try_named(tool, settings, 1, dims.back(), account);
+    for (std::size_t round = 0; now() < end; round++) {
+        const int dim = dims[seeds.below(dims.size())];
+        if (round % 25 == 0) {
+            try_plants(tool, settings, dims[round / 25 % dims.size()], seeds.next() >> 16, account);
+        } else {
+            try_family(tool, settings, dim, seeds.below(families().size()), seeds.next() >> 16, account);
+        }
+    }
+}
+
+int judge_files(const std::string& stem, std::uint64_t seed) {
+    Mesh mesh;
+    const std::string unreadable = read_mesh(stem, &mesh);
+    if (!unreadable.empty()) {
+        std::printf("%s\n", unreadable.c_str());
+        return 1;
+    }
+    Case wanted;
+    wanted.dim = mesh.dim;
+    wanted.is_mesh = mesh.has_domain;
+    wanted.has_cages = true;
+    for (std::size_t v = 0; v < mesh.count(); v++)
+        if (mesh.markers[v] == input_marker) wanted.points.push_back(mesh.vertices[v]);
+    Random random(seed);
+    const Verdict verdict = judge(mesh, wanted, random);
+    for (const Fault& fault : verdict.faults) std::printf("%s: %s\n", fault.promise.c_str(), fault.text.c_str());
+    std::printf("largest ratio %.6f, sampled %.6f\n", verdict.worst_ratio, verdict.sampled_ratio);
+    return verdict.good() ? 0 : 1;
+}
+
+int report(const Account& account, bool all_plants) {
+    int kinds = 0, never = 0;
+    for (const auto& [name, count] : account.planted) {
+        kinds += count > 0;
+        if (count > 0 || !all_plants) continue;
+        never++;
+        std::printf("FAILED never planted: %s\n", name.c_str());
+    }
+    int planted = 0, seen = 0;
+    for (const auto& entry : account.planted) planted += entry.second;
+    for (const auto& entry : account.seen) seen += entry.second;
+    std::printf("%d runs: %d meshes judged, %d refused as documented or failed, %d too large; "
+                "largest sampled ratio %.6f of tau\n",
+                account.trials, account.meshes, account.refused, account.too_large, account.worst_sampled);
+    std::printf("%d kinds of violations planted %d times, %d refused by `check`\n", kinds, planted, seen);
+    std::printf("%d failures\n", account.failures + never);
+    return account.failures + never == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    Arguments arguments;
+    if (!parse(count, words, &arguments)) {
+        std::fprintf(stderr, "referee NETMESH [--seed S] [--minutes M] [--keep FOLDER] [--trial D:FAMILY:SEED] "
+                             "[--plants D:SEED] [--judge STEM]\n");
+        return 2;
+    }
+    if (!arguments.stem.empty()) return judge_files(arguments.stem, arguments.seed);
+    const Tool tool(arguments.tool);
+    Settings settings;
+    settings.keep = arguments.keep;
+    Account account;
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
+    if (!arguments.trial.empty()) {
+        const std::vector<std::uint64_t> n = numbers_of(arguments.trial);
+        if (n.size() != 3) return 2;
+        if (arguments.minutes > 0)  // as in a long run
+            for (std::size_t& size : settings.size) size *= 3;
+        try_family(tool, settings, static_cast<int>(n[0]), n[1], n[2], &account);
+        return report(account, false);
+    }
+    if (!arguments.plants.empty()) {
+        const std::vector<std::uint64_t> n = numbers_of(arguments.plants);
+        if (n.size() != 2) return 2;
+        settings.every_ground = true;
+        try_plants(tool, settings, static_cast<int>(n[0]), n[1], &account);
+        return report(account, false);
+    }
+    if (arguments.minutes > 0) {
+        run_long(tool, settings, arguments, &account);
+    } else {
+        run_slice(tool, settings, arguments.seed, &account);
+    }
+    return report(account, arguments.minutes == 0);
+}
