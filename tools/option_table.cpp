@@ -267,11 +267,11 @@ const std::vector<OptionEntry>& option_entries() {
         {"--fit", persist, nullptr, apply_switch<&Options::fit>,
          "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins "
          "(4)"},
-        {"--method", persist, "M", apply_method,
+        {"--method", persist | check, "M", apply_method,
          "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
         {"--method", mesh | size, "M", apply_method,
          "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
-        {"--finish", mesh | persist | size, nullptr, apply_switch<&Options::finish>,
+        {"--finish", mesh | persist | size | check, nullptr, apply_switch<&Options::finish>,
          "go on from a hierarchical mesh to one of quality tau without cages"},
         {"--audit", mesh | size, "WHAT", apply_audit,
          "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured "

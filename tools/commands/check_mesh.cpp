@@ -95,7 +95,7 @@ Outcome compare_inputs(const MeshFiles& files, const PointCloud& points) {
 // The vertex attribute against the values of each filter; *found says which.
 Outcome compare_values(Session& session, const Options& options, const MeshFiles& files, std::string* found) {
     const NodeFile& node = files.node;
-    for (const FilterChoice& choice : candidates(options, NETMESH_SOURCE_MESH)) {
+    for (const FilterChoice& choice : candidates(options)) {
         requests::Persist persist = persist_request(options, {choice}, node.cloud.dim);
         persist.max_degree = 0;
         const netmesh_status status =

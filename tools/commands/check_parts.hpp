@@ -11,9 +11,9 @@
 
 namespace netmesh::tool {
 
-// The filters and values that a file may come from, as far as --filter, --values and --k leave them open, of those that
-// go by a mesh, a Delaunay triangulation, scales or the points themselves.
-std::vector<FilterChoice> candidates(const Options& options, netmesh_source made_of);
+// The filters on meshes, with their values, that vertex values may be of, as far as --filter, --values and --k leave
+// them open.
+std::vector<FilterChoice> candidates(const Options& options);
 
 Outcome mismatch(const std::string& what);  // Exit::check
 
@@ -25,7 +25,8 @@ netmesh_status load_mesh(Session& session, const MeshFiles& files);
 // session.
 Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Session& session);
 
-// The diagram of the positional argument: by itself, or recomputed from --mesh or --points.
+// The diagram of the positional argument: its form; and, where its head or the options say how it was made, the same run
+// of the engine again from --points, or from --mesh with a second opinion by other code.
 Outcome check_diagram(const Options& options, RunReport* run);
 
 // The vineyard of the positional argument, likewise.

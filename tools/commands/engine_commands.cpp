@@ -5,6 +5,7 @@
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
+#include "tools/io/provenance.hpp"
 #include "tools/plot/plots.hpp"
 
 namespace netmesh::tool {
@@ -75,29 +76,6 @@ std::size_t plan_of(const Options& options, const PointCloud& cloud) {
     return plan(delaunay);
 }
 
-// The best mesh and diagram for the memory. What was reached is what is checked.
-netmesh_status fit(Session& session, const Options& options, const PointCloud& cloud) {
-    const netmesh_status status = session.call(NETMESH_STAGE_REFINE, [&] {
-        return session.engine().fit(session.watched(fit_request(options, cloud.dim), cloud));
-    });
-    if (status == NETMESH_OK) session.mesh().certificate = session.engine().report().mesh.certificate;
-    return status;
-}
-
-netmesh_status persist(Session& session, const Options& options, const PointCloud& cloud) {
-    DiagramRequest diagram{choice_of(options), options.all, false};
-    const netmesh_filter_info& filter = about(diagram.choice.filter);
-    const bool on_points = is_on_points(filter.filter);
-    const bool cycles =
-        filter.has_representatives != 0 && (!options.representatives.empty() || (on_points && options.check));
-    diagram.cycles = on_points && cycles;
-    netmesh_status status = prepare_for(session, options, filter.filter, cloud);
-    if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
-    if (status == NETMESH_OK && options.bounds) status = bound_bars(session);
-    if (status == NETMESH_OK && !on_points && cycles) status = find_cycles(session);
-    return status;
-}
-
 netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis* analysis) {
     requests::Analyse request;
     request.mesh = &session.mesh();
@@ -109,11 +87,8 @@ netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis
 netmesh_status work(Session& session, const Options& options, const PointCloud& cloud, netmesh_analysis* analysis) {
     const netmesh_source source = source_of(options);
     netmesh_status status;
-    if (options.fit) {
-        status = fit(session, options, cloud);
-        if (status == NETMESH_OK && !options.representatives.empty()) status = find_cycles(session);
-    } else if (persists(options)) {
-        status = persist(session, options, cloud);
+    if (persists(options)) {
+        status = persist_as_asked(session, options, cloud);
     } else {
         status =
             source == NETMESH_SOURCE_MESH ? make_mesh(session, cloud) : make_triangulation(session, options, cloud);
@@ -162,7 +137,10 @@ std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, 
         jobs.push_back({options.svg, draw});
     }
     if (!options.out.empty() || !options.json)
-        jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(result.bars, result.bounds, out); }});
+        jobs.push_back({options.out, [&](TextWriter& out) {
+                            write_head(head_of(options, report), out);
+                            write_diagram(result.bars, result.bounds, out);
+                        }});
     return jobs;
 }
 
