@@ -55,6 +55,7 @@ Outcome run_check(const Options& options) {
         if (outcome.good()) {
             Session session(options, files.node.cloud.dim);
             outcome = check_mesh(options, files, &run, session);
+            if (outcome.good()) outcome = check_vertex_values(options, files, &run, session);
         }
     } else {
         outcome = ending == ".pers" ? check_diagram(options, &run) : check_vines(options, &run);

@@ -11,21 +11,6 @@ namespace netmesh::tool {
 
 namespace {
 
-struct DiagramFile {
-    std::string name;
-    std::vector<Bar> bars;
-    std::vector<std::uint64_t> lines;
-    std::vector<BoundLine> bounds;
-    std::optional<Provenance> head;
-
-    std::uint64_t line_of(std::size_t bar) const {
-        return bar < lines.size() ? lines[bar] : lines.empty() ? 1 : lines.back();
-    }
-    Outcome wrong(std::uint64_t line, const std::string& why) const {
-        return {Exit::check, name + ":" + std::to_string(line) + ": check failed: " + why};
-    }
-};
-
 // What the head says of bars that anyone can see.
 Outcome check_with_head(const DiagramFile& file) {
     const Options& made = file.head->options;
@@ -153,10 +138,11 @@ void add_report(const Session& session, RunReport* run) {
     run->clock = session.clock();
 }
 
-Outcome check_with_points(const Options& made, const DiagramFile& file, RunReport* run) {
+Outcome check_with_points(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
     PointCloud points;
-    Outcome outcome = read_points(made.points_path, &points);
+    Outcome outcome = read_points(open.points_path, &points);
     if (!outcome.good()) return outcome;
+    const Options made = settled(open, points.dim);
     if (file.head) {
         const HeadLine& dim = *file.head->find("dim");
         const HeadLine& count = *file.head->find("points");
@@ -178,17 +164,21 @@ Outcome check_with_points(const Options& made, const DiagramFile& file, RunRepor
     if (outcome.good()) outcome = again.compare({"domain", "certified-ratio", "certified-from", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
-    run->checked->push_back(again.said() + "; the same code twice is no second opinion, --mesh gives one");
-    return {};
+    run->checked->push_back(again.said());
+    return second_opinion_on_points({file, made, cycles}, points, run);
 }
 
-Outcome check_with_mesh(const Options& made, const DiagramFile& file, RunReport* run) {
+Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
     MeshFiles files;
-    Outcome outcome = read_mesh_files(made.mesh_path, &files);
+    Outcome outcome = read_mesh_files(open.mesh_path, &files);
     if (!outcome.good()) return outcome;
     const PointCloud& cloud = files.node.cloud;
-    Options promised = made;  // of the mesh; what a fit reached is in the mesh's own file
-    if (made.fit) promised.ratio.reset(), promised.focus = promised.from = promised.to = 0;
+    const Options made = settled(open, cloud.dim);
+    Options promised = open;  // of the mesh; what a fit reached is in the mesh's own file
+    if (made.fit) {
+        promised.ratio.reset();
+        promised.focus = promised.from = promised.to = 0;
+    }
     Session session(promised, cloud.dim);
     outcome = check_mesh(promised, files, run, session);
     if (!outcome.good()) return outcome;
@@ -204,7 +194,8 @@ Outcome check_with_mesh(const Options& made, const DiagramFile& file, RunReport*
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said());
-    return {};
+    outcome = check_vertex_values(made, files, run, session);
+    return outcome.good() ? second_opinion_on_mesh({file, made, cycles}, files, run) : outcome;
 }
 
 // How the diagram was made: as the file says, else as the options say.
@@ -216,6 +207,7 @@ Options making_of(const Options& options, const DiagramFile& file) {
     made.mesh_path = options.mesh_path;
     made.json = options.json;
     made.quiet = options.quiet;
+    made.representatives.clear();
     if (!made.fit) made.memory_bytes = options.memory_bytes;
     if (!file.head) made.bounds = !file.bounds.empty();
     return made;
@@ -244,8 +236,8 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     const bool on_mesh = source == NETMESH_SOURCE_MESH || source == NETMESH_SOURCE_DELAUNAY;
     if (!on_mesh && !made.mesh_path.empty())
         return usage_error("--mesh: filter " + std::string(filter_name(filter_of(made))) + " has no mesh");
-    if (!made.mesh_path.empty()) return check_with_mesh(made, file, run);
-    if (!made.points_path.empty()) return check_with_points(made, file, run);
+    if (!made.mesh_path.empty()) return check_with_mesh(made, file, options.representatives, run);
+    if (!made.points_path.empty()) return check_with_points(made, file, options.representatives, run);
     run->checked->push_back(file.name + " says how it was made; --points or --mesh is what to check that with");
     return {};
 }
