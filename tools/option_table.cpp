@@ -310,7 +310,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"--check", engine | vineyard, nullptr, apply_switch<&Options::check>,
          "run the independent checkers on the result"},
         {"--check", homology, nullptr, apply_switch<&Options::check>,
-         "check that each cycle is one, and born with its bar"},
+         "check that each cycle is one, is born with its bar and dies with it"},
         {"--bounds", persist, nullptr, apply_switch<&Options::bounds>,
          "where each birth and death surely is and which bars surely are real, behind the bars, and the certified "
          "ratio by\n"

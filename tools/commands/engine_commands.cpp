@@ -6,6 +6,7 @@
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
 #include "tools/io/provenance.hpp"
+#include "tools/opinion/cell_values.hpp"
 #include "tools/plot/plots.hpp"
 
 namespace netmesh::tool {
@@ -99,21 +100,36 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     return status;
 }
 
-std::string checked_text(const Options& options) {
+// The complex whose cycles are looked at; none where that is not asked for, or too large.
+SimplexList complex_of(const Options& options, const Engine& engine, const PointCloud& cloud) {
+    const netmesh_diagram_report diagram = engine.report().diagram;
+    if (!options.check || diagram.representatives == 0) return {};
+    const std::uint32_t top = diagram.max_degree + 1;
+    if (source_of(options) == NETMESH_SOURCE_POINTS)
+        return complex_of_points(cloud, diagram.filter == NETMESH_FILTER_RIPS, top);
+    const MeshFiles files = files_of(EngineMesh(engine));
+    if (source_of(options) == NETMESH_SOURCE_DELAUNAY) return alpha_complex(files, top);
+    const NodeFile& node = files.node;
+    return lower_stars(files.cells, node.attributes, zero_born(node, diagram.filter, diagram.k), top);
+}
+
+std::string checked_text(const Options& options, const SimplexList& complex) {
     switch (source_of(options)) {
     case NETMESH_SOURCE_SCALES: return "bars sorted, with one essential class";
     case NETMESH_SOURCE_POINTS:
-        return about(filter_of(options)).has_representatives != 0 ? "every bar has a cycle that is born with it"
-                                                                  : "the diagram's form";
-    default: return "combinatorics, orientation, Delaunay property, quality, bounds on size and degrees";
+        return about(filter_of(options)).has_representatives != 0 ? cycles_checked(complex) : "the diagram's form";
+    default:
+        return std::string("combinatorics, orientation, Delaunay property, quality, bounds on size and degrees") +
+               (options.representatives.empty() ? "" : "; " + cycles_checked(complex));
     }
 }
 
 // What the tool itself finds wrong with the diagram.
-Outcome check_result(const Engine& engine, const std::vector<Bar>& bars) {
+Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const SimplexList& complex) {
     std::string complaint = diagram_complaint(bars);
     const bool cycles = engine.report().diagram.representatives != 0;
-    if (complaint.empty() && cycles) complaint = cycles_complaint(engine);
+    const bool own_values = about(engine.report().diagram.filter).source == NETMESH_SOURCE_MESH;
+    if (complaint.empty() && cycles) complaint = cycles_complaint(engine, complex, own_values ? 0 : radius_tolerance);
     if (complaint.empty()) return {};
     return {Exit::check, "netmesh: check failed: diagram: " + complaint};
 }
@@ -170,7 +186,8 @@ Outcome run_engine_command(const Options& options) {
     run.engine = session.engine().report();
     run.clock = session.clock();
     if (options.analyse) run.analysis = analysis;
-    if (options.check) run.checked = std::vector<std::string>{checked_text(options)};
+    const SimplexList complex = complex_of(options, session.engine(), cloud);
+    if (options.check) run.checked = std::vector<std::string>{checked_text(options, complex)};
 
     Result result{EngineMesh(session.engine()), {}, {}};
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
@@ -179,7 +196,7 @@ Outcome run_engine_command(const Options& options) {
 
     result.bars = bars_of(session.engine());
     result.bounds = bounds_of(session.engine());
-    if (options.check) outcome = check_result(session.engine(), result.bars);
+    if (options.check) outcome = check_result(session.engine(), result.bars, complex);
     if (!outcome.good()) return outcome;
     if (options.bounds) run.bounds = &result.bounds;
     if (options.json && options.out.empty()) run.bars = &result.bars;

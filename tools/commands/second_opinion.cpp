@@ -14,8 +14,7 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double radius_tolerance = 1e-9;  // of alpha, Rips and Cech complexes
-constexpr double cost_max = 1e9;           // some ten seconds
+constexpr double cost_max = 1e9;  // some ten seconds
 
 std::string shown(Real value) { return rounded_text(static_cast<double>(value), 12); }
 
@@ -40,8 +39,8 @@ private:
     bool agrees(Real a, Real b) const {
         return a == b || std::fabs(a - b) <= opinion_.tolerance * std::max(std::fabs(a), std::fabs(b));
     }
-    Outcome judge_values();
     Outcome judge_ratio();
+    Outcome judge_values();
     Outcome judge_cells();
     Outcome judge_step(const std::vector<double>& step, const std::string& line, double next, std::uint64_t number);
     Outcome judge_steps(std::size_t* steps);
@@ -158,8 +157,8 @@ Outcome CellJury::judge_steps(std::size_t* steps) {
 
 Outcome CellJury::judge(std::vector<std::string>* checked) {
     std::size_t steps = 0;
-    Outcome outcome = judge_values();
-    if (outcome.good()) outcome = judge_ratio();
+    Outcome outcome = judge_ratio();
+    if (outcome.good()) outcome = judge_values();
     if (outcome.good()) outcome = judge_cells();
     if (outcome.good()) outcome = judge_steps(&steps);
     if (!outcome.good()) return outcome;

@@ -9,8 +9,10 @@
 
 namespace netmesh::tool {
 
-// More simplices than that are not made; then there is no list. Reducing so many takes some seconds and 500 MB.
+// More simplices than that are not made; then there is no list. Reducing so many takes about ten seconds and 250 MB.
 constexpr std::size_t opinion_simplices_max = 1000000;
+// Share by which radii of alpha, Rips and Cech complexes may differ from the engine's.
+constexpr double radius_tolerance = 1e-9;
 using SimplexList = std::optional<std::vector<FilteredSimplex>>;
 
 // The faces of a mesh's cells up to dimension `top`, each at the largest value of its vertices; vertices

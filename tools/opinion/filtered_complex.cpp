@@ -73,7 +73,8 @@ std::vector<Bar> FilteredComplex::bars(std::uint32_t max_degree, bool zero_bars)
 }
 
 bool FilteredComplex::is_same(double a, double b) const {
-    return a == b || std::fabs(a - b) <= slack_ * std::fmax(std::fabs(a), std::fabs(b));
+    if (a == b || !std::isfinite(a) || !std::isfinite(b)) return a == b;
+    return std::fabs(a - b) <= slack_ * std::fmax(std::fabs(a), std::fabs(b));
 }
 
 // Each bar takes one of the same degree, birth and death that no other has taken. What is left over on either side is of
