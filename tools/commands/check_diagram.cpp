@@ -18,8 +18,8 @@ Outcome check_with_head(const DiagramFile& file) {
     for (std::size_t i = 0; i < file.bars.size(); i++) {
         const Bar& bar = file.bars[i];
         if (bar.degree > top)
-            return file.wrong(file.line_of(i), "a bar of degree " + std::to_string(bar.degree) + " where max-degree is " +
-                                                   std::to_string(top));
+            return file.wrong(file.line_of(i), "a bar of degree " + std::to_string(bar.degree) +
+                                                   " where max-degree is " + std::to_string(top));
         if (!made.all && bar.birth == bar.death)
             return file.wrong(file.line_of(i), "a bar of length zero, which are kept with `# all` alone");
     }
@@ -119,15 +119,13 @@ std::string Reproduction::said() const {
     text += " of " + cloud_.name + " for " + choice_text(choice_of(made_)) + "; certified ratio " +
             rounded_text(diagram.certified_ratio, 6);
     if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
-    if (report.mesh.is_mesh != 0)
-        text += "; aspect ratio at most " + rounded_text(report.mesh.aspect_ratio_max, 6);
+    if (report.mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(report.mesh.aspect_ratio_max, 6);
     return text;
 }
 
 // What comes of a run that could not be ended. Points that do not allow what the head says are not those that it is of.
 Outcome explain_refusal(const DiagramFile& file, const Outcome& outcome) {
-    const bool refused =
-        outcome.exit == Exit::usage || outcome.exit == Exit::data || outcome.exit == Exit::degenerate;
+    const bool refused = outcome.exit == Exit::usage || outcome.exit == Exit::data || outcome.exit == Exit::degenerate;
     if (!file.head || !refused) return outcome;
     return file.wrong(file.head->lines.front().number, "it cannot be made as the head says: " + outcome.message);
 }
@@ -223,8 +221,7 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     run->checked->push_back(file.name + " has " + grouped_text(file.bars.size()) +
                             " bars, sorted, with one essential class");
     if (!file.head && !says_how(options)) {
-        run->checked->push_back(file.name +
-                                " carries no certificate: it does not say how it was made, nor do options");
+        run->checked->push_back(file.name + " carries no certificate: it does not say how it was made, nor do options");
         return {};
     }
     const Options made = making_of(options, file);

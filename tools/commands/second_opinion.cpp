@@ -22,9 +22,7 @@ std::string shown(Real value) { return rounded_text(static_cast<double>(value), 
 class CellJury {
 public:
     CellJury(const DiagramClaim& claim, const MeshFiles& files, double ratio)
-        : claim_(claim),
-          files_(files),
-          ratio_(ratio),
+        : claim_(claim), files_(files), ratio_(ratio),
           opinion_(cell_opinion(files, choice_of(claim.made), claim.made.k.value_or(1), ratio)),
           has_values_(files.node.attribute_count == 1) {
         for (std::size_t v = 0; v < opinion_.values.size(); v++)
@@ -92,11 +90,13 @@ Outcome CellJury::judge_cells() {
         const CellRange seen = opinion_.seen[v];
         const Real most = basic && values_[v] == 0 ? from : c * values_[v];
         if (seen.hi > most)
-            return bad_vertex(v, "the function takes " + shown(seen.hi) + " on the vertex's cell, more than the ratio " +
-                                     number_text(ratio_) + " allows for the filter value " + number_text(values_[v]));
+            return bad_vertex(v, "the function takes " + shown(seen.hi) +
+                                     " on the vertex's cell, more than the ratio " + number_text(ratio_) +
+                                     " allows for the filter value " + number_text(values_[v]));
         if (values_[v] > c * seen.lo)
-            return bad_vertex(v, "the function takes " + shown(seen.lo) + " on the vertex's cell, less than the ratio " +
-                                     number_text(ratio_) + " allows for the filter value " + number_text(values_[v]));
+            return bad_vertex(v, "the function takes " + shown(seen.lo) +
+                                     " on the vertex's cell, less than the ratio " + number_text(ratio_) +
+                                     " allows for the filter value " + number_text(values_[v]));
     }
     return {};
 }
@@ -209,8 +209,7 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
     }
     const FilteredComplex complex(*simplices, slack);
     std::size_t at = 0;
-    const std::string complaint =
-        complex.bars_complaint(claim.file.bars, *claim.made.max_degree, claim.made.all, &at);
+    const std::string complaint = complex.bars_complaint(claim.file.bars, *claim.made.max_degree, claim.made.all, &at);
     if (!complaint.empty())
         return claim.file.wrong(claim.file.line_of(at), bar_text(claim.file.bars, at) + ": " + complaint);
     checked->push_back("second opinion: " + grouped_text(claim.file.bars.size()) +
@@ -222,7 +221,8 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
 
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run) {
     const std::uint32_t top = *claim.made.max_degree + 1;
-    if (files.node.domain.empty()) return judge_pairs(claim, alpha_complex(files, top), radius_tolerance, &*run->checked);
+    if (files.node.domain.empty())
+        return judge_pairs(claim, alpha_complex(files, top), radius_tolerance, &*run->checked);
     const std::uint32_t first = zero_born(files.node, filter_of(claim.made), claim.made.k.value_or(1));
     const double cost = opinion_cost(files);
     if (cost > cost_max) {

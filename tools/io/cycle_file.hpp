@@ -1,4 +1,5 @@
-// Representatives in files: for each bar a line `bar DEGREE BIRTH DEATH N`, then N simplices, their vertices one a line.
+// Representatives in files: for each bar a line `bar DEGREE BIRTH DEATH N`, then N simplices, their vertices one a
+// line.
 #pragma once
 #include <cstdint>
 #include <string>

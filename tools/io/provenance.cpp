@@ -14,9 +14,9 @@ constexpr std::string_view marker = "# netmesh diagram 1: degree birth death";
 constexpr std::string_view any_marker = "# netmesh diagram ";
 
 // In the order of the file.
-constexpr const char* option_names[] = {"filter", "k",     "values", "method", "finish", "tau",   "fit",
-                                        "memory", "ratio", "focus",  "from",   "to",     "eps",   "theta",
-                                        "max-degree", "all", "bounds", "seed"};
+constexpr const char* option_names[] = {"filter", "k",      "values",     "method", "finish", "tau",
+                                        "fit",    "memory", "ratio",      "focus",  "from",   "to",
+                                        "eps",    "theta",  "max-degree", "all",    "bounds", "seed"};
 
 bool is_option(std::string_view name) {
     return std::any_of(std::begin(option_names), std::end(option_names), [&](const char* o) { return name == o; });
@@ -193,8 +193,8 @@ Outcome HeadReader::collect() {
         if (line.substr(0, any_marker.size()) == any_marker) {
             if (first_ != 0) return fault(reader.number(), "a second head; a file holds one diagram");
             if (line != marker)
-                return fault(reader.number(), quoted(line) + " is of another version of the format; this one reads " +
-                                                  quoted(marker));
+                return fault(reader.number(),
+                             quoted(line) + " is of another version of the format; this one reads " + quoted(marker));
             first_ = reader.number();
         } else if (first_ != 0 && !line.empty()) {
             const std::vector<std::string_view> words = split_blanks(line.substr(1));

@@ -1,9 +1,10 @@
 // How a diagram was made and what is certified of it: the comments at the head of a .pers file. Behind the first one,
-// `# netmesh diagram 1: degree birth death`, each is `# NAME VALUE`, and up to the first bar no others but `# scale` are
-// allowed. They come in this order; what does not apply is left out.
+// `# netmesh diagram 1: degree birth death`, each is `# NAME VALUE`, and up to the first bar no others but `# scale`
+// are allowed. They come in this order; what does not apply is left out.
 //
 //   of the file         version
-//   options of persist  filter k values method finish tau fit memory ratio focus from to eps theta max-degree all bounds
+//   options of persist  filter k values method finish tau fit memory ratio focus from to eps theta max-degree all
+//   bounds
 //                       seed
 //   of the input        dim points duplicates input
 //   of the result       domain certified-ratio certified-from reference

@@ -75,9 +75,7 @@ private:
     bool has_ratio(std::size_t v) const { return choice_.filter != NETMESH_FILTER_BASIC || !is_input(v); }
     Real certified(Real t, const CellRange& range, Real ratio) const;
     // Of the cells of clumps: the distance from an input at distance d to the cell of v.
-    Real away(std::size_t v, Real d) const {
-        return is_exempt(v) ? d / 2 : std::max(d / 2, d - function_radius(v));
-    }
+    Real away(std::size_t v, Real d) const { return is_exempt(v) ? d / 2 : std::max(d / 2, d - function_radius(v)); }
     void gather_clumps();
     void find_ratio();
     void find_values(Real claimed);
@@ -89,12 +87,12 @@ private:
     FilteredFunction function_;
     std::vector<Place> places_, corners_;
     std::vector<Real> corner_values_;
-    std::vector<std::vector<std::uint32_t>> star_;  // Delaunay cells around each vertex
+    std::vector<std::vector<std::uint32_t>> star_;     // Delaunay cells around each vertex
     std::vector<std::vector<std::uint32_t>> nearest_;  // inputs of each vertex, ties in all
-    std::vector<Real> neighbour_;                   // distance to the nearest other vertex
-    std::vector<Real> half_;            // tight: half of the distance from an input to the next
-    std::vector<std::uint32_t> clump_;  // the input whose clump a vertex is in
-    std::vector<CellRange> clump_range_;            // of an input
+    std::vector<Real> neighbour_;                      // distance to the nearest other vertex
+    std::vector<Real> half_;                           // tight: half of the distance from an input to the next
+    std::vector<std::uint32_t> clump_;                 // the input whose clump a vertex is in
+    std::vector<CellRange> clump_range_;               // of an input
     CellOpinion found_;
     static constexpr std::uint32_t nobody = UINT32_MAX;
 };
@@ -295,8 +293,7 @@ double opinion_cost(const MeshFiles& files) {
     return vertices * input_count(files.node);
 }
 
-CellOpinion cell_opinion(const MeshFiles& files, const FilterChoice& choice, std::uint32_t k,
-                         double claimed) {
+CellOpinion cell_opinion(const MeshFiles& files, const FilterChoice& choice, std::uint32_t k, double claimed) {
     return CellWalk(files, choice, k).take(claimed);
 }
 

@@ -1,5 +1,6 @@
 // What a filter's values, its certificate and its intervals have to be on a mesh, from the Voronoi cells of its
-// vertices: the corners of each cell are the centres of the circumscribed balls of the Delaunay cells around the vertex.
+// vertices: the corners of each cell are the centres of the circumscribed balls of the Delaunay cells around the
+// vertex.
 #pragma once
 #include <algorithm>
 #include <cstdint>

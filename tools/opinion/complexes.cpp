@@ -89,9 +89,9 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top) {
             list.push_back({face, static_cast<double>(value)});
         }
     }
-    list.erase(std::remove_if(list.begin(), list.end(),
-                              [&](const FilteredSimplex& s) { return s.vertices.size() > top + 1; }),
-               list.end());
+    list.erase(
+        std::remove_if(list.begin(), list.end(), [&](const FilteredSimplex& s) { return s.vertices.size() > top + 1; }),
+        list.end());
     return list;
 }
 

@@ -52,7 +52,8 @@ void FilteredComplex::reduce() {
         for (std::uint32_t i = 0; i < count(); i++) {
             if (dimension(i) != d || killed_by_[i] != nobody) continue;
             Column column = boundary(i);
-            while (!column.empty() && killed_by_[column.back()] != nobody) add(column, reduced_[killed_by_[column.back()]]);
+            while (!column.empty() && killed_by_[column.back()] != nobody)
+                add(column, reduced_[killed_by_[column.back()]]);
             if (column.empty()) continue;
             killed_by_[column.back()] = i;
             reduced_[i] = std::move(column);
@@ -77,8 +78,8 @@ bool FilteredComplex::is_same(double a, double b) const {
     return std::fabs(a - b) <= slack_ * std::fmax(std::fabs(a), std::fabs(b));
 }
 
-// Each bar takes one of the same degree, birth and death that no other has taken. What is left over on either side is of
-// no length but for rounding.
+// Each bar takes one of the same degree, birth and death that no other has taken. What is left over on either side is
+// of no length but for rounding.
 std::string FilteredComplex::bars_complaint(const std::vector<Bar>& have, std::uint32_t max_degree, bool zero_bars,
                                             std::size_t* at) const {
     const std::vector<Bar> due = bars(max_degree, zero_bars);
@@ -87,7 +88,8 @@ std::string FilteredComplex::bars_complaint(const std::vector<Bar>& have, std::u
     for (std::size_t i = 0; i < have.size(); i++) {
         *at = i;
         const Bar& bar = have[i];
-        while (first < due.size() && (taken[first] || (comes_before(due[first], bar) && due[first].degree < bar.degree)))
+        while (first < due.size() &&
+               (taken[first] || (comes_before(due[first], bar) && due[first].degree < bar.degree)))
             first++;
         std::size_t j = first;
         const auto equal = [&](const Bar& other) {

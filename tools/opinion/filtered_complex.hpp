@@ -1,6 +1,6 @@
-// A filtered simplicial complex, simplex by simplex, reduced as the textbook says. Everything in this folder is a second
-// opinion on what the engine computes: it is written for being plainly right, shares no code with the engine, and takes
-// small inputs.
+// A filtered simplicial complex, simplex by simplex, reduced as the textbook says. Everything in this folder is a
+// second opinion on what the engine computes: it is written for being plainly right, shares no code with the engine,
+// and takes small inputs.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -32,7 +32,8 @@ public:
     std::string bars_complaint(const std::vector<Bar>& have, std::uint32_t max_degree, bool zero_bars,
                                std::size_t* at) const;
     // Empty when the chain of simplices of one dimension is a cycle (in degree 0: one vertex, or two where the bar
-    // dies) that is born with the bar, is no boundary before its death and is one from then on; otherwise what is wrong.
+    // dies) that is born with the bar, is no boundary before its death and is one from then on; otherwise what is
+    // wrong.
     std::string cycle_complaint(const std::vector<Vertices>& chain, const Bar& bar) const;
 
 private:

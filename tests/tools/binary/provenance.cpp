@@ -58,15 +58,34 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
     const Folder folder;
     CHECK(folder.run("sample annulus -n 30 -o p.csv").exit == 0);
     folder.write("p.csv", folder.read("p.csv") + "0.25 0.5\n0.25 0.5\n");  // a duplicate
-    for (const std::string ways :
-         {"", "--filter basic", "--filter alpha", "--filter alpha --all", "--filter alpha --bounds",
-          "--filter knn --k 4", "--filter knn", "--filter kdistance --k 3 --values thesis", "--filter tight",
-          "--filter tight --eps .4 --bounds", "--filter scales", "--filter scales --theta .1 --eps .5 --bounds",
-          "--filter rips", "--filter cech --max-degree 0", "--filter barycentric-cech --k 2",
-          "--filter barycentric-rips --k 2 --values thesis", "--seed 7", "--tau 3", "--ratio 1.9",
-          "--ratio 2.5 --focus 1.6 --from .3 --to .9 --bounds", "--fit --memory 512K",
-          "--fit --memory 512K --from .3 --to .9 --ratio 3 --bounds", "--method svr", "--method refine --tau 4",
-          "--method netmesh --finish", "--values thesis --max-degree 0", "--max-degree 9", "--bounds --all"}) {
+    for (const std::string ways : {"",
+                                   "--filter basic",
+                                   "--filter alpha",
+                                   "--filter alpha --all",
+                                   "--filter alpha --bounds",
+                                   "--filter knn --k 4",
+                                   "--filter knn",
+                                   "--filter kdistance --k 3 --values thesis",
+                                   "--filter tight",
+                                   "--filter tight --eps .4 --bounds",
+                                   "--filter scales",
+                                   "--filter scales --theta .1 --eps .5 --bounds",
+                                   "--filter rips",
+                                   "--filter cech --max-degree 0",
+                                   "--filter barycentric-cech --k 2",
+                                   "--filter barycentric-rips --k 2 --values thesis",
+                                   "--seed 7",
+                                   "--tau 3",
+                                   "--ratio 1.9",
+                                   "--ratio 2.5 --focus 1.6 --from .3 --to .9 --bounds",
+                                   "--fit --memory 512K",
+                                   "--fit --memory 512K --from .3 --to .9 --ratio 3 --bounds",
+                                   "--method svr",
+                                   "--method refine --tau 4",
+                                   "--method netmesh --finish",
+                                   "--values thesis --max-degree 0",
+                                   "--max-degree 9",
+                                   "--bounds --all"}) {
         CAPTURE(ways);
         const Result made = folder.run("persist p.csv --quiet -o d.pers " + ways);
         CHECK(made.err == "");
@@ -145,21 +164,18 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
         bad("death 1% down", bar(loop, 2, 0.99), loop, "this bar or one of those lines is wrong");
         bad("a bar taken out", with_line(text, loop - 1, [](const std::string&) { return ""; }), loop - 1,
             " is due for");
-        bad("a bar twice",
-            with_line(text, loop, [](const std::string& old) { return old + "\n" + old; }), loop + 1, " is due for");
+        bad("a bar twice", with_line(text, loop, [](const std::string& old) { return old + "\n" + old; }), loop + 1,
+            " is due for");
         bad("another degree", with_line(text, loop, [](const std::string& old) { return "2" + old.substr(1); }), loop,
             "a bar of degree 2 where max-degree is 1");
-        bad("not sorted",
-            with_line(text, first,
-                      [](const std::string&) { return "0 7 8 # birth 7 7 death 8 8"; }),
+        bad("not sorted", with_line(text, first, [](const std::string&) { return "0 7 8 # birth 7 7 death 8 8"; }),
             first + 1, "not sorted");
         const std::size_t forever = text.find(" inf # ");
         std::string mortal = text;
         mortal.replace(forever, 4, " 99");
         bad("no essential class", mortal, lines, "no essential class");
         bad("certified ratio 1% down",
-            with_line(text, number("# certified-ratio"),
-                      [](const std::string& old) { return scaled(old, 2, 0.99); }),
+            with_line(text, number("# certified-ratio"), [](const std::string& old) { return scaled(old, 2, 0.99); }),
             number("# certified-ratio"), " is due");
         bad("certified from somewhere",
             with_line(text, number("# certified-ratio"),
@@ -167,13 +183,11 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
             number("# certified-ratio") + 1, "where no such line is due");
         bad("reference", with_head(text, "reference", "# reference closed offsets of the points in R^2"),
             number("# reference"), "sublevel sets of d_3");
-        bad("domain",
-            with_line(text, number("# domain"), [](const std::string& old) { return scaled(old, 4, 1.01); }),
+        bad("domain", with_line(text, number("# domain"), [](const std::string& old) { return scaled(old, 4, 1.01); }),
             number("# domain"), " is due");
         bad("k", with_head(text, "k ", "# k 4"), first, "lines");
         bad("values", with_head(text, "values", "# values thesis"), first, "lines");
-        bad("max-degree", with_head(text, "max-degree", "# max-degree 0"), number("1 "),
-            "max-degree is 0");
+        bad("max-degree", with_head(text, "max-degree", "# max-degree 0"), number("1 "), "max-degree is 0");
         bad("bound of a bar 1% up",
             with_line(text, loop,
                       [](const std::string& old) {
@@ -181,11 +195,12 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
                           return old.substr(0, hash) + scaled(old.substr(hash), 3, 1.01);
                       }),
             loop, "bounds differ");
-        bad("real", with_line(text, first,
-                              [](const std::string& old) {
-                                  return old.find(" real") == std::string::npos ? old + " real"
-                                                                                : old.substr(0, old.find(" real"));
-                              }),
+        bad("real",
+            with_line(text, first,
+                      [](const std::string& old) {
+                          return old.find(" real") == std::string::npos ? old + " real"
+                                                                        : old.substr(0, old.find(" real"));
+                      }),
             first, "bounds differ");
         bad("ratio by scale",
             with_line(text, number("# scale"),
@@ -280,8 +295,7 @@ TEST_CASE("provenance: options that contradict the file, and heads that cannot b
     refused(with_head(text, "filter", "# filter basic"), number("ratio"), "contradicts the other lines");
     refused(with_head(text, "filter", "# filter frob"), number("filter"), "the filters are");
     refused(with_head(text, "tau", "# tau 2"), number("tau"), "above 2");
-    refused(with_head(text, "ratio", "# ratio 2\n# focus 1.5\n# from 1\n# to .5"), "1",
-            "A below B");
+    refused(with_head(text, "ratio", "# ratio 2\n# focus 1.5\n# from 1\n# to .5"), "1", "A below B");
     refused(with_head(text, "ratio", "# ratio 2\n# from 1"), "1", "lacks the line \"# focus\"");
     refused(with_head(text, "duplicates", "# duplicates 30"), number("duplicates"), "fewer of them are duplicates");
     refused(with_head(text, "dim", "# dim 7"), number("dim"), "from 2 to 6");

@@ -39,8 +39,17 @@ PointCloud cloud_of(std::uint32_t dim, const std::vector<double>& coordinates) {
 
 // Two triangles that share an edge: one is filled at 4, the other at 6.
 FilteredComplex two_triangles() {
-    return FilteredComplex({{{0}, 0}, {{1}, 0}, {{2}, 0}, {{3}, 0.5}, {{0, 1}, 1}, {{1, 2}, 2}, {{0, 2}, 3},
-                            {{1, 3}, 1}, {{2, 3}, 3.5}, {{0, 1, 2}, 4}, {{1, 2, 3}, 6}});
+    return FilteredComplex({{{0}, 0},
+                            {{1}, 0},
+                            {{2}, 0},
+                            {{3}, 0.5},
+                            {{0, 1}, 1},
+                            {{1, 2}, 2},
+                            {{0, 2}, 3},
+                            {{1, 3}, 1},
+                            {{2, 3}, 3.5},
+                            {{0, 1, 2}, 4},
+                            {{1, 2, 3}, 6}});
 }
 
 }  // namespace
@@ -70,11 +79,12 @@ TEST_CASE("opinion: a plain reduction, and bars that are not its pairs") {
 }
 
 TEST_CASE("opinion: with values of its own, bars within rounding are the pairs, no others") {
-    const FilteredComplex complex({{{0}, 0}, {{1}, 0}, {{2}, 0}, {{0, 1}, 1}, {{1, 2}, 1}, {{0, 2}, 2},
-                                   {{0, 1, 2}, 2 * (1 + 1e-12)}}, 1e-9);
+    const FilteredComplex complex(
+        {{{0}, 0}, {{1}, 0}, {{2}, 0}, {{0, 1}, 1}, {{1, 2}, 1}, {{0, 2}, 2}, {{0, 1, 2}, 2 * (1 + 1e-12)}}, 1e-9);
     std::size_t at = 0;
     CHECK(complex.bars_complaint({{0, 0, 1 + 1e-13}, {0, 0, 1}, {0, 0, HUGE_VAL}}, 1, false, &at) == "");
-    CHECK(complex.bars_complaint({{0, 0, 1}, {0, 0, 1}, {0, 0, HUGE_VAL}, {1, 2, 2 * (1 + 1e-13)}}, 1, false, &at) == "");
+    CHECK(complex.bars_complaint({{0, 0, 1}, {0, 0, 1}, {0, 0, HUGE_VAL}, {1, 2, 2 * (1 + 1e-13)}}, 1, false, &at) ==
+          "");
     CHECK(complex.bars_complaint({{0, 0, 1 + 1e-8}, {0, 0, 1}, {0, 0, HUGE_VAL}}, 1, false, &at) != "");
     CHECK(complex.bars_complaint({{0, 0, 1}, {0, 0, HUGE_VAL}}, 1, false, &at) != "");
     CHECK(complex.bars_complaint({{0, 0, 1}, {0, 0, 1}, {0, 0, HUGE_VAL}, {1, 2, 2.1}}, 1, false, &at) != "");
@@ -204,9 +214,12 @@ struct Made {
     }
 };
 
-const std::vector<std::vector<std::string>> makings = {
-    {"--bounds"}, {"--method", "svr"}, {"--values", "thesis"}, {"--filter", "basic", "--bounds"},
-    {"--filter", "knn", "--k", "3", "--bounds"}, {"--filter", "kdistance", "--k", "4"}};
+const std::vector<std::vector<std::string>> makings = {{"--bounds"},
+                                                       {"--method", "svr"},
+                                                       {"--values", "thesis"},
+                                                       {"--filter", "basic", "--bounds"},
+                                                       {"--filter", "knn", "--k", "3", "--bounds"},
+                                                       {"--filter", "kdistance", "--k", "4"}};
 
 std::vector<std::string> command(const std::vector<std::string>& making) {
     std::vector<std::string> line = {"persist", "p.txt", "--quiet", "--representatives", "c.txt"};
