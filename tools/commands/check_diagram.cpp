@@ -166,12 +166,28 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     return second_opinion_on_points({file, made, cycles}, points, run);
 }
 
+// The only thing that a mesh tells of what it was made of. Without a domain all vertices are inputs.
+Outcome compare_inputs_with(const DiagramFile& file, const NodeFile& node) {
+    const auto inputs = node.domain.empty() ? static_cast<std::ptrdiff_t>(node.cloud.rows())
+                                            : std::count(node.markers.begin(), node.markers.end(), std::uint8_t{0});
+    std::uint64_t points = 0, duplicates = 0;
+    parse_unsigned(file.head->find("points")->value, &points);
+    parse_unsigned(file.head->find("duplicates")->value, &duplicates);
+    if (points - duplicates == static_cast<std::uint64_t>(inputs)) return {};
+    return file.wrong(file.head->find("points")->number, std::to_string(points) + " points, " +
+                                                             std::to_string(duplicates) +
+                                                             " of them duplicates, where " + node.cloud.name + " has " +
+                                                             std::to_string(inputs) + " inputs");
+}
+
 Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
     MeshFiles files;
     Outcome outcome = read_mesh_files(open.mesh_path, &files);
     if (!outcome.good()) return outcome;
     const PointCloud& cloud = files.node.cloud;
     const Options made = settled(open, cloud.dim);
+    if (file.head) outcome = compare_inputs_with(file, files.node);
+    if (!outcome.good()) return outcome;
     Options promised = open;  // of the mesh; what a fit reached is in the mesh's own file
     if (made.fit) {
         promised.ratio.reset();
@@ -191,7 +207,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     outcome = again.compare({"dim", "domain", "certified-ratio", "certified-from", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
-    run->checked->push_back(again.said());
+    run->checked->push_back(again.said() + "; how the mesh was made is for --points alone to tell");
     outcome = check_vertex_values(made, files, run, session);
     return outcome.good() ? second_opinion_on_mesh({file, made, cycles}, files, run) : outcome;
 }

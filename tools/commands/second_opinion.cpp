@@ -101,28 +101,23 @@ Outcome CellJury::judge_cells() {
     return {};
 }
 
-// A step {from, low, high, ratio} of the ratio by scale: where the filter is at a, the function is between min(low, a)
-// and max(high, a).
+// A step {from, low, high, ratio} of the ratio by scale: where the filter is at a scale a of the step, or below, the
+// function is at most max(high, a) and ratio a; where it is at a or above, at least min(low, a) and a / ratio.
 Outcome CellJury::judge_step(const std::vector<double>& step, const std::string& line, double next,
                              std::uint64_t number) {
     const double from = step[0], low = step[1], high = step[2], ratio = step[3];
     const double more = 1 + static_cast<double>(opinion_.tolerance);
     for (std::size_t v = 0; v < values_.size(); v++) {
-        const double t = values_[v];
+        const double t = values_[v], at_least = std::max(from, t), at_most = std::min(next, t);
         const CellRange seen = opinion_.seen[v];
-        if (t < next && seen.hi > std::max(high, std::max(from, t)) * more)
+        const Real most = std::min<Real>(std::max(high, at_least), at_least > 0 ? ratio * at_least : HUGE_VAL);
+        const Real least = std::max<Real>(std::min(low, at_most), at_most / ratio);
+        const bool above = t < next && seen.hi > most * more, below = t >= from && seen.lo * more < least;
+        if (above || below)
             return claim_.file.wrong(number, quoted(line) + ": at vertex " + std::to_string(v) +
                                                  " of the mesh, of filter value " + number_text(t) +
-                                                 ", the function takes " + shown(seen.hi));
-        if (t >= from && seen.lo * more < std::min(low, std::min(next, t)))
-            return claim_.file.wrong(number, quoted(line) + ": at vertex " + std::to_string(v) +
-                                                 " of the mesh, of filter value " + number_text(t) +
-                                                 ", the function takes " + shown(seen.lo));
+                                                 ", the function takes " + shown(above ? seen.hi : seen.lo));
     }
-    const bool up = high > from, down = low < next;
-    const auto told = [&](double due) { return ratio * more >= std::min(due, ratio_); };
-    if ((up && !told(high / from)) || (down && !told(next / low)))
-        return claim_.file.wrong(number, quoted(line) + ": the ratio is below what low and high say");
     return {};
 }
 

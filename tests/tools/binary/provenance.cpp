@@ -211,6 +211,8 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
     }
     // What the points tell.
     tampered("number of points", with_head(text, "points", "# points 41"), number("# points"), "has 40 points");
+    tampered("number of points, from the mesh", with_head(text, "points", "# points 41"), number("# points"),
+             "m.node has 40 inputs", "--mesh m.node");
     tampered("duplicates", with_head(text, "duplicates", "# duplicates 1"), number("# duplicates"), "is due");
     tampered("fingerprint", with_head(text, "input", "# input 0123456789abcdef"), number("# input"), "is due");
     tampered("tau", with_head(text, "tau", "# tau 3"), first, "lines");
