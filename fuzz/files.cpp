@@ -1,13 +1,16 @@
 // Bytes as files of every format that the tool reads; the first byte chooses the format. Each reader ends in data that
 // keep their promises, or in bad data with a sentence that names the file.
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "fuzz/decoder.hpp"
 #include "tools/io/complex_file.hpp"
+#include "tools/io/cycle_file.hpp"
 #include "tools/io/diagram_file.hpp"
 #include "tools/io/mesh_files.hpp"
 #include "tools/io/points.hpp"
+#include "tools/io/provenance.hpp"
 #include "tools/io/vine_file.hpp"
 
 using namespace netmesh::tool;
@@ -79,6 +82,30 @@ void read_diagram(std::string_view content) {
     for (const BoundLine& line : bound_lines(content)) require(line.number > 0 && !line.text.empty());
 }
 
+// What is read from a head writes the same head again.
+void read_head(std::string_view content) {
+    std::optional<Provenance> found, again;
+    if (!ended(parse_head(content, name, &found)) || !found) return;
+    require(found->options.command == Command::persist && found->options.filter && found->options.max_degree);
+    for (const HeadLine& line : found->lines) require(line.number > 0 && found->find(line.name) == &line);
+    for (const HeadLine& line : option_head(found->options)) require(found->find(line.name) != nullptr);
+    TextWriter text;
+    write_head(found->lines, text);
+    require(parse_head(text.text(), name, &again).good() && again && again->lines.size() == found->lines.size());
+    for (std::size_t i = 0; i < found->lines.size(); ++i)
+        require(head_text(again->lines[i]) == head_text(found->lines[i]));
+    require(check_contradiction(*found, name, Options{}).good());
+}
+
+void read_cycles(std::string_view content) {
+    std::vector<CycleEntry> cycles;
+    if (!ended(parse_cycles(content, name, &cycles))) return;
+    for (const CycleEntry& entry : cycles) {
+        require(entry.line > 0 && std::isfinite(entry.bar.birth) && entry.bar.death >= entry.bar.birth);
+        for (const auto& vertices : entry.simplices) require(vertices.size() == entry.bar.degree + 1u);
+    }
+}
+
 void read_vines(std::string_view content) {
     VineFile file;
     if (!ended(parse_vines(content, name, &file))) return;
@@ -109,7 +136,7 @@ void read_complex(std::string_view content) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
-    switch (data[0] % 10) {
+    switch (data[0] % 11) {
     case 0: read_points_by(parse_text_points, content); break;
     case 1: read_points_by(parse_npy_points, content); break;
     case 2: read_points_by(parse_off_points, content); break;
@@ -117,8 +144,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 4: read_points_by(parse_node_points, content); break;
     case 5: read_node(content); break;
     case 6: read_cells(content); break;
-    case 7: read_diagram(content); break;
+    case 7:
+        read_diagram(content);
+        read_head(content);
+        break;
     case 9: read_vines(content); break;
+    case 10: read_cycles(content); break;
     default: read_complex(content); break;
     }
     return 0;

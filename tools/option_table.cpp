@@ -13,7 +13,9 @@ const std::vector<CommandEntry>& command_entries() {
          "tau.\n"},
         {Command::delaunay, "delaunay", "POINTS", 1, "Delaunay triangulation", ""},
         {Command::persist, "persist", "POINTS", 1, "persistence diagram",
-         "Prints lines `degree birth death`, radii, inf for the essential class.\n"},
+         "Prints lines `degree birth death`, radii, inf for the essential class, behind comments `# name value` that "
+         "say how\n"
+         "the diagram was made, by the names of these options, of what points, and what is certified of it.\n"},
         {Command::homology, "homology", "FILE", 1, "persistent homology of a filtered complex",
          "One simplex a line: its vertices, whole numbers from 0, then the value at which it enters: `3 1 4 0.5` is a\n"
          "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth "
@@ -32,11 +34,16 @@ const std::vector<CommandEntry>& command_entries() {
          "persist.\n"},
         {Command::check, "check", "MESH.node | DIAGRAM.pers | FILE.vines", 1,
          "recompute every certificate from the files alone",
-         "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram, with its "
-         "bounds\n"
-         "where it has any, or a vineyard is recomputed from --points or --mesh; alone, it is only looked at for what "
-         "every\n"
-         "diagram must satisfy.\n"},
+         "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram or a vineyard "
+         "is\n"
+         "reproduced from --points or --mesh: the engine runs again, and all bars and bounds must come out. A diagram "
+         "says\n"
+         "itself how it was made, and options that contradict it are refused; one that does not say carries no "
+         "certificate\n"
+         "unless options say it. With --mesh, for rips and cech with --points, other code gives a second opinion: "
+         "filter\n"
+         "values and ratios from the Voronoi cells, the pairs by a plain reduction, cycles' births and deaths.\n"
+         "Alone, a file is only looked at for what every diagram must satisfy.\n"},
         {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
     };
     return table;
@@ -267,11 +274,11 @@ const std::vector<OptionEntry>& option_entries() {
         {"--fit", persist, nullptr, apply_switch<&Options::fit>,
          "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins "
          "(4)"},
-        {"--method", persist, "M", apply_method,
+        {"--method", persist | check, "M", apply_method,
          "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
         {"--method", mesh | size, "M", apply_method,
          "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
-        {"--finish", mesh | persist | size, nullptr, apply_switch<&Options::finish>,
+        {"--finish", mesh | persist | size | check, nullptr, apply_switch<&Options::finish>,
          "go on from a hierarchical mesh to one of quality tau without cages"},
         {"--audit", mesh | size, "WHAT", apply_audit,
          "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured "
@@ -291,6 +298,11 @@ const std::vector<OptionEntry>& option_entries() {
         {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
          "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
+        {"--representatives", check, "FILE", apply_path<&Options::representatives>,
+         "the diagram's cycles, as persist wrote them: with --mesh, or with --points for rips and cech, each is one, "
+         "is "
+         "born\n"
+         "                    with its bar and dies with it"},
         {"--memory", engine | vineyard | homology | size | check, "SIZE", apply_memory,
          "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
         {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},
@@ -306,7 +318,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"--check", engine | vineyard, nullptr, apply_switch<&Options::check>,
          "run the independent checkers on the result"},
         {"--check", homology, nullptr, apply_switch<&Options::check>,
-         "check that each cycle is one, and born with its bar"},
+         "check that each cycle is one, is born with its bar and dies with it"},
         {"--bounds", persist, nullptr, apply_switch<&Options::bounds>,
          "where each birth and death surely is and which bars surely are real, behind the bars, and the certified "
          "ratio by\n"

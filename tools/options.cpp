@@ -80,18 +80,6 @@ Outcome take_command(const std::vector<std::string>& arguments, Options* options
     return usage_error("unknown option " + rest->front() + " and no command; `netmesh --help` lists them");
 }
 
-// What no command can do with the options that it was given together.
-Outcome check_together(const Options& options) {
-    const bool hierarchical = options.method == NETMESH_METHOD_HIERARCHY;
-    if (options.audit != 0 && (options.method == NETMESH_METHOD_REFINE || options.eps > 0))
-        return usage_error("--audit goes with --method svr or netmesh, and not with --eps");
-    if (options.eps > 0 && hierarchical) return usage_error("--eps does not go with --method netmesh");
-    if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
-    if (options.command == Command::persist && hierarchical && !options.finish)
-        return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");
-    return {};
-}
-
 Outcome check_positionals(const Options& options) {
     const CommandEntry& command = entry_of(options.command);
     const std::size_t due = command.positional_count;
@@ -104,6 +92,25 @@ Outcome check_positionals(const Options& options) {
 }
 
 }  // namespace
+
+std::string apply_option(Options* options, const std::string& name, const std::string& value) {
+    const OptionEntry* entry = nullptr;
+    const Outcome outcome = find_option(name, options->command, &entry);
+    if (!outcome.good()) return outcome.message;
+    if (entry->value == nullptr && !value.empty()) return "takes no value";
+    return entry->apply(*options, value);
+}
+
+Outcome check_together(const Options& options) {
+    const bool hierarchical = options.method == NETMESH_METHOD_HIERARCHY;
+    if (options.audit != 0 && (options.method == NETMESH_METHOD_REFINE || options.eps > 0))
+        return usage_error("--audit goes with --method svr or netmesh, and not with --eps");
+    if (options.eps > 0 && hierarchical) return usage_error("--eps does not go with --method netmesh");
+    if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
+    if (options.command == Command::persist && hierarchical && !options.finish)
+        return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");
+    return {};
+}
 
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options) {
     *options = {};

@@ -55,6 +55,11 @@ struct Options {
 // fault. Positionals are counted; whether required options are there is for the command to say.
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
 
+// The effect of one option of options->command on *options: a complaint, or empty.
+std::string apply_option(Options* options, const std::string& name, const std::string& value);
+// What no command can do with the options that it was given together.
+Outcome check_together(const Options& options);
+
 // The option that a field of the library's requests comes from, as the user wrote it: "--k 15". Its name alone when it
 // was not given, nothing when the field comes from no option.
 std::string option_of(const Options& options, netmesh_field field);

@@ -53,7 +53,7 @@ requests::Persist persist_request(const Options& options, const DiagramRequest& 
 requests::Fit fit_request(const Options& options, std::uint32_t dim) {
     requests::Fit fit(dim);
     fit.seed = options.seed;
-    fit.ratio = options.ratio.value_or(0);
+    fit.ratio = options.ratio.value_or(default_fit_ratio);
     fit.focus_from = options.from;
     fit.focus_to = options.to;
     fit.max_degree = max_degree_of(options, dim);

@@ -15,6 +15,10 @@ struct DiagramRequest {
     bool cycles = false;  // of filters on the points themselves; others get theirs by a step of its own
 };
 
+// What the library takes for an option that is not given: the ratio that --fit begins with, --eps of the filters tight
+// and scales, --theta.
+constexpr double default_fit_ratio = 4, default_eps = 0.5, default_theta = 1.0 / 9;
+
 // The certified ratio of a mesh of aspect ratio tau, which is what refinement by the certificate aims at by default.
 double default_ratio(const netmesh_mesh_request& mesh);
 // The ratio and the scales of interest of the command line.

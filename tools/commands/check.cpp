@@ -8,22 +8,17 @@ namespace netmesh::tool {
 
 namespace {
 
-// Whether a filter is tried at all. Of several k none is tried by itself, and where there is no mesh yet, filters that
-// a mesh is made for have to be named.
+// Of several k none is tried by itself.
 bool is_tried(const Options& options, const netmesh_filter_info& filter) {
-    if (options.filter ? *options.filter != filter.filter : filter.needs_k != 0 && !options.k) return false;
-    const bool from_points = options.mesh_path.empty() && ending_of(options.positionals[0]) == ".pers";
-    if (filter.source == NETMESH_SOURCE_SCALES || filter.source == NETMESH_SOURCE_POINTS)
-        return from_points && options.filter;
-    return filter.purpose != NETMESH_PURPOSE_TIGHT || !from_points || options.filter;
+    return options.filter ? *options.filter == filter.filter : filter.needs_k == 0 || options.k;
 }
 
 }  // namespace
 
-std::vector<FilterChoice> candidates(const Options& options, netmesh_source made_of) {
+std::vector<FilterChoice> candidates(const Options& options) {
     std::vector<FilterChoice> list;
     for (const netmesh_filter_info& filter : filters()) {
-        if (filter.source != made_of || !is_tried(options, filter)) continue;
+        if (filter.source != NETMESH_SOURCE_MESH || !is_tried(options, filter)) continue;
         const bool both = filter.has_values != 0;
         if (!both || options.values.value_or(NETMESH_VALUES_CERTIFIED) == NETMESH_VALUES_CERTIFIED)
             list.push_back({filter.filter, NETMESH_VALUES_CERTIFIED});
@@ -50,8 +45,9 @@ Outcome run_check(const Options& options) {
     RunReport run;
     run.options = &options;
     run.checked.emplace();
-    Outcome outcome = check_accuracy(options);
-    if (outcome.good()) outcome = check_ratio(options);
+    Outcome outcome;
+    if (ending != ".pers") outcome = check_accuracy(options);
+    if (ending != ".pers" && outcome.good()) outcome = check_ratio(options);
     if (!outcome.good()) return outcome;
     if (ending == ".node") {
         MeshFiles files;
@@ -59,6 +55,7 @@ Outcome run_check(const Options& options) {
         if (outcome.good()) {
             Session session(options, files.node.cloud.dim);
             outcome = check_mesh(options, files, &run, session);
+            if (outcome.good()) outcome = check_vertex_values(options, files, &run, session);
         }
     } else {
         outcome = ending == ".pers" ? check_diagram(options, &run) : check_vines(options, &run);

@@ -4,183 +4,227 @@
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
+#include "tools/io/lines.hpp"
+#include "tools/io/provenance.hpp"
 
 namespace netmesh::tool {
 
 namespace {
 
-struct DiagramFile {
-    std::string name;
-    std::vector<Bar> bars;
-    std::vector<std::uint64_t> lines;
-    std::vector<BoundLine> bounds;
-    bool has_zero_bars = false;
-    std::uint32_t top_degree = 0;
-};
+// What the head says of bars that anyone can see.
+Outcome check_with_head(const DiagramFile& file) {
+    const Options& made = file.head->options;
+    const std::uint32_t top = *made.max_degree;
+    for (std::size_t i = 0; i < file.bars.size(); i++) {
+        const Bar& bar = file.bars[i];
+        if (bar.degree > top)
+            return file.wrong(file.line_of(i), "a bar of degree " + std::to_string(bar.degree) +
+                                                   " where max-degree is " + std::to_string(top));
+        if (!made.all && bar.birth == bar.death)
+            return file.wrong(file.line_of(i), "a bar of length zero, which are kept with `# all` alone");
+    }
+    if (made.bounds == !file.bounds.empty()) return {};
+    const std::uint64_t line = made.bounds ? file.head->find("bounds")->number : file.bounds[0].number;
+    return file.wrong(line, made.bounds ? "there are no bounds of bars" : "bounds of bars, but no line `# bounds`");
+}
 
 Outcome read_diagram(const std::string& path, DiagramFile* file) {
     std::string content;
     file->name = shown_name(path);
     Outcome outcome = read_content(path, &content);
+    if (outcome.good()) outcome = parse_head(content, file->name, &file->head);
     if (outcome.good()) outcome = parse_diagram(content, file->name, &file->bars, &file->lines);
     if (!outcome.good()) return outcome;
     file->bounds = bound_lines(content);
-    for (const Bar& bar : file->bars) {
-        file->has_zero_bars = file->has_zero_bars || bar.birth == bar.death;
-        file->top_degree = std::max(file->top_degree, bar.degree);
-    }
     std::size_t at = 0;
     const std::string complaint = diagram_complaint(file->bars, &at);
-    if (complaint.empty()) return {};
-    const std::uint64_t line = at < file->lines.size() ? file->lines[at] : file->lines.empty() ? 1 : file->lines.back();
-    return {Exit::check, file->name + ":" + std::to_string(line) + ": check failed: " + complaint};
+    if (!complaint.empty()) return file->wrong(file->line_of(at), complaint);
+    return file->head ? check_with_head(*file) : Outcome{};
 }
 
-// A diagram's file against diagrams computed anew, of one filter after the other until one equals it.
-class Recomputation {
+// A diagram's file against the same diagram made anew, which the session holds.
+class Reproduction {
 public:
-    Recomputation(const Options& options, const DiagramFile& file, const PointCloud& cloud, Session& session)
-        : options_(options), file_(file), cloud_(cloud), session_(session) {}
+    Reproduction(const DiagramFile& file, const PointCloud& cloud, const Options& made, const Session& session)
+        : file_(file), cloud_(cloud), made_(made), engine_(session.engine()) {}
 
-    // Tries each of the filters, all of which go by what `prepare` leaves in the session.
-    Outcome attempt(const std::vector<FilterChoice>& list, const Session::Work& prepare);
-    // What came out of all attempts.
-    Outcome conclude(RunReport* run) const;
+    // Bars, what is certified, and bounds; `facts` are the lines of the head that this run can tell.
+    Outcome compare(const std::vector<const char*>& facts) const;
+    std::string said() const;
 
 private:
-    netmesh_status try_each(const std::vector<FilterChoice>& list);
-    void compare(const std::vector<Bar>& recomputed, const FilterChoice& choice);
-    std::string bounds_complaint() const;
+    Outcome compare_bars() const;
+    Outcome compare_bounds() const;
 
-    const Options& options_;
     const DiagramFile& file_;
     const PointCloud& cloud_;
-    Session& session_;
-    bool equal_ = false;
-    FilterChoice found_;            // the last one tried
-    std::size_t common_ = 0;        // bars before the first difference, at best
-    std::string closest_;           // what the sentence about the closest filter says
-    std::string bounds_complaint_;  // empty where the bounds in the file are those computed anew
+    const Options& made_;
+    const Engine& engine_;
 };
 
-Outcome Recomputation::attempt(const std::vector<FilterChoice>& list, const Session::Work& prepare) {
-    if (list.empty() || equal_) return {};
-    const std::size_t plan = plan_diagram(options_, list[0].filter, cloud_.dim, cloud_.rows());
-    return session_.run(plan, cloud_, [&](Session& s) {
-        netmesh_status status = prepare(s);
-        if (status == NETMESH_OK) status = try_each(list);
-        if (status != NETMESH_OK || !equal_ || file_.bounds.empty()) return status;
-        status = bound_bars(s);
-        if (status == NETMESH_OK) bounds_complaint_ = bounds_complaint();
-        return status;
-    });
+Outcome compare_line(const DiagramFile& file, const char* name, const Head& due) {
+    const auto is_it = [&](const HeadLine& line) { return line.name == name; };
+    const auto want = std::find_if(due.begin(), due.end(), is_it);
+    const HeadLine* const have = file.head->find(name);
+    const std::string due_text = want == due.end() ? "no such line" : quoted("# " + head_text(*want));
+    if (have == nullptr && want != due.end()) return file.wrong(1, due_text + " is due and missing");
+    if (have == nullptr || (want != due.end() && want->value == have->value)) return {};
+    return file.wrong(have->number, quoted("# " + head_text(*have)) + " where " + due_text + " is due");
 }
 
-netmesh_status Recomputation::try_each(const std::vector<FilterChoice>& list) {
-    for (const FilterChoice& choice : list) {
-        const DiagramRequest diagram{choice, options_.all || file_.has_zero_bars, false};
-        const netmesh_status status = make_diagram(session_, options_, diagram, cloud_);
-        if (status != NETMESH_OK) return status;
-        found_ = choice;
-        compare(bars_of(session_.engine()), choice);
-        if (equal_) break;
+Outcome Reproduction::compare(const std::vector<const char*>& facts) const {
+    Outcome outcome = compare_bars();
+    if (file_.head) {
+        const Head due = head_of(made_, engine_.report());
+        for (const char* name : facts) {
+            if (outcome.good()) outcome = compare_line(file_, name, due);
+        }
     }
-    return NETMESH_OK;
+    return outcome.good() ? compare_bounds() : outcome;
 }
 
-void Recomputation::compare(const std::vector<Bar>& recomputed, const FilterChoice& choice) {
-    const std::size_t at = first_difference(file_.bars, recomputed);
-    equal_ = at == SIZE_MAX;
-    if (equal_ || (at < common_ && !closest_.empty())) return;
-    common_ = at;
-    closest_ = choice_text(choice) + ": ";
-    std::vector<Bar> low;
-    for (const Bar& bar : recomputed) {
-        if (bar.degree <= file_.top_degree) low.push_back(bar);
-    }
-    if (first_difference(file_.bars, low) == SIZE_MAX) {
-        const std::string top = std::to_string(file_.top_degree);
-        closest_ += "equal up to degree " + top + ", nothing above (--max-degree " + top + " leaves the rest out)";
-        return;
-    }
-    closest_ += at < file_.lines.size() ? "line " + std::to_string(file_.lines[at]) : "the end";
-    closest_ += " has " + bar_text(file_.bars, at) + " where " + bar_text(recomputed, at) + " is due";
+Outcome Reproduction::compare_bars() const {
+    const std::vector<Bar> due = bars_of(engine_);
+    const std::size_t at = first_difference(file_.bars, due);
+    if (at == SIZE_MAX) return {};
+    std::string why = bar_text(file_.bars, at) + " where " + bar_text(due, at) + " is due for " +
+                      choice_text(choice_of(made_)) + " of " + cloud_.name;
+    if (file_.head)
+        why += ", made as lines " + std::to_string(file_.head->lines.front().number) + " to " +
+               std::to_string(file_.head->lines.back().number) + " say; this bar or one of those lines is wrong";
+    return file_.wrong(file_.line_of(at), why);
 }
 
-// What the file says about bounds against those of the diagram that the session holds. Empty where they agree.
-std::string Recomputation::bounds_complaint() const {
+// Text against text: the same bounds are written in the same way.
+Outcome Reproduction::compare_bounds() const {
+    if (file_.bounds.empty()) return {};
     TextWriter text;
-    write_diagram(bars_of(session_.engine()), bounds_of(session_.engine()), text);
+    write_diagram(bars_of(engine_), bounds_of(engine_), text);
     const std::vector<BoundLine> due = bound_lines(text.text());
     const std::vector<BoundLine>& have = file_.bounds;
     for (std::size_t i = 0; i < have.size() || i < due.size(); i++) {
         if (i < have.size() && i < due.size() && have[i].text == due[i].text) continue;
         const std::uint64_t line = i < have.size() ? have[i].number : file_.lines.back();
-        return file_.name + ":" + std::to_string(line) +
-               ": bounds differ: " + (i < due.size() ? "\"" + due[i].text + "\" is due" : "nothing is due");
+        return file_.wrong(line, "bounds differ: " + (i < due.size() ? quoted(due[i].text) + " is due"
+                                                                     : std::string("nothing is due")));
     }
-    return "";
-}
-
-Outcome Recomputation::conclude(RunReport* run) const {
-    if (!bounds_complaint_.empty()) return mismatch(bounds_complaint_);
-    if (!equal_) return mismatch(file_.name + " is not the diagram of " + cloud_.name + "; closest is " + closest_);
-    run->engine = session_.engine().report();
-    run->engine->bounds = {};  // compared with the file's, not asked for
-    run->clock = session_.clock();
-    const netmesh_diagram_report& diagram = run->engine->diagram;
-    const netmesh_mesh_report& mesh = run->engine->mesh;
-    std::string text = file_.name + " is the diagram of " + cloud_.name + " for " + choice_text(found_) +
-                       "; certified ratio " + rounded_text(diagram.certified_ratio, 6);
-    if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
-    if (mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(mesh.aspect_ratio_max, 6);
-    run->checked->push_back(text);
-    if (!file_.bounds.empty())
-        run->checked->push_back("its bounds of bars and ratios by scale are those computed anew");
     return {};
 }
 
-// Filters on the points themselves grow too fast to be tried: candidates() has only the one that --filter names.
-Outcome check_diagram_with_points(const Options& options, const DiagramFile& file, RunReport* run) {
-    PointCloud points;
-    Outcome outcome = read_points(options.points_path, &points);
-    if (outcome.good()) outcome = check_max_degree(options);
-    if (!outcome.good()) return outcome;
-    Session session(options, points.dim);
-    Recomputation recomputation(options, file, points, session);
-    const std::vector<FilterChoice> on_mesh = candidates(options, NETMESH_SOURCE_MESH);
-    const Session::Work make = [&](Session& s) { return make_mesh(s, points); };
-    if (!on_mesh.empty() && about(on_mesh[0].filter).has_goal != 0 && on_mesh[0].values == NETMESH_VALUES_CERTIFIED) {
-        requests::Mesh& mesh = session.mesh();
-        mesh.certificate = goal_of(options, options.ratio.value_or(default_ratio(mesh)));
-        outcome = recomputation.attempt({on_mesh[0]}, make);
-        mesh.certificate = {};
-    }
-    if (outcome.good()) outcome = recomputation.attempt(on_mesh, make);
-    for (const netmesh_source source : {NETMESH_SOURCE_SCALES, NETMESH_SOURCE_POINTS}) {
-        if (outcome.good())
-            outcome = recomputation.attempt(candidates(options, source), [](Session&) { return NETMESH_OK; });
-    }
-    if (!outcome.good()) return outcome;
-    outcome = recomputation.attempt(candidates(options, NETMESH_SOURCE_DELAUNAY),
-                                    [&](Session& s) { return make_triangulation(s, options, points); });
-    // Flat points have no triangulation: then only the mesh filters could have made the diagram.
-    if (!outcome.good() && outcome.exit != Exit::degenerate) return outcome;
-    return recomputation.conclude(run);
+std::string Reproduction::said() const {
+    const netmesh_report report = engine_.report();
+    const netmesh_diagram_report& diagram = report.diagram;
+    std::string text = "reproduced: the engine makes the same bars";
+    if (!file_.bounds.empty()) text += ", bounds and ratios by scale";
+    text += " of " + cloud_.name + " for " + choice_text(choice_of(made_)) + "; certified ratio " +
+            rounded_text(diagram.certified_ratio, 6);
+    if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
+    if (report.mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(report.mesh.aspect_ratio_max, 6);
+    return text;
 }
 
-Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file, RunReport* run) {
+// What comes of a run that could not be ended. Points that do not allow what the head says are not those that it is of.
+Outcome explain_refusal(const DiagramFile& file, const Outcome& outcome) {
+    const bool refused = outcome.exit == Exit::usage || outcome.exit == Exit::data || outcome.exit == Exit::degenerate;
+    if (!file.head || !refused) return outcome;
+    return file.wrong(file.head->lines.front().number, "it cannot be made as the head says: " + outcome.message);
+}
+
+void add_report(const Session& session, RunReport* run) {
+    run->engine = session.engine().report();
+    run->engine->bounds = {};  // compared with the file's, not asked for
+    run->clock = session.clock();
+}
+
+Outcome check_with_points(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
+    PointCloud points;
+    Outcome outcome = read_points(open.points_path, &points);
+    if (!outcome.good()) return outcome;
+    const Options made = settled(open, points.dim);
+    if (file.head) {
+        const HeadLine& dim = *file.head->find("dim");
+        const HeadLine& count = *file.head->find("points");
+        if (dim.value != std::to_string(points.dim))
+            return file.wrong(dim.number, points.name + " has " + std::to_string(points.dim) + " dimensions");
+        if (count.value != std::to_string(points.rows()))
+            return file.wrong(count.number, points.name + " has " + std::to_string(points.rows()) + " points");
+    }
+    Session session(made, points.dim);
+    outcome = session.run(plan_diagram(made, filter_of(made), points.dim, points.rows()), points,
+                          [&](Session& s) { return persist_as_asked(s, made, points); });
+    if (!outcome.good()) return explain_refusal(file, outcome);
+    if (file.head) {  // other points have other bars, so this comes first
+        const Head due = head_of(made, session.engine().report());
+        outcome = compare_line(file, "duplicates", due);
+        if (outcome.good()) outcome = compare_line(file, "input", due);
+    }
+    const Reproduction again(file, points, made, session);
+    if (outcome.good()) outcome = again.compare({"domain", "certified-ratio", "certified-from", "reference"});
+    if (!outcome.good()) return outcome;
+    add_report(session, run);
+    run->checked->push_back(again.said());
+    return second_opinion_on_points({file, made, cycles}, points, run);
+}
+
+// The only thing that a mesh tells of what it was made of. Without a domain all vertices are inputs.
+Outcome compare_inputs_with(const DiagramFile& file, const NodeFile& node) {
+    const auto inputs = node.domain.empty() ? static_cast<std::ptrdiff_t>(node.cloud.rows())
+                                            : std::count(node.markers.begin(), node.markers.end(), std::uint8_t{0});
+    std::uint64_t points = 0, duplicates = 0;
+    parse_unsigned(file.head->find("points")->value, &points);
+    parse_unsigned(file.head->find("duplicates")->value, &duplicates);
+    if (points - duplicates == static_cast<std::uint64_t>(inputs)) return {};
+    return file.wrong(file.head->find("points")->number, std::to_string(points) + " points, " +
+                                                             std::to_string(duplicates) +
+                                                             " of them duplicates, where " + node.cloud.name + " has " +
+                                                             std::to_string(inputs) + " inputs");
+}
+
+Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
     MeshFiles files;
-    Outcome outcome = read_mesh_files(options.mesh_path, &files);
+    Outcome outcome = read_mesh_files(open.mesh_path, &files);
     if (!outcome.good()) return outcome;
-    Session session(options, files.node.cloud.dim);
-    outcome = check_mesh(options, files, run, session);
+    const PointCloud& cloud = files.node.cloud;
+    const Options made = settled(open, cloud.dim);
+    if (file.head) outcome = compare_inputs_with(file, files.node);
     if (!outcome.good()) return outcome;
-    const bool is_mesh = !files.node.domain.empty();
-    Recomputation recomputation(options, file, files.node.cloud, session);
-    outcome = recomputation.attempt(candidates(options, is_mesh ? NETMESH_SOURCE_MESH : NETMESH_SOURCE_DELAUNAY),
-                                    [&](Session& s) { return load_mesh(s, files); });
-    return outcome.good() ? recomputation.conclude(run) : outcome;
+    Options promised = open;  // of the mesh; what a fit reached is in the mesh's own file
+    if (made.fit) {
+        promised.ratio.reset();
+        promised.focus = promised.from = promised.to = 0;
+    }
+    Session session(promised, cloud.dim);
+    outcome = check_mesh(promised, files, run, session);
+    if (!outcome.good()) return outcome;
+    outcome = session.run(plan_diagram(made, filter_of(made), cloud.dim, cloud.rows()), cloud, [&](Session& s) {
+        netmesh_status status = load_mesh(s, files);
+        const DiagramRequest diagram{choice_of(made), made.all, false};
+        if (status == NETMESH_OK) status = make_diagram(s, made, diagram, cloud);
+        return status == NETMESH_OK && !file.bounds.empty() ? bound_bars(s) : status;
+    });
+    if (!outcome.good()) return explain_refusal(file, outcome);
+    const Reproduction again(file, cloud, made, session);
+    outcome = again.compare({"dim", "domain", "certified-ratio", "certified-from", "reference"});
+    if (!outcome.good()) return outcome;
+    add_report(session, run);
+    run->checked->push_back(again.said() + "; how the mesh was made is for --points alone to tell");
+    outcome = check_vertex_values(made, files, run, session);
+    return outcome.good() ? second_opinion_on_mesh({file, made, cycles}, files, run) : outcome;
+}
+
+// How the diagram was made: as the file says, else as the options say.
+Options making_of(const Options& options, const DiagramFile& file) {
+    Options made = file.head ? file.head->options : options;
+    made.command = Command::persist;
+    made.positionals = options.positionals;
+    made.points_path = options.points_path;
+    made.mesh_path = options.mesh_path;
+    made.json = options.json;
+    made.quiet = options.quiet;
+    made.representatives.clear();
+    if (!made.fit) made.memory_bytes = options.memory_bytes;
+    if (!file.head) made.bounds = !file.bounds.empty();
+    return made;
 }
 
 }  // namespace
@@ -188,13 +232,26 @@ Outcome check_diagram_with_mesh(const Options& options, const DiagramFile& file,
 Outcome check_diagram(const Options& options, RunReport* run) {
     DiagramFile file;
     Outcome outcome = read_diagram(options.positionals[0], &file);
+    if (outcome.good() && file.head) outcome = check_contradiction(*file.head, file.name, options);
     if (!outcome.good()) return outcome;
     run->checked->push_back(file.name + " has " + grouped_text(file.bars.size()) +
                             " bars, sorted, with one essential class");
-    if (is_on_points(filter_of(options)) && !options.mesh_path.empty())
-        return usage_error(std::string("--mesh: filter ") + filter_name(filter_of(options)) + " has no mesh");
-    if (!options.mesh_path.empty()) return check_diagram_with_mesh(options, file, run);
-    if (!options.points_path.empty()) return check_diagram_with_points(options, file, run);
+    if (!file.head && !says_how(options)) {
+        run->checked->push_back(file.name + " carries no certificate: it does not say how it was made, nor do options");
+        return {};
+    }
+    const Options made = making_of(options, file);
+    for (Outcome (*check)(const Options&) : {check_together, check_accuracy, check_ratio, check_max_degree}) {
+        outcome = check(made);
+        if (!outcome.good()) return outcome;
+    }
+    const netmesh_source source = about(filter_of(made)).source;
+    const bool on_mesh = source == NETMESH_SOURCE_MESH || source == NETMESH_SOURCE_DELAUNAY;
+    if (!on_mesh && !made.mesh_path.empty())
+        return usage_error("--mesh: filter " + std::string(filter_name(filter_of(made))) + " has no mesh");
+    if (!made.mesh_path.empty()) return check_with_mesh(made, file, options.representatives, run);
+    if (!made.points_path.empty()) return check_with_points(made, file, options.representatives, run);
+    run->checked->push_back(file.name + " says how it was made; --points or --mesh is what to check that with");
     return {};
 }
 

@@ -92,26 +92,6 @@ Outcome compare_inputs(const MeshFiles& files, const PointCloud& points) {
     return {};
 }
 
-// The vertex attribute against the values of each filter; *found says which.
-Outcome compare_values(Session& session, const Options& options, const MeshFiles& files, std::string* found) {
-    const NodeFile& node = files.node;
-    for (const FilterChoice& choice : candidates(options, NETMESH_SOURCE_MESH)) {
-        requests::Persist persist = persist_request(options, {choice}, node.cloud.dim);
-        persist.max_degree = 0;
-        const netmesh_status status =
-            session.call(NETMESH_STAGE_CERTIFY, [&] { return session.engine().persist(session.watched(persist)); });
-        if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
-        if (status != NETMESH_OK) continue;
-        const EngineMesh mesh(session.engine());
-        bool equal = true;
-        for (std::size_t i = 0; i < node.cloud.rows() && equal; i++) equal = node.attributes[i] == mesh.vertex(i).value;
-        if (!equal) continue;
-        *found = choice_text(choice);
-        return {};
-    }
-    return mismatch("the values in " + node.cloud.name + " are those of no filter");
-}
-
 // What the mesh is checked against: the options, and the file where they say nothing.
 void set_promises(const Options& options, const NodeFile& node, requests::Mesh* mesh) {
     if (!options.tau && node.tau > 0) mesh->tau = node.tau;
@@ -169,12 +149,27 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     if (!options.points_path.empty()) {
         run->checked->push_back("inputs equal " + points.name + " bit for bit, duplicates merged");
     }
-    if (node.attribute_count == 1 && !node.domain.empty()) {
-        std::string found;
-        outcome = compare_values(session, options, files, &found);
-        if (outcome.good()) run->checked->push_back("vertex values are those of " + found);
-    }
     return outcome;
+}
+
+Outcome check_vertex_values(const Options& options, const MeshFiles& files, RunReport* run, Session& session) {
+    const NodeFile& node = files.node;
+    if (node.attribute_count != 1 || node.domain.empty()) return {};
+    for (const FilterChoice& choice : candidates(options)) {
+        requests::Persist persist = persist_request(options, {choice}, node.cloud.dim);
+        persist.max_degree = 0;
+        const netmesh_status status =
+            session.call(NETMESH_STAGE_CERTIFY, [&] { return session.engine().persist(session.watched(persist)); });
+        if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
+        if (status != NETMESH_OK) continue;
+        const EngineMesh mesh(session.engine());
+        bool equal = true;
+        for (std::size_t i = 0; i < node.cloud.rows() && equal; i++) equal = node.attributes[i] == mesh.vertex(i).value;
+        if (!equal) continue;
+        run->checked->push_back("vertex values are those of " + choice_text(choice));
+        return {};
+    }
+    return mismatch("the values in " + node.cloud.name + " are those of no filter");
 }
 
 }  // namespace netmesh::tool

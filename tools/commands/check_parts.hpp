@@ -1,9 +1,11 @@
 // The parts of `check`: a mesh from its files, a diagram from points or mesh.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/io/mesh_files.hpp"
+#include "tools/io/provenance.hpp"
 #include "tools/options.hpp"
 #include "tools/outcome.hpp"
 #include "tools/report/report.hpp"
@@ -11,21 +13,52 @@
 
 namespace netmesh::tool {
 
-// The filters and values that a file may come from, as far as --filter, --values and --k leave them open, of those that
-// go by a mesh, a Delaunay triangulation, scales or the points themselves.
-std::vector<FilterChoice> candidates(const Options& options, netmesh_source made_of);
+// The filters on meshes, with their values, that vertex values may be of, as far as --filter, --values and --k leave
+// them open.
+std::vector<FilterChoice> candidates(const Options& options);
 
 Outcome mismatch(const std::string& what);  // Exit::check
 
 // The mesh of the files, with its cages, taken over by the engine.
 netmesh_status load_mesh(Session& session, const MeshFiles& files);
 
-// Everything that can be said about a mesh: all checkers of the engine, the .neigh file, the inputs (--points), the
-// vertex values. What holds goes to run->checked, what the engine measured to run->engine; the mesh stays in the
-// session.
+// Everything that can be said about a mesh: all checkers of the engine, the .neigh file, the inputs (--points). What
+// holds goes to run->checked, what the engine measured to run->engine; the mesh stays in the session.
 Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Session& session);
+// Whether the vertices' values, where the file has some, are those of a filter on the mesh that the session holds.
+// Replaces the diagram.
+Outcome check_vertex_values(const Options& options, const MeshFiles& files, RunReport* run, Session& session);
 
-// The diagram of the positional argument: by itself, or recomputed from --mesh or --points.
+// A diagram's file as it was read.
+struct DiagramFile {
+    std::string name;
+    std::vector<Bar> bars;
+    std::vector<std::uint64_t> lines;  // of the bars
+    std::vector<BoundLine> bounds;
+    std::optional<Provenance> head;
+
+    std::uint64_t line_of(std::size_t bar) const {
+        return bar < lines.size() ? lines[bar] : lines.empty() ? 1 : lines.back();
+    }
+    Outcome wrong(std::uint64_t line, const std::string& why) const {  // Exit::check
+        return {Exit::check, name + ":" + std::to_string(line) + ": check failed: " + why};
+    }
+};
+
+struct DiagramClaim {
+    const DiagramFile& file;
+    const Options& made;             // settled
+    const std::string& cycles_path;  // empty: no cycles
+};
+
+// The same computed by other code than the engine's (tools/opinion): on a mesh the filter's values, its certified ratio
+// and the ratios by scale from the Voronoi cells, on mesh or points (Rips, Cech) the pairs by a plain reduction, and
+// each cycle's birth and death. What was found to hold, and what is too large to be looked at, goes to run->checked.
+Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run);
+Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
+
+// The diagram of the positional argument: its form; and, where its head or the options say how it was made, the same
+// run of the engine again from --points, or from --mesh with a second opinion by other code.
 Outcome check_diagram(const Options& options, RunReport* run);
 
 // The vineyard of the positional argument, likewise.

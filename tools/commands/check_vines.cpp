@@ -96,6 +96,7 @@ Outcome check_with_mesh(const Options& options, const VineFile& file, const std:
     if (files.node.domain.empty()) return usage_error("--mesh " + options.mesh_path + ": a vineyard needs a mesh");
     Session session(options, files.node.cloud.dim);
     outcome = check_mesh(options, files, run, session);
+    if (outcome.good()) outcome = check_vertex_values(options, files, run, session);
     if (!outcome.good()) return outcome;
     const Session::Work load = [&](Session& s) { return load_mesh(s, files); };
     return recompute(options, {file, name, files.node.cloud}, load, session, run);

@@ -10,8 +10,6 @@ namespace netmesh::tool {
 
 namespace {
 
-using Vertices = std::vector<std::uint32_t>;
-
 void toggle(std::set<Vertices>& chain, const Vertices& simplex) {
     const auto [place, added] = chain.insert(simplex);
     if (!added) chain.erase(place);
@@ -26,7 +24,8 @@ void add_boundary(const Vertices& simplex, std::set<Vertices>& chain) {
     }
 }
 
-std::string cycle_complaint(const Engine& engine, std::uint64_t index, const netmesh_pair& pair) {
+std::string cycle_complaint(const Engine& engine, std::uint64_t index, const netmesh_pair& pair,
+                            const FilteredComplex* complex) {
     std::set<Vertices> boundary, simplices;
     double latest = -HUGE_VAL;
     bool twice = false;
@@ -41,7 +40,9 @@ std::string cycle_complaint(const Engine& engine, std::uint64_t index, const net
     if (pair.degree == 0 && simplices.size() != (std::isfinite(pair.death) ? 2 : 1))
         return "has a chain of too many vertices";
     if (!boundary.empty()) return "has a chain with a boundary";
-    return latest == pair.birth ? "" : "has a cycle that is not born with it";
+    if (latest != pair.birth) return "has a cycle that is not born with it";
+    if (complex == nullptr) return "";
+    return complex->cycle_complaint({simplices.begin(), simplices.end()}, {pair.degree, pair.birth, pair.death});
 }
 
 }  // namespace
@@ -58,16 +59,24 @@ void write_cycles(const Engine& engine, TextWriter& out) {
     });
 }
 
-std::string cycles_complaint(const Engine& engine) {
+std::string cycles_complaint(const Engine& engine, const SimplexList& complex, double slack) {
+    std::optional<FilteredComplex> reduced;
+    if (complex) reduced.emplace(*complex, slack);
     std::string found;
     engine.for_each_pair([&](std::uint64_t i, const netmesh_pair& pair) {
         if (!found.empty()) return;
-        const std::string complaint = cycle_complaint(engine, i, pair);
+        const std::string complaint = cycle_complaint(engine, i, pair, reduced ? &*reduced : nullptr);
         if (complaint.empty()) return;
         found = "bar " + std::to_string(pair.degree) + " " + number_text(pair.birth) + " " + number_text(pair.death) +
                 " " + complaint;
     });
     return found;
+}
+
+std::string cycles_checked(const SimplexList& complex) {
+    if (complex) return "every bar has a cycle that is born with it and dies with it";
+    return "every bar has a cycle that is born with it; more than " + grouped_text(opinion_simplices_max) +
+           " simplices, so nobody looked when it dies";
 }
 
 }  // namespace netmesh::tool

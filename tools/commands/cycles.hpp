@@ -4,6 +4,7 @@
 
 #include "netmesh.hpp"
 #include "tools/io/text_writer.hpp"
+#include "tools/opinion/complexes.hpp"
 
 namespace netmesh::tool {
 
@@ -11,7 +12,10 @@ namespace netmesh::tool {
 void write_cycles(const Engine& engine, TextWriter& out);
 
 // Empty when every cycle has boundary zero (in degree 0: is one vertex, or two of a pair that dies) and enters with its
-// pair; otherwise what is wrong.
-std::string cycles_complaint(const Engine& engine);
+// pair; and, by a reduction of the complex if there is one, is no boundary before the pair dies and one from then on.
+// Otherwise what is wrong. `slack` as of FilteredComplex.
+std::string cycles_complaint(const Engine& engine, const SimplexList& complex, double slack);
+// What a check of all cycles has found to hold.
+std::string cycles_checked(const SimplexList& complex);
 
 }  // namespace netmesh::tool

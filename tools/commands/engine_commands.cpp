@@ -5,6 +5,8 @@
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
+#include "tools/io/provenance.hpp"
+#include "tools/opinion/cell_values.hpp"
 #include "tools/plot/plots.hpp"
 
 namespace netmesh::tool {
@@ -75,29 +77,6 @@ std::size_t plan_of(const Options& options, const PointCloud& cloud) {
     return plan(delaunay);
 }
 
-// The best mesh and diagram for the memory. What was reached is what is checked.
-netmesh_status fit(Session& session, const Options& options, const PointCloud& cloud) {
-    const netmesh_status status = session.call(NETMESH_STAGE_REFINE, [&] {
-        return session.engine().fit(session.watched(fit_request(options, cloud.dim), cloud));
-    });
-    if (status == NETMESH_OK) session.mesh().certificate = session.engine().report().mesh.certificate;
-    return status;
-}
-
-netmesh_status persist(Session& session, const Options& options, const PointCloud& cloud) {
-    DiagramRequest diagram{choice_of(options), options.all, false};
-    const netmesh_filter_info& filter = about(diagram.choice.filter);
-    const bool on_points = is_on_points(filter.filter);
-    const bool cycles =
-        filter.has_representatives != 0 && (!options.representatives.empty() || (on_points && options.check));
-    diagram.cycles = on_points && cycles;
-    netmesh_status status = prepare_for(session, options, filter.filter, cloud);
-    if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
-    if (status == NETMESH_OK && options.bounds) status = bound_bars(session);
-    if (status == NETMESH_OK && !on_points && cycles) status = find_cycles(session);
-    return status;
-}
-
 netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis* analysis) {
     requests::Analyse request;
     request.mesh = &session.mesh();
@@ -109,11 +88,8 @@ netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis
 netmesh_status work(Session& session, const Options& options, const PointCloud& cloud, netmesh_analysis* analysis) {
     const netmesh_source source = source_of(options);
     netmesh_status status;
-    if (options.fit) {
-        status = fit(session, options, cloud);
-        if (status == NETMESH_OK && !options.representatives.empty()) status = find_cycles(session);
-    } else if (persists(options)) {
-        status = persist(session, options, cloud);
+    if (persists(options)) {
+        status = persist_as_asked(session, options, cloud);
     } else {
         status =
             source == NETMESH_SOURCE_MESH ? make_mesh(session, cloud) : make_triangulation(session, options, cloud);
@@ -124,21 +100,36 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     return status;
 }
 
-std::string checked_text(const Options& options) {
+// The complex whose cycles are looked at; none where that is not asked for, or too large.
+SimplexList complex_of(const Options& options, const Engine& engine, const PointCloud& cloud) {
+    const netmesh_diagram_report diagram = engine.report().diagram;
+    if (!options.check || diagram.representatives == 0) return {};
+    const std::uint32_t top = diagram.max_degree + 1;
+    if (source_of(options) == NETMESH_SOURCE_POINTS)
+        return complex_of_points(cloud, diagram.filter == NETMESH_FILTER_RIPS, top);
+    const MeshFiles files = files_of(EngineMesh(engine));
+    if (source_of(options) == NETMESH_SOURCE_DELAUNAY) return alpha_complex(files, top);
+    const NodeFile& node = files.node;
+    return lower_stars(files.cells, node.attributes, zero_born(node, diagram.filter, diagram.k), top);
+}
+
+std::string checked_text(const Options& options, const SimplexList& complex) {
     switch (source_of(options)) {
     case NETMESH_SOURCE_SCALES: return "bars sorted, with one essential class";
     case NETMESH_SOURCE_POINTS:
-        return about(filter_of(options)).has_representatives != 0 ? "every bar has a cycle that is born with it"
-                                                                  : "the diagram's form";
-    default: return "combinatorics, orientation, Delaunay property, quality, bounds on size and degrees";
+        return about(filter_of(options)).has_representatives != 0 ? cycles_checked(complex) : "the diagram's form";
+    default:
+        return std::string("combinatorics, orientation, Delaunay property, quality, bounds on size and degrees") +
+               (options.representatives.empty() ? "" : "; " + cycles_checked(complex));
     }
 }
 
 // What the tool itself finds wrong with the diagram.
-Outcome check_result(const Engine& engine, const std::vector<Bar>& bars) {
+Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const SimplexList& complex) {
     std::string complaint = diagram_complaint(bars);
     const bool cycles = engine.report().diagram.representatives != 0;
-    if (complaint.empty() && cycles) complaint = cycles_complaint(engine);
+    const bool own_values = about(engine.report().diagram.filter).source == NETMESH_SOURCE_MESH;
+    if (complaint.empty() && cycles) complaint = cycles_complaint(engine, complex, own_values ? 0 : radius_tolerance);
     if (complaint.empty()) return {};
     return {Exit::check, "netmesh: check failed: diagram: " + complaint};
 }
@@ -162,7 +153,10 @@ std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, 
         jobs.push_back({options.svg, draw});
     }
     if (!options.out.empty() || !options.json)
-        jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(result.bars, result.bounds, out); }});
+        jobs.push_back({options.out, [&](TextWriter& out) {
+                            write_head(head_of(options, report), out);
+                            write_diagram(result.bars, result.bounds, out);
+                        }});
     return jobs;
 }
 
@@ -192,7 +186,8 @@ Outcome run_engine_command(const Options& options) {
     run.engine = session.engine().report();
     run.clock = session.clock();
     if (options.analyse) run.analysis = analysis;
-    if (options.check) run.checked = std::vector<std::string>{checked_text(options)};
+    const SimplexList complex = complex_of(options, session.engine(), cloud);
+    if (options.check) run.checked = std::vector<std::string>{checked_text(options, complex)};
 
     Result result{EngineMesh(session.engine()), {}, {}};
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
@@ -201,7 +196,7 @@ Outcome run_engine_command(const Options& options) {
 
     result.bars = bars_of(session.engine());
     result.bounds = bounds_of(session.engine());
-    if (options.check) outcome = check_result(session.engine(), result.bars);
+    if (options.check) outcome = check_result(session.engine(), result.bars, complex);
     if (!outcome.good()) return outcome;
     if (options.bounds) run.bounds = &result.bounds;
     if (options.json && options.out.empty()) run.bars = &result.bars;

@@ -94,6 +94,25 @@ void EngineMesh::measure() {
     domains.clear();
 }
 
+MeshFiles files_of(const EngineMesh& mesh) {
+    MeshFiles files;
+    NodeFile& node = files.node;
+    node.cloud.dim = mesh.dim;
+    for (std::uint64_t i = 0; i < mesh.vertex_count; i++) {
+        const netmesh_vertex vertex = mesh.vertex(i);
+        node.cloud.coordinates.insert(node.cloud.coordinates.end(), vertex.coordinates, vertex.coordinates + mesh.dim);
+        node.attributes.push_back(vertex.value);
+        node.markers.push_back(static_cast<std::uint8_t>(vertex.marker));
+    }
+    files.cells.columns = mesh.dim + 1;
+    for (std::uint64_t c = 0; c < mesh.cell_count; c++) {
+        const netmesh_cell cell = mesh.cell(c);
+        files.cells.entries.insert(files.cells.entries.end(), cell.vertices, cell.vertices + mesh.dim + 1);
+        files.cells.lines.push_back(c + 1);
+    }
+    return files;
+}
+
 std::vector<Bar> bars_of(const Engine& engine) {
     std::vector<Bar> bars;
     engine.for_each_pair([&](std::uint64_t, const netmesh_pair& pair) {

@@ -40,6 +40,9 @@ private:
     Engine engine_;  // a handle
 };
 
+// The vertices and cells of a mesh as its files have them.
+MeshFiles files_of(const EngineMesh& mesh);
+
 // The diagram that an engine holds, and its bounds: empty unless there are some.
 std::vector<Bar> bars_of(const Engine& engine);
 Bounds bounds_of(const Engine& engine);

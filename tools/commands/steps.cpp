@@ -34,6 +34,35 @@ netmesh_status make_diagram(Session& session, const Options& options, const Diag
     });
 }
 
+namespace {
+
+// The best mesh and diagram for the memory. What was reached is what is checked.
+netmesh_status fit(Session& session, const Options& options, const PointCloud& cloud) {
+    netmesh_status status = session.call(NETMESH_STAGE_REFINE, [&] {
+        return session.engine().fit(session.watched(fit_request(options, cloud.dim), cloud));
+    });
+    if (status == NETMESH_OK) session.mesh().certificate = session.engine().report().mesh.certificate;
+    if (status == NETMESH_OK && !options.representatives.empty()) status = find_cycles(session);
+    return status;
+}
+
+}  // namespace
+
+netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud) {
+    if (options.fit) return fit(session, options, cloud);
+    DiagramRequest diagram{choice_of(options), options.all, false};
+    const netmesh_filter_info& filter = about(diagram.choice.filter);
+    const bool on_points = is_on_points(filter.filter);
+    const bool cycles =
+        filter.has_representatives != 0 && (!options.representatives.empty() || (on_points && options.check));
+    diagram.cycles = on_points && cycles;
+    netmesh_status status = prepare_for(session, options, filter.filter, cloud);
+    if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
+    if (status == NETMESH_OK && options.bounds) status = bound_bars(session);
+    if (status == NETMESH_OK && !on_points && cycles) status = find_cycles(session);
+    return status;
+}
+
 netmesh_status make_vineyard(Session& session, const requests::Vineyard& request, Vines* vines) {
     const netmesh_status status =
         session.call(NETMESH_STAGE_REDUCE, [&] { return session.engine().vineyard(session.watched(request)); });

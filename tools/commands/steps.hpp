@@ -14,6 +14,9 @@ netmesh_status make_triangulation(Session& session, const Options& options, cons
 // The diagram, of what the session holds or of the points, whichever its filter goes by.
 netmesh_status make_diagram(Session& session, const Options& options, const DiagramRequest& diagram,
                             const PointCloud& cloud);
+// What `persist` does with the points: the mesh where there is one, the diagram, and bounds and cycles as far as the
+// options ask for them.
+netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud);
 // The vineyard of the mesh that the session holds; takes the vines out.
 netmesh_status make_vineyard(Session& session, const requests::Vineyard& request, Vines* vines);
 

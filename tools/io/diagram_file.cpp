@@ -45,9 +45,7 @@ std::vector<BoundLine> bound_lines(std::string_view content) {
     return lines;
 }
 
-namespace {
-
-Complaint parse_bar(std::string_view line, Bar* bar) {
+std::string parse_bar(std::string_view line, Bar* bar) {
     const std::vector<std::string_view> words = split_blanks(line);
     if (words.size() != 3) return std::to_string(words.size()) + " fields; a line is: degree birth death";
     std::uint64_t degree;
@@ -65,8 +63,6 @@ Complaint parse_bar(std::string_view line, Bar* bar) {
     }
     return {};
 }
-
-}  // namespace
 
 Outcome parse_diagram(std::string_view content, const std::string& name, std::vector<Bar>* bars,
                       std::vector<std::uint64_t>* lines) {

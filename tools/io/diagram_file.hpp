@@ -40,6 +40,9 @@ struct BoundLine {
 };
 std::vector<BoundLine> bound_lines(std::string_view content);
 
+// `degree birth death`: a complaint, or empty.
+std::string parse_bar(std::string_view line, Bar* bar);
+
 // Comments and blank lines are skipped; births are finite and >= 0, deaths >= births. Any order. lines[i], when asked
 // for, is the physical line of bar i. Faults are Exit::data with file and line.
 Outcome parse_diagram(std::string_view content, const std::string& name, std::vector<Bar>* bars,

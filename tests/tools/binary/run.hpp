@@ -65,3 +65,13 @@ public:
 private:
     std::string path_;
 };
+
+// A .pers file without its comments.
+inline std::string bars_of(const std::string& diagram) {
+    std::istringstream lines(diagram);
+    std::string bars;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("#", 0) != 0) bars += line + "\n";
+    }
+    return bars;
+}

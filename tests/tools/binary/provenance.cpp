@@ -1,0 +1,344 @@
+// A diagram says how it was made: check needs nothing but the file and the points, and finds what has been tampered
+// with.
+#include <doctest/doctest.h>
+
+#include <functional>
+
+#include "run.hpp"
+
+namespace {
+
+// The physical line, from 1, at which a line of the text begins with `start`; 0: none does.
+std::size_t line_with(const std::string& text, const std::string& start) {
+    std::istringstream lines(text);
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        number++;
+        if (line.rfind(start, 0) == 0) return number;
+    }
+    return 0;
+}
+
+// The text with `change` done to that line; an empty result takes it out.
+std::string with_line(const std::string& text, std::size_t number,
+                      const std::function<std::string(const std::string&)>& change) {
+    std::istringstream lines(text);
+    std::string result;
+    std::size_t at = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const std::string now = ++at == number ? change(line) : line;
+        if (!now.empty()) result += now + "\n";
+    }
+    return result;
+}
+
+std::string with_head(const std::string& text, const std::string& name, const std::string& line) {
+    return with_line(text, line_with(text, "# " + name), [&](const std::string&) { return line; });
+}
+
+// "1 0.5 0.75" with its number of that index (from 0) times `factor`.
+std::string scaled(const std::string& line, int index, double factor) {
+    std::istringstream words(line);
+    std::string result, word;
+    for (int i = 0; words >> word; i++) {
+        if (i == index) {
+            std::ostringstream number;
+            number.precision(17);
+            number << std::strtod(word.c_str(), nullptr) * factor;
+            word = number.str();
+        }
+        result += (i > 0 ? " " : "") + word;
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("provenance: every way to call persist is checked from file and points alone") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 30 -o p.csv").exit == 0);
+    folder.write("p.csv", folder.read("p.csv") + "0.25 0.5\n0.25 0.5\n");  // a duplicate
+    for (const std::string ways : {"",
+                                   "--filter basic",
+                                   "--filter alpha",
+                                   "--filter alpha --all",
+                                   "--filter alpha --bounds",
+                                   "--filter knn --k 4",
+                                   "--filter knn",
+                                   "--filter kdistance --k 3 --values thesis",
+                                   "--filter tight",
+                                   "--filter tight --eps .4 --bounds",
+                                   "--filter scales",
+                                   "--filter scales --theta .1 --eps .5 --bounds",
+                                   "--filter rips",
+                                   "--filter cech --max-degree 0",
+                                   "--filter barycentric-cech --k 2",
+                                   "--filter barycentric-rips --k 2 --values thesis",
+                                   "--seed 7",
+                                   "--tau 3",
+                                   "--ratio 1.9",
+                                   "--ratio 2.5 --focus 1.6 --from .3 --to .9 --bounds",
+                                   "--fit --memory 512K",
+                                   "--fit --memory 512K --from .3 --to .9 --ratio 3 --bounds",
+                                   "--method svr",
+                                   "--method refine --tau 4",
+                                   "--method netmesh --finish",
+                                   "--values thesis --max-degree 0",
+                                   "--max-degree 9",
+                                   "--bounds --all"}) {
+        CAPTURE(ways);
+        const Result made = folder.run("persist p.csv --quiet -o d.pers " + ways);
+        CHECK(made.err == "");
+        CHECK(made.exit == 0);
+        const Result check = folder.run("check d.pers --points p.csv");
+        CHECK(check.err == "");
+        CHECK(check.exit == 0);
+        CHECK(check.out.find("reproduced: the engine makes the same bars") != std::string::npos);
+        CHECK(folder.run("persist p.csv --quiet " + ways).out == folder.read("d.pers"));
+        // What was said on the command line may be said again.
+        if (ways.find("--fit") == std::string::npos)
+            CHECK(folder.run("check d.pers --points p.csv --memory 1G").exit == 0);
+        const Result alone = folder.run("check d.pers");
+        CHECK(alone.exit == 0);
+        CHECK(alone.out.find("says how it was made") != std::string::npos);
+    }
+}
+
+TEST_CASE("provenance: the head, line by line") {
+    const Folder folder;
+    folder.write("p.txt", "0 0\n1 0\n0 0\n1 1\n0 1\n");
+    CHECK(folder.run("persist p.txt --quiet --filter kdistance --k 2 --tau 3 --seed 5 -o d.pers").exit == 0);
+    const std::string text = folder.read("d.pers");
+    const std::string head = text.substr(0, text.find("# domain"));
+    CHECK(head == "# netmesh diagram 1: degree birth death\n# version 0.2.0\n# filter kdistance\n# k 2\n"
+                  "# values certified\n# method svr\n# tau 3\n# max-degree 1\n# seed 5\n# dim 2\n# points 5\n"
+                  "# duplicates 1\n" +
+                      head.substr(head.find("# input ")));
+    const std::size_t ratio = text.find("# certified-ratio ");
+    CHECK(ratio != std::string::npos);
+    CHECK(text.find("# reference sublevel sets of the k-distance, k = 2, in R^2\n") != std::string::npos);
+    // Blank lines, comments before the head and behind the bars, CRLF: as in every file.
+    std::string other = "# mine\n\n" + text + "# mine too\n";
+    for (std::size_t at = 0; (at = other.find('\n', at)) != std::string::npos; at += 2) other.insert(at, "\r");
+    folder.write("d.pers", other);
+    CHECK(folder.run("check d.pers --points p.txt").exit == 0);
+    CHECK(folder.run("distance d.pers d.pers").exit == 0);
+}
+
+TEST_CASE("provenance: tampering is found, with line and reason") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 40 -o p.csv").exit == 0);
+    CHECK(folder.run("sample annulus -n 40 --seed 2 -o q.csv").exit == 0);
+    CHECK(folder.run("sample annulus -n 41 -o r.csv").exit == 0);
+    CHECK(folder.run("sample annulus -n 40 --dim 3 -o s.csv").exit == 0);
+    const std::string make = "persist p.csv --quiet -o d.pers --mesh m.node --bounds --filter ";
+    const auto tampered = [&](const std::string& name, const std::string& content, std::size_t line,
+                              const std::string& reason, const std::string& source = "--points p.csv") {
+        CAPTURE(name);
+        CHECK(content != folder.read("d.pers"));
+        folder.write("t.pers", content);
+        const Result result = folder.run("check t.pers " + source);
+        CHECK(result.exit == 7);
+        CHECK(result.out == "");
+        const std::string where = "t.pers:" + std::to_string(line) + ": check failed: ";
+        CHECK_MESSAGE(result.says(where), result.err);
+        CHECK_MESSAGE(result.says(reason), result.err);
+    };
+
+    CHECK(folder.run(make + "knn --k 3").exit == 0);
+    const std::string text = folder.read("d.pers");
+    const auto number = [&](const std::string& start) { return line_with(text, start); };
+    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    const std::size_t first = number("0 "), loop = lines;  // the last bar, of degree 1
+    for (const std::string source : {"--points p.csv", "--mesh m.node"}) {
+        CAPTURE(source);
+        const auto bad = [&](const std::string& name, const std::string& content, std::size_t line,
+                             const std::string& reason) { tampered(name, content, line, reason, source); };
+        const auto bar = [&](std::size_t line, int index, double factor) {
+            return with_line(text, line, [&](const std::string& old) {
+                const std::size_t hash = old.find(" # ");
+                return scaled(old.substr(0, hash), index, factor) + old.substr(hash);
+            });
+        };
+        bad("birth 1% up", bar(loop, 1, 1.01), loop, " is due for filter knn");
+        bad("death 1% down", bar(loop, 2, 0.99), loop, "this bar or one of those lines is wrong");
+        bad("a bar taken out", with_line(text, loop - 1, [](const std::string&) { return ""; }), loop - 1,
+            " is due for");
+        bad("a bar twice", with_line(text, loop, [](const std::string& old) { return old + "\n" + old; }), loop + 1,
+            " is due for");
+        bad("another degree", with_line(text, loop, [](const std::string& old) { return "2" + old.substr(1); }), loop,
+            "a bar of degree 2 where max-degree is 1");
+        bad("not sorted", with_line(text, first, [](const std::string&) { return "0 7 8 # birth 7 7 death 8 8"; }),
+            first + 1, "not sorted");
+        const std::size_t forever = text.find(" inf # ");
+        std::string mortal = text;
+        mortal.replace(forever, 4, " 99");
+        bad("no essential class", mortal, lines, "no essential class");
+        bad("certified ratio 1% down",
+            with_line(text, number("# certified-ratio"), [](const std::string& old) { return scaled(old, 2, 0.99); }),
+            number("# certified-ratio"), " is due");
+        bad("certified from somewhere",
+            with_line(text, number("# certified-ratio"),
+                      [](const std::string& old) { return old + "\n# certified-from 0.1"; }),
+            number("# certified-ratio") + 1, "where no such line is due");
+        bad("reference", with_head(text, "reference", "# reference closed offsets of the points in R^2"),
+            number("# reference"), "sublevel sets of d_3");
+        bad("domain", with_line(text, number("# domain"), [](const std::string& old) { return scaled(old, 4, 1.01); }),
+            number("# domain"), " is due");
+        bad("k", with_head(text, "k ", "# k 4"), first, "lines");
+        bad("values", with_head(text, "values", "# values thesis"), first, "lines");
+        bad("max-degree", with_head(text, "max-degree", "# max-degree 0"), number("1 "), "max-degree is 0");
+        bad("bound of a bar 1% up",
+            with_line(text, loop,
+                      [](const std::string& old) {
+                          const std::size_t hash = old.find('#');
+                          return old.substr(0, hash) + scaled(old.substr(hash), 3, 1.01);
+                      }),
+            loop, "bounds differ");
+        bad("real",
+            with_line(text, first,
+                      [](const std::string& old) {
+                          return old.find(" real") == std::string::npos ? old + " real"
+                                                                        : old.substr(0, old.find(" real"));
+                      }),
+            first, "bounds differ");
+        bad("ratio by scale",
+            with_line(text, number("# scale"),
+                      [](const std::string& old) { return old.substr(0, old.find(" ratio ")) + " ratio 1.01"; }),
+            number("# scale"), "bounds differ");
+        bad("no line `bounds`", with_line(text, number("# bounds"), [](const std::string&) { return ""; }),
+            number("# scale") - 1, "no line `# bounds`");
+    }
+    // What the points tell.
+    tampered("number of points", with_head(text, "points", "# points 41"), number("# points"), "has 40 points");
+    tampered("number of points, from the mesh", with_head(text, "points", "# points 41"), number("# points"),
+             "m.node has 40 inputs", "--mesh m.node");
+    tampered("duplicates", with_head(text, "duplicates", "# duplicates 1"), number("# duplicates"), "is due");
+    tampered("fingerprint", with_head(text, "input", "# input 0123456789abcdef"), number("# input"), "is due");
+    tampered("tau", with_head(text, "tau", "# tau 3"), first, "lines");
+    tampered("too large a k", with_head(text, "k ", "# k 41"), number("# version"), "cannot be made as the head says");
+    folder.write("t.pers", text);
+    CHECK(folder.run("check t.pers --points q.csv").says("# input "));
+    CHECK(folder.run("check t.pers --points r.csv").says("r.csv has 41 points"));
+    CHECK(folder.run("check t.pers --points s.csv").says("s.csv has 3 dimensions"));
+
+    // The order of insertion is drawn for more than 64 points.
+    CHECK(folder.run("sample annulus -n 80 -o p.csv").exit == 0);
+    CHECK(folder.run("persist p.csv --quiet -o d.pers").exit == 0);
+    const std::string complete = folder.read("d.pers");
+    tampered("seed", with_head(complete, "seed", "# seed 2"), line_with(complete, "0 "), "lines");
+    tampered("ratio", with_head(complete, "ratio", "# ratio 2"), line_with(complete, "0 "), "lines");
+    CHECK(folder.run("persist p.csv --quiet -o d.pers --filter rips").exit == 0);
+    const std::string rips = folder.read("d.pers");
+    tampered("filter",
+             with_head(with_head(rips, "filter", "# filter cech"), "reference",
+                       "# reference closed offsets of the points in R^2"),
+             line_with(rips, "1 "), "is due for filter cech");
+}
+
+TEST_CASE("provenance: a file without is looked at for its form, or made as the options say") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 30 -o p.csv").exit == 0);
+    CHECK(folder.run("persist p.csv --quiet -o d.pers --mesh m.node --filter knn --k 3").exit == 0);
+    folder.write("d.pers", bars_of(folder.read("d.pers")));
+    for (const std::string source : {"", " --points p.csv", " --mesh m.node"}) {
+        CAPTURE(source);
+        const Result check = folder.run("check d.pers" + source);
+        CHECK(check.exit == 0);
+        CHECK(check.out.find("carries no certificate") != std::string::npos);
+        if (source.empty()) continue;
+        const Result told = folder.run("check d.pers --filter knn --k 3" + source);
+        CHECK(told.exit == 0);
+        CHECK(told.out.find("reproduced") != std::string::npos);
+        CHECK(folder.run("check d.pers --filter knn --k 4" + source).exit == 7);
+        CHECK(folder.run("check d.pers --filter basic" + source).exit == 7);
+    }
+}
+
+TEST_CASE("provenance: options that contradict the file, and heads that cannot be") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 30 -o p.csv").exit == 0);
+    CHECK(folder.run("persist p.csv --quiet -o d.pers --tau 3").exit == 0);
+    const std::string text = folder.read("d.pers");
+    const auto number = [&](const std::string& name) { return std::to_string(line_with(text, "# " + name)); };
+    for (const std::string option : {"--tau 3", "--tau 3.0", "--filter complete", "--values certified", "--seed 1",
+                                     "--max-degree 1", "--memory 1G"}) {
+        CAPTURE(option);
+        CHECK(folder.run("check d.pers --points p.csv " + option).exit == 0);
+    }
+    for (const std::string option : {"--tau 2.5", "--filter basic", "--values thesis", "--seed 2", "--max-degree 0",
+                                     "--ratio 2", "--k 2", "--all", "--eps .5", "--method svr"}) {
+        CAPTURE(option);
+        const Result result = folder.run("check d.pers --points p.csv " + option);
+        CHECK(result.exit == 2);
+        CHECK(result.says("netmesh: " + option + " contradicts d.pers"));
+    }
+    CHECK(folder.run("check d.pers --points p.csv --seed 2").says("d.pers:" + number("seed") + ": \"# seed 1\""));
+    CHECK(folder.run("check d.pers --points p.csv --all").says("made without --all"));
+
+    const auto refused = [&](const std::string& content, const std::string& line, const std::string& reason) {
+        CAPTURE(reason);
+        folder.write("t.pers", content);
+        for (const std::string source : {"", " --points p.csv"}) {
+            const Result result = folder.run("check t.pers" + source);
+            CHECK(result.exit == 3);
+            CHECK_MESSAGE(result.says("t.pers:" + line + ": "), result.err);
+            CHECK_MESSAGE(result.says(reason), result.err);
+        }
+        CHECK(folder.run("distance t.pers t.pers").exit == 0);  // which needs no head
+    };
+    refused(with_head(text, "seed", "# seed 1\n# sed 2"), std::to_string(line_with(text, "# seed") + 1),
+            "not a line of a head");
+    refused(with_head(text, "seed", "# seed 1\n# seed 1"), std::to_string(line_with(text, "# seed") + 1), "twice");
+    refused(with_head(text, "seed", ""), "1", "lacks the line \"# seed\"");
+    refused(with_head(text, "ratio", ""), "1", "lacks the line \"# ratio\"");
+    refused(with_head(text, "certified-ratio", ""), "1", "lacks the line \"# certified-ratio\"");
+    refused(with_head(text, "version", "# k 2"), number("version"), "contradicts the other lines");
+    refused(with_head(text, "filter", "# filter basic"), number("ratio"), "contradicts the other lines");
+    refused(with_head(text, "filter", "# filter frob"), number("filter"), "the filters are");
+    refused(with_head(text, "tau", "# tau 2"), number("tau"), "above 2");
+    refused(with_head(text, "ratio", "# ratio 2\n# focus 1.5\n# from 1\n# to .5"), "1", "A below B");
+    refused(with_head(text, "ratio", "# ratio 2\n# from 1"), "1", "lacks the line \"# focus\"");
+    refused(with_head(text, "duplicates", "# duplicates 30"), number("duplicates"), "fewer of them are duplicates");
+    refused(with_head(text, "dim", "# dim 7"), number("dim"), "from 2 to 6");
+    refused(with_head(text, "points", "# points many"), number("points"), "whole number");
+    refused(with_head(text, "domain", "# domain 0 1"), number("domain"), "radius above 0");
+    refused(with_head(text, "max-degree", "# max-degree 2"), number("max-degree"), "at most 1");
+    refused(with_head(text, "input", "# input 12"), number("input"), "16 hexadecimal digits");
+    refused(with_head(text, "certified-ratio", "# certified-ratio .5"), number("certified-ratio"), "at least 1");
+    refused(with_head(text, "netmesh diagram", "# netmesh diagram 2: more"), "1", "another version of the format");
+}
+
+TEST_CASE("provenance: with its mesh a diagram has a second opinion, its cycles too") {
+    const Folder folder;
+    CHECK(folder.run("sample annulus -n 40 -o p.csv").exit == 0);
+    for (const std::string filter : {"complete --bounds", "complete --values thesis --all", "basic", "knn --k 3",
+                                     "kdistance --k 3", "tight", "alpha", "complete --method netmesh --finish"}) {
+        CAPTURE(filter);
+        CHECK(folder.run("persist p.csv --quiet -o d.pers --mesh m.node --representatives c.txt --filter " + filter)
+                  .exit == 0);
+        const Result check = folder.run("check d.pers --mesh m.node --points p.csv --representatives c.txt");
+        CHECK(check.err == "");
+        CHECK(check.exit == 0);
+        CHECK(check.out.find("are the pairs of a plain reduction of") != std::string::npos);
+        CHECK(check.out.find("are born with their bars and die with them") != std::string::npos);
+        CHECK((check.out.find("follows from them") == std::string::npos) == (filter == "alpha"));
+    }
+    for (const std::string filter : {"rips", "cech"}) {
+        CAPTURE(filter);
+        CHECK(folder.run("persist p.csv --quiet -o d.pers --representatives c.txt --filter " + filter).exit == 0);
+        const Result check = folder.run("check d.pers --points p.csv --representatives c.txt");
+        CHECK(check.exit == 0);
+        CHECK(check.out.find("die with them") != std::string::npos);
+        // The cycle of another bar is born, or dies, at another time.
+        std::string cycles = folder.read("c.txt");
+        const std::size_t last = cycles.rfind("\nbar 0 ") + 1;
+        folder.write("c.txt", cycles.substr(0, last) + cycles.substr(cycles.find("\nbar 1 ") + 1));
+        CHECK(folder.run("check d.pers --points p.csv --representatives c.txt").exit == 7);
+        folder.write("c.txt", "bar 0 0\n");
+        CHECK(folder.run("check d.pers --points p.csv --representatives c.txt").exit == 3);
+    }
+    CHECK(folder.run("persist p.csv --quiet -o d.pers --filter scales").exit == 0);
+    CHECK(folder.run("check d.pers --points p.csv --representatives c.txt").exit == 2);
+    CHECK(folder.run("check d.pers --mesh m.node").exit == 2);
+}

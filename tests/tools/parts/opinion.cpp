@@ -1,0 +1,364 @@
+// The second opinion: right on what can be worked out by hand, and not to be talked into anything.
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "tools/commands/check_parts.hpp"
+#include "tools/commands/cycles.hpp"
+#include "tools/commands/output.hpp"
+#include "tools/commands/steps.hpp"
+#include "tools/io/cycle_file.hpp"
+#include "tools/opinion/cell_values.hpp"
+#include "tools/opinion/complexes.hpp"
+
+using namespace netmesh::tool;
+using netmesh::Engine;
+
+namespace {
+
+bool near(double a, double b) { return std::fabs(a - b) <= 1e-12 * std::fmax(1, std::fabs(b)); }
+
+double value_of(const SimplexList& list, const Vertices& vertices) {
+    for (const FilteredSimplex& s : *list) {
+        if (s.vertices == vertices) return s.value;
+    }
+    return -1;
+}
+
+PointCloud cloud_of(std::uint32_t dim, const std::vector<double>& coordinates) {
+    PointCloud cloud;
+    cloud.name = "points";
+    cloud.dim = dim;
+    cloud.coordinates = coordinates;
+    return cloud;
+}
+
+// Two triangles that share an edge: one is filled at 4, the other at 6.
+FilteredComplex two_triangles() {
+    return FilteredComplex({{{0}, 0},
+                            {{1}, 0},
+                            {{2}, 0},
+                            {{3}, 0.5},
+                            {{0, 1}, 1},
+                            {{1, 2}, 2},
+                            {{0, 2}, 3},
+                            {{1, 3}, 1},
+                            {{2, 3}, 3.5},
+                            {{0, 1, 2}, 4},
+                            {{1, 2, 3}, 6}});
+}
+
+}  // namespace
+
+TEST_CASE("opinion: a plain reduction, and bars that are not its pairs") {
+    const FilteredComplex complex = two_triangles();
+    const std::vector<Bar> due = {{0, 0, 1}, {0, 0, 2}, {0, 0, HUGE_VAL}, {0, 0.5, 1}, {1, 3, 4}, {1, 3.5, 6}};
+    CHECK(complex.bars(1, false) == due);
+    std::size_t at = 0;
+    CHECK(complex.bars_complaint(due, 1, false, &at) == "");
+    for (std::size_t i = 0; i < due.size(); i++) {
+        std::vector<Bar> forged = due;
+        forged.erase(forged.begin() + static_cast<std::ptrdiff_t>(i));
+        CHECK(complex.bars_complaint(forged, 1, false, &at) != "");
+        forged = due;
+        forged.insert(forged.begin() + static_cast<std::ptrdiff_t>(i), due[i]);
+        CHECK(complex.bars_complaint(forged, 1, false, &at) != "");
+        CHECK(at == i + 1);
+        forged = due;
+        forged[i].birth += 0.01;
+        CHECK(complex.bars_complaint(forged, 1, false, &at) != "");
+        CHECK(at == i);
+    }
+    CHECK(complex.bars_complaint({}, 1, false, &at) != "");
+    CHECK(FilteredComplex({{{0}, 0}, {{1}, 1}, {{0, 1}, 1}}).bars(0, true).size() == 2);
+    CHECK(FilteredComplex({{{0}, 0}, {{1}, 1}, {{0, 1}, 1}}).bars(0, false).size() == 1);
+}
+
+TEST_CASE("opinion: with values of its own, bars within rounding are the pairs, no others") {
+    const FilteredComplex complex(
+        {{{0}, 0}, {{1}, 0}, {{2}, 0}, {{0, 1}, 1}, {{1, 2}, 1}, {{0, 2}, 2}, {{0, 1, 2}, 2 * (1 + 1e-12)}}, 1e-9);
+    std::size_t at = 0;
+    CHECK(complex.bars_complaint({{0, 0, 1 + 1e-13}, {0, 0, 1}, {0, 0, HUGE_VAL}}, 1, false, &at) == "");
+    CHECK(complex.bars_complaint({{0, 0, 1}, {0, 0, 1}, {0, 0, HUGE_VAL}, {1, 2, 2 * (1 + 1e-13)}}, 1, false, &at) ==
+          "");
+    CHECK(complex.bars_complaint({{0, 0, 1 + 1e-8}, {0, 0, 1}, {0, 0, HUGE_VAL}}, 1, false, &at) != "");
+    CHECK(complex.bars_complaint({{0, 0, 1}, {0, 0, HUGE_VAL}}, 1, false, &at) != "");
+    CHECK(complex.bars_complaint({{0, 0, 1}, {0, 0, 1}, {0, 0, HUGE_VAL}, {1, 2, 2.1}}, 1, false, &at) != "");
+}
+
+TEST_CASE("opinion: cycles are born with their bars and die with them") {
+    const FilteredComplex complex = two_triangles();
+    const std::vector<Vertices> first = {{0, 1}, {0, 2}, {1, 2}}, second = {{1, 2}, {1, 3}, {2, 3}};
+    const std::vector<Vertices> both = {{0, 1}, {0, 2}, {1, 3}, {2, 3}};
+    CHECK(complex.cycle_complaint(first, {1, 3, 4}) == "");
+    CHECK(complex.cycle_complaint(second, {1, 3.5, 6}) == "");
+    CHECK(complex.cycle_complaint(both, {1, 3.5, 6}) == "");  // homologous from 4 on
+    CHECK(complex.cycle_complaint({{0}, {1}}, {0, 0, 1}) == "");
+    CHECK(complex.cycle_complaint({{0}}, {0, 0, HUGE_VAL}) == "");
+    const struct {
+        std::vector<Vertices> chain;
+        Bar bar;
+        const char* complaint;
+    } faults[] = {{first, {1, 3, 6}, "has a cycle that dies before it"},
+                  {first, {1, 3, HUGE_VAL}, "has a cycle that dies before it"},
+                  {second, {1, 3.5, 4}, "has a cycle that does not die with it"},
+                  {second, {1, 3, 6}, "has a cycle that is not born with it"},
+                  {{{0, 1}, {0, 2}}, {1, 3, 4}, "has a chain with a boundary"},
+                  {{{0, 1}, {0, 3}, {1, 3}}, {1, 3, 4}, "has a simplex in its cycle that the complex lacks"},
+                  {{{0, 1}, {0, 1}}, {1, 1, 4}, "has a simplex twice in its cycle"},
+                  {{{0}, {1}}, {1, 0, 1}, "has a cycle of another degree"},
+                  {{{0}, {1}}, {0, 0, HUGE_VAL}, "has a chain of too many or too few vertices"},
+                  {{{0}, {3}}, {0, 0.5, 0.75}, "has a cycle that does not die with it"},
+                  {{}, {1, 3, 4}, "has no cycle"}};
+    for (const auto& fault : faults) CHECK(complex.cycle_complaint(fault.chain, fault.bar) == fault.complaint);
+}
+
+TEST_CASE("opinion: radii of alpha, Rips and Cech complexes") {
+    // An obtuse triangle: the long edge has the third point in its circle and enters with the triangle.
+    MeshFiles files;
+    files.node.cloud = cloud_of(2, {0, 0, 1, 0, 0.5, 0.1});
+    files.cells.columns = 3;
+    files.cells.entries = {0, 1, 2};
+    files.cells.lines = {2};
+    const double side = std::sqrt(0.26), radius = 0.26 / 0.2;
+    const SimplexList alpha = alpha_complex(files, 2);
+    CHECK(alpha->size() == 7);
+    CHECK(near(value_of(alpha, {0, 2}), side / 2));
+    CHECK(near(value_of(alpha, {0, 1}), radius));
+    CHECK(near(value_of(alpha, {0, 1, 2}), radius));
+    CHECK(alpha_complex(files, 0)->size() == 3);
+    // The same points with one of them twice; Rips and Cech differ from it, and from each other in an acute triangle.
+    const PointCloud obtuse = cloud_of(2, {0, 0, 1, 0, 0, 0, 0.5, 0.1});
+    CHECK(near(value_of(complex_of_points(obtuse, true, 2), {0, 1, 2}), 0.5));
+    CHECK(near(value_of(complex_of_points(obtuse, false, 2), {0, 1, 2}), 0.5));
+    const PointCloud even = cloud_of(2, {0, 0, 1, 0, 0.5, std::sqrt(0.75)});
+    CHECK(near(value_of(complex_of_points(even, true, 2), {0, 1, 2}), 0.5));
+    CHECK(near(value_of(complex_of_points(even, false, 2), {0, 1, 2}), 1 / std::sqrt(3)));
+    const SimplexList stars = lower_stars(files.cells, {1, 2, 3}, 2, 1);
+    CHECK(stars->size() == 6);
+    CHECK(value_of(stars, {0}) == 0);
+    CHECK(value_of(stars, {2}) == 3);
+    CHECK(value_of(stars, {0, 1}) == 2);
+}
+
+namespace {
+
+// A diagram with the mesh that it was made on, as files would have them.
+struct Made {
+    Options options;
+    MeshFiles files;
+    DiagramFile file;
+    std::string cycles_path;
+    RunReport run;
+
+    explicit Made(const std::vector<std::string>& arguments) {
+        CHECK(parse_options(arguments, &options).good());
+        PointCloud points = cloud_of(2, {});
+        for (int i = 0; i < 24; i++) {
+            points.coordinates.push_back(std::cos(0.2618 * i) * (1 + 0.1 * (i % 3)));
+            points.coordinates.push_back(std::sin(0.2618 * i) * (1 + 0.07 * (i % 4)));
+        }
+        Session session(options, 2);
+        CHECK(session.run(0, points, [&](Session& s) { return persist_as_asked(s, options, points); }).good());
+        const Engine& engine = session.engine();
+        run.engine = engine.report();
+        run.checked.emplace();
+        file.name = "d.pers";
+        file.bars = bars_of(engine);
+        TextWriter text;
+        write_head(head_of(options, *run.engine), text);
+        write_diagram(file.bars, bounds_of(engine), text);
+        CHECK(parse_head(text.text(), file.name, &file.head).good());
+        file.bounds = bound_lines(text.text());
+        file.lines.assign(file.bars.size(), 1);
+        options = settled(options, 2);
+        take_mesh(EngineMesh(engine));
+        cycles_path = "/tmp/netmesh-cycles-" + std::to_string(getpid());
+        TextWriter cycles;
+        write_cycles(engine, cycles);
+        write(cycles.text());
+    }
+    ~Made() { std::remove(cycles_path.c_str()); }
+    Made(const Made&) = delete;
+    Made& operator=(const Made&) = delete;
+
+    void take_mesh(const EngineMesh& mesh) {
+        TextWriter node, ele;
+        write_node(mesh, node);
+        write_ele(mesh, ele);
+        files.node.cloud.name = "m.node";
+        CHECK(parse_node(node.text(), &files.node).good());
+        files.cells.name = "m.ele";
+        files.cells.columns = 3;
+        CHECK(parse_cell_table(ele.text(), {0, mesh.vertex_count, false}, &files.cells).good());
+    }
+    void write(const std::string& cycles) const { std::ofstream(cycles_path) << cycles; }
+    std::string cycles() const {
+        std::string text;
+        CHECK(read_content(cycles_path, &text).good());
+        return text;
+    }
+    Outcome judge() {
+        run.checked->clear();
+        return second_opinion_on_mesh({file, options, cycles_path}, files, &run);
+    }
+    bool refuses(const std::string& why) {
+        const Outcome outcome = judge();
+        CAPTURE(outcome.message);
+        CHECK(outcome.message.find(why) != std::string::npos);
+        return outcome.exit == Exit::check;
+    }
+};
+
+const std::vector<std::vector<std::string>> makings = {{"--bounds"},
+                                                       {"--method", "svr"},
+                                                       {"--values", "thesis"},
+                                                       {"--filter", "basic", "--bounds"},
+                                                       {"--filter", "knn", "--k", "3", "--bounds"},
+                                                       {"--filter", "kdistance", "--k", "4"}};
+
+std::vector<std::string> command(const std::vector<std::string>& making) {
+    std::vector<std::string> line = {"persist", "p.txt", "--quiet", "--representatives", "c.txt"};
+    line.insert(line.end(), making.begin(), making.end());
+    return line;
+}
+
+}  // namespace
+
+TEST_CASE("opinion: what the engine made is confirmed; forged values, ratios and bars are not") {
+    for (const std::vector<std::string>& making : makings) {
+        CAPTURE(making[1 % making.size()]);
+        Made made(command(making));
+        const Outcome good = made.judge();
+        CHECK(good.message == "");
+        CHECK(good.exit == Exit::done);
+        CHECK(made.run.checked->size() == 3);
+
+        double& value = made.files.node.attributes[made.files.node.attributes.size() / 2];
+        const double right = value;
+        for (const double wrong : {right * 1.01, right * 0.99, right * (1 + 1e-7)}) {
+            value = wrong;
+            CHECK(made.refuses("follows from the vertex's cell"));
+        }
+        value = right;
+        double& ratio = made.run.engine->diagram.certified_ratio;
+        const double certified = ratio;
+        for (const double wrong : {certified * 1.01, certified * 0.99}) {
+            ratio = wrong;
+            CHECK(made.refuses("follows from the cells of the mesh"));
+        }
+        ratio = certified;
+        for (Bar& bar : made.file.bars) {
+            const Bar was = bar;
+            bar.birth = bar.birth * 1.01 + 1e-3;
+            CHECK(made.refuses("pair"));
+            bar = was;
+        }
+        made.file.bars.push_back({1, 0.5, 0.6});
+        CHECK(made.refuses("pair"));
+        made.file.bars.resize(made.file.bars.size() - 2);
+        CHECK(made.refuses("is missing"));
+    }
+}
+
+TEST_CASE("opinion: forged ratios by scale") {
+    for (const std::vector<std::string>& making : makings) {
+        if (making.back() != "--bounds") continue;
+        Made made(command(making));
+        std::size_t low = 0, high = 0, ratio = 0, steps = 0;
+        for (BoundLine& line : made.file.bounds) {
+            const std::size_t from = line.text.find("# scale ") == 0 ? 8 : std::string::npos;
+            if (from == std::string::npos) continue;
+            steps++;
+            const std::string right = line.text;
+            const auto forged = [&](const std::string& name, const std::string& value) {
+                const std::size_t at = right.find(" " + name + " ") + name.size() + 2;
+                line.text = right.substr(0, at) + value + right.substr(std::min(right.find(' ', at), right.size()));
+                const bool refused = made.judge().exit == Exit::check;
+                line.text = right;
+                return refused;
+            };
+            low += forged("low", "1e9") ? 1 : 0;
+            high += forged("high", "0") ? 1 : 0;
+            ratio += forged("ratio", "1") ? 1 : 0;
+        }
+        // Steps in which nothing happens, as the first and the last, may claim anything.
+        CHECK(steps > 10);
+        CHECK(3 * low >= 2 * steps);
+        CHECK(3 * high >= 2 * steps);
+        CHECK(3 * ratio >= 2 * steps);
+        CHECK(made.judge().good());
+    }
+}
+
+TEST_CASE("opinion: forged cycles") {
+    Made made(command({"--method", "svr"}));
+    const std::string right = made.cycles();
+    std::vector<CycleEntry> cycles;
+    CHECK(parse_cycles(right, "c.txt", &cycles).good());
+    CHECK(cycles.size() == made.file.bars.size());
+    const std::size_t last = right.rfind("bar ");
+    made.write(right.substr(0, last));
+    CHECK(made.refuses("has no cycle"));
+    // Chains of the right form, but of another bar, and one that lacks a simplex.
+    const auto forge = [&](std::size_t bar, const std::vector<Vertices>& chain) {
+        TextWriter text;
+        for (std::size_t i = 0; i < cycles.size(); i++) {
+            const std::vector<Vertices>& simplices = i == bar ? chain : cycles[i].simplices;
+            text << "bar " << cycles[i].bar.degree << ' ' << cycles[i].bar.birth << ' ' << cycles[i].bar.death << ' '
+                 << static_cast<std::uint64_t>(simplices.size()) << '\n';
+            for (const Vertices& vertices : simplices) {
+                for (std::size_t v = 0; v < vertices.size(); v++)
+                    text << vertices[v] << (v + 1 < vertices.size() ? ' ' : '\n');
+            }
+        }
+        made.write(text.text());
+    };
+    std::size_t forged = 0;
+    for (std::size_t i = 0; i + 1 < cycles.size(); i++) {
+        const Bar &a = cycles[i].bar, &b = cycles[i + 1].bar;
+        if (b.degree != 0 || !std::isfinite(b.death) || a.death == b.death) continue;
+        forge(i, cycles[i + 1].simplices);
+        CHECK(made.refuses("does not die with it"));
+        forge(i + 1, cycles[i].simplices);
+        CHECK(made.refuses("dies before it"));
+        forged++;
+    }
+    CHECK(forged > 5);
+    std::vector<Vertices> open = cycles.back().simplices;
+    CHECK(cycles.back().bar.degree == 1);
+    open.pop_back();
+    forge(cycles.size() - 1, open);
+    CHECK(made.refuses("has a chain with a boundary"));
+    made.write(right + "bar 1 1 2 0\n");
+    CHECK(made.refuses("its bar is not bar"));
+    made.write(right.substr(0, right.size() - 5));
+    CHECK(made.judge().exit == Exit::data);
+    for (const char* text : {"bar 1 1 2\n", "bar 1 1 2 x\n", "bar 1 2 1 0\n", "1 2\n", "bar 1 1 2 1\n1\n",
+                             "bar 1 1 2 1\n2 1\n", "bar 1 1 2 1\nx 1\n", "bar 1 1 2 2\n1 2\n"}) {
+        std::vector<CycleEntry> none;
+        CHECK(parse_cycles(text, "c.txt", &none).exit == Exit::data);
+    }
+}
+
+// The places that are looked at must come near to what the certificate allows, or looking would be no test of it.
+TEST_CASE("opinion: places of cells nearly use the certified ratio up") {
+    for (const std::vector<std::string>& making : makings) {
+        CAPTURE(making[1 % making.size()]);
+        const Made made(command(making));
+        const double c = made.run.engine->diagram.certified_ratio;
+        const CellOpinion opinion = cell_opinion(made.files, choice_of(made.options), made.options.k.value_or(1), c);
+        double used = 1;
+        for (std::size_t v = 0; v < opinion.values.size(); v++) {
+            const double t = static_cast<double>(opinion.values[v].least);
+            if (t > 0) used = std::fmax(used, static_cast<double>(opinion.seen[v].hi) / t);
+            if (t > 0) used = std::fmax(used, t / static_cast<double>(opinion.seen[v].lo));
+        }
+        CHECK(used <= c * (1 + 1e-9));
+        CHECK(used >= 0.75 * c);
+    }
+}

@@ -1,0 +1,248 @@
+// check: what other code than the engine's says of a diagram.
+#include <algorithm>
+#include <cmath>
+
+#include "tools/commands/check_parts.hpp"
+#include "tools/commands/diagram_checks.hpp"
+#include "tools/io/cycle_file.hpp"
+#include "tools/io/lines.hpp"
+#include "tools/opinion/cell_values.hpp"
+#include "tools/opinion/complexes.hpp"
+#include "tools/opinion/filtered_complex.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+constexpr double cost_max = 1e9;  // some ten seconds
+
+std::string shown(Real value) { return rounded_text(static_cast<double>(value), 12); }
+
+// The cells of a mesh against the values in its file and what the diagram's file certifies.
+class CellJury {
+public:
+    CellJury(const DiagramClaim& claim, const MeshFiles& files, double ratio)
+        : claim_(claim), files_(files), ratio_(ratio),
+          opinion_(cell_opinion(files, choice_of(claim.made), claim.made.k.value_or(1), ratio)),
+          has_values_(files.node.attribute_count == 1) {
+        for (std::size_t v = 0; v < opinion_.values.size(); v++)
+            values_.push_back(has_values_ ? files.node.attributes[v] : static_cast<double>(opinion_.values[v].least));
+    }
+    Outcome judge(std::vector<std::string>* checked);
+    // Filter values: those of the mesh's file where it has some.
+    const std::vector<double>& values() const { return values_; }
+    double slack() const { return has_values_ ? 0 : static_cast<double>(opinion_.tolerance); }
+
+private:
+    bool agrees(Real a, Real b) const {
+        return a == b || std::fabs(a - b) <= opinion_.tolerance * std::max(std::fabs(a), std::fabs(b));
+    }
+    Outcome judge_ratio();
+    Outcome judge_values();
+    Outcome judge_cells();
+    Outcome judge_step(const std::vector<double>& step, const std::string& line, double next, std::uint64_t number);
+    Outcome judge_steps(std::size_t* steps);
+    Outcome bad_vertex(std::size_t v, const std::string& why) const {
+        return {Exit::check, files_.node.cloud.where(v) + ": check failed: " + why};
+    }
+
+    const DiagramClaim& claim_;
+    const MeshFiles& files_;
+    double ratio_;  // certified, and by now reproduced
+    CellOpinion opinion_;
+    bool has_values_;
+    std::vector<double> values_;
+    Real worst_ = 0;  // relative difference of values
+};
+
+Outcome CellJury::judge_values() {
+    for (std::size_t v = 0; v < values_.size(); v++) {
+        const Span due = opinion_.values[v];
+        const double have = values_[v];
+        const Real nearest = std::min(std::max<Real>(have, due.least), due.most);
+        if (!agrees(have, nearest))
+            return bad_vertex(v, "filter value " + number_text(have) + " where " + shown(nearest) +
+                                     " follows from the vertex's cell");
+        if (nearest > 0) worst_ = std::max(worst_, std::fabs(have - nearest) / nearest);
+    }
+    return {};
+}
+
+Outcome CellJury::judge_ratio() {
+    const HeadLine* const line = claim_.file.head ? claim_.file.head->find("certified-ratio") : nullptr;
+    const std::uint64_t number = line == nullptr ? 1 : line->number;
+    const Real nearest = std::min(std::max<Real>(ratio_, opinion_.ratio.least), opinion_.ratio.most);
+    if (!agrees(ratio_, nearest))
+        return claim_.file.wrong(number, "certified ratio " + number_text(ratio_) + " where " + shown(nearest) +
+                                             " follows from the cells of the mesh");
+    const HeadLine* const from = claim_.file.head ? claim_.file.head->find("certified-from") : nullptr;
+    double have = 0;
+    if (from == nullptr || (parse_finite(from->value, &have) && agrees(have, opinion_.from))) return {};
+    return claim_.file.wrong(from->number, quoted("# " + head_text(*from)) + " where " + shown(opinion_.from) +
+                                               " follows from the cells of the mesh");
+}
+
+// Interleaving, by what the function takes at places of the cells: F <= c t and t <= c F on each of them.
+Outcome CellJury::judge_cells() {
+    const bool basic = choice_of(claim_.made).filter == NETMESH_FILTER_BASIC;
+    const Real c = ratio_ * (1 + opinion_.tolerance), from = opinion_.from * (1 + opinion_.tolerance);
+    for (std::size_t v = 0; v < values_.size(); v++) {
+        const CellRange seen = opinion_.seen[v];
+        const Real most = basic && values_[v] == 0 ? from : c * values_[v];
+        if (seen.hi > most)
+            return bad_vertex(v, "the function takes " + shown(seen.hi) +
+                                     " on the vertex's cell, more than the ratio " + number_text(ratio_) +
+                                     " allows for the filter value " + number_text(values_[v]));
+        if (values_[v] > c * seen.lo)
+            return bad_vertex(v, "the function takes " + shown(seen.lo) +
+                                     " on the vertex's cell, less than the ratio " + number_text(ratio_) +
+                                     " allows for the filter value " + number_text(values_[v]));
+    }
+    return {};
+}
+
+// A step {from, low, high, ratio} of the ratio by scale: where the filter is at a scale a of the step, or below, the
+// function is at most max(high, a) and ratio a; where it is at a or above, at least min(low, a) and a / ratio.
+Outcome CellJury::judge_step(const std::vector<double>& step, const std::string& line, double next,
+                             std::uint64_t number) {
+    const double from = step[0], low = step[1], high = step[2], ratio = step[3];
+    const double more = 1 + static_cast<double>(opinion_.tolerance);
+    for (std::size_t v = 0; v < values_.size(); v++) {
+        const double t = values_[v], at_least = std::max(from, t), at_most = std::min(next, t);
+        const CellRange seen = opinion_.seen[v];
+        const Real most = std::min<Real>(std::max(high, at_least), at_least > 0 ? ratio * at_least : HUGE_VAL);
+        const Real least = std::max<Real>(std::min(low, at_most), at_most / ratio);
+        const bool above = t < next && seen.hi > most * more, below = t >= from && seen.lo * more < least;
+        if (above || below)
+            return claim_.file.wrong(number, quoted(line) + ": at vertex " + std::to_string(v) +
+                                                 " of the mesh, of filter value " + number_text(t) +
+                                                 ", the function takes " + shown(above ? seen.hi : seen.lo));
+    }
+    return {};
+}
+
+Outcome CellJury::judge_steps(std::size_t* steps) {
+    struct Step {
+        std::vector<double> numbers;
+        const BoundLine* line;
+    };
+    std::vector<Step> list;
+    for (const BoundLine& line : claim_.file.bounds) {
+        if (line.text.rfind("# scale ", 0) != 0) continue;
+        const std::vector<std::string_view> words = split_blanks(line.text);
+        Step step = {{}, &line};
+        for (const char* name : {"scale", "low", "high", "ratio"}) {
+            const auto at = std::find(words.begin(), words.end(), name);
+            double value = HUGE_VAL;
+            if (at == words.end() || at + 1 == words.end() ||
+                (at[1] != "inf" && !parse_finite(std::string(at[1]), &value)))
+                return claim_.file.wrong(line.number, quoted(line.text) + " has no number for " + name);
+            step.numbers.push_back(value);
+        }
+        list.push_back(step);
+    }
+    *steps = list.size();
+    for (std::size_t i = 0; i < list.size(); i++) {
+        const double next = i + 1 < list.size() ? list[i + 1].numbers[0] : HUGE_VAL;
+        const Outcome outcome = judge_step(list[i].numbers, list[i].line->text, next, list[i].line->number);
+        if (!outcome.good()) return outcome;
+    }
+    return {};
+}
+
+Outcome CellJury::judge(std::vector<std::string>* checked) {
+    std::size_t steps = 0;
+    Outcome outcome = judge_ratio();
+    if (outcome.good()) outcome = judge_values();
+    if (outcome.good()) outcome = judge_cells();
+    if (outcome.good()) outcome = judge_steps(&steps);
+    if (!outcome.good()) return outcome;
+    std::string text = "second opinion: ";
+    if (has_values_)
+        text += grouped_text(values_.size()) + " filter values are those of the vertices' cells (to " +
+                rounded_text(static_cast<double>(worst_), 2) + ", " +
+                rounded_text(static_cast<double>(opinion_.tolerance), 2) + " allowed), and ";
+    text += "certified ratio " + rounded_text(ratio_, 6) + " follows from them";
+    text += "; the function keeps to it at " + grouped_text(opinion_.places) + " places of cells";
+    if (steps > 0) text += " and to " + grouped_text(steps) + " ratios by scale";
+    checked->push_back(text);
+    return {};
+}
+
+Outcome judge_cycles(const DiagramClaim& claim, const FilteredComplex& complex, std::vector<std::string>* checked) {
+    if (claim.cycles_path.empty()) return {};
+    const std::string name = shown_name(claim.cycles_path);
+    std::string content;
+    std::vector<CycleEntry> cycles;
+    Outcome outcome = read_content(claim.cycles_path, &content);
+    if (outcome.good()) outcome = parse_cycles(content, name, &cycles);
+    if (!outcome.good()) return outcome;
+    const std::vector<Bar>& bars = claim.file.bars;
+    for (std::size_t i = 0; i < cycles.size(); i++) {
+        const std::string where = name + ":" + std::to_string(cycles[i].line) + ": check failed: ";
+        if (i >= bars.size() || !(cycles[i].bar == bars[i]))
+            return {Exit::check, where + "its bar is not bar " + std::to_string(i) + " of " + claim.file.name};
+        const std::string complaint = complex.cycle_complaint(cycles[i].simplices, bars[i]);
+        if (!complaint.empty()) return {Exit::check, where + "bar " + bar_text(bars, i) + " " + complaint};
+    }
+    if (cycles.size() < bars.size())
+        return {Exit::check, name + ": check failed: bar " + bar_text(bars, cycles.size()) + " has no cycle"};
+    checked->push_back("second opinion: " + grouped_text(cycles.size()) +
+                       " cycles are closed, are born with their bars and die with them");
+    return {};
+}
+
+Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, double slack,
+                    std::vector<std::string>* checked) {
+    if (!simplices) {
+        if (!claim.cycles_path.empty())
+            return usage_error("--representatives: the complex has more than " + grouped_text(opinion_simplices_max) +
+                               " simplices, which are too many to check cycles");
+        checked->push_back("no second opinion on the pairs: more than " + grouped_text(opinion_simplices_max) +
+                           " simplices");
+        return {};
+    }
+    const FilteredComplex complex(*simplices, slack);
+    std::size_t at = 0;
+    const std::string complaint = complex.bars_complaint(claim.file.bars, *claim.made.max_degree, claim.made.all, &at);
+    if (!complaint.empty())
+        return claim.file.wrong(claim.file.line_of(at), bar_text(claim.file.bars, at) + ": " + complaint);
+    checked->push_back("second opinion: " + grouped_text(claim.file.bars.size()) +
+                       " bars are the pairs of a plain reduction of " + grouped_text(complex.count()) + " simplices");
+    return judge_cycles(claim, complex, checked);
+}
+
+}  // namespace
+
+Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run) {
+    const std::uint32_t top = *claim.made.max_degree + 1;
+    if (files.node.domain.empty())
+        return judge_pairs(claim, alpha_complex(files, top), radius_tolerance, &*run->checked);
+    const std::uint32_t first = zero_born(files.node, filter_of(claim.made), claim.made.k.value_or(1));
+    const double cost = opinion_cost(files);
+    if (cost > cost_max) {
+        run->checked->push_back("no second opinion on the values: cells times inputs are " + rounded_text(cost, 3) +
+                                ", more than " + rounded_text(cost_max, 3));
+        if (files.node.attribute_count != 1) return {};
+        // The pairs can still be looked at, with the values as the mesh has them.
+        return judge_pairs(claim, lower_stars(files.cells, files.node.attributes, first, top), 0, &*run->checked);
+    }
+    CellJury jury(claim, files, run->engine->diagram.certified_ratio);
+    const Outcome outcome = jury.judge(&*run->checked);
+    if (!outcome.good()) return outcome;
+    return judge_pairs(claim, lower_stars(files.cells, jury.values(), first, top), jury.slack(), &*run->checked);
+}
+
+Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run) {
+    const netmesh_filter filter = filter_of(claim.made);
+    if (filter != NETMESH_FILTER_RIPS && filter != NETMESH_FILTER_CECH) {
+        if (!claim.cycles_path.empty()) return usage_error("--representatives needs --mesh, or filter rips or cech");
+        run->checked->push_back("no second opinion: the same code ran twice; for filters on a mesh --mesh gives one");
+        return {};
+    }
+    const bool rips = filter == NETMESH_FILTER_RIPS;
+    return judge_pairs(claim, complex_of_points(points, rips, *claim.made.max_degree + 1), radius_tolerance,
+                       &*run->checked);
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,325 @@
+#include "tools/io/provenance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/io/lines.hpp"
+#include "tools/requests.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+constexpr std::string_view marker = "# netmesh diagram 1: degree birth death";
+constexpr std::string_view any_marker = "# netmesh diagram ";
+
+// In the order of the file.
+constexpr const char* option_names[] = {"filter", "k",      "values",     "method", "finish", "tau",
+                                        "fit",    "memory", "ratio",      "focus",  "from",   "to",
+                                        "eps",    "theta",  "max-degree", "all",    "bounds", "seed"};
+
+bool is_option(std::string_view name) {
+    return std::any_of(std::begin(option_names), std::end(option_names), [&](const char* o) { return name == o; });
+}
+
+const HeadLine* find_line(const Head& head, std::string_view name) {
+    for (const HeadLine& line : head) {
+        if (line.name == name) return &line;
+    }
+    return nullptr;
+}
+
+// Collects lines in the order in which they are written.
+class HeadWriter {
+public:
+    void add(const char* name, const std::string& value = "") { head_.push_back({name, value}); }
+    void add(const char* name, double value) { add(name, number_text(value)); }
+    void add_count(const char* name, std::uint64_t value) { add(name, std::to_string(value)); }
+    Head take() { return std::move(head_); }
+
+private:
+    Head head_;
+};
+
+bool is_meshed(const Options& options) { return about(filter_of(options)).source == NETMESH_SOURCE_MESH; }
+bool is_by_scales(const Options& options) { return about(filter_of(options)).source == NETMESH_SOURCE_SCALES; }
+bool has_scales_of_interest(const Options& options) { return options.focus > 0 || options.from > 0 || options.to > 0; }
+
+std::string hexadecimal(std::uint64_t value) {
+    std::string text(16, '0');
+    for (std::size_t i = 16; i-- > 0; value /= 16) text[i] = "0123456789abcdef"[value % 16];
+    return text;
+}
+
+void add_mesh_options(const Options& options, HeadWriter* head) {
+    if (is_meshed(options) && !refines_by_certificate(options)) {
+        head->add("method", method_name(options.method.value_or(NETMESH_METHOD_SVR)));
+        if (options.finish) head->add("finish");
+    }
+    if ((is_meshed(options) && !options.fit) || is_by_scales(options)) head->add("tau", options.tau.value_or(0));
+    if (options.fit) {
+        head->add("fit");
+        head->add_count("memory", options.memory_bytes);
+    }
+    if (refines_by_certificate(options)) head->add("ratio", options.ratio.value_or(0));
+    if (!has_scales_of_interest(options)) return;
+    if (!options.fit) head->add("focus", options.focus);
+    head->add("from", options.from);
+    head->add("to", options.to);
+}
+
+}  // namespace
+
+std::string head_text(const HeadLine& line) { return line.value.empty() ? line.name : line.name + " " + line.value; }
+
+Options settled(const Options& options, std::uint32_t dim) {
+    Options all = options;
+    const netmesh_filter_info& filter = about(filter_of(options));
+    all.filter = filter.filter;
+    if (filter.has_values != 0) all.values = choice_of(options).values;
+    if (filter.needs_k != 0) all.k = options.k.value_or(1);
+    all.max_degree = max_degree_of(options, dim);
+    if (!is_on_points(filter.filter)) all.max_degree = std::min(*all.max_degree, dim - 1);
+    if (filter.has_eps != 0 && options.eps == 0) all.eps = default_eps;
+    if (filter.has_theta != 0 && options.theta == 0) all.theta = default_theta;
+    const requests::Mesh mesh = mesh_request(options, dim);
+    all.tau = tau(mesh);
+    if (!refines_by_certificate(options)) return all;
+    all.ratio = options.fit ? fit_request(options, dim).ratio : mesh.certificate.ratio;
+    return all;
+}
+
+Head option_head(const Options& options) {
+    const netmesh_filter_info& filter = about(filter_of(options));
+    HeadWriter head;
+    head.add("filter", filter.name);
+    if (filter.needs_k != 0) head.add_count("k", options.k.value_or(0));
+    if (filter.has_values != 0) head.add("values", values_name(choice_of(options).values));
+    add_mesh_options(options, &head);
+    if (filter.has_eps != 0) head.add("eps", options.eps);
+    if (filter.has_theta != 0) head.add("theta", options.theta);
+    head.add_count("max-degree", options.max_degree.value_or(0));
+    if (options.all) head.add("all");
+    if (options.bounds) head.add("bounds");
+    if (is_meshed(options) || is_by_scales(options)) head.add_count("seed", options.seed);
+    return head.take();
+}
+
+Head head_of(const Options& options, const netmesh_report& report) {
+    const netmesh_input_report& input = report.input;
+    HeadWriter head;
+    head.add("version", netmesh_version_text());
+    Head lines = option_head(settled(options, input.dim));
+    Head all = head.take();
+    all.insert(all.end(), lines.begin(), lines.end());
+    head.add_count("dim", input.dim);
+    head.add_count("points", input.points);
+    head.add_count("duplicates", input.duplicates);
+    head.add("input", hexadecimal(input.fingerprint));
+    if (report.mesh.is_mesh != 0) {
+        std::string ball;
+        for (std::uint32_t k = 0; k <= input.dim; k++) ball += (k > 0 ? " " : "") + number_text(report.mesh.domain[k]);
+        head.add("domain", ball);
+    }
+    head.add("certified-ratio", report.diagram.certified_ratio);
+    if (report.diagram.certified_from > 0) head.add("certified-from", report.diagram.certified_from);
+    head.add("reference", reference_name(report));
+    lines = head.take();
+    all.insert(all.end(), lines.begin(), lines.end());
+    return all;
+}
+
+void write_head(const Head& head, TextWriter& out) {
+    if (head.empty()) return;
+    out << marker << '\n';
+    for (const HeadLine& line : head) out << "# " << head_text(line) << '\n';
+}
+
+const HeadLine* Provenance::find(std::string_view name) const { return find_line(lines, name); }
+
+namespace {
+
+// What a line that is no option may say, apart from whether it is true.
+bool is_number(const std::string& text, double least) {
+    double value;
+    return text == "inf" || (parse_finite(text, &value) && value >= least);
+}
+
+bool is_ball(const std::string& text, std::uint64_t dim) {
+    const std::vector<std::string_view> words = split_blanks(text);
+    double value = 0;
+    bool good = words.size() == dim + 1;
+    for (std::size_t i = 0; i < words.size() && good; i++) good = parse_finite(std::string(words[i]), &value);
+    return good && value > 0;
+}
+
+bool is_fingerprint(const std::string& text) {
+    return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+// Reads the head of one file.
+class HeadReader {
+public:
+    HeadReader(std::string_view content, const std::string& file) : content_(content), file_(file) {}
+    Outcome read(std::optional<Provenance>* provenance);
+
+private:
+    Outcome collect();
+    Outcome take_options();
+    Outcome check_names();
+    Outcome check_facts();
+    Outcome check_options();
+    Outcome fault(std::uint64_t line, const std::string& complaint) const { return line_error(file_, line, complaint); }
+    Outcome fault(const HeadLine& line, const std::string& complaint) const {
+        return fault(line.number, quoted("# " + head_text(line)) + ": " + complaint);
+    }
+    std::uint64_t count_of(const char* name) const {
+        std::uint64_t count = 0;
+        parse_unsigned(find_line(found_.lines, name)->value, &count);
+        return count;
+    }
+
+    std::string_view content_;
+    const std::string& file_;
+    std::uint64_t first_ = 0;  // line of the marker; 0: there is none
+    Provenance found_;
+};
+
+// The lines from the marker to the first bar.
+Outcome HeadReader::collect() {
+    LineReader reader(content_, false);
+    std::string_view line;
+    while (reader.next(&line) && (line.empty() || line.front() == '#')) {
+        if (line.substr(0, any_marker.size()) == any_marker) {
+            if (first_ != 0) return fault(reader.number(), "a second head; a file holds one diagram");
+            if (line != marker)
+                return fault(reader.number(),
+                             quoted(line) + " is of another version of the format; this one reads " + quoted(marker));
+            first_ = reader.number();
+        } else if (first_ != 0 && !line.empty()) {
+            const std::vector<std::string_view> words = split_blanks(line.substr(1));
+            if (words.empty() || words[0] == "scale") continue;
+            const std::size_t end = static_cast<std::size_t>(words[0].data() + words[0].size() - line.data());
+            std::string_view value = line.substr(end);
+            while (!value.empty() && (value.front() == ' ' || value.front() == '\t')) value.remove_prefix(1);
+            found_.lines.push_back({std::string(words[0]), std::string(value), reader.number()});
+        }
+    }
+    return {};
+}
+
+Outcome HeadReader::take_options() {
+    found_.options.command = Command::persist;
+    for (const HeadLine& line : found_.lines) {
+        if (!is_option(line.name)) continue;
+        const std::string complaint = apply_option(&found_.options, "--" + line.name, line.value);
+        if (!complaint.empty()) return fault(line, complaint);
+    }
+    return {};
+}
+
+// Every line that is due once, and no other. Which are due is what the writer says.
+Outcome HeadReader::check_names() {
+    constexpr const char* facts[] = {"version", "dim", "points", "duplicates", "input", "certified-ratio", "reference"};
+    Head due = option_head(found_.options);
+    for (const char* fact : facts) due.push_back({fact, ""});
+    if (is_meshed(found_.options)) due.push_back({"domain", ""});
+    for (const HeadLine& line : found_.lines) {
+        if (find_line(found_.lines, line.name) != &line)
+            return fault(line, "the head says that twice; leave one of the two lines out");
+        if (find_line(due, line.name) != nullptr || line.name == "certified-from") continue;
+        if (!is_option(line.name) && line.name != "domain")
+            return fault(line, "not a line of a head; comments of your own go behind the bars or before the head");
+        return fault(line, "contradicts the other lines: a diagram of " + choice_text(choice_of(found_.options)) +
+                               " that is made as they say does not have it");
+    }
+    for (const HeadLine& line : due) {
+        if (find_line(found_.lines, line.name) == nullptr)
+            return fault(first_, "the head lacks the line " + quoted("# " + line.name) +
+                                     "; write the file anew, or take the head out and give options");
+    }
+    return {};
+}
+
+Outcome HeadReader::check_facts() {
+    for (const char* name : {"dim", "points", "duplicates"}) {
+        std::uint64_t count;
+        const HeadLine& line = *found_.find(name);
+        if (!parse_unsigned(line.value, &count)) return fault(line, "must be a whole number");
+    }
+    const std::uint64_t dim = count_of("dim");
+    if (dim < NETMESH_DIM_MIN || dim > NETMESH_DIM_MAX) return fault(*found_.find("dim"), "must be from 2 to 6");
+    if (count_of("duplicates") >= count_of("points"))
+        return fault(*found_.find("duplicates"), "contradicts the number of points: fewer of them are duplicates");
+    if (!is_fingerprint(found_.find("input")->value))
+        return fault(*found_.find("input"), "must be 16 hexadecimal digits");
+    const HeadLine* const domain = found_.find("domain");
+    if (domain != nullptr && !is_ball(domain->value, dim))
+        return fault(*domain, "must be a centre of as many coordinates as # dim says, and a radius above 0");
+    for (const char* name : {"certified-ratio", "certified-from"}) {
+        const HeadLine* const line = found_.find(name);
+        const double least = name == std::string_view("certified-ratio") ? 1 : 0;
+        if (line != nullptr && !is_number(line->value, least))
+            return fault(*line, "must be a number, at least " + number_text(least));
+    }
+    const HeadLine& degree = *found_.find("max-degree");
+    if (!is_on_points(filter_of(found_.options)) && *found_.options.max_degree >= dim)
+        return fault(degree, "contradicts # dim: at most " + std::to_string(dim - 1));
+    return {};
+}
+
+Outcome HeadReader::check_options() {
+    for (Outcome (*check)(const Options&) : {check_together, check_accuracy, check_ratio, check_max_degree}) {
+        const Outcome outcome = check(found_.options);
+        if (!outcome.good()) return fault(first_, "the head contradicts itself: " + outcome.message);
+    }
+    return {};
+}
+
+Outcome HeadReader::read(std::optional<Provenance>* provenance) {
+    provenance->reset();
+    Outcome outcome = collect();
+    if (!outcome.good() || first_ == 0) return outcome;
+    outcome = take_options();
+    if (outcome.good()) outcome = check_names();
+    if (outcome.good()) outcome = check_facts();
+    if (outcome.good()) outcome = check_options();
+    if (outcome.good()) *provenance = std::move(found_);
+    return outcome;
+}
+
+}  // namespace
+
+Outcome parse_head(std::string_view content, const std::string& file, std::optional<Provenance>* provenance) {
+    return HeadReader(content, file).read(provenance);
+}
+
+Outcome check_contradiction(const Provenance& provenance, const std::string& file, const Options& command_line) {
+    const Head have = option_head(provenance.options);
+    for (const auto& [name, value] : command_line.given) {
+        const std::string bare = name.substr(std::min<std::size_t>(2, name.size()));
+        // Memory is a matter of the file only where a diagram was fitted to it.
+        if (!is_option(bare) || (bare == "memory" && !provenance.options.fit)) continue;
+        Options other = provenance.options;
+        apply_option(&other, name, value);
+        const Head given = option_head(other);
+        const bool same = std::equal(given.begin(), given.end(), have.begin(), have.end(),
+                                     [](const HeadLine& a, const HeadLine& b) { return head_text(a) == head_text(b); });
+        const HeadLine* const line = provenance.find(bare);
+        if (same && line != nullptr) continue;
+        const std::string option = value.empty() ? name : name + " " + value;
+        return usage_error(option + " contradicts " + file +
+                           (line == nullptr ? ", which was made without " + name
+                                            : ":" + std::to_string(line->number) + ": " +
+                                                  quoted("# " + head_text(*line)) + "; leave the option out"));
+    }
+    return {};
+}
+
+bool says_how(const Options& command_line) {
+    return std::any_of(command_line.given.begin(), command_line.given.end(), [](const auto& given) {
+        return given.first.size() > 2 && given.first != "--memory" && is_option(given.first.substr(2));
+    });
+}
+
+}  // namespace netmesh::tool

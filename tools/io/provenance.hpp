@@ -1,0 +1,64 @@
+// How a diagram was made and what is certified of it: the comments at the head of a .pers file. Behind the first one,
+// `# netmesh diagram 1: degree birth death`, each is `# NAME VALUE`, and up to the first bar no others but `# scale`
+// are allowed. They come in this order; what does not apply is left out.
+//
+//   of the file         version
+//   options of persist  filter k values method finish tau fit memory ratio focus from to eps theta max-degree all
+//   bounds
+//                       seed
+//   of the input        dim points duplicates input
+//   of the result       domain certified-ratio certified-from reference
+//
+// Options are what decides the bars, each with the value that was used, given or not: `netmesh persist POINTS` with all
+// of them makes the same file. `input` is the fingerprint of the coordinates, as in JSON; `domain` centre and radius of
+// the ball that was meshed; `reference` the function that the ratio is about, from the scale `certified-from` on.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "netmesh.h"
+#include "tools/io/text_writer.hpp"
+#include "tools/options.hpp"
+#include "tools/outcome.hpp"
+
+namespace netmesh::tool {
+
+// `# name value`, on physical line `number` where it was read; `# name` for a switch.
+struct HeadLine {
+    std::string name, value;
+    std::uint64_t number = 0;
+};
+using Head = std::vector<HeadLine>;
+
+// "tau 3"
+std::string head_text(const HeadLine& line);
+
+// The options of persist with nothing left open: what was not given has the value that was used. `dim` of the points.
+Options settled(const Options& options, std::uint32_t dim);
+// Their lines.
+Head option_head(const Options& settled);
+
+// The whole head of the diagram that `report` is about, made with `options`.
+Head head_of(const Options& options, const netmesh_report& report);
+void write_head(const Head& head, TextWriter& out);
+
+// A head that was read.
+struct Provenance {
+    Options options;  // of persist, settled
+    Head lines;       // all of them
+    const HeadLine* find(std::string_view name) const;
+};
+
+// Leaves *provenance empty where the file has no head. Exit::data with file and line for a line that is unknown,
+// unreadable, missing, there twice, or contradicted by another one.
+Outcome parse_head(std::string_view content, const std::string& file, std::optional<Provenance>* provenance);
+
+// Exit::usage when an option of a command line says something else than the file does.
+Outcome check_contradiction(const Provenance& provenance, const std::string& file, const Options& command_line);
+// Whether the command line says how a diagram is made.
+bool says_how(const Options& command_line);
+
+}  // namespace netmesh::tool

@@ -1,0 +1,300 @@
+#include "tools/opinion/cell_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netmesh::tool {
+
+namespace {
+
+constexpr Real unbounded = HUGE_VALL;
+
+Place place_of(const PointCloud& cloud, std::size_t row) {
+    const double* const x = cloud.coordinates.data() + row * cloud.dim;
+    return Place(x, x + cloud.dim);
+}
+
+std::uint32_t input_count(const NodeFile& node) {
+    std::uint32_t count = 0;
+    while (count < node.markers.size() && node.markers[count] == 0) count++;
+    return count;
+}
+
+Real distance(const Place& a, const Place& b) { return std::sqrt(distance2(a, b)); }
+
+// Inputs whose distances from a vertex differ by less are equally near.
+constexpr Real tie = 1e-12L;
+
+}  // namespace
+
+FilteredFunction::FilteredFunction(const NodeFile& node, netmesh_filter filter, std::uint32_t k)
+    : mean_(filter == NETMESH_FILTER_KDISTANCE), k_(about(filter).needs_k != 0 ? k : 1) {
+    const std::uint32_t dim = node.cloud.dim;
+    const Place centre(node.domain.begin(), node.domain.begin() + dim);
+    Real magnitude = 1;  // of a single point, whose ball has no radius
+    for (std::uint32_t i = 0; i < input_count(node); i++) {
+        inputs_.push_back(place_of(node.cloud, i));
+        cut_ = std::max(cut_, distance(inputs_.back(), centre));
+        for (const Real x : inputs_.back()) magnitude = std::max(magnitude, std::fabs(x));
+    }
+    if (inputs_.size() == 1) cut_ = magnitude;
+}
+
+Real FilteredFunction::uncut(const Place& x) const {
+    std::vector<Real> squares;
+    for (const Place& p : inputs_) squares.push_back(distance2(p, x));
+    std::partial_sort(squares.begin(), squares.begin() + k_, squares.end());
+    Real sum = 0;
+    for (std::uint32_t i = 0; i < k_; i++) sum += squares[i];
+    return std::sqrt(mean_ ? sum / k_ : squares[k_ - 1]);
+}
+
+namespace {
+
+// The mesh vertex by vertex.
+class CellWalk {
+public:
+    CellWalk(const MeshFiles& files, const FilterChoice& choice, std::uint32_t k);
+    CellOpinion take(Real claimed);
+
+private:
+    bool is_input(std::size_t v) const { return node_.markers[v] == 0; }
+    bool is_exempt(std::size_t v) const { return node_.markers[v] == 2; }
+    void find_nearest();
+    Real farthest_corner(std::size_t v, const Place& from) const;
+    Real function_radius(std::size_t v) const { return farthest_corner(v, places_[v]); }
+    Place towards(std::size_t v, const Place& goal) const;
+    void look(std::size_t v, CellRange* seen);
+
+    Real own_value(std::size_t v, std::uint32_t nearest) const;
+    CellRange range_of(std::size_t v, std::uint32_t nearest) const;
+    // Both for each input that may count as v's nearest.
+    template <class Visit> void for_each_nearest(std::size_t v, Visit&& visit) const {
+        for (const std::uint32_t p : nearest_[v]) visit(range_of(v, p), own_value(v, p));
+    }
+    bool has_ratio(std::size_t v) const { return choice_.filter != NETMESH_FILTER_BASIC || !is_input(v); }
+    Real certified(Real t, const CellRange& range, Real ratio) const;
+    // Of the cells of clumps: the distance from an input at distance d to the cell of v.
+    Real away(std::size_t v, Real d) const { return is_exempt(v) ? d / 2 : std::max(d / 2, d - function_radius(v)); }
+    void gather_clumps();
+    void find_ratio();
+    void find_values(Real claimed);
+
+    const MeshFiles& files_;
+    const NodeFile& node_;
+    FilterChoice choice_;
+    bool by_neighbours_;  // d_k or the k-distance, k > 1
+    FilteredFunction function_;
+    std::vector<Place> places_, corners_;
+    std::vector<Real> corner_values_;
+    std::vector<std::vector<std::uint32_t>> star_;     // Delaunay cells around each vertex
+    std::vector<std::vector<std::uint32_t>> nearest_;  // inputs of each vertex, ties in all
+    std::vector<Real> neighbour_;                      // distance to the nearest other vertex
+    std::vector<Real> half_;                           // tight: half of the distance from an input to the next
+    std::vector<std::uint32_t> clump_;                 // the input whose clump a vertex is in
+    std::vector<CellRange> clump_range_;               // of an input
+    CellOpinion found_;
+    static constexpr std::uint32_t nobody = UINT32_MAX;
+};
+
+CellWalk::CellWalk(const MeshFiles& files, const FilterChoice& choice, std::uint32_t k)
+    : files_(files), node_(files.node), choice_(choice), by_neighbours_(about(choice.filter).needs_k != 0 && k > 1),
+      function_(files.node, choice.filter, k) {
+    const std::size_t count = node_.cloud.rows();
+    const std::uint32_t columns = files.cells.columns;
+    for (std::size_t v = 0; v < count; v++) places_.push_back(place_of(node_.cloud, v));
+    star_.resize(count);
+    for (std::size_t c = 0; c < files.cells.lines.size(); c++) {
+        std::vector<Place> points;
+        for (std::uint32_t i = 0; i < columns; i++) {
+            const std::uint32_t v = files.cells.entries[c * columns + i];
+            points.push_back(places_[v]);
+            star_[v].push_back(static_cast<std::uint32_t>(c));
+        }
+        Sphere ball;
+        smallest_circumsphere(points, &ball);
+        corner_values_.push_back(function_(ball.centre));
+        corners_.push_back(std::move(ball.centre));
+    }
+    find_nearest();
+    if (choice.filter == NETMESH_FILTER_TIGHT) gather_clumps();
+    found_.places = corners_.size() + 2 * count;
+}
+
+void CellWalk::find_nearest() {
+    const std::uint32_t inputs = input_count(node_), columns = files_.cells.columns;
+    for (std::size_t v = 0; v < places_.size(); v++) {
+        Real least2 = unbounded;
+        for (std::uint32_t p = 0; p < inputs; p++) least2 = std::min(least2, distance2(places_[v], places_[p]));
+        nearest_.emplace_back();
+        for (std::uint32_t p = 0; p < inputs; p++) {
+            if (distance2(places_[v], places_[p]) <= least2 * (1 + 2 * tie)) nearest_.back().push_back(p);
+        }
+        Real neighbour2 = unbounded;
+        for (const std::uint32_t c : star_[v]) {
+            for (std::uint32_t i = 0; i < columns; i++) {
+                const std::uint32_t u = files_.cells.entries[c * columns + i];
+                if (u != v) neighbour2 = std::min(neighbour2, distance2(places_[v], places_[u]));
+            }
+        }
+        neighbour_.push_back(std::sqrt(neighbour2));
+    }
+}
+
+Real CellWalk::farthest_corner(std::size_t v, const Place& from) const {
+    Real far2 = 0;
+    for (const std::uint32_t c : star_[v]) far2 = std::max(far2, distance2(corners_[c], from));
+    return std::sqrt(far2);
+}
+
+// A place of v's bounded cell near the one that is nearest to `goal`: steps towards the corner that leads there most.
+Place CellWalk::towards(std::size_t v, const Place& goal) const {
+    Place x = places_[v];
+    for (int step = 0; step < 50; step++) {
+        const Place* best = nullptr;
+        Real best_slope = 0;
+        for (const std::uint32_t c : star_[v]) {
+            Real slope = 0;
+            for (std::size_t k = 0; k < x.size(); k++) slope += (goal[k] - x[k]) * (corners_[c][k] - x[k]);
+            if (slope > best_slope) best_slope = slope, best = &corners_[c];
+        }
+        if (best == nullptr) break;
+        const Real share = std::min<Real>(1, best_slope / distance2(x, *best));
+        for (std::size_t k = 0; k < x.size(); k++) x[k] += share * ((*best)[k] - x[k]);
+    }
+    return x;
+}
+
+void CellWalk::look(std::size_t v, CellRange* seen) {
+    const auto show = [&](Real f) { *seen = {std::min(seen->lo, f), std::max(seen->hi, f)}; };
+    *seen = {unbounded, 0};
+    show(function_(places_[v]));
+    for (const std::uint32_t c : star_[v]) show(corner_values_[c]);
+    if (!is_exempt(v)) show(function_(towards(v, places_[nearest_[v][0]])));
+    // Balls stand for the cells of inputs, and for those of clumps, where the distance to the points goes down to 0.
+    const bool in_ball = !by_neighbours_ && (is_input(v) || (!clump_.empty() && clump_[v] != nobody));
+    if (in_ball) seen->lo = unbounded;
+}
+
+Real CellWalk::own_value(std::size_t v, std::uint32_t nearest) const {
+    if (by_neighbours_) return function_(places_[v]);
+    const Real d = distance(places_[v], places_[nearest]);
+    Real s = is_input(v) ? neighbour_[v] / 2 : d;
+    if (choice_.filter == NETMESH_FILTER_TIGHT) s = std::max(d, half_[nearest]);
+    return std::min(s, function_.cut());
+}
+
+CellRange CellWalk::range_of(std::size_t v, std::uint32_t nearest) const {
+    const Real cut = function_.cut();
+    const auto within = [&](Real lo, Real hi) { return CellRange{std::min(lo, cut), std::min(hi, cut)}; };
+    if (!clump_.empty() && clump_[v] != nobody) return within(clump_range_[clump_[v]].lo, clump_range_[clump_[v]].hi);
+    if (by_neighbours_) {
+        const Real f = function_.uncut(places_[v]);
+        return is_exempt(v) ? within(f / 2, unbounded) : within(away(v, f), f + function_radius(v));
+    }
+    if (is_input(v)) return within(neighbour_[v] / 2, function_radius(v));
+    const Real d = distance(places_[v], places_[nearest]);
+    return within(away(v, d), is_exempt(v) ? unbounded : farthest_corner(v, places_[nearest]));
+}
+
+// An input p and the vertices nearest to it within half of its distance to the next input. F is at most hi on their
+// cells; lo is how near another input comes to them, and how near p comes to the cells beside them.
+void CellWalk::gather_clumps() {
+    const std::uint32_t inputs = input_count(node_), columns = files_.cells.columns;
+    half_.assign(inputs, unbounded);
+    for (std::uint32_t p = 0; p < inputs; p++) {
+        for (std::uint32_t q = 0; q < inputs; q++) {
+            if (p != q) half_[p] = std::min(half_[p], distance(places_[p], places_[q]) / 2);
+        }
+    }
+    clump_range_.assign(inputs, {unbounded, 0});
+    for (std::size_t v = 0; v < places_.size(); v++) {
+        const std::uint32_t p = nearest_[v][0];
+        const bool joins = !is_exempt(v) && distance(places_[v], places_[p]) <= half_[p];
+        clump_.push_back(joins ? p : nobody);
+        if (!joins) continue;
+        CellRange& range = clump_range_[p];
+        Real other = unbounded;
+        for (std::uint32_t q = 0; q < inputs; q++) {
+            if (q != p) other = std::min(other, distance(places_[v], places_[q]));
+        }
+        range.lo = std::min(range.lo, away(v, other));
+        range.hi = std::max(range.hi, farthest_corner(v, places_[p]));
+    }
+    for (std::size_t v = 0; v < places_.size(); v++) {
+        if (clump_[v] == nobody) continue;
+        for (const std::uint32_t c : star_[v]) {
+            for (std::uint32_t i = 0; i < columns; i++) {
+                const std::uint32_t u = files_.cells.entries[c * columns + i];
+                if (clump_[u] == clump_[v]) continue;
+                Real& lo = clump_range_[clump_[v]].lo;
+                lo = std::min(lo, away(u, distance(places_[clump_[v]], places_[u])));
+            }
+        }
+    }
+}
+
+// Certified values are the filter's own, moved as little as the best ratio allows, and that ratio is theirs.
+Real CellWalk::certified(Real t, const CellRange& range, Real ratio) const {
+    if (choice_.values == NETMESH_VALUES_THESIS) return t;
+    return std::min(std::max(t, range.hi / ratio), range.lo * ratio);
+}
+
+void CellWalk::find_ratio() {
+    for (std::size_t v = 0; v < places_.size(); v++) {
+        Span span = {unbounded, 1};
+        for_each_nearest(v, [&](const CellRange& range, Real t) {
+            const Real ratio = choice_.values == NETMESH_VALUES_THESIS ? std::max(range.hi / t, t / range.lo)
+                                                                       : std::sqrt(range.hi / range.lo);
+            span = {std::min(span.least, ratio), std::max(span.most, ratio)};
+            if (!has_ratio(v)) found_.from = std::max(found_.from, range.hi);
+        });
+        if (!has_ratio(v)) continue;
+        found_.ratio = {std::max(found_.ratio.least, span.least), std::max(found_.ratio.most, span.most)};
+    }
+}
+
+void CellWalk::find_values(Real claimed) {
+    for (std::size_t v = 0; v < places_.size(); v++) {
+        Span span = {unbounded, 0};
+        for_each_nearest(v, [&](const CellRange& range, Real own) {
+            const Real t = has_ratio(v) ? certified(own, range, claimed) : 0;
+            span = {std::min(span.least, t), std::max(span.most, t)};
+        });
+        found_.values.push_back(span);
+    }
+}
+
+CellOpinion CellWalk::take(Real claimed) {
+    for (std::size_t v = 0; v < places_.size(); v++) {
+        found_.seen.emplace_back();
+        look(v, &found_.seen.back());
+    }
+    find_ratio();
+    find_values(claimed);
+    Real magnitude = 0, nearest = unbounded;
+    for (std::size_t v = 0; v < places_.size(); v++) {
+        nearest = std::min(nearest, neighbour_[v]);
+        for (const Real x : places_[v]) magnitude = std::max(magnitude, std::fabs(x));
+    }
+    found_.tolerance = std::min<Real>(1e-3L, found_.tolerance + 0x1p-44L * magnitude / nearest);
+    return std::move(found_);
+}
+
+}  // namespace
+
+std::uint32_t zero_born(const NodeFile& node, netmesh_filter filter, std::uint32_t k) {
+    const bool has_balls = filter != NETMESH_FILTER_BASIC && (about(filter).needs_k == 0 || k == 1);
+    return has_balls ? input_count(node) : 0;
+}
+
+double opinion_cost(const MeshFiles& files) {
+    const double vertices = static_cast<double>(files.node.cloud.rows()) + files.cells.lines.size();
+    return vertices * input_count(files.node);
+}
+
+CellOpinion cell_opinion(const MeshFiles& files, const FilterChoice& choice, std::uint32_t k, double claimed) {
+    return CellWalk(files, choice, k).take(claimed);
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,65 @@
+// What a filter's values, its certificate and its intervals have to be on a mesh, from the Voronoi cells of its
+// vertices: the corners of each cell are the centres of the circumscribed balls of the Delaunay cells around the
+// vertex.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "tools/filters.hpp"
+#include "tools/io/mesh_files.hpp"
+#include "tools/opinion/spheres.hpp"
+
+namespace netmesh::tool {
+
+// The function lies between lo and hi on a vertex's cell; an infinite lo is no claim.
+struct CellRange {
+    Real lo, hi;
+};
+
+// F, the function of the filter, cut where all inputs have been reached.
+class FilteredFunction {
+public:
+    FilteredFunction(const NodeFile& node, netmesh_filter filter, std::uint32_t k);
+    Real operator()(const Place& x) const { return std::min(cut_, uncut(x)); }
+    Real uncut(const Place& x) const;
+    Real cut() const { return cut_; }
+
+private:
+    std::vector<Place> inputs_;
+    bool mean_;
+    std::uint32_t k_;
+    Real cut_ = 0;
+};
+
+// Vertices are often equally far from several inputs, as centres of balls through them. Which of these is the nearest
+// then hangs on rounding, and with it the upper end of the cell's range: what follows is only known to lie between two
+// numbers, which are mostly the same.
+struct Span {
+    Real least, most;
+};
+
+struct CellOpinion {
+    std::vector<Span> values;  // t of each vertex
+    Span ratio = {1, 1};
+    Real from = 0;
+    // What F surely takes on the cell: least and largest value found at the vertex, at the corners of its cell and at
+    // the place of the cell that is nearest to the nearest input. No formula for intervals enters.
+    std::vector<CellRange> seen;
+    std::uint64_t places = 0;  // at which F was looked at
+    // Share by which numbers of the engine may differ from these: 1e-9, which is far more than the roundings that it
+    // adds to its bounds, and 2^-44 coordinates' magnitude over the least distance of two vertices, as it knows corners
+    // in doubles only; at most 1e-3.
+    Real tolerance = 1e-9L;
+};
+
+// Vertices 0 .. zero_born - 1 enter at 0, before their stars.
+std::uint32_t zero_born(const NodeFile& node, netmesh_filter filter, std::uint32_t k);
+
+// Steps that cell_opinion takes: cells times inputs.
+double opinion_cost(const MeshFiles& files);
+// For the filters on meshes of distances to points. The mesh is taken to be Delaunay. `claimed` is the certified ratio
+// that is to be judged: certified values follow from it.
+CellOpinion cell_opinion(const MeshFiles& files, const FilterChoice& choice, std::uint32_t k, double claimed);
+
+}  // namespace netmesh::tool

@@ -1,0 +1,129 @@
+#include "tools/opinion/complexes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "tools/opinion/spheres.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+// All faces of up to top + 1 vertices; false when there are too many.
+bool faces_of(const CellTable& cells, std::uint32_t top, std::set<Vertices>* faces) {
+    for (std::size_t c = 0; c < cells.lines.size(); c++) {
+        for (std::uint32_t subset = 1; subset < (1u << cells.columns); subset++) {
+            Vertices face;
+            for (std::uint32_t i = 0; i < cells.columns; i++) {
+                if ((subset >> i & 1) != 0) face.push_back(cells.entries[c * cells.columns + i]);
+            }
+            if (face.size() > top + 1) continue;
+            std::sort(face.begin(), face.end());
+            faces->insert(std::move(face));
+        }
+        if (faces->size() > opinion_simplices_max) return false;
+    }
+    return true;
+}
+
+std::vector<Place> places_of(const PointCloud& cloud, const Vertices& vertices) {
+    std::vector<Place> places;
+    for (const std::uint32_t v : vertices) {
+        const double* const x = cloud.coordinates.data() + std::size_t{v} * cloud.dim;
+        places.emplace_back(x, x + cloud.dim);
+    }
+    return places;
+}
+
+}  // namespace
+
+SimplexList lower_stars(const CellTable& cells, const std::vector<double>& values, std::uint32_t zero_born,
+                        std::uint32_t top) {
+    std::set<Vertices> faces;
+    if (!faces_of(cells, top, &faces)) return {};
+    std::vector<FilteredSimplex> list;
+    for (const Vertices& face : faces) {
+        double value = 0;
+        for (const std::uint32_t v : face) value = std::max(value, values[v]);
+        if (face.size() == 1 && face[0] < zero_born) value = 0;
+        list.push_back({face, value});
+    }
+    return list;
+}
+
+SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top) {
+    const PointCloud& cloud = files.node.cloud;
+    std::set<Vertices> faces;
+    if (!faces_of(files.cells, cloud.dim, &faces)) return {};
+    std::vector<FilteredSimplex> list;
+    for (std::size_t size = cloud.dim + 1; size > 0; size--) {
+        // Spheres of the faces of one dimension.
+        std::map<Vertices, Sphere> spheres;
+        for (const Vertices& face : faces) {
+            if (face.size() == size) smallest_circumsphere(places_of(cloud, face), &spheres[face]);
+        }
+        // The remaining vertex of each cofacet, which has its value already, against them.
+        std::map<Vertices, Real> first;
+        std::set<Vertices> attached;
+        for (const FilteredSimplex& cofacet : list) {
+            if (cofacet.vertices.size() != size + 1) continue;
+            for (std::size_t i = 0; i <= size; i++) {
+                Vertices face = cofacet.vertices;
+                const std::uint32_t other = face[i];
+                face.erase(face.begin() + static_cast<std::ptrdiff_t>(i));
+                const Sphere& sphere = spheres[face];
+                const auto [at, added] = first.emplace(face, cofacet.value);
+                if (!added) at->second = std::min<Real>(at->second, cofacet.value);
+                const Real away = std::sqrt(distance2(places_of(cloud, {other})[0], sphere.centre));
+                if (away < sphere.radius * (1 - 1e-13L)) attached.insert(face);
+            }
+        }
+        for (const auto& [face, sphere] : spheres) {
+            // Rounding must not let a face enter after its cofacet.
+            Real value = sphere.radius;
+            const auto cofacet = first.find(face);
+            if (cofacet != first.end()) value = std::min(value, cofacet->second);
+            if (attached.count(face) != 0) value = cofacet->second;
+            list.push_back({face, static_cast<double>(value)});
+        }
+    }
+    list.erase(
+        std::remove_if(list.begin(), list.end(), [&](const FilteredSimplex& s) { return s.vertices.size() > top + 1; }),
+        list.end());
+    return list;
+}
+
+SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top) {
+    std::vector<Vertices> level;  // all sets of one size
+    std::vector<Place> places;
+    for (std::size_t row = 0; row < cloud.rows(); row++) {
+        const Place place = places_of(cloud, {static_cast<std::uint32_t>(row)})[0];
+        if (std::find(places.begin(), places.end(), place) != places.end()) continue;
+        level.push_back({static_cast<std::uint32_t>(places.size())});
+        places.push_back(place);
+    }
+    std::vector<FilteredSimplex> list;
+    for (std::uint32_t d = 0; d <= top; d++) {
+        std::vector<Vertices> next;
+        for (const Vertices& set : level) {
+            std::vector<Place> corners;
+            for (const std::uint32_t v : set) corners.push_back(places[v]);
+            Real value = 0;
+            for (const Place& a : corners) {
+                for (const Place& b : corners) value = std::max(value, std::sqrt(distance2(a, b)) / 2);
+            }
+            list.push_back({set, static_cast<double>(rips ? value : enclosing_radius(corners))});
+            for (std::uint32_t v = set.back() + 1; v < places.size() && d < top; v++) {
+                next.push_back(set);
+                next.back().push_back(v);
+            }
+            if (list.size() + next.size() > opinion_simplices_max) return {};
+        }
+        level.swap(next);
+    }
+    return list;
+}
+
+}  // namespace netmesh::tool

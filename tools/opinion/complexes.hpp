@@ -1,0 +1,31 @@
+// The complexes of filters, simplex by simplex: what FilteredComplex takes.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tools/io/mesh_files.hpp"
+#include "tools/opinion/filtered_complex.hpp"
+
+namespace netmesh::tool {
+
+// More simplices than that are not made; then there is no list. Reducing so many takes about ten seconds and 250 MB.
+constexpr std::size_t opinion_simplices_max = 1000000;
+// Share by which radii of alpha, Rips and Cech complexes may differ from the engine's.
+constexpr double radius_tolerance = 1e-9;
+using SimplexList = std::optional<std::vector<FilteredSimplex>>;
+
+// The faces of a mesh's cells up to dimension `top`, each at the largest value of its vertices; vertices
+// 0 .. zero_born - 1 enter alone at 0.
+SimplexList lower_stars(const CellTable& cells, const std::vector<double>& values, std::uint32_t zero_born,
+                        std::uint32_t top);
+
+// The alpha complex: a face enters at the radius of its smallest circumscribed sphere when none of the vertices that it
+// has a cofacet with lies inside, otherwise with its first cofacet.
+SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top);
+
+// All sets of up to top + 1 different points: Rips at half of the longest edge, Cech at the radius of the smallest
+// enclosing ball.
+SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top);
+
+}  // namespace netmesh::tool

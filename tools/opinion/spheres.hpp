@@ -1,0 +1,24 @@
+// Circumscribed spheres and smallest enclosing balls of a few points, in long doubles.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace netmesh::tool {
+
+using Real = long double;
+using Place = std::vector<Real>;  // a point of R^D
+
+Real distance2(const Place& a, const Place& b);
+
+struct Sphere {
+    Place centre;
+    Real radius = 0;
+};
+
+// The smallest sphere through 1 to D+1 affinely independent points; false when they are not, to working precision.
+bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere);
+
+// The radius of the smallest ball that contains the points: the least sphere through some of them that contains all.
+Real enclosing_radius(const std::vector<Place>& points);
+
+}  // namespace netmesh::tool
