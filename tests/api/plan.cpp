@@ -74,8 +74,9 @@ TEST_CASE("the plan of a triangulation suffices, with its alpha complex too") {
         const inputs::Points points = inputs::uniform(dim, count(dim, {4000, 2000, 600, 150, 60}), 17);
         for (const netmesh_purpose purpose : {NETMESH_PURPOSE_MESH, NETMESH_PURPOSE_PERSIST}) {
             const bool alpha = purpose == NETMESH_PURPOSE_PERSIST;
+            const double share = by_dimension(dim, {0.4, 0.33, 0.25, 0.15, 0.05});
             const netmesh_delaunay_request request = Calls(dim).delaunay_request(points, purpose);
-            expect_enough(dim, alpha ? "alpha" : "delaunay", netmesh_plan_delaunay(&request), 0.3, [&](Calls& calls) {
+            expect_enough(dim, alpha ? "alpha" : "delaunay", netmesh_plan_delaunay(&request), share, [&](Calls& calls) {
                 const netmesh_status status = netmesh_delaunay(calls.context, &request);
                 return status == NETMESH_OK && alpha ? calls.persist(NETMESH_FILTER_ALPHA) : status;
             });
