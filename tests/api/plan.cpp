@@ -1,5 +1,5 @@
-// Planned bytes, job by job and dimension by dimension: a block of that size suffices for uniform points, and not much of
-// it is left over.
+// Planned bytes, job by job and dimension by dimension: a block of that size suffices for uniform points, and not much
+// of it is left over.
 #include <doctest/doctest.h>
 
 #include <cstdio>
@@ -29,8 +29,8 @@ private:
 // What runs in a block that was planned for it.
 using Job = std::function<netmesh_status(Calls&)>;
 
-// `share`: the least part of the plan that the job has to use, two thirds of what it uses; 0 where the sets are so small
-// that plans are for their boundary.
+// `share`: the least part of the plan that the job has to use, two thirds of what it uses; 0 where the sets are so
+// small that plans are for their boundary.
 void expect_enough(int dim, const std::string& name, std::size_t planned, double share, const Job& job) {
     INFO("D = " << dim << ", " << name << ", " << planned << " bytes");
     REQUIRE(planned > 0);
@@ -47,9 +47,9 @@ void expect_enough(int dim, const std::string& name, std::size_t planned, double
 std::size_t count(int dim, std::initializer_list<std::size_t> from_plane) { return by_dimension(dim, from_plane); }
 
 // Meshes by what `change` makes of the request; then `more`.
-void expect_mesh(int dim, std::size_t n, const char* name, double share,
-                 const std::function<void(netmesh_mesh_request&)>& change,
-                 const Job& more = [](Calls&) { return NETMESH_OK; }) {
+void expect_mesh(
+    int dim, std::size_t n, const char* name, double share, const std::function<void(netmesh_mesh_request&)>& change,
+    const Job& more = [](Calls&) { return NETMESH_OK; }) {
     const inputs::Points points = inputs::uniform(dim, n, 17);
     netmesh_mesh_request request = Calls(dim).mesh_request(points);
     change(request);
@@ -91,8 +91,10 @@ TEST_CASE("the plan of a mesh suffices, whatever it is for") {
         const Job complete = [](Calls& calls) { return calls.persist(); };
         const Job tight = [](Calls& calls) { return calls.persist(NETMESH_FILTER_TIGHT); };
         expect_mesh(dim, n, "mesh", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}), [](auto&) {});
-        expect_mesh(dim, n, "mesh, tau", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}), [](auto& r) { r.tau = 3.5; });
-        expect_mesh(dim, n, "persist", most * 0.2, [](auto& r) { r.purpose = NETMESH_PURPOSE_PERSIST; }, complete);
+        expect_mesh(dim, n, "mesh, tau", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}),
+                    [](auto& r) { r.tau = 3.5; });
+        expect_mesh(
+            dim, n, "persist", most * 0.2, [](auto& r) { r.purpose = NETMESH_PURPOSE_PERSIST; }, complete);
         expect_mesh(
             dim, n, "persist by ratio", most * 0.12,
             [](auto& r) {
@@ -100,7 +102,8 @@ TEST_CASE("the plan of a mesh suffices, whatever it is for") {
                 r.certificate.ratio = 2.3;
             },
             complete);
-        expect_mesh(dim, n, "netmesh", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}), [](auto& r) { r.method = NETMESH_METHOD_HIERARCHY; });
+        expect_mesh(dim, n, "netmesh", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}),
+                    [](auto& r) { r.method = NETMESH_METHOD_HIERARCHY; });
         expect_mesh(dim, n, "netmesh, finished", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}), [](auto& r) {
             r.method = NETMESH_METHOD_HIERARCHY;
             r.finish = 1;
@@ -112,8 +115,8 @@ TEST_CASE("the plan of a mesh suffices, whatever it is for") {
         });
         expect_mesh(dim, count(dim, {600, 60, 4}), "over-refined", 0.1, [](auto& r) { r.sizes.eps = 0.4; });
         if (dim > 3) continue;
-        expect_mesh(dim, count(dim, {200, 12}), "tight", 0.04, [](auto& r) { r.purpose = NETMESH_PURPOSE_TIGHT; },
-                    tight);
+        expect_mesh(
+            dim, count(dim, {200, 12}), "tight", 0.04, [](auto& r) { r.purpose = NETMESH_PURPOSE_TIGHT; }, tight);
     }
 }
 

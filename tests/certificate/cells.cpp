@@ -1,5 +1,5 @@
-// Out-radii of cells whose corners doubles know badly: nearly flat triangles far from the origin, against radii computed
-// exactly.
+// Out-radii of cells whose corners doubles know badly: nearly flat triangles far from the origin, against radii
+// computed exactly.
 #include "certificate/cells.hpp"
 
 #include <doctest/doctest.h>
@@ -15,7 +15,8 @@ using namespace netmesh;
 
 namespace {
 
-// Twice the area and the products of edges of a triangle of integer points fit 128 bits: R^2 = a^2 b^2 c^2 / (2 * twice)^2.
+// Twice the area and the products of edges of a triangle of integer points fit 128 bits: R^2 = a^2 b^2 c^2 / (2 *
+// twice)^2.
 long double circumradius(const double* p, const double* q, const double* r) {
     const auto edge2 = [](const double* a, const double* b) {
         const auto x = static_cast<__int128>(a[0]) - static_cast<__int128>(b[0]);
@@ -35,7 +36,8 @@ TEST_CASE("out-radii are no less than the exact distances to corners, though the
     int solved = 0, short_by_rounding = 0;
     for (int trial = 0; trial < 20000; ++trial) {
         // Three points on a line of a direction of some digits, one moved off by a little; all far from the origin.
-        const double x = 1 + static_cast<double>(random.below(1 << 20)), y = 1 + static_cast<double>(random.below(1 << 20));
+        const double x = 1 + static_cast<double>(random.below(1 << 20)),
+                     y = 1 + static_cast<double>(random.below(1 << 20));
         const double far = trial % 3 == 0 ? 0 : std::ldexp(1.0, static_cast<int>(30 + random.below(12)));
         const double s = 1 + static_cast<double>(random.below(50)), t = -1 - static_cast<double>(random.below(50));
         const double off = 1 + static_cast<double>(random.below(std::uint64_t{1} << random.below(20)));

@@ -1,6 +1,6 @@
 // What tight_filter.hpp says of its cover, at sampled points: the ball that stands for a clump lies in its cells, and
-// everywhere else min(d_P, rho) is between the bounds. On meshes that are not over-refined too, where the bounds are far
-// from what refinement would make of them.
+// everywhere else min(d_P, rho) is between the bounds. On meshes that are not over-refined too, where the bounds are
+// far from what refinement would make of them.
 #include "filtration/tight_filter.hpp"
 
 #include <doctest/doctest.h>

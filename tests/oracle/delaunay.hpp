@@ -34,7 +34,9 @@ struct Polytope {
     std::vector<std::uint32_t> vertices;
     __int128 volume;
 
-    bool operator<(const Polytope& o) const { return vertices != o.vertices ? vertices < o.vertices : volume < o.volume; }
+    bool operator<(const Polytope& o) const {
+        return vertices != o.vertices ? vertices < o.vertices : volume < o.volume;
+    }
     bool operator==(const Polytope& o) const { return vertices == o.vertices && volume == o.volume; }
 };
 
@@ -82,8 +84,7 @@ std::vector<Polytope> subdivision(const inputs::Points& points, const Cells<D>& 
         volume += volume_of<D>(points, cells[c]);
     }
     std::vector<Polytope> all;
-    for (const auto& [c, part] : parts)
-        all.push_back({{part.first.begin(), part.first.end()}, part.second});
+    for (const auto& [c, part] : parts) all.push_back({{part.first.begin(), part.first.end()}, part.second});
     std::sort(all.begin(), all.end());
     return all;
 }
@@ -96,15 +97,14 @@ inline inputs::Points nudged(inputs::Points points, double scale, std::uint64_t 
 }
 
 // Integer points. `side`: of grids; norm: the squared radius of spheres.
-template <int D>
-std::vector<std::pair<const char*, inputs::Points>> degenerate_sets(int side, int norm, double scale) {
+template <int D> std::vector<std::pair<const char*, inputs::Points>> degenerate_sets(int side, int norm, double scale) {
     const inputs::Points grid = inputs::grid(D, side), sphere = inputs::cospherical(D, norm);
     inputs::Points faces, plane, two_spheres = sphere, some;
     inputs::Random random(7);
     for (std::size_t i = 0; i < grid.size(); i += D) {
         bool outside = false;
-        for (int k = 0; k < D; ++k) outside |= grid[i + static_cast<std::size_t>(k)] == 0 ||
-                                               grid[i + static_cast<std::size_t>(k)] == side - 1;
+        for (int k = 0; k < D; ++k)
+            outside |= grid[i + static_cast<std::size_t>(k)] == 0 || grid[i + static_cast<std::size_t>(k)] == side - 1;
         if (outside) faces.insert(faces.end(), &grid[i], &grid[i] + D);
         if (random.below(3) == 0) some.insert(some.end(), &grid[i], &grid[i] + D);
         if (grid[i] == 0) plane.insert(plane.end(), &grid[i], &grid[i] + D);

@@ -26,8 +26,7 @@ Cells<2> cgal_cells(const inputs::Points& points) {
 
 bool on_circle(const inputs::Points& points, const std::array<std::uint32_t, 3>& cell, std::uint32_t q) {
     const auto point = [&](std::uint32_t i) { return Kernel::Point_2(points[2 * i], points[2 * i + 1]); };
-    return CGAL::side_of_bounded_circle(point(cell[0]), point(cell[1]), point(cell[2]), point(q)) ==
-           CGAL::ON_BOUNDARY;
+    return CGAL::side_of_bounded_circle(point(cell[0]), point(cell[1]), point(cell[2]), point(q)) == CGAL::ON_BOUNDARY;
 }
 
 }  // namespace
