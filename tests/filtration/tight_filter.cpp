@@ -36,7 +36,7 @@ Nearest<D> nearest_of(const Store<D>& store, std::uint32_t last, const double* x
 }
 
 template <int D> void sample_cover(const inputs::Points& points, const MeshRequest& request, int samples) {
-    Meshed<D> mesh(points, request, std::size_t{1} << 27);
+    Meshed<D> mesh(points, request, std::size_t{1} << 25);
     REQUIRE(mesh.status == Status::ok);
     const Store<D>& store = mesh.store;
     const std::uint32_t count = store.state.vertex_count, inputs = mesh.inputs();
