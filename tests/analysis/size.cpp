@@ -245,3 +245,28 @@ TEST_CASE("figures that break a bound are found out") {
     a.pace_upper = 0.5 * good.integral.lower[ball_wide];
     CHECK(violated_size_bound(a) != nullptr);
 }
+
+TEST_CASE_TEMPLATE_DEFINE("bounds by paces are those of 3.8.3 to 3.8.7", T, pace_bounds) {
+    constexpr int D = T::value;
+    for (const inputs::Points& points : {inputs::uniform(D, 30), inputs::clusters(D, 20)}) {
+        Ordered<D> set(points);
+        const SizeAnalysis a = analyse<D>(set.held, 6);
+        REQUIRE(farthest_first_order<D>(set.held.store, set.tree, set.held.inputs(),
+                                        {set.held.block.arena, set.held.monitor}, set.order.data()) == Status::ok);
+        const std::vector<double> theta = thetas_by_scan(points, D, set.order);
+        const double* const first = set.held.store.point(set.order[0]);
+        const double c = (distance(first, set.held.domain.centre, D) + a.radius[ball_wide]) /
+                         distance(first, set.held.store.point(set.order[1]), D);
+        const double pi = 3.14159265358979324, volume = D == 2 ? pi : 4 * pi / 3;
+        double upper = 1 + D * std::log(2 * c), lower = 0;
+        for (std::size_t i = 2; i < theta.size(); ++i) {
+            upper += 1 + D * std::log(3 * D / theta[i]);
+            lower += std::max(0.0, D * std::log(1 / theta[i]) / std::pow(3, D) + std::pow(theta[i], D) - 1);
+        }
+        CHECK(a.pace_upper == doctest::Approx(volume * upper).epsilon(1e-4));
+        CHECK(a.pace_upper >= volume * upper);
+        CHECK(a.pace_lower == doctest::Approx(volume * lower).epsilon(1e-4));
+        CHECK(a.pace_lower <= volume * lower);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(pace_bounds, Dimensions<2, 3>);

@@ -230,3 +230,106 @@ TEST_CASE("a poll can cancel") {
     CHECK(calls == 2);
     CHECK(d.value == -1);
 }
+
+namespace {
+
+// The distance by the textbook: the least of all distances within which the points of both diagrams and their places on
+// the diagonal have a perfect matching.
+double by_textbook(const Diagram& a, const Diagram& b) {
+    const std::size_t n = a.size(), m = b.size(), all = n + m;
+    const auto cost = [&](std::size_t i, std::size_t j) {
+        if (i >= n && j >= m) return 0.0;
+        if (i >= n) return (b[j].death - b[j].birth) / 2;
+        if (j >= m) return (a[i].death - a[i].birth) / 2;
+        return std::max(std::fabs(a[i].birth - b[j].birth), std::fabs(a[i].death - b[j].death));
+    };
+    std::vector<double> limits = {0};
+    for (std::size_t i = 0; i < all; ++i)
+        for (std::size_t j = 0; j < all; ++j) limits.push_back(cost(i, j));
+    std::sort(limits.begin(), limits.end());
+    limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
+    const auto matches = [&](double limit) {
+        std::vector<std::size_t> mate(all, all);
+        for (std::size_t root = 0; root < all; ++root) {
+            // Breadth first from `root` on the left to a free place on the right.
+            std::vector<std::size_t> from(all, all), queue = {root};
+            std::size_t free = all;
+            for (std::size_t at = 0; at < queue.size() && free == all; ++at)
+                for (std::size_t j = 0; j < all && free == all; ++j) {
+                    if (from[j] != all || cost(queue[at], j) > limit) continue;
+                    from[j] = queue[at];
+                    if (mate[j] == all)
+                        free = j;
+                    else
+                        queue.push_back(mate[j]);
+                }
+            if (free == all) return false;
+            for (std::size_t j = free;;) {
+                const std::size_t i = from[j];
+                std::size_t before = all;
+                for (std::size_t k = 0; k < all; ++k)
+                    if (mate[k] == i) before = k;
+                mate[j] = i;
+                if (i == root) break;
+                j = before;
+            }
+        }
+        return true;
+    };
+    std::size_t low = 0, high = limits.size() - 1;
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (matches(limits[middle]))
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return limits[high];
+}
+
+}  // namespace
+
+TEST_CASE("diagrams of a hundred points, many of them at equal distances") {
+    std::mt19937_64 random(21);
+    for (int trial = 0; trial < 12; ++trial) {
+        CAPTURE(trial);
+        const unsigned grid = trial % 3 == 0 ? 1000000 : trial % 3 == 1 ? 12 : 6;
+        const auto some = [&](std::size_t count) {
+            Diagram d;
+            for (std::size_t i = 0; i < count; ++i) {
+                const double birth = static_cast<double>(random() % grid);
+                d.push_back(bar(1, birth, birth + 1 + static_cast<double>(random() % (grid + 40))));
+            }
+            return d;
+        };
+        const Diagram a = some(60 + random() % 40), b = some(60 + random() % 40);
+        CHECK(plain(a, b) == by_textbook(a, b));
+    }
+    // Long bars close to one another: nearly every point is within the distance of every other one.
+    for (int trial = 0; trial < 6; ++trial) {
+        CAPTURE(trial);
+        const auto some = [&](std::size_t count, unsigned wide) {
+            Diagram d;
+            for (std::size_t i = 0; i < count; ++i)
+                d.push_back(bar(1, static_cast<double>(random() % wide), 100 + static_cast<double>(random() % 4)));
+            return d;
+        };
+        Diagram a = some(170, 3), b = some(160 + random() % 20, 3 + trial % 2);
+        for (std::size_t i = 0; i < 5; ++i) a[i].birth = 3, b[i].birth = 6;  // three apart, and farther from all others
+        CHECK(plain(a, b) == by_textbook(a, b));
+    }
+    // Few bars, the second diagram's shorter: they may stay unmatched where those of the first may not.
+    for (int trial = 0; trial < 3000; ++trial) {
+        CAPTURE(trial);
+        const auto some = [&](std::size_t count, unsigned length) {
+            Diagram d;
+            for (std::size_t i = 0; i < count; ++i) {
+                const double birth = static_cast<double>(random() % 30);
+                d.push_back(bar(0, birth, birth + length + static_cast<double>(random() % 30)));
+            }
+            return d;
+        };
+        const Diagram a = some(1 + random() % 5, 20), b = some(1 + random() % 6, 1 + trial % 20);
+        CHECK(plain(a, b) == by_textbook(a, b));
+    }
+}

@@ -42,6 +42,8 @@ TEST_CASE("values are sorted as by a stable sort") {
         CAPTURE(n);
         check_sort(values(n, [&] { return random.unit(); }));
         check_sort(values(n, [&] { return 0.0; }));
+        check_sort(values(n, [&] { return random.unit() - 0.5; }));
+        check_sort(values(n, [&] { return -1 - static_cast<double>(random.below(3)); }));
         check_sort(values(n, [&] { return static_cast<double>(random.below(3)); }));
         check_sort(values(n, [&] { return std::ldexp(random.unit(), static_cast<int>(random.below(2000)) - 1000); }));
         check_sort(values(n, [&] { return 1 + random.below(1000) * 0x1p-52; }));

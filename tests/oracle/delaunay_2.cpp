@@ -6,8 +6,9 @@
 
 namespace {
 
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
 Cells<2> cgal_cells(const inputs::Points& points) {
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>> triangulation;
     std::vector<std::pair<Kernel::Point_2, std::uint32_t>> rows;
@@ -23,6 +24,14 @@ Cells<2> cgal_cells(const inputs::Points& points) {
     return cells;
 }
 
+bool on_circle(const inputs::Points& points, const std::array<std::uint32_t, 3>& cell, std::uint32_t q) {
+    const auto point = [&](std::uint32_t i) { return Kernel::Point_2(points[2 * i], points[2 * i + 1]); };
+    return CGAL::side_of_bounded_circle(point(cell[0]), point(cell[1]), point(cell[2]), point(q)) == CGAL::ON_BOUNDARY;
+}
+
 }  // namespace
 
 TEST_CASE("2D: the same triangles as CGAL") { compare_with_cgal<2>(2000, cgal_cells); }
+TEST_CASE("2D: the same polygons as CGAL where points are cocircular") {
+    compare_degenerate_with_cgal<2>(24, 5 * 5 * 13 * 17, 0x1p30, cgal_cells, on_circle);
+}

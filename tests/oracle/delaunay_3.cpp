@@ -6,8 +6,9 @@
 
 namespace {
 
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
 Cells<3> cgal_cells(const inputs::Points& points) {
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
     using Structure = CGAL::Triangulation_data_structure_3<Vertex, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
     CGAL::Delaunay_triangulation_3<Kernel, Structure> triangulation;
@@ -25,6 +26,17 @@ Cells<3> cgal_cells(const inputs::Points& points) {
     return cells;
 }
 
+bool on_sphere(const inputs::Points& points, const std::array<std::uint32_t, 4>& cell, std::uint32_t q) {
+    const auto point = [&](std::uint32_t i) {
+        return Kernel::Point_3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+    };
+    return CGAL::side_of_bounded_sphere(point(cell[0]), point(cell[1]), point(cell[2]), point(cell[3]), point(q)) ==
+           CGAL::ON_BOUNDARY;
+}
+
 }  // namespace
 
 TEST_CASE("3D: the same tetrahedra as CGAL") { compare_with_cgal<3>(1000, cgal_cells); }
+TEST_CASE("3D: the same polyhedra as CGAL where points are cospherical") {
+    compare_degenerate_with_cgal<3>(9, 3 * 3 * 29, 0x1p24, cgal_cells, on_sphere);
+}

@@ -25,8 +25,26 @@ template <int D> Cells<D> cgal_cells(const inputs::Points& points) {
     return cells;
 }
 
+template <int D>
+bool on_sphere(const inputs::Points& points, const std::array<std::uint32_t, D + 1>& cell, std::uint32_t q) {
+    using Kernel = CGAL::Epick_d<CGAL::Dimension_tag<D>>;
+    std::vector<typename Kernel::Point_d> sphere;
+    for (const std::uint32_t v : cell) sphere.emplace_back(&points[v * D], &points[v * D] + D);
+    const typename Kernel::Point_d point(&points[q * D], &points[q * D] + D);
+    return Kernel().side_of_oriented_sphere_d_object()(sphere.begin(), sphere.end(), point) ==
+           CGAL::ON_ORIENTED_BOUNDARY;
+}
+
 }  // namespace
 
+TEST_CASE("4D: the same polytopes as CGAL where points are cospherical") {
+    for_each_dimension<4, 4>(
+        [](auto dim) { compare_degenerate_with_cgal<dim>(4, 10, 0x1p12, cgal_cells<4>, on_sphere<4>); });
+}
+TEST_CASE("5D: the same polytopes as CGAL where points are cospherical") {
+    for_each_dimension<5, 5>(
+        [](auto dim) { compare_degenerate_with_cgal<dim>(3, 3, 0x1p8, cgal_cells<5>, on_sphere<5>); });
+}
 TEST_CASE("4D: the same cells as CGAL") {
     for_each_dimension<4, 4>([](auto dim) { compare_with_cgal<dim>(300, cgal_cells<4>); });
 }

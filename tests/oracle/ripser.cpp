@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/bottleneck.hpp"
+#include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 
@@ -45,6 +46,7 @@ Diagram ripser(int dim, const inputs::Points& points, int max_degree) {
 }
 
 void compare(int dim, const inputs::Points& points, int max_degree) {
+    if (dimensions({dim}).empty()) return;
     CAPTURE(dim);
     CAPTURE(max_degree);
     Session session(dim);

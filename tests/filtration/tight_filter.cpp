@@ -1,0 +1,98 @@
+// What tight_filter.hpp says of its cover, at sampled points: the ball that stands for a clump lies in its cells, and
+// everywhere else min(d_P, rho) is between the bounds. On meshes that are not over-refined too, where the bounds are
+// far from what refinement would make of them.
+#include "filtration/tight_filter.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/dimensions.hpp"
+#include "common/meshed.hpp"
+#include "filtration/filters.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+template <int D> struct Nearest {
+    std::uint32_t vertex;
+    double distance, second;  // to the nearest and the second nearest
+};
+
+// Of vertices first..last-1, but for `except`.
+template <int D>
+Nearest<D> nearest_of(const Store<D>& store, std::uint32_t last, const double* x, std::uint32_t except = none) {
+    Nearest<D> found = {none, infinity, infinity};
+    for (std::uint32_t v = 0; v < last; ++v) {
+        if (v == except) continue;
+        const double d = distance<D>(x, store.point(v));
+        found.second = std::min(found.second, std::max(d, found.distance));
+        if (d < found.distance) found = {v, d, found.second};
+    }
+    return found;
+}
+
+template <int D> void sample_cover(const inputs::Points& points, const MeshRequest& request, int samples) {
+    Meshed<D> mesh(points, request, std::size_t{1} << 25);
+    REQUIRE(mesh.status == Status::ok);
+    const Store<D>& store = mesh.store;
+    const std::uint32_t count = store.state.vertex_count, inputs = mesh.inputs();
+    const double rho = mesh.result.domain.enclosing_radius * up;
+    std::vector<double> value(count);
+    std::vector<Interval> interval(count);
+    Evaluation tight = {value.data(), interval.data()};
+    REQUIRE(evaluate<D>({mesh.store, mesh.result.domain, inputs}, {NETMESH_FILTER_TIGHT, FilterValues::certified},
+                        {mesh.block.arena, mesh.monitor}, &tight) == Status::ok);
+    // Clumps by their definition.
+    std::vector<std::uint32_t> clump(count, none);
+    for (std::uint32_t v = 0; v < count; ++v) {
+        if (store.vertex(v).marker == Marker::exempt) continue;
+        const Nearest<D> n = nearest_of<D>(store, inputs, store.point(v));
+        const double f = nearest_of<D>(store, inputs, store.point(n.vertex), n.vertex).distance;
+        if (n.distance <= 0.5 * f) clump[v] = n.vertex;
+    }
+    int in_balls = 0, in_clumps = 0, others = 0;
+    inputs::Random random(8);
+    for (int s = 0; s < samples; ++s) {
+        double x[D];
+        const auto near = static_cast<std::uint32_t>(random.below(s % 3 == 0 ? count : inputs));
+        const double scale = (s % 3 == 2 ? 1.2 * interval[near].lo : 3 * interval[near].lo) + (s % 3 == 0 ? rho : 0);
+        for (int k = 0; k < D; ++k) x[k] = store.point(near)[k] + scale * (2 * random.uniform() - 1);
+        const Nearest<D> at = nearest_of<D>(store, count, x);
+        if (at.second - at.distance < 1e-9 * at.second) continue;
+        const double f = std::min(nearest_of<D>(store, inputs, x).distance, rho);
+        // The ball of any clump that x is in: x is in one of the clump's cells.
+        for (std::uint32_t p = 0; p < inputs; ++p) {
+            if (!(distance<D>(x, store.point(p)) < interval[p].lo)) continue;
+            ++in_balls;
+            CHECK(clump[at.vertex] == p);
+        }
+        const Interval& i = interval[at.vertex];
+        const std::uint32_t p = clump[at.vertex];
+        ++(p == none ? others : in_clumps);
+        CHECK(f <= i.hi);
+        if (p == none || !(distance<D>(x, store.point(p)) < i.lo)) CHECK(i.lo <= f);
+    }
+    CHECK(in_balls > samples / 50);
+    CHECK(in_clumps > samples / 50);
+    CHECK(others > samples / 50);
+}
+
+}  // namespace
+
+TEST_CASE("balls of clumps lie in their cells, and bounds hold everywhere else") {
+    for (const double tau : {2.5, 3.0, 3.5, 4.0, 6.0}) {
+        CAPTURE(tau);
+        sample_cover<2>(inputs::uniform(2, 40), by_quality(tau), 15000);
+        sample_cover<2>(inputs::circle(24), by_quality(tau, 3), 6000);
+        sample_cover<2>(inputs::clusters(2, 30), by_quality(tau), 6000);
+        sample_cover<3>(inputs::uniform(3, 20), by_quality(tau), 6000);
+    }
+    for_each_dimension<4, 4>([&](auto dim) { sample_cover<dim>(inputs::uniform(4, 6), by_quality(4), 3000); });
+    MeshRequest fine = by_quality(2.5, tight_domain_factor(0.5));
+    fine.size.eps = tight_size(0.5);
+    sample_cover<2>(inputs::uniform(2, 15), fine, 6000);
+}
