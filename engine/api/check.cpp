@@ -5,56 +5,16 @@
 #include "api/measure.hpp"
 #include "api/requests.hpp"
 #include "filtration/filters.hpp"
+#include "mesh/check_domain.hpp"
 #include "mesh/check_reach.hpp"
 #include "mesh/sizing.hpp"
 
 namespace netmesh {
 namespace {
 
-// Room for the rounding of a ratio, when the mesh was made elsewhere, and of the places of a boundary net.
-constexpr double ratio_tolerance = 0x1p-40, net_tolerance = 0x1p-30;
+// Room for the rounding of a ratio, when the mesh was made elsewhere.
+constexpr double ratio_tolerance = 0x1p-40;
 constexpr const char* aspect_violation = "a clipped Voronoi cell has an aspect ratio above tau";
-
-// A vertex of the hull is exempt: its cell is not bounded.
-template <int D> CheckResult check_hull(const Store<D>& store) {
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
-        for (int i = 0; i <= D; ++i) {
-            if (store.cell(c).neighbour[i] != none) continue;
-            for (int j = 0; j <= D; ++j)
-                if (j != i && store.vertex(store.cell(c).vertex[j]).marker != Marker::exempt)
-                    return {"a vertex of the mesh's hull is not exempt", c};
-        }
-    return {nullptr, none};
-}
-
-// Besides those of the hull, and of the shells of cages, only vertices of the boundary net are exempt (thesis 3.5):
-// they are on the domain's sphere, and as far apart as delta, the diameter of the enclosing ball, so that there are
-// few. Marks those of the hull as queued meanwhile. O(cells), and the square of the net.
-template <int D>
-CheckResult check_exempt(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains) {
-    const std::uint32_t vertices = store.state.vertex_count;
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
-        for (int i = 0; i <= D; ++i)
-            for (int j = 0; j <= D && store.cell(c).neighbour[i] == none; ++j)
-                if (j != i) store.vertex(store.cell(c).vertex[j]).queued = 1;
-    const double delta = 2 * domain.enclosing_radius * (1 - net_tolerance);
-    CheckResult result = {nullptr, none};
-    const auto is_of_net = [&](std::uint32_t v) {
-        const Vertex<D>& vertex = store.vertex(v);
-        const bool is_of_shell = domains != nullptr && domains[v] != none;
-        return vertex.cell != none && vertex.marker == Marker::exempt && !vertex.queued && !is_of_shell;
-    };
-    for (std::uint32_t v = 0; v < vertices && result.violation == nullptr; ++v) {
-        if (!is_of_net(v)) continue;
-        bool net =
-            absolute(square_root(domain.distance2(store.point(v))) - domain.radius) <= net_tolerance * domain.radius;
-        for (std::uint32_t w = 0; w < v && net; ++w)
-            net = !is_of_net(w) || distance2<D>(store.point(v), store.point(w)) >= delta * delta;
-        if (!net) result = {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
-    }
-    for (std::uint32_t v = 0; v < vertices; ++v) store.vertex(v).queued = 0;
-    return result;
-}
 
 // The squared size that each cell may have.
 template <int D>
@@ -89,7 +49,8 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
         if (why->violation == nullptr && !(quality.worst <= promises.tau * (1 + ratio_tolerance)))
             *why = {aspect_violation, quality.vertex};
     }
-    if (why->violation == nullptr) *why = check_exempt<D>(store, domain, cages == 0 ? nullptr : domains);
+    if (why->violation == nullptr)
+        *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete);
     if (why->violation != nullptr) return Status::check_failed;
     recomputed_nearest2<D>(store, limit2);
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
@@ -132,11 +93,11 @@ Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Mon
 
 template <int D>
 Status check_promises(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
-    *why = check_hull<D>(store);
-    if (why->violation != nullptr) return Status::check_failed;
     const bool by_certificate = promises.goal.ratio > 0 && cage_count_of(context) == 0;
-    return by_certificate ? check_ratio<D>(context, store, promises.goal, monitor, why)
-                          : check_quality<D>(context, store, promises, why);
+    if (!by_certificate) return check_quality<D>(context, store, promises, why);
+    *why = check_domain<D>(store, domain_of<D>(context.mesh), nullptr, context.complete);
+    return why->violation != nullptr ? Status::check_failed
+                                     : check_ratio<D>(context, store, promises.goal, monitor, why);
 }
 
 // What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and

@@ -1,0 +1,143 @@
+#include "mesh/check_domain.hpp"
+
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+// Rounding of places on the sphere, of inputs on the boundary of the domain, of heights of facets; relative.
+constexpr double tolerance = 0x1p-30;
+
+template <int D> class DomainCheck {
+public:
+    DomainCheck(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains)
+        : store_(store), domain_(domain), domains_(domains) {}
+
+    CheckResult run(bool whole) {
+        mark();
+        CheckResult result = find_inputs(whole);
+        if (result.violation == nullptr) result = has_net() ? find_net() : find_frame();
+        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) store_.vertex(v).queued = 0;
+        return result;
+    }
+
+private:
+    static constexpr std::uint8_t in_cell = 1, on_hull = 2;
+
+    void mark() {
+        for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
+            for (int i = 0; i <= D; ++i) {
+                store_.vertex(store_.cell(c).vertex[i]).queued |= in_cell;
+                for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
+                    if (j != i) store_.vertex(store_.cell(c).vertex[j]).queued |= on_hull;
+            }
+    }
+    bool is(std::uint32_t v, std::uint8_t what) const { return (store_.vertex(v).queued & what) != 0; }
+    // Exempt, and not as part of a shell.
+    bool stands_free(std::uint32_t v) const {
+        return is(v, in_cell) && store_.vertex(v).marker == Marker::exempt &&
+               (domains_ == nullptr || domains_[v] == none);
+    }
+    bool is_on_sphere(std::uint32_t v) const {
+        const double away = square_root(domain_.distance2(store_.point(v))) - domain_.radius;
+        return absolute(away) <= tolerance * domain_.radius;
+    }
+    bool has_net() const {
+        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v)
+            if (is(v, on_hull) && !is_on_sphere(v)) return false;
+        return true;
+    }
+    CheckResult find_inputs(bool whole);
+    CheckResult find_net() const;
+    CheckResult find_frame() const;
+    bool reaches_beyond(std::uint32_t c, int i) const;
+
+    const Store<D>& store_;
+    const Domain<D>& domain_;
+    const std::uint32_t* const domains_;
+    double far2_ = 0;  // of the input farthest from the domain's centre
+};
+
+template <int D> CheckResult DomainCheck<D>::find_inputs(bool whole) {
+    const double most = domain_.radius * (1 + tolerance);
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        if (whole && !is(v, in_cell)) return {"a vertex belongs to no cell", v};
+        const Marker marker = store_.vertex(v).marker;
+        if (is(v, on_hull) && marker != Marker::exempt) return {"a vertex of the mesh's hull is not exempt", v};
+        const double d2 = domain_.distance2(store_.point(v));
+        if (marker != Marker::input) continue;
+        if (d2 > most * most) return {"an input is not in the domain", v};
+        if (d2 > far2_) far2_ = d2;
+    }
+    return {nullptr, none};
+}
+
+template <int D> CheckResult DomainCheck<D>::find_net() const {
+    const double delta2 = 4 * far2_ * (1 - tolerance);
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        if (!stands_free(v)) continue;
+        if (!is_on_sphere(v)) return {"an exempt vertex is not on the domain's sphere, where the boundary net is", v};
+        for (std::uint32_t w = 0; w < v; ++w)
+            if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < delta2)
+                return {"two vertices of the boundary net are too near", v};
+    }
+    return {nullptr, none};
+}
+
+template <int D> CheckResult DomainCheck<D>::find_frame() const {
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v)
+        if (stands_free(v) && !is(v, on_hull))
+            return {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
+    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i)
+            if (store_.cell(c).neighbour[i] == none && reaches_beyond(c, i))
+                return {"the domain reaches beyond the hull", c};
+    return {nullptr, none};
+}
+
+// Is the domain's centre not as far from facet i of cell c, to the side of vertex i, as the domain's radius?
+template <int D> bool DomainCheck<D>::reaches_beyond(std::uint32_t c, int i) const {
+    const Cell<D>& cell = store_.cell(c);
+    const double* const p = store_.point(cell.vertex[i == 0 ? 1 : 0]);
+    // Orthonormal directions of the facet; what they leave of the ways to vertex i and to the centre.
+    double along[D][D], inner[D], centre[D];
+    int size = 0;
+    const auto leave = [&](double* e) {
+        for (int j = 0; j < size; ++j) {
+            const double common = dot<D>(e, along[j]);
+            for (int k = 0; k < D; ++k) e[k] -= common * along[j][k];
+        }
+    };
+    for (int j = 0; j <= D; ++j) {
+        if (j == i || store_.point(cell.vertex[j]) == p) continue;
+        double* const e = along[size];
+        for (int k = 0; k < D; ++k) e[k] = store_.point(cell.vertex[j])[k] - p[k];
+        leave(e);
+        const double length = square_root(dot<D>(e, e));
+        if (!(length > 0)) return true;
+        for (int k = 0; k < D; ++k) e[k] /= length;
+        ++size;
+    }
+    for (int k = 0; k < D; ++k) {
+        inner[k] = store_.point(cell.vertex[i])[k] - p[k];
+        centre[k] = domain_.centre[k] - p[k];
+    }
+    leave(inner);
+    leave(centre);
+    const double height = square_root(dot<D>(centre, centre));
+    return !(dot<D>(inner, centre) > 0) || height < domain_.radius * (1 - tolerance);
+}
+
+}  // namespace
+
+template <int D>
+CheckResult check_domain(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains, bool whole) {
+    return DomainCheck<D>(store, domain, domains).run(whole);
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template CheckResult check_domain<D>(const Store<D>&, const Domain<D>&, const std::uint32_t*, bool);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh
