@@ -280,10 +280,9 @@ const std::vector<OptionEntry>& option_entries() {
          "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
         {"--finish", mesh | persist | size | check, nullptr, apply_switch<&Options::finish>,
          "go on from a hierarchical mesh to one of quality tau without cages"},
-        {"--audit", mesh | size, "WHAT", apply_audit,
-         "location: points stored in all D-balls, inserted in rounds of range nets; quality: invariants measured "
-         "after each\n"
-         "                    insertion, for small runs; or all. Figures go to the report"},
+        {"--audit", mesh | persist | size, "WHAT", apply_audit,
+         "location: points stored in all D-balls, inserted in rounds of range nets (not for persist); quality: aspect\n"
+         "                    ratios, degrees and invariants after each insertion; or all. Figures go to the report"},
         {"--filter", vineyard, "F", apply_filter, vineyard_filter_help()},
         {"--filter", persist | size | check, "F", apply_filter, filter_help()},
         {"--k", persist | size | check, "K", apply_k,

@@ -101,10 +101,22 @@ std::string apply_option(Options* options, const std::string& name, const std::s
     return entry->apply(*options, value);
 }
 
+Outcome check_audit(const Options& options) {
+    if (options.audit == 0) return {};
+    if (options.method == NETMESH_METHOD_REFINE) return usage_error("--audit goes with --method svr or netmesh");
+    const bool persists = options.command == Command::persist;
+    if ((options.audit & NETMESH_AUDIT_LOCATION) != 0 && (persists || options.eps > 0))
+        return usage_error("--audit location goes with the command mesh, and not with --eps");
+    const netmesh_filter_info& filter = about(filter_of(options));
+    if (persists && (options.fit || filter.source != NETMESH_SOURCE_MESH || filter.has_theta != 0))
+        return usage_error("--audit is of one mesh: for filters on a mesh but scales, and not with --fit");
+    return {};
+}
+
 Outcome check_together(const Options& options) {
     const bool hierarchical = options.method == NETMESH_METHOD_HIERARCHY;
-    if (options.audit != 0 && (options.method == NETMESH_METHOD_REFINE || options.eps > 0))
-        return usage_error("--audit goes with --method svr or netmesh, and not with --eps");
+    const Outcome audited = check_audit(options);
+    if (!audited.good()) return audited;
     if (options.eps > 0 && hierarchical) return usage_error("--eps does not go with --method netmesh");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)

@@ -100,6 +100,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("mesh.audit.location.tests_mean", real, mesh.audit.tests_mean, location, on_request, 0),
         ONE("mesh.audit.quality.meshes", uint64, mesh.audit.meshes, quality, on_request, 0),
         ONE("mesh.audit.quality.aspect_ratio_max", real, mesh.audit.aspect_ratio_max, quality, on_request, 0),
+        ONE("mesh.audit.quality.degree_max", uint64, mesh.audit.degree_max, quality, on_request, 0),
         ONE("mesh.audit.quality.feature_ratio", real, mesh.audit.feature_ratio, quality, on_request, 0),
         ONE("mesh.audit.quality.cage_ratio", real, mesh.audit.cage_ratio, quality, on_request, 0),
         ONE("mesh.audit.quality.steiner_ratio", real, mesh.audit.steiner_ratio, quality, on_request, 0),

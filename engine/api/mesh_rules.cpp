@@ -10,9 +10,11 @@ bool has_cages(const netmesh_mesh_request& request) { return request.method == N
 Complaint complaint_about_audit(const netmesh_mesh_request& request) {
     if (request.audit == 0) return {};
     if (request.audit > (NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY)) return {NETMESH_FIELD_AUDIT, "unknown audit"};
-    if (request.method == NETMESH_METHOD_REFINE || request.purpose != NETMESH_PURPOSE_MESH || sizes_of(request).asks())
+    if (request.method == NETMESH_METHOD_REFINE) return {NETMESH_FIELD_AUDIT, "audits are not for the method refine"};
+    const bool locates = (request.audit & NETMESH_AUDIT_LOCATION) != 0;
+    if (locates && (request.purpose != NETMESH_PURPOSE_MESH || sizes_of(request).asks()))
         return {NETMESH_FIELD_AUDIT,
-                "audits are for meshes by svr or netmesh, not over-refined and not for persistence"};
+                "an audit of location is for meshes that are not over-refined nor for persistence"};
     return {};
 }
 

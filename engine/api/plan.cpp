@@ -10,7 +10,6 @@
 #include "filtration/tight_filter.hpp"
 #include "mesh/ball_lists.hpp"
 #include "mesh/hierarchy.hpp"
-#include "mesh/hierarchy_quality.hpp"
 #include "mesh/quality_audit.hpp"
 
 namespace netmesh {
@@ -40,8 +39,9 @@ struct Amounts {
 
 // What is planned for, besides vertices and cells.
 struct Planned {
-    bool hierarchy = false, audit = false;
-    bool filter = false;  // values and diagram of a filter on a mesh
+    bool hierarchy = false;
+    bool location = false, quality = false;  // audits
+    bool filter = false;                     // values and diagram of a filter on a mesh
     bool alpha = false;
     bool scales = false;
 };
@@ -66,10 +66,10 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
     const double order_bytes = sizeof(std::uint32_t);  // a point's place in the order of insertion
     double bytes = n.vertices * sizeof(Vertex<D>) + n.cells * sizeof(Cell<D>);
     bytes += (order_bytes + Tree::input_bytes) * n.points;
-    if (planned.hierarchy || planned.audit) bytes += (Hierarchy<D>::input_bytes + Tree::ring_bytes) * n.points;
-    if (planned.audit) {
-        bytes += (HierarchyScratch::vertex_bytes + AuditScratch::vertex_bytes) * n.vertices;
-        bytes += (HierarchyScratch::cell_bytes + Lists::cell_bytes) * n.cells + Lists::input_bytes * n.points;
+    if (planned.hierarchy || planned.location) bytes += (Hierarchy<D>::input_bytes + Tree::ring_bytes) * n.points;
+    if (planned.quality) bytes += AuditScratch::vertex_bytes * n.vertices + AuditScratch::cell_bytes * n.cells;
+    if (planned.location) {
+        bytes += Lists::cell_bytes * n.cells + Lists::input_bytes * n.points;
         bytes += order_bytes * n.points;  // turns of the inputs, drawn by the lists
         // Lists take their share of what is left of the block.
         const double lists = sizeof(typename Lists::Entry) * figures<D>.audit_balls_per_point * n.points;
@@ -130,7 +130,8 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
     const bool tight = request.purpose == NETMESH_PURPOSE_TIGHT;
     Planned planned;
     planned.hierarchy = request.method == NETMESH_METHOD_HIERARCHY;
-    planned.audit = request.audit != 0;
+    planned.location = (request.audit & NETMESH_AUDIT_LOCATION) != 0;
+    planned.quality = (request.audit & NETMESH_AUDIT_QUALITY) != 0;
     planned.filter = request.purpose != NETMESH_PURPOSE_MESH;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;

@@ -88,6 +88,7 @@ void report_audit(const MeshAudit& audit, std::uint32_t what, netmesh_audit_repo
     to->cage_ratio = quality.cage;
     to->steiner_ratio = quality.steiner;
     to->input_ratio = quality.input;
+    to->degree_max = quality.degree_max;
 }
 
 void report_mesh(const netmesh_context* context, netmesh_mesh_report* to) {

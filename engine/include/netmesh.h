@@ -283,8 +283,8 @@ typedef struct netmesh_certificate_goal {
 
 /* LOCATION: point location as in 4.7.2. Every input that is not inserted yet is stored in all D-balls (circumscribed
  * balls) that contain it, and inputs are inserted in rounds of range nets (4.7.5), each of which is drawn from again
- * until the largest load has halved. QUALITY: quality and the invariants of 4.8 and 4.9 are measured after each
- * insertion. */
+ * until the largest load has halved. QUALITY: aspect ratios, degrees and the invariants of 4.8 and 4.9 are measured
+ * after each insertion, until FinishMesh begins; K and K' until over-refinement begins. */
 typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
 
 /* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes and
@@ -306,10 +306,9 @@ typedef struct netmesh_mesh_request {
     netmesh_sizes sizes;
     netmesh_certificate_goal certificate; /* for PURPOSE_PERSIST with METHOD_SVR, without sizes */
     uint32_t finish; /* 1: METHOD_HIERARCHY goes on to a mesh of quality tau without cages (4.7.6) */
-    uint32_t audit;  /* a union of netmesh_audit_what, for PURPOSE_MESH with SVR or HIERARCHY without sizes. The mesh is
-                        as  good as without; it takes several times as long, with QUALITY about the number of cells for
-                        each  vertex: for small runs. INTERNAL when an audit finds a point out of its balls or an
-                        encroached  cage */
+    uint32_t audit;  /* a union of netmesh_audit_what, not with METHOD_REFINE; LOCATION for PURPOSE_MESH without sizes.
+                        The mesh is as good as without, with QUALITY alone the same; it takes several times as long.
+                        INTERNAL when an audit finds a point out of its balls or an encroached cage */
 } netmesh_mesh_request;
 
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim);
@@ -851,12 +850,18 @@ typedef struct netmesh_audit_report {
     uint32_t touches_max;              /* most insertions that moved a point or looked whether to move it (4.13) */
     double ply_mean;                   /* D-balls that a point was in when its turn came */
     double touches_mean, tests_mean;   /* tests: the same for each new D-ball */
-    /* QUALITY: worst of all intermediate meshes. f_P: distance to the second nearest inserted input of the domain. */
+    /* QUALITY: worst of all intermediate meshes. P: with HIERARCHY the inserted points of the domain; otherwise all
+     * points, as Steiner points are graded towards those that are still to be inserted. f_P: distance to the second
+     * nearest of them. f_M: to the nearest Delaunay neighbour, for which the centre of a cage stands where it is in one
+     * that is directly inside of the domain. */
     uint64_t meshes;
-    double aspect_ratio_max;                       /* of vertices and cages, definition 4.5 */
+    double aspect_ratio_max;                       /* of vertices and cages, definition 4.5, clipped to their domain;
+                                                      of a mesh refined by the certificate, whose Steiner vertices may
+                                                      have long cells: of points */
     double feature_ratio;                          /* K of the feature size invariant: f_P(v) / f_M(v) */
     double cage_ratio, steiner_ratio, input_ratio; /* K' of the insertion radius invariant */
-    uint64_t reserved[2];
+    uint64_t degree_max; /* most Delaunay neighbours of a vertex; the 2 D around everything do not count */
+    uint64_t reserved[1];
 } netmesh_audit_report;
 
 typedef struct netmesh_mesh_report {

@@ -1,28 +1,30 @@
 #include "mesh/cage_corner.hpp"
 
-#include "delaunay/cell_list.hpp"
 #include "mesh/clipped_cell.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
-// Offers where the edge of the cage's cell from the corner of cell c, which is outside of the ball, to that of the cell
-// behind it crosses the sphere.
+// Offers the corner of cell c, on the cage's boundary, where the ball contains it, otherwise where the edges of the
+// cage's cell that end in it cross the sphere. True when the ball does not contain it, or when it is not known.
 template <int D>
-void offer_crossing(const Store<D>& store, const Domain<D>& ball, const double* centre, CellId c, CellId behind,
-                    Corner<D>* corner) {
-    double z[2][D];
-    const int crossings = sphere_crossings<D>(ball, store.cell(c).centre, store.cell(behind).centre, z);
-    for (int j = 0; j < crossings; ++j) corner->offer(z[j], distance2<D>(z[j], centre), c);
-}
-
-// A cell on the cage's boundary: there is one at any shell vertex. False when the gap is too small for the search.
-template <int D> bool find_boundary_cell(Store<D>& store, const Cage& cage, CellId* found) {
-    *found = none;
-    return visit_star(store, VertexId(cage.shell), [&](CellId c) {
-        if (*found == none && is_on_boundary<D>(store, cage, c)) *found = c;
-    });
+bool offer_clipped(const Store<D>& store, const Cage& cage, const Domain<D>& ball, CellId c, Corner<D>* corner) {
+    const Cell<D>& cell = store.cell(c);
+    const double* const centre = store.point(cage.centre);
+    if (!(cell.radius2 < infinity)) return true;
+    if (ball.contains(cell.centre)) {
+        corner->offer(cell.centre, distance2<D>(cell.centre, centre), c);
+        return false;
+    }
+    for (int i = 0; i <= D; ++i) {
+        const Cell<D>& behind = store.cell(cell.neighbour[i].cell());
+        if (!(behind.radius2 < infinity) || !is_mixed<D>(store, cage, c, i)) continue;
+        double z[2][D];
+        const int crossings = sphere_crossings<D>(ball, cell.centre, behind.centre, z);
+        for (int j = 0; j < crossings; ++j) corner->offer(z[j], distance2<D>(z[j], centre), c);
+    }
+    return true;
 }
 
 // Is a vertex inside of the cage nearest to x?
@@ -40,31 +42,11 @@ template <int D> bool is_in_cage_cell(const Store<D>& store, const Cage& cage, c
 
 }  // namespace
 
-// Cells on the boundary are connected.
 template <int D>
 bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, Corner<D>* corner, bool* leaves_ball) {
     *leaves_ball = false;
-    const double* const centre = store.point(cage.centre);
-    CellId first;
-    if (!find_boundary_cell<D>(store, cage, &first)) return false;
-    if (first == none) return true;
-    CellList<D> boundary(store);
-    if (!boundary.add(first)) return false;
-    for (std::uint32_t k = 0; k < boundary.size(); ++k) {
-        const CellId c = boundary[k];
-        const Cell<D>& cell = store.cell(c);
-        const bool known = cell.radius2 < infinity, contained = known && ball.contains(cell.centre);
-        *leaves_ball |= !contained;
-        if (contained) corner->offer(cell.centre, distance2<D>(cell.centre, centre), c);
-        for (int i = 0; i <= D; ++i) {
-            const CellId n = cell.neighbour[i].cell();
-            if (!is_on_boundary<D>(store, cage, n)) continue;
-            if (known && !contained && store.cell(n).radius2 < infinity && is_mixed<D>(store, cage, c, i))
-                offer_crossing<D>(store, ball, centre, c, n, corner);
-            if (!boundary.add(n)) return false;
-        }
-    }
-    return true;
+    return visit_cage_boundary(store, cage,
+                               [&](CellId c) { *leaves_ball |= offer_clipped<D>(store, cage, ball, c, corner); });
 }
 
 // The edges of the cage's cell after the cut are those behind mixed facets: where one with vertices inside of the cage
@@ -89,8 +71,33 @@ void find_cage_pole(const Store<D>& store, const Cage& cage, const Domain<D>& ba
     if (!(corner->distance2 > bound2)) corner->distance2 = -1;
 }
 
+template <int D>
+void raise_to_cage_cell(const Store<D>& store, const Cage& cage, const Domain<D>& ball, const CellId* boundary,
+                        std::uint32_t count, double* out2) {
+    Corner<D> farthest;
+    farthest.distance2 = *out2;
+    bool leaves_ball = false;
+    for (std::uint32_t k = 0; k < count; ++k)
+        leaves_ball |= offer_clipped<D>(store, cage, ball, boundary[-1 - static_cast<std::ptrdiff_t>(k)], &farthest);
+    *out2 = farthest.distance2;
+    if (!leaves_ball) return;
+    const Cut<D> cut(ball, store.point(cage.centre), *out2 * (1 + 0x1p-40));
+    CutCorners<D> corners;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const CellId c = boundary[-1 - static_cast<std::ptrdiff_t>(k)];
+        for (const VertexId w : store.cell(c).vertex)
+            if (is_inside<D>(store, cage, store.point(w))) offer_cut_corners<D>(store, cut, w, c, &corners);
+    }
+    if (!corners.reach_beyond(cut.distance2())) return;
+    Corner<D> pole;
+    find_cage_pole<D>(store, cage, ball, cut.distance2(), &pole);
+    if (pole.distance2 > *out2) *out2 = pole.distance2;
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*, bool*);                    \
+    template void raise_to_cage_cell<D>(const Store<D>&, const Cage&, const Domain<D>&, const CellId*, std::uint32_t,  \
+                                        double*);                                                                      \
     template void find_cage_pole<D>(const Store<D>&, const Cage&, const Domain<D>&, double, Corner<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -68,8 +68,7 @@ public:
     }
     Status after_step() { return release_encroached(); }
     Status finish_mesh();
-    const Cage* cages() const { return hierarchy_.cages(); }
-    std::uint32_t cages_made() const { return hierarchy_.made(); }
+    Hierarchy<D>* hierarchy() { return &hierarchy_; }
     std::size_t keep_results(std::size_t low);
 #ifdef NETMESH_VALIDATE
     const char* step_violation() const { return cages_violation<D>(store_, hierarchy_, inputs_); }
@@ -243,6 +242,7 @@ template <int D> Status HierarchyRule<D>::release_encroached() {
 template <int D> Status HierarchyRule<D>::release_cage(std::uint32_t d) {
     const VertexId shell(hierarchy_.cage(d).shell);
     hierarchy_.release(d);
+    observers_.note_released(hierarchy_, d);
     for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
         store_.vertex(v).marker = Marker::steiner;
         queue_.push(v);

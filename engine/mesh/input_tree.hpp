@@ -48,6 +48,8 @@ public:
     TreeRange root() const { return {0, count_}; }
     std::uint32_t item(std::uint32_t i) const { return items_[i]; }
     int axis(std::uint32_t middle) const { return axis_[middle]; }
+    // No item of a range is farther from its middle one; says something where rings are searched.
+    double reach(std::uint32_t middle) const { return reach_ == nullptr ? infinity : reach_[middle]; }
     // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index:
     // unique, whatever the tree. Expected O(k log k + log n).
     void nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const;

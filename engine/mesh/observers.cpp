@@ -4,6 +4,13 @@
 
 namespace netmesh {
 
+// Steiner points are graded towards inputs that are not in the mesh yet: where those may be far from anything inserted,
+// as without cages, P is all of them. Long cells of Steiner vertices are no fault of a mesh made for a certificate.
+template <int D>
+Observers<D>::Observers(const MeshRequest& request)
+    : terms_{request.method != MeshMethod::certificate, request.method == MeshMethod::hierarchy, true},
+      locates_(request.audit_location), measures_(request.audit_quality) {}
+
 template <int D> Status Observers<D>::open(Store<D>& store, std::uint32_t inputs) {
     return locates_ ? lists_.open(store, store.arena, inputs) : Status::ok;
 }
@@ -25,12 +32,23 @@ template <int D> bool Observers<D>::after_fill(Kernel<D>& kernel, const Cavity& 
     return !full_;
 }
 
+template <int D> void Observers<D>::note_released(Hierarchy<D>& hierarchy, std::uint32_t d) {
+    if (!measures_) return;
+    hierarchy.cage(d).next = released_ == none ? d : released_;
+    released_ = d;
+}
+
 template <int D>
-Status Observers<D>::measure(Store<D>& store, const Cage* cages, std::uint32_t cages_made, const Domain<D>& domain,
-                             VertexId v, bool cleaning) {
+Status Observers<D>::measure(Store<D>& store, const InputTree<D>& tree, Hierarchy<D>* hierarchy,
+                             const Domain<D>& domain, VertexId v, bool cleaning) {
     const Status status =
-        audit_quality<D>(store, cages, cages_made, domain, store.arena, {first_new_, v, cleaning}, &quality_);
+        audit_quality<D>({store, tree, domain, hierarchy, terms_}, {first_new_, v, cleaning, released_}, &quality_);
     first_new_ = VertexId(store.state.vertex_count);
+    while (released_ != none) {
+        Cage& cage = hierarchy->cage(released_);
+        released_ = cage.next == released_ ? none : cage.next;
+        cage.next = none;
+    }
     if (status != Status::ok) return status;
     return quality_.encroached > 0 || quality_.cage > cage_insertion_bound<D>() ? Status::internal : status;
 }

@@ -12,12 +12,12 @@ namespace netmesh {
 
 // Location: inputs are stored in all D-balls that contain them. They also have their turns in another order then, that
 // of rounds of range nets (input_order.hpp), as definition 4.7.5 is about that order: so an audit of location is of
-// another mesh, as good. Quality: everything is measured after each insertion until the last input is in and clean,
-// for small runs. The mesh is byte for byte the one that is made without.
+// another mesh, as good. Quality: what each insertion changes is measured (quality_audit.hpp), until FinishMesh begins,
+// which releases all cages at once; K and K' until over-refinement begins, which is to break them. The mesh is byte for
+// byte the one that is made without. VoronoiRefine, which inserts all inputs first, has no quality to be audited.
 template <int D> class Observers {
 public:
-    explicit Observers(const MeshRequest& request)
-        : locates_(request.audit_location), measures_(request.audit_quality) {}
+    explicit Observers(const MeshRequest& request);
 
     // Memory for the lists, before the store's cells are opened; later the frame is there. out_of_memory.
     Status open(Store<D>& store, std::uint32_t inputs);
@@ -36,18 +36,24 @@ public:
     BallLists<D>& lists() { return lists_; }
 
     // After each step: vertex v has been inserted, and the shell of a cage before, if one was made. `cleaning`: not
-    // because an input had its turn. out_of_memory, internal (a cage is encroached).
+    // because an input had its turn. hierarchy: null where there are no cages. out_of_memory, internal (a cage is
+    // encroached).
     bool measures() const { return measures_; }
-    Status measure(Store<D>& store, const Cage* cages, std::uint32_t cages_made, const Domain<D>& domain, VertexId v,
-                   bool cleaning);
+    Status measure(Store<D>& store, const InputTree<D>& tree, Hierarchy<D>* hierarchy, const Domain<D>& domain,
+                   VertexId v, bool cleaning);
+    // In the step at hand; Cage::next is used until that is measured.
+    void note_released(Hierarchy<D>& hierarchy, std::uint32_t d);
     void stop_measuring() { measures_ = false; }
+    void stop_measuring_features() { terms_.features = false; }
 
     void report(MeshAudit* audit) const;
 
 private:
     BallLists<D> lists_;
     QualityAudit quality_ = {};
-    VertexId first_new_ = none;  // of the step at hand
+    AuditTerms terms_;
+    VertexId first_new_ = none;      // of the step at hand
+    std::uint32_t released_ = none;  // by it: a list as that of AuditStep
     bool locates_, measures_, full_ = false;
 };
 

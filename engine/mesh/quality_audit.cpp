@@ -1,89 +1,417 @@
 #include "mesh/quality_audit.hpp"
 
-#include "mesh/hierarchy_quality.hpp"
+#include "delaunay/cell_list.hpp"
+#include "mesh/cage_corner.hpp"
+#include "mesh/clipped_cell.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
+// Marks in Vertex::queued, beside that of the bucket queue, taken back before a step's audit ends.
+constexpr std::uint8_t in_list = 2, seen = 4;
+
 void raise(double value, double* most) {
     if (value > *most) *most = value;
 }
 
-// The vertices of M_Omega for every domain Omega, centres of the cages directly inside included, domain by domain.
-template <int D> class Members {
-public:
-    Members(const Store<D>& store, const Cage* cages, std::uint32_t count, const std::uint32_t* domains)
-        : store_(store), cages_(cages), count_(count), domains_(domains) {}
-
-    Status open(Arena& arena) {
-        starts_ = arena.take_low<std::uint32_t>(std::size_t{count_} + 2);
-        items_ = arena.take_low<std::uint32_t>(std::size_t{store_.state.vertex_count} + count_);
-        if (starts_ == nullptr || items_ == nullptr) return Status::out_of_memory;
-        for (std::uint32_t d = 0; d < count_ + 2; ++d) starts_[d] = 0;
-        visit([&](std::uint32_t slot, std::uint32_t) { ++starts_[slot + 1]; });
-        for (std::uint32_t d = 0; d <= count_; ++d) starts_[d + 1] += starts_[d];
-        visit([&](std::uint32_t slot, std::uint32_t v) { items_[starts_[slot]++] = v; });
-        for (std::uint32_t d = count_ + 1; d > 0; --d) starts_[d] = starts_[d - 1];
-        starts_[0] = 0;
-        return Status::ok;
-    }
-    // Domains 0..count, the outermost one last.
-    std::uint32_t size(std::uint32_t slot) const { return starts_[slot + 1] - starts_[slot]; }
-    std::uint32_t item(std::uint32_t slot, std::uint32_t i) const { return items_[starts_[slot] + i]; }
-
-private:
-    template <class Visit> void visit(Visit&& visit) const {
-        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-            const bool frame = domains_[v] == none && store_.vertex(v).marker == Marker::exempt;
-            if (store_.vertex(v).cell != none && !frame) visit(slot_of(domains_[v]), v);
-        }
-        for (std::uint32_t d = 0; d < count_; ++d) visit(slot_of(cages_[d].parent), cages_[d].centre);
-    }
-    std::uint32_t slot_of(std::uint32_t domain) const { return domain == none ? count_ : domain; }
-
-    const Store<D>& store_;
-    const Cage* const cages_;
-    const std::uint32_t count_;
-    const std::uint32_t* const domains_;
-    std::uint32_t *starts_, *items_;
-};
-
-// Squared f_P and f_M of the i-th member of a domain.
-struct Features {
-    double input2 = infinity, mesh2 = infinity;
-};
-template <int D>
-Features features_of(const Store<D>& store, const Members<D>& members, std::uint32_t slot, std::uint32_t i) {
-    Features f;
-    const std::uint32_t v = members.item(slot, i);
-    double first2 = store.vertex(v).marker == Marker::input ? 0 : infinity;
-    for (std::uint32_t j = 0; j < members.size(slot); ++j) {
-        if (i == j) continue;
-        const std::uint32_t w = members.item(slot, j);
-        const double d2 = distance2<D>(store.point(v), store.point(w));
-        if (d2 < f.mesh2) f.mesh2 = d2;
-        if (store.vertex(w).marker != Marker::input || !(d2 < f.input2)) continue;
-        f.input2 = d2 < first2 ? first2 : d2;
-        if (d2 < first2) first2 = d2;
-    }
-    return f;
+// Takes the mark off a vertex. False when it had none.
+template <int D> bool take_mark(Vertex<D>& vertex, std::uint8_t mark) {
+    const bool had = (vertex.queued & mark) != 0;
+    vertex.queued = static_cast<std::uint8_t>(vertex.queued & ~mark);
+    return had;
+}
+// False when it has had one.
+template <int D> bool put_mark(Vertex<D>& vertex, std::uint8_t mark) {
+    const bool had = (vertex.queued & mark) != 0;
+    vertex.queued = static_cast<std::uint8_t>(vertex.queued | mark);
+    return !had;
 }
 
-template <int D>
-void raise_features(const Store<D>& store, const Members<D>& members, std::uint32_t slot, const AuditStep& step,
-                    QualityAudit* audit) {
-    for (std::uint32_t i = 0; i < members.size(slot); ++i) {
-        const Features f = features_of<D>(store, members, slot, i);
-        if (!(f.input2 < infinity)) continue;
-        const double ratio = square_root(f.input2 / f.mesh2);
-        raise(ratio, &audit->feature);
-        const std::uint32_t v = members.item(slot, i);
-        if (v == step.vertex)
-            raise(ratio, step.cleaning ? &audit->steiner : &audit->input);
-        else if (v >= step.first_made)
-            raise(ratio, &audit->cage);
+// The two inputs nearest to a vertex, or, when that is an input itself, it and the nearest other one.
+struct TwoNearest {
+    std::uint32_t first = none, second = none;
+    double first2 = infinity, second2 = infinity;
+
+    explicit TwoNearest(std::uint32_t itself) : first(itself), first2(itself == none ? infinity : 0) {}
+
+    void offer(std::uint32_t input, double d2) {
+        if (!(d2 < second2) || input == first || input == second) return;
+        const bool is_first = d2 < first2;
+        second = is_first ? first : input;
+        second2 = is_first ? first2 : d2;
+        if (!is_first) return;
+        first = input;
+        first2 = d2;
     }
+};
+
+// A part of the tree, beyond planes across each axis at these distances from the point that is searched about.
+template <int D> struct Part {
+    TreeRange range;
+    double least2, offset[D];
+
+    Part beyond(int axis, double distance, TreeRange other) const {
+        Part part = {other, 0, {}};
+        for (int k = 0; k < D; ++k) {
+            part.offset[k] = k == axis ? distance : offset[k];
+            part.least2 += part.offset[k] * part.offset[k];
+        }
+        return part;
+    }
+};
+
+template <int D> class StepAudit {
+public:
+    StepAudit(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit)
+        : store_(mesh.store), tree_(mesh.tree), outermost_(mesh.outermost), terms_(mesh.terms),
+          hierarchy_(mesh.hierarchy != nullptr && mesh.hierarchy->live() > 0 ? mesh.hierarchy : nullptr),
+          made_(mesh.hierarchy), step_(step), audit_(*audit), frame_(mesh.tree.root().end) {}
+
+    Status run();
+
+private:
+    template <class Visit> bool visit_changed(Visit&& visit);
+    template <class Visit> bool visit_inside(const Cage& cage, Visit&& visit);
+    bool list_changed();
+    void list_cages(CellId c);
+    bool measure_listed();
+    bool measure_vertex(VertexId v);
+    bool measure_ratio(VertexId v, std::uint32_t cells, double nearest2, const Domain<D>& ball);
+    bool measure_cage(std::uint32_t d);
+    void look_from_outside(const Cage& cage, std::uint32_t w);
+    void look_at_step();
+    void raise_feature(const double* x, std::uint32_t domain, double mesh2, TwoNearest* inputs, double* kind);
+    void find_second(const double* x, std::uint32_t domain, double enough2, TwoNearest* inputs);
+    bool offer_member(const double* x, std::uint32_t domain, std::uint32_t input, double reach, TwoNearest* inputs);
+
+    bool is_frame(std::uint32_t v) const { return v >= frame_ && v < frame_ + 2 * D; }
+    std::uint32_t domain_of(std::uint32_t v) const { return hierarchy_ == nullptr ? none : hierarchy_->of(v); }
+    std::uint32_t member(std::uint32_t v, std::uint32_t domain, std::uint32_t* within) const;
+    // K' of those that the step has inserted.
+    double* kind_of(std::uint32_t v) const {
+        if (v == step_.vertex) return step_.cleaning ? &audit_.steiner : &audit_.input;
+        return v >= step_.first_made ? &audit_.cage : nullptr;
+    }
+
+    Store<D>& store_;
+    const InputTree<D>& tree_;
+    const Domain<D>& outermost_;
+    const AuditTerms terms_;
+    Hierarchy<D>*const hierarchy_, *const made_;  // null: no cages now; none ever
+    const AuditStep step_;
+    QualityAudit& audit_;
+    const std::uint32_t frame_;  // the first vertex of the frame
+    std::uint32_t* list_ = nullptr;
+    std::uint32_t count_ = 0;
+    std::uint32_t cages_ = none;  // whose cells have changed: a list as that of AuditStep
+    bool encroached_ = false;
+};
+
+// Calls visit(cell), perhaps several times, for each cell at a vertex that the step has inserted, or that was in a cage
+// which it has released. False when the gap is too small for the search.
+template <int D> template <class Visit> bool StepAudit<D>::visit_changed(Visit&& visit) {
+    for (VertexId v(step_.first_made); v < store_.state.vertex_count; ++v)
+        if (!visit_star(store_, v, visit)) return false;
+    if (step_.vertex < step_.first_made && !visit_star(store_, VertexId(step_.vertex), visit)) return false;
+    for (std::uint32_t d = step_.released, next; d != none; d = next == d ? none : next) {
+        const Cage& cage = made_->cage(d);
+        next = cage.next;
+        if (!visit_inside(cage, visit)) return false;
+    }
+    return true;
+}
+
+// Any vertex in a ball about another one has a neighbour nearer to that, so the cells at vertices of a ball are
+// connected.
+template <int D> template <class Visit> bool StepAudit<D>::visit_inside(const Cage& cage, Visit&& visit) {
+    CellList<D> list(store_);
+    if (!list.add(store_.vertex(cage.centre).cell)) return false;
+    for (std::uint32_t k = 0; k < list.size(); ++k) {
+        const Cell<D>& cell = store_.cell(list[k]);
+        visit(list[k]);
+        unsigned inside = 0;
+        for (int i = 0; i <= D; ++i)
+            if (cell.vertex[i] != none && is_inside<D>(store_, cage, store_.point(cell.vertex[i]))) inside |= 1u << i;
+        for (int i = 0; i <= D; ++i)
+            if ((inside & ~(1u << i)) != 0 && cell.neighbour[i] != none && !list.add(cell.neighbour[i].cell()))
+                return false;
+    }
+    return true;
+}
+
+// Counts, then lists the vertices of these cells.
+template <int D> bool StepAudit<D>::list_changed() {
+    const bool counted = visit_changed([&](CellId c) {
+        for (const VertexId v : store_.cell(c).vertex)
+            if (v != none) count_ += put_mark<D>(store_.vertex(v), in_list);
+    });
+    list_ = counted ? store_.arena.template take_low<std::uint32_t>(count_) : nullptr;
+    std::uint32_t listed = 0;
+    const bool fits = list_ != nullptr && visit_changed([&](CellId c) {
+                          for (const VertexId v : store_.cell(c).vertex)
+                              if (v != none && take_mark<D>(store_.vertex(v), in_list)) list_[listed++] = v;
+                          list_cages(c);
+                      });
+    if (fits) return true;
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) take_mark<D>(store_.vertex(v), in_list);
+    return false;
+}
+
+// The cell belongs to the boundary of each cage that has some of its vertices but not all.
+template <int D> void StepAudit<D>::list_cages(CellId c) {
+    if (hierarchy_ == nullptr || store_.is_ghost(c)) return;
+    std::uint32_t domains[D + 1];
+    bool equal = true;
+    for (int i = 0; i <= D; ++i) {
+        domains[i] = hierarchy_->of(store_.cell(c).vertex[i]);
+        equal &= domains[i] == domains[0];
+    }
+    for (int i = 0; i <= D && !equal; ++i)
+        for (std::uint32_t d = domains[i]; d != none && is_on_boundary<D>(store_, hierarchy_->cage(d), c);
+             d = hierarchy_->parent(d)) {
+            Cage& cage = hierarchy_->cage(d);
+            if (cage.next != none) continue;
+            cage.next = cages_ == none ? d : cages_;
+            cages_ = d;
+        }
+}
+
+// The vertex of M_Omega, Omega a domain, that stands for v: itself, or the centre of the cage *within directly inside
+// of Omega; none when v is outside of Omega's ball.
+template <int D>
+std::uint32_t StepAudit<D>::member(std::uint32_t v, std::uint32_t domain, std::uint32_t* within) const {
+    *within = none;
+    if (is_frame(v)) return none;
+    if (hierarchy_ == nullptr) return v;
+    std::uint32_t d = hierarchy_->of(v);
+    for (; d != domain && d != none; d = hierarchy_->parent(d)) *within = d;
+    if (d != domain) return none;
+    return *within == none ? v : hierarchy_->cage(*within).centre;
+}
+
+// Offers what stands for an input in M_Omega. True when all within `reach` of the input is within the same cage.
+template <int D>
+bool StepAudit<D>::offer_member(const double* x, std::uint32_t domain, std::uint32_t input, double reach,
+                                TwoNearest* inputs) {
+    if (terms_.inserted_inputs && store_.vertex(input).cell == none) return false;
+    if (hierarchy_ == nullptr) {
+        inputs->offer(input, distance2<D>(x, store_.point(input)));
+        return false;
+    }
+    std::uint32_t within;
+    const std::uint32_t m = member(input, domain, &within);
+    if (m == none) return false;
+    inputs->offer(m, distance2<D>(x, store_.point(m)));
+    if (within == none) return false;
+    const double offset = distance<D>(store_.point(input), store_.point(m));
+    return (offset + reach) * (1 + 8 * unit_roundoff) < hierarchy_->cage(within).radius;
+}
+
+// Finds the second nearest input of M_Omega, or any two inputs that are near enough.
+template <int D>
+void StepAudit<D>::find_second(const double* x, std::uint32_t domain, double enough2, TwoNearest* inputs) {
+    Part<D> stack[40];
+    int depth = 0;
+    stack[depth++] = {tree_.root(), 0, {}};
+    while (depth > 0 && inputs->second2 > enough2) {
+        const Part<D> part = stack[--depth];
+        if (!(part.least2 < inputs->second2)) continue;
+        TreeRange range = part.range;
+        bool passed = false;
+        while (!range.is_leaf() && !passed) {
+            const std::uint32_t middle = range.middle(), item = tree_.item(middle);
+            passed = offer_member(x, domain, item, tree_.reach(middle), inputs);
+            const int axis = tree_.axis(middle);
+            const double offset = x[axis] - store_.point(item)[axis];
+            stack[depth] = part.beyond(axis, offset, offset < 0 ? range.above() : range.below());
+            if (!passed && stack[depth].least2 < inputs->second2) ++depth;
+            range = offset < 0 ? range.below() : range.above();
+        }
+        for (std::uint32_t i = range.begin; i < range.end && !passed; ++i)
+            offer_member(x, domain, tree_.item(i), infinity, inputs);
+    }
+}
+
+// `inputs` holds what is known. A feature size that does not make K or K' larger need not be known any better.
+template <int D>
+void StepAudit<D>::raise_feature(const double* x, std::uint32_t domain, double mesh2, TwoNearest* inputs,
+                                 double* kind) {
+    const double least = kind != nullptr && *kind < audit_.feature ? *kind : audit_.feature;
+    find_second(x, domain, least * least * mesh2, inputs);
+    if (!(inputs->second2 < infinity)) return;
+    const double ratio = square_root(inputs->second2 / mesh2);
+    raise(ratio, &audit_.feature);
+    if (kind != nullptr) raise(ratio, kind);
+}
+
+// False when the gap is too small.
+template <int D> bool StepAudit<D>::measure_vertex(VertexId v) {
+    if (is_frame(v)) return true;
+    const Vertex<D>& vertex = store_.vertex(v);
+    const std::uint32_t domain = domain_of(v);
+    TwoNearest inputs(vertex.marker == Marker::input ? v : none);
+    double nearest2 = infinity, mesh2 = infinity;
+    std::uint32_t cells = 0, degree = 0;
+    const bool fits = visit_star(store_, v, [&](CellId c) {
+        ++cells;
+        for (const VertexId w : store_.cell(c).vertex) {
+            if (w == v || w == none || !put_mark<D>(store_.vertex(w), seen)) continue;
+            ++degree;
+            const double d2 = distance2<D>(vertex.x, store_.point(w));
+            if (d2 < nearest2) nearest2 = d2;
+            std::uint32_t within;
+            const std::uint32_t m = terms_.features ? member(w, domain, &within) : none;
+            if (m == none) continue;
+            const double member2 = m == w ? d2 : distance2<D>(vertex.x, store_.point(m));
+            if (member2 < mesh2) mesh2 = member2;
+            if (store_.vertex(m).marker == Marker::input) inputs.offer(m, member2);
+        }
+    });
+    const CellId* const star = store_.list_top();
+    for (std::uint32_t k = 0; k < cells; ++k)
+        for (const VertexId w : store_.cell(star[-1 - static_cast<std::ptrdiff_t>(k)]).vertex)
+            if (w != none) take_mark<D>(store_.vertex(w), seen);
+    if (!fits) return false;
+    if (degree > audit_.degree_max) audit_.degree_max = degree;
+    if (mesh2 < infinity) {
+        if (vertex.marker != Marker::input) offer_member(vertex.x, domain, vertex.origin, infinity, &inputs);
+        raise_feature(vertex.x, domain, mesh2, &inputs, kind_of(v));
+    }
+    const bool has_ratio =
+        vertex.marker == Marker::input || (vertex.marker == Marker::steiner && terms_.steiner_ratios);
+    if (!has_ratio) return true;
+    if (hierarchy_ == nullptr) return measure_ratio(v, cells, nearest2, outermost_);
+    return measure_ratio(v, cells, nearest2, domain_ball<D>(store_, hierarchy_->cages(), domain, outermost_));
+}
+
+// Just before, v's star of `cells` cells has been visited.
+template <int D>
+bool StepAudit<D>::measure_ratio(VertexId v, std::uint32_t cells, double nearest2, const Domain<D>& ball) {
+    const double* const p = store_.point(v);
+    const double bound2 = 0.25 * audit_.worst * audit_.worst * nearest2;
+    const CellId* const star = store_.list_top();
+    Corner<D> farthest;
+    farthest.distance2 = bound2;
+    bool leaves_ball = false, bounded = true;
+    for (std::uint32_t k = 0; k < cells; ++k) {
+        const CellId c = star[-1 - static_cast<std::ptrdiff_t>(k)];
+        const Cell<D>& cell = store_.cell(c);
+        if (!(cell.radius2 < infinity)) {
+            leaves_ball = true;
+            bounded &= !store_.is_ghost(c);
+        } else if (ball.contains(cell.centre)) {
+            if (cell.radius2 * (1 + 0x1p-20) > bound2) farthest.offer(cell.centre, distance2<D>(cell.centre, p), c);
+        } else {
+            offer_crossings<D>(store_, ball, v, c, bound2, &farthest);
+            leaves_ball |= cell.radius2 * (1 + 0x1p-20) > bound2;
+        }
+    }
+    double out2 = bounded ? farthest.distance2 : infinity;
+    if (leaves_ball && bounded && !raise_to_poles<D>(store_, ball, v, &out2)) return false;
+    if (out2 > bound2) raise(2 * square_root(out2 / nearest2), &audit_.worst);
+    return true;
+}
+
+// Does w, outside of the cage and near its boundary, encroach on it?
+template <int D> void StepAudit<D>::look_from_outside(const Cage& cage, std::uint32_t w) {
+    const double* const centre = store_.point(cage.centre);
+    const double clear = cage_clearance * cage.radius;
+    if (!(distance2<D>(store_.point(w), centre) < clear * clear)) return;
+    const Marker marker = store_.vertex(w).marker;
+    const std::uint32_t domain = hierarchy_->of(w);
+    encroached_ |= marker == Marker::input || domain == none ||
+                   (marker == Marker::steiner && hierarchy_->contains(domain, centre));
+}
+
+template <int D> bool StepAudit<D>::measure_cage(std::uint32_t d) {
+    Cage cage = hierarchy_->cage(d);
+    const double* const centre = store_.point(cage.centre);
+    const std::uint32_t around = hierarchy_->parent(d);
+    const double r2 = cage.radius * cage.radius, inner2 = cage_epsilon * cage_epsilon * r2;
+    cage.nearest2 = infinity;
+    double mesh2 = infinity;
+    TwoNearest inputs(cage.centre);
+    std::uint32_t cells = 0;
+    const bool fits = visit_cage_boundary(store_, cage, [&](CellId c) {
+        ++cells;
+        for (const VertexId w : store_.cell(c).vertex) {
+            if (w == none || !put_mark<D>(store_.vertex(w), seen)) continue;
+            const double d2 = distance2<D>(store_.point(w), centre);
+            if (d2 < r2) {
+                encroached_ |= store_.vertex(w).marker == Marker::input && d2 > inner2;
+                continue;
+            }
+            if (d2 < cage.nearest2) cage.nearest2 = d2;
+            look_from_outside(cage, w);
+            std::uint32_t within;
+            const std::uint32_t m = member(w, around, &within);
+            if (m == none || m == cage.centre) continue;
+            const double member2 = m == w ? d2 : distance2<D>(centre, store_.point(m));
+            if (member2 < mesh2) mesh2 = member2;
+            if (store_.vertex(m).marker == Marker::input) inputs.offer(m, member2);
+        }
+    });
+    const CellId* const boundary = store_.list_top();
+    for (std::uint32_t k = 0; k < cells; ++k)
+        for (const VertexId w : store_.cell(boundary[-1 - static_cast<std::ptrdiff_t>(k)]).vertex)
+            if (w != none) take_mark<D>(store_.vertex(w), seen);
+    if (!fits) return false;
+    const double inner = in_radius<D>(cage), bound2 = audit_.worst * audit_.worst * inner * inner;
+    double out2 = bound2;
+    const Domain<D> ball = domain_ball<D>(store_, hierarchy_->cages(), around, outermost_);
+    raise_to_cage_cell<D>(store_, cage, ball, boundary, cells, &out2);
+    if (out2 > bound2) raise(square_root(out2) / inner, &audit_.worst);
+    if (terms_.features && mesh2 < infinity) raise_feature(centre, around, mesh2, &inputs, nullptr);
+    return true;
+}
+
+// Of the step's input, and the cage that was made for it.
+template <int D> void StepAudit<D>::look_at_step() {
+    if (hierarchy_ == nullptr) return;
+    if (step_.vertex != none && store_.vertex(step_.vertex).marker == Marker::input)
+        for (std::uint32_t d = hierarchy_->of(step_.vertex); d != none; d = hierarchy_->parent(d)) {
+            const Cage& cage = hierarchy_->cage(d);
+            const double inner = cage_epsilon * cage.radius;
+            encroached_ |= distance2<D>(store_.point(step_.vertex), store_.point(cage.centre)) > inner * inner;
+        }
+    const std::uint32_t last = hierarchy_->made() - 1;
+    const Cage& cage = hierarchy_->cage(last);
+    if (cage.shell != step_.first_made) return;
+    const double* const centre = store_.point(cage.centre);
+    const double least = shell_factor * (1 - 2 * shell_jitter) * cage.radius;
+    for (std::uint32_t v = cage.shell; v < cage.shell + shell_size<D>; ++v)
+        encroached_ |= store_.vertex(v).marker != Marker::exempt || !is_inside<D>(store_, cage, store_.point(v)) ||
+                       distance2<D>(store_.point(v), centre) < least * least;
+    const std::uint32_t around = hierarchy_->parent(last);
+    if (around == none) return;
+    const Cage& outer = hierarchy_->cage(around);
+    encroached_ |= !(distance<D>(centre, store_.point(outer.centre)) + cage.radius <= outer.radius);
+}
+
+template <int D> bool StepAudit<D>::measure_listed() {
+    for (std::uint32_t k = 0; k < count_; ++k)
+        if (!measure_vertex(VertexId(list_[k]))) return false;
+    for (std::uint32_t d = cages_, next; d != none; d = next == d ? none : next) {
+        next = hierarchy_->cage(d).next;
+        if (!measure_cage(d)) return false;
+    }
+    return true;
+}
+
+template <int D> Status StepAudit<D>::run() {
+    ArenaScope scope(store_.arena);
+    const bool fits = list_changed() && measure_listed();
+    for (std::uint32_t d = cages_, next; d != none; d = next == d ? none : next) {
+        Cage& cage = hierarchy_->cage(d);
+        next = cage.next;
+        cage.next = none;
+    }
+    if (!fits) return Status::out_of_memory;
+    look_at_step();
+    ++audit_.meshes;
+    audit_.encroached += encroached_;
+    return Status::ok;
 }
 
 }  // namespace
@@ -94,36 +422,13 @@ template <int D> double cage_insertion_bound() {
     return (shell_factor * (1 + off) + cage_epsilon) / (inner - cage_epsilon);
 }
 
-template <int D>
-Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, const Domain<D>& outermost, Arena& arena,
-                     const AuditStep& step, QualityAudit* audit) {
-    ArenaScope scope(arena);
-    const std::uint32_t vertices = store.state.vertex_count;
-    Cage* const live = arena.take_low<Cage>(made);
-    double* const ratios = arena.take_low<double>(vertices);
-    std::uint32_t* const domains = arena.take_low<std::uint32_t>(vertices);
-    if (live == nullptr || ratios == nullptr || domains == nullptr) return Status::out_of_memory;
-    std::uint32_t count = 0;
-    for (std::uint32_t d = 0; d < made; ++d)
-        if (cages[d].shell != none) live[count++] = cages[d];
-    HierarchyQuality quality;
-    Status status = measure_hierarchy<D>(store, {live, count, outermost, ratios, domains}, arena, &quality);
-    if (status != Status::ok) return status;
-    ++audit->meshes;
-    if (quality.encroached.violation != nullptr) ++audit->encroached;
-    if (!quality.is_hierarchy) return Status::ok;
-    raise(quality.worst, &audit->worst);
-    Members<D> members(store, live, count, domains);
-    status = members.open(arena);
-    for (std::uint32_t slot = 0; slot <= count && status == Status::ok; ++slot)
-        raise_features<D>(store, members, slot, step, audit);
-    return status;
+template <int D> Status audit_quality(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit) {
+    return StepAudit<D>(mesh, step, audit).run();
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template double cage_insertion_bound<D>();                                                                         \
-    template Status audit_quality<D>(Store<D>&, const Cage*, std::uint32_t, const Domain<D>&, Arena&,                  \
-                                     const AuditStep&, QualityAudit*);
+    template Status audit_quality<D>(const AuditedMesh<D>&, const AuditStep&, QualityAudit*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

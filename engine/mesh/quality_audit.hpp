@@ -1,16 +1,31 @@
-// The invariants of 4.8 and 4.9 on an intermediate mesh, recomputed by looking at everything.
+// Aspect ratios, degrees and the invariants of 4.8 and 4.9 on every intermediate mesh.
+//
+// An insertion changes the Voronoi cells of the new vertex and of its Delaunay neighbours and no others: where all
+// neighbours of a cell are old ones, it is what it was. So an audit looks at what a step has inserted and at the
+// neighbours that this has at the end of the step. The cells of a cage that the step releases are no longer clipped:
+// all of its vertices and their neighbours are looked at. Distances to other inputs only fall with more inputs, so K
+// can rise nowhere else either. What cannot be worse than the worst so far is not computed to the end.
 #pragma once
 #include <cstdint>
 
-#include "mesh/cage.hpp"
+#include "mesh/hierarchy.hpp"
+#include "mesh/input_tree.hpp"
 
 namespace netmesh {
 
 // Worst of all intermediate meshes, one for each vertex inserted (with the cage that is made for it, if one is).
+//
+// f_P(v) is the distance to the second nearest point of P in M_Omega, v itself included, f_M(v) the smallest to a
+// Delaunay neighbour of v, where the centre of a cage directly inside of Omega stands for the vertices in it. That is
+// the thesis's f_M without cages, and at most a third more with them: on the way from v to the nearest vertex y of
+// M_Omega, L away, only a cell of such a cage can be next to v's, that of a vertex z with |v - z| <= L (the way leaves
+// v's cell at its middle or before). The cage, of radius r, has 3 r <= |v - z| as nobody encroaches on it, so its
+// centre is at most L + r <= 4/3 L away.
 struct QualityAudit {
     std::uint32_t meshes;
     std::uint32_t
         encroached;  // meshes with an encroached cage (condition 3 of definition 4.5); the engine stops at one
+    std::uint32_t degree_max;  // most Delaunay neighbours of a vertex, those of the frame left out
     double worst;    // aspect ratio of a vertex's or a cage's cell (conditions 1 and 2): the quality invariant's tau'
     double feature;  // K of the feature size invariant: f_P(v) / f_M(v) over all v in M_Omega and all Omega
     double cage, steiner,
@@ -18,30 +33,44 @@ struct QualityAudit {
                 // inserts (inputs that it yields to included), of inputs whose turn it is
 };
 
+// What is asked of a method's meshes.
+struct AuditTerms {
+    bool steiner_ratios;   // have the cells of Steiner vertices a bounded aspect ratio, too?
+    bool inserted_inputs;  // is P what of the inputs is in the mesh, or all of them?
+    bool features;         // are there bounds for K and K'?
+};
+
 // What `cage` cannot exceed: in radii, a shell vertex is at most shell_factor (1 + jitter) + e from the second input
 // of its domain, and an input (within e of the centre) or another shell vertex is the nearest neighbour that it is
 // given.
 template <int D> double cage_insertion_bound();
 
-// What the last step has inserted: `vertex`, an input or not, and before it, of the vertices from first_made on, the
-// shell of a cage if one was made.
+// What the last step has done.
 struct AuditStep {
+    // Inserted `vertex`, an input or not, and before it, of the vertices from first_made on, the shell of a cage if one
+    // was made. vertex none: nothing.
     std::uint32_t first_made, vertex;
     bool cleaning;
+    std::uint32_t released = none;  // cages that it released: a list through Cage::next, the last one points at itself
 };
 
-// What audit_quality places besides HierarchyScratch: ratios and domains, and the lists of each domain's vertices.
+template <int D> struct AuditedMesh {
+    Store<D>& store;
+    const InputTree<D>& tree;
+    const Domain<D>& outermost;
+    Hierarchy<D>* hierarchy;  // null: there are no cages
+    AuditTerms terms;
+};
+
+// What audit_quality places at most, when a step releases a cage that holds everything.
 struct AuditScratch {
-    static constexpr std::size_t vertex_bytes = sizeof(double) + 2 * sizeof(std::uint32_t);
-    static constexpr std::size_t cage_bytes = sizeof(Cage) + 2 * sizeof(std::uint32_t);
+    static constexpr std::size_t vertex_bytes = sizeof(std::uint32_t);
+    static constexpr std::size_t cell_bytes = sizeof(CellId);
 };
 
-// Adds one mesh to *audit. cages[0..made): those released have no shell. P is what of the inputs is inserted; f_P says
-// nothing in a domain of fewer than two, and is left out there. Works on a store in use as on a compact one. Cost:
-// that of measure_hierarchy, and the square of the largest domain's vertices. Scratch: that and
-// AuditScratch. out_of_memory.
-template <int D>
-Status audit_quality(Store<D>& store, const Cage* cages, std::uint32_t made, const Domain<D>& outermost, Arena& arena,
-                     const AuditStep& step, QualityAudit* audit);
+// Adds the mesh after one step to *audit. Cells are clipped to the ball of their domain (clipped_cell.hpp). Works on a
+// store in use as on a compact one. Cost: the stars of the vertices whose cells have changed, and the boundaries of the
+// cages that are among them. Scratch: lists of these. out_of_memory.
+template <int D> Status audit_quality(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit);
 
 }  // namespace netmesh

@@ -87,9 +87,8 @@ public:
     void requeue(VertexId v) { queue_.push(v); }
     // All inputs are in and clean.
     Status finish_mesh() { return Status::ok; }
-    // Cages that there are or were.
-    const Cage* cages() const { return nullptr; }
-    std::uint32_t cages_made() const { return 0; }
+    // Cages that there are or were; null: the rule makes none.
+    Hierarchy<D>* hierarchy() { return nullptr; }
     // What the rule leaves at the low end: the offset where the mesh begins.
     std::size_t keep_results(std::size_t low) { return low; }
     // Makes vertex.nearest2 what it is called, when the rule has kept something else there. Whether the run ended well
@@ -223,7 +222,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::finish_step(VertexId v,
     const Status status = rule().after_step();
     if (status == Status::ok) NETMESH_VALIDATE_WHOLE(rule().step_violation());
     if (status != Status::ok || !observers_.measures()) return status;
-    return observers_.measure(store_, rule().cages(), rule().cages_made(), domain_, v, cleaning);
+    return observers_.measure(store_, tree_, rule().hierarchy(), domain_, v, cleaning);
 }
 
 // Restores the quality of all cells.
@@ -269,7 +268,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::note_size(VertexId v) {
 // Over-refinement, when all inputs are in: everything is looked at once more.
 template <int D, class Rule> Status Refinement<D, Rule>::reach_sizes() {
     const std::uint32_t count = store_.state.vertex_count;
-    observers_.stop_measuring();
+    observers_.stop_measuring_features();
     sizes_.start();
     for (VertexId v(0); v < count; ++v) {
         if (store_.vertex(v).marker == Marker::exempt) continue;

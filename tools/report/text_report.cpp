@@ -17,7 +17,8 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
-std::string audit_lines(const netmesh_audit_report& audit) {
+std::string audit_lines(const netmesh_mesh_report& mesh) {
+    const netmesh_audit_report& audit = mesh.audit;
     std::string text;
     if ((audit.what & NETMESH_AUDIT_LOCATION) != 0) {
         text += "located  in " + counted(audit.rounds, "round", "rounds") + " of " +
@@ -28,10 +29,12 @@ std::string audit_lines(const netmesh_audit_report& audit) {
                 grouped_text(audit.touches_max) + ") a point\n";
     }
     if ((audit.what & NETMESH_AUDIT_QUALITY) != 0)
-        text += "audited  " + counted(audit.meshes, "mesh", "meshes") + ", aspect ratio at most " +
-                rounded_text(audit.aspect_ratio_max, 4) + "; K " + rounded_text(audit.feature_ratio, 4) +
-                ", when inserted: shells " + rounded_text(audit.cage_ratio, 4) + ", cleaning " +
-                rounded_text(audit.steiner_ratio, 4) + ", inputs " + rounded_text(audit.input_ratio, 4) + "\n";
+        text += "audited  " + counted(audit.meshes, "mesh", "meshes") + ", aspect ratio " +
+                (mesh.certificate.ratio > 0 ? "of points at most " : "at most ") +
+                rounded_text(audit.aspect_ratio_max, 4) + ", degree " + grouped_text(audit.degree_max) + "; K " +
+                rounded_text(audit.feature_ratio, 4) + ", when inserted: shells " + rounded_text(audit.cage_ratio, 4) +
+                ", cleaning " + rounded_text(audit.steiner_ratio, 4) + ", inputs " +
+                rounded_text(audit.input_ratio, 4) + "\n";
     return text;
 }
 
@@ -61,7 +64,7 @@ std::string mesh_lines(const netmesh_mesh_report& mesh) {
                                            : " (tau " + rounded_text(mesh.tau, 5) + ")\n";
         if (mesh.sizes.ratio_max > 0)
             text += "size     cells reach " + rounded_text(mesh.sizes.ratio_max, 5) + " of the size asked for\n";
-        text += audit_lines(mesh.audit);
+        text += audit_lines(mesh);
     }
     return text;
 }
