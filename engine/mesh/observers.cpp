@@ -4,8 +4,7 @@
 
 namespace netmesh {
 
-// Steiner points are graded towards inputs that are not in the mesh yet: where those may be far from anything inserted,
-// as without cages, P is all of them. Long cells of Steiner vertices are no fault of a mesh made for a certificate.
+// Long cells of Steiner vertices are no fault of a mesh made for a certificate.
 template <int D>
 Observers<D>::Observers(const MeshRequest& request)
     : terms_{request.method != MeshMethod::certificate, request.method == MeshMethod::hierarchy, true},

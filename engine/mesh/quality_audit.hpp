@@ -34,6 +34,13 @@ struct QualityAudit {
 };
 
 // What is asked of a method's meshes.
+//
+// P with cages (4.9): the inputs that are in the mesh. A domain holds nothing that is not graded towards these. Without
+// cages it is all inputs: one that is not medial yet waits while Steiner points are inserted for its sake, and next to
+// two inputs with gap g, one of them waiting, f_M comes down to about g where the inserted ones are 1 apart: their K is
+// 1 / g. Over all inputs f_P <= K f_M holds, by the proofs of quality_rule.hpp (inputs that wait count as inserted
+// first) and certificate_rule.hpp (a Steiner point x keeps a constant times d_P(x) from all vertices, that is one times
+// f_P of its nearest input, and f_P(x) <= f_P(p) + |x - p|).
 struct AuditTerms {
     bool steiner_ratios;   // have the cells of Steiner vertices a bounded aspect ratio, too?
     bool inserted_inputs;  // is P what of the inputs is in the mesh, or all of them?

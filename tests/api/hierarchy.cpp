@@ -141,6 +141,8 @@ TEST_CASE("audits report what they found, and go with what they are for") {
         CHECK(audit.meshes > session.report().mesh.inputs);
         CHECK(audit.aspect_ratio_max >= session.report().mesh.aspect_ratio_max);
         CHECK(audit.feature_ratio >= audit.steiner_ratio);
+        CHECK(audit.degree_max >= 3);
+        CHECK(audit.degree_max < 30);
     }
     session.request.finish = 1;
     REQUIRE(session.mesh(points) == NETMESH_OK);
@@ -149,9 +151,48 @@ TEST_CASE("audits report what they found, and go with what they are for") {
     CHECK(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
     session.request.audit = 4;
     CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
-    session.request.audit = NETMESH_AUDIT_LOCATION;
     session.request.method = NETMESH_METHOD_REFINE;
-    CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+    for (const std::uint32_t audit : {NETMESH_AUDIT_LOCATION, NETMESH_AUDIT_QUALITY}) {
+        session.request.audit = audit;
+        CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == NETMESH_FIELD_AUDIT);
+    }
+}
+
+TEST_CASE("an audit of quality is for every purpose, and of the mesh that is made without") {
+    for (const int dim : {2, 3}) {
+        const inputs::Points points = inputs::uniform(dim, dim == 2 ? 60 : 20);
+        const auto audited = [&](double ratio, double eps, netmesh_purpose purpose) {
+            netmesh_audit_report audit[2];
+            std::uint64_t prints[2], vertices = 0;
+            for (const std::uint32_t what : {0u, 2u}) {
+                Session session(dim);
+                session.request.audit = what;
+                session.request.certificate.ratio = ratio;
+                session.request.sizes.eps = eps;
+                REQUIRE(session.mesh(points, purpose) == NETMESH_OK);
+                audit[what / 2] = session.report().mesh.audit;
+                prints[what / 2] = session.report().fingerprint;
+                vertices = session.report().mesh.vertices;
+            }
+            CHECK(prints[0] == prints[1]);
+            CHECK(audit[0].meshes == 0);
+            CHECK(audit[0].degree_max == 0);
+            CHECK(audit[1].meshes == vertices - 2 * static_cast<std::uint64_t>(dim));
+            CHECK(audit[1].aspect_ratio_max > 1);
+            CHECK(audit[1].degree_max > static_cast<std::uint64_t>(dim));
+            CHECK(audit[1].feature_ratio >= 1);
+            return audit[1];
+        };
+        const netmesh_audit_report plain = audited(0, 0, NETMESH_PURPOSE_MESH);
+        const netmesh_audit_report sized = audited(0, 0.5, NETMESH_PURPOSE_MESH);
+        CHECK(sized.meshes > 2 * plain.meshes);
+        CHECK(sized.feature_ratio == plain.feature_ratio);  // until over-refinement begins
+        CHECK(sized.aspect_ratio_max >= plain.aspect_ratio_max);
+        audited(0, 0, NETMESH_PURPOSE_PERSIST);
+        audited(2.2, 0, NETMESH_PURPOSE_PERSIST);
+        audited(0, 0, NETMESH_PURPOSE_TIGHT);
+    }
 }
 
 TEST_CASE("bounds on the size are not claimed for a mesh with cages") {

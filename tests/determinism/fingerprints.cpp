@@ -100,8 +100,8 @@ void print_audit(const char* input, Session& session, const inputs::Points& poin
     std::uint64_t hash = 1;
     for (const double ratio : ratios) hash = (hash ^ bits_of(ratio)) * 0x100000001B3u;
     std::printf("audit %s D%" PRIu32 " rounds %" PRIu32 " nets %" PRIu32 " ply %" PRIu32 " touches %" PRIu32
-                " meshes %" PRIu64 " ratios %016" PRIx64 "\n",
-                input, session.request.dim, a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, hash);
+                " meshes %" PRIu64 " degree %" PRIu64 " ratios %016" PRIx64 "\n",
+                input, session.request.dim, a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, a.degree_max, hash);
     std::fflush(stdout);
 }
 

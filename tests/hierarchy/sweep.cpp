@@ -159,7 +159,8 @@ template <int D> void audits(Block& block, bool quick) {
         }
     constexpr std::size_t small[] = {0, 0, 200, 60, 20};
     const std::size_t n = quick ? small[D] / 4 : small[D];
-    std::printf("after every insertion, D = %d, tau 3: meshes, worst aspect ratio, K; K' of shells, cleaning, inputs\n",
+    std::printf("after every insertion, D = %d, tau 3: meshes, worst aspect ratio, degree, K; K' of shells, cleaning,"
+                " inputs\n",
                 D);
     const std::pair<const char*, Points> sets[] = {{"uniform", inputs::uniform(D, n)},
                                                    {"clusters", inputs::clusters(D, n)},
@@ -175,8 +176,8 @@ template <int D> void audits(Block& block, bool quick) {
             if (quick && rounds) continue;
             const Run run = run_mesh<D>(block, points, audited(by_hierarchy(3), rounds, true));
             const QualityAudit& a = run.audit.quality;
-            std::printf("  %-11s%-5s n %4.0f  %5u %7.2f  %5.2f   %5.2f %5.2f %5.2f\n", name, rounds ? "nets" : "",
-                        run.inputs, a.meshes, a.worst, a.feature, a.cage, a.steiner, a.input);
+            std::printf("  %-11s%-5s n %4.0f  %5u %7.2f %3u  %5.2f   %5.2f %5.2f %5.2f\n", name, rounds ? "nets" : "",
+                        run.inputs, a.meshes, a.worst, a.degree_max, a.feature, a.cage, a.steiner, a.input);
             expect(run.status == Status::ok && a.encroached == 0, "no cage is ever encroached");
             expect(a.worst < 1000 && a.feature < 10, "quality and feature sizes stay bounded");
         }

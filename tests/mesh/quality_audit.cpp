@@ -46,6 +46,7 @@ public:
         if (cell.radius2 < infinity && this->domain_.contains(cell.centre))
             this->queue_positions(cell, this->positions_of_bad(cell));
     }
+    void queue_new(const Cavity&, VertexId) {}
     Verdict judge(VertexId v, Split<D>* split) {
         Corner<D> corner;
         const bool fits = this->kernel_.visit_star(v, [&](CellId c) {
@@ -73,7 +74,9 @@ public:
             REQUIRE(status == Status::ok);
             WholeMesh<D>(store_, {}, this->inputs_, this->domain_, all_terms[k]).add_to(step_, &whole[k]);
         }
-        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) REQUIRE(store_.vertex(v).queued <= 1);
+        bool marked = false;
+        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) marked |= store_.vertex(v).queued > 1;
+        REQUIRE_FALSE(marked);
         step_ = {0, none, false};
         return Status::ok;
     }
@@ -185,7 +188,7 @@ template <int D> struct ByHand {
 
 TEST_CASE_TEMPLATE_DEFINE("an audit of what a step has changed finds what one of the whole mesh finds", T, plain) {
     constexpr int D = T::value;
-    constexpr std::size_t sizes[] = {0, 0, 40, 15, 6, 4, 3};
+    constexpr std::size_t sizes[] = {0, 0, 25, 8, 4, 3, 3};
     for (const inputs::Points& points :
          {inputs::uniform(D, sizes[D]), inputs::close_pairs(D, D < 4 ? 4 : 2, D < 4 ? 1e-3 : 0.1),
           inputs::grid(D, 2)}) {
@@ -440,7 +443,9 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
             const Status status = m.audit(whole_shell, &audit);
             m.block.arena.release_low(low);
             REQUIRE((status == Status::ok || (status == Status::out_of_memory && !fits)));
-            for (std::uint32_t v = 0; v < all; ++v) REQUIRE(m.store.vertex(v).queued == 0);
+            bool marked = false;
+            for (std::uint32_t v = 0; v < all; ++v) marked |= m.store.vertex(v).queued != 0;
+            REQUIRE_FALSE(marked);
             for (std::uint32_t d = 0; d < m.hierarchy.made(); ++d) REQUIRE(m.hierarchy.cage(d).next == none);
             if (status != Status::ok) continue;
             fits = true;

@@ -58,7 +58,6 @@ private:
     u32 member(u32 v, u32 domain) const {
         if (is_frame(v)) return netmesh::none;
         u32 d = domains_[v], within = netmesh::none;
-        if (store_.vertex(v).cell == netmesh::none) REQUIRE(cages_.empty());
         for (; d != domain && d != netmesh::none; d = cages_[d].parent) within = d;
         if (d != domain) return netmesh::none;
         return within == netmesh::none ? v : cages_[within].centre;

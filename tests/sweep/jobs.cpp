@@ -104,7 +104,7 @@ netmesh_status released(Run& run) {
     return run.mesh_in_block(made<narrow_pairs>(run.job));
 }
 netmesh_status released_audited(Run& run) {
-    run.request.audit = NETMESH_AUDIT_LOCATION;
+    run.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
     return released(run);
 }
 

@@ -229,7 +229,18 @@ TEST_CASE("mesh --method netmesh: cages written, drawn and checked from the file
     CHECK(located.err.find("located  in") != std::string::npos);
     CHECK(folder.run("check a.node --points p.txt").exit == 0);
     CHECK(folder.run("mesh p.txt -o a.node --audit some").exit == 2);
-    CHECK(folder.run("mesh p.txt -o a.node --audit all --method refine").exit == 2);
+    for (const char* what : {"all --method refine", "quality --method refine", "location --eps 0.5"})
+        CHECK(folder.run(std::string("mesh p.txt -o a.node --audit ") + what).exit == 2);
+    const Result fine = folder.run("mesh p.txt -o a.node --audit quality --eps 0.5 --json");
+    CHECK(fine.exit == 0);
+    CHECK(number_in(fine.out, "degree_max") >= 3);
+    const Result certified = folder.run("persist p.txt -o a.pers --audit quality");
+    CHECK(certified.exit == 0);
+    CHECK(certified.err.find("aspect ratio of points at most") != std::string::npos);
+    CHECK(certified.err.find(", degree ") != std::string::npos);
+    for (const char* what : {"location", "all", "quality --filter alpha", "quality --filter scales",
+                             "quality --filter rips", "quality --fit --memory 1G"})
+        CHECK(folder.run(std::string("persist p.txt -o a.pers --audit ") + what).exit == 2);
     CHECK(folder.run("mesh p.txt -o r.node --method refine --quiet").exit == 0);
     CHECK(folder.run("check r.node --points p.txt").exit == 0);
 }
