@@ -85,6 +85,7 @@ private:
     void find_second(const double* x, std::uint32_t domain, double enough2, TwoNearest* inputs);
     bool offer_member(const double* x, std::uint32_t domain, std::uint32_t input, double reach, TwoNearest* inputs);
 
+    bool is_new(std::uint32_t v) const { return v >= step_.first_made || v == step_.vertex; }
     bool is_frame(std::uint32_t v) const { return v >= frame_ && v < frame_ + 2 * D; }
     std::uint32_t domain_of(std::uint32_t v) const { return hierarchy_ == nullptr ? none : hierarchy_->of(v); }
     std::uint32_t member(std::uint32_t v, std::uint32_t domain, std::uint32_t* within) const;
@@ -252,6 +253,8 @@ template <int D> bool StepAudit<D>::measure_vertex(VertexId v) {
     const std::uint32_t domain = domain_of(v);
     TwoNearest inputs(vertex.marker == Marker::input ? v : none);
     double nearest2 = infinity, mesh2 = infinity;
+    const bool may_all_rise = is_new(v) || step_.released != none;
+    bool ratio_may_rise = may_all_rise, feature_may_rise = may_all_rise;
     std::uint32_t cells = 0, degree = 0;
     const bool fits = visit_star(store_, v, [&](CellId c) {
         ++cells;
@@ -259,12 +262,18 @@ template <int D> bool StepAudit<D>::measure_vertex(VertexId v) {
             if (w == v || w == none || !put_mark<D>(store_.vertex(w), seen)) continue;
             ++degree;
             const double d2 = distance2<D>(vertex.x, store_.point(w));
-            if (d2 < nearest2) nearest2 = d2;
+            if (d2 < nearest2) {
+                nearest2 = d2;
+                ratio_may_rise = may_all_rise || is_new(w);
+            }
             std::uint32_t within;
             const std::uint32_t m = terms_.features ? member(w, domain, &within) : none;
             if (m == none) continue;
             const double member2 = m == w ? d2 : distance2<D>(vertex.x, store_.point(m));
-            if (member2 < mesh2) mesh2 = member2;
+            if (member2 < mesh2) {
+                mesh2 = member2;
+                feature_may_rise = may_all_rise || is_new(w);
+            }
             if (store_.vertex(m).marker == Marker::input) inputs.offer(m, member2);
         }
     });
@@ -274,13 +283,13 @@ template <int D> bool StepAudit<D>::measure_vertex(VertexId v) {
             if (w != none) take_mark<D>(store_.vertex(w), seen);
     if (!fits) return false;
     if (degree > audit_.degree_max) audit_.degree_max = degree;
-    if (mesh2 < infinity) {
+    if (mesh2 < infinity && feature_may_rise) {
         if (vertex.marker != Marker::input) offer_member(vertex.x, domain, vertex.origin, infinity, &inputs);
         raise_feature(vertex.x, domain, mesh2, &inputs, kind_of(v));
     }
     const bool has_ratio =
         vertex.marker == Marker::input || (vertex.marker == Marker::steiner && terms_.steiner_ratios);
-    if (!has_ratio) return true;
+    if (!has_ratio || !ratio_may_rise) return true;
     if (hierarchy_ == nullptr) return measure_ratio(v, cells, nearest2, outermost_);
     return measure_ratio(v, cells, nearest2, domain_ball<D>(store_, hierarchy_->cages(), domain, outermost_));
 }

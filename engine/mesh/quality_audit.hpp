@@ -2,9 +2,10 @@
 //
 // An insertion changes the Voronoi cells of the new vertex and of its Delaunay neighbours and no others: where all
 // neighbours of a cell are old ones, it is what it was. So an audit looks at what a step has inserted and at the
-// neighbours that this has at the end of the step. The cells of a cage that the step releases are no longer clipped:
-// all of its vertices and their neighbours are looked at. Distances to other inputs only fall with more inputs, so K
-// can rise nowhere else either. What cannot be worse than the worst so far is not computed to the end.
+// neighbours that this has at the end of the step. Of an old vertex the cell has become smaller, and so has the
+// distance to the second nearest input, if anything: aspect ratio and K can have risen only where something new is the
+// nearest neighbour. The cells of a cage that the step releases are no longer clipped: all of its vertices and their
+// neighbours are looked at. What cannot be worse than the worst so far is not computed to the end.
 #pragma once
 #include <cstdint>
 

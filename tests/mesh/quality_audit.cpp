@@ -24,6 +24,7 @@ void check_same(const QualityAudit& changed, const QualityAudit& whole) {
     CHECK(changed.encroached == whole.encroached);
 }
 
+constexpr AuditTerms with_cages = {true, true, true};
 constexpr AuditTerms all_terms[] = {
     {true, false, true}, {true, true, true}, {false, false, true}, {true, false, false}};
 
@@ -68,11 +69,12 @@ public:
     Status after_step() {
         if (step_.vertex == none) step_ = {store_.state.vertex_count - 1, store_.state.vertex_count - 1, true};
         if (step_.first_made == 0) step_.first_made = store_.state.vertex_count;
+        WholeMesh<D> mesh(store_, {}, this->inputs_, this->domain_);
         for (std::size_t k = 0; k < 4; ++k) {
             const Status status =
                 audit_quality<D>({store_, this->tree_, this->domain_, nullptr, all_terms[k]}, step_, &changed[k]);
             REQUIRE(status == Status::ok);
-            WholeMesh<D>(store_, {}, this->inputs_, this->domain_, all_terms[k]).add_to(step_, &whole[k]);
+            mesh.add_to(step_, all_terms[k], &whole[k]);
         }
         bool marked = false;
         for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) marked |= store_.vertex(v).queued > 1;
@@ -151,17 +153,17 @@ template <int D> struct ByHand {
         step.released = d;
     }
     Status audit_changed(QualityAudit* audit) {
-        return audit_quality<D>({store, tree, domain, &hierarchy, {true, true, true}}, step, audit);
+        return audit_quality<D>({store, tree, domain, &hierarchy, with_cages}, step, audit);
     }
     WholeMesh<D> whole_mesh() {
         const Cage* const cages = hierarchy.cages();
-        return {store, {cages, cages + hierarchy.made()}, count, domain, {true, true, true}};
+        return {store, {cages, cages + hierarchy.made()}, count, domain};
     }
     void end_step() {
         REQUIRE(audit_changed(&changed) == Status::ok);
-        const WholeMesh<D> mesh = whole_mesh();
-        mesh.add_to(step, &whole);
-        exact = std::max(exact, mesh.exact_feature());
+        WholeMesh<D> mesh = whole_mesh();
+        mesh.add_to(step, with_cages, &whole);
+        exact = std::max(exact, mesh.exact_feature(with_cages));
         for (std::uint32_t d = step.released, next; d != none; d = next == d ? none : next) {
             next = hierarchy.cage(d).next;
             hierarchy.cage(d).next = none;
@@ -190,8 +192,7 @@ TEST_CASE_TEMPLATE_DEFINE("an audit of what a step has changed finds what one of
     constexpr int D = T::value;
     constexpr std::size_t sizes[] = {0, 0, 25, 8, 4, 3, 3};
     for (const inputs::Points& points :
-         {inputs::uniform(D, sizes[D]), inputs::close_pairs(D, D < 4 ? 4 : 2, D < 4 ? 1e-3 : 0.1),
-          inputs::grid(D, 2)}) {
+         {inputs::uniform(D, sizes[D]), inputs::close_pairs(D, 2, D == 2 ? 1e-3 : 0.1), inputs::grid(D, 2)}) {
         Block block(std::size_t{1} << 24);
         StoreState state = {};
         Store<D> store(block.arena, state);
@@ -351,7 +352,7 @@ template <int D> struct Planted : Hierarchical<D> {
         for (std::uint32_t p = 0; p < this->inputs(); ++p) hierarchy.set(p, domains[p]);
     }
     Status audit(const AuditStep& step, QualityAudit* found) {
-        return audit_quality<D>({this->store, tree, this->result.domain, &hierarchy, {true, true, true}}, step, found);
+        return audit_quality<D>({this->store, tree, this->result.domain, &hierarchy, with_cages}, step, found);
     }
     QualityAudit after(const AuditStep& step) {
         QualityAudit found = {};

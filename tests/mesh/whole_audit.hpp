@@ -16,8 +16,8 @@ template <int D> class WholeMesh {
 public:
     // cages: those that are not released are looked at.
     WholeMesh(netmesh::Store<D>& store, const std::vector<netmesh::Cage>& cages, u32 inputs,
-              const netmesh::Domain<D>& outermost, const netmesh::AuditTerms& terms)
-        : store_(store), cages_(cages), inputs_(inputs), terms_(terms), ratios_(store.state.vertex_count),
+              const netmesh::Domain<D>& outermost)
+        : store_(store), cages_(cages), inputs_(inputs), ratios_(store.state.vertex_count),
           domains_(store.state.vertex_count), neighbours_(store.state.vertex_count) {
         cages_.erase(
             std::remove_if(cages_.begin(), cages_.end(), [](const auto& c) { return c.shell == netmesh::none; }),
@@ -30,16 +30,22 @@ public:
             if (!store.is_live(c) || store.is_ghost(c)) continue;
             for (const u32 v : store.cell(c).vertex)
                 for (const u32 w : store.cell(c).vertex)
-                    if (v != w) neighbours_[v].insert(w);
+                    if (v != w) neighbours_[v].push_back(w);
+        }
+        for (std::vector<u32>& list : neighbours_) {
+            std::sort(list.begin(), list.end());
+            list.erase(std::unique(list.begin(), list.end()), list.end());
         }
     }
 
     // K with the distances to the nearest vertex of M_Omega, be it a neighbour or not.
-    double exact_feature() const {
+    double exact_feature(const netmesh::AuditTerms& terms) {
+        terms_ = terms;
         return feature(true, netmesh::AuditStep{netmesh::none, netmesh::none, false}, nullptr);
     }
 
-    void add_to(const netmesh::AuditStep& step, netmesh::QualityAudit* audit) const {
+    void add_to(const netmesh::AuditStep& step, const netmesh::AuditTerms& terms, netmesh::QualityAudit* audit) {
+        terms_ = terms;
         ++audit->meshes;
         audit->encroached += quality_.encroached.violation != nullptr;
         for (u32 v = 0; v < store_.state.vertex_count; ++v) {
@@ -73,15 +79,15 @@ private:
             if (v == step.vertex || v >= step.first_made) kind = std::max(kind, ratio);
         }
         for (const netmesh::Cage& cage : cages_) {
-            std::set<u32> around;
+            std::vector<u32> around;
             for (u32 v = 0; v < store_.state.vertex_count; ++v)
                 if (store_.vertex(v).cell != netmesh::none && netmesh::is_inside<D>(store_, cage, store_.point(v)))
-                    around.insert(neighbours_[v].begin(), neighbours_[v].end());
+                    around.insert(around.end(), neighbours_[v].begin(), neighbours_[v].end());
             worst = std::max(worst, feature_at(cage.centre, cage.parent, around, exact));
         }
         return worst;
     }
-    double feature_at(u32 v, u32 domain, const std::set<u32>& neighbours, bool exact) const {
+    double feature_at(u32 v, u32 domain, const std::vector<u32>& neighbours, bool exact) const {
         double mesh2 = netmesh::infinity;
         const auto offer = [&](u32 w) {
             const u32 m = member(w, domain);
@@ -107,9 +113,9 @@ private:
     netmesh::Store<D>& store_;
     std::vector<netmesh::Cage> cages_;
     const u32 inputs_;
-    const netmesh::AuditTerms terms_;
+    netmesh::AuditTerms terms_ = {};
     std::vector<double> ratios_;
     std::vector<u32> domains_;
-    std::vector<std::set<u32>> neighbours_;
+    std::vector<std::vector<u32>> neighbours_;
     netmesh::HierarchyQuality quality_;
 };
