@@ -420,7 +420,7 @@ TEST_CASE("jobs that go beyond what they are for") {
         s.request.sizes.eps = 0.5;
         REQUIRE(s.mesh(points, NETMESH_PURPOSE_TIGHT) == NETMESH_OK);
         CHECK(s.report().mesh.sizes.eps < 0.12);
-        s.request.audit = NETMESH_AUDIT_QUALITY;
+        s.request.audit = NETMESH_AUDIT_LOCATION;
         CHECK(s.mesh(points) == NETMESH_INVALID_ARGUMENT);
         CHECK(s.detail().field == NETMESH_FIELD_AUDIT);
     }

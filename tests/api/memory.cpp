@@ -146,7 +146,7 @@ TEST_CASE("what a call said is kept without an address") {
 
 TEST_CASE("more bytes are wanted than there are") {
     for (const int dim : dimensions(2, 3)) {
-        const inputs::Points points = inputs::uniform(dim, 60);
+        const inputs::Points points = inputs::uniform(dim, 200);
         Calls calls(dim);
         calls.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
         for (std::size_t bytes = 16384; bytes < 65536; bytes += 1616) {

@@ -90,7 +90,7 @@ TEST_CASE_TEMPLATE_DEFINE("any arena size leaves a Delaunay mesh of what was ins
     constexpr int D = T::value;
     const inputs::Points points = small_set<D>(D < 5 ? 4 : 0);
     std::uint32_t partial = 0, whole = 0;
-    for (double bytes = 256; bytes < (D < 5 ? 2e6 : 6e6); bytes *= D < 5 ? 1.07 : D == 5 ? 1.2 : 1.3)
+    for (double bytes = 256; bytes < (D < 5 ? 2e6 : 6e6); bytes *= D < 5 ? 1.05 : D == 5 ? 1.2 : 1.3)
         for (const int kind : {0, 1, 2}) {
             MeshRequest request = by_hierarchy(D < 5 ? 5.0 : 12.0, kind == 2);
             request.audit_location = kind == 1;
