@@ -385,25 +385,35 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         REQUIRE(m.after(at_shell).encroached == 0);
     }
     SUBCASE("a Steiner point too close to an input") {
-        for (VertexId v(m.inputs() + 2 * D); v < all; ++v) {
-            if (m.store.vertex(v).marker != Marker::steiner || m.domains[v] != none) continue;
+        const auto neighbour_input = [&](VertexId v) {
             VertexId input = none;
             visit_star(m.store, v, [&](CellId c) {
                 for (const VertexId w : m.store.cell(c).vertex)
                     if (m.store.vertex(w).marker == Marker::input && m.domains[w] == none) input = w;
             });
-            if (input == none) continue;
+            return input;
+        };
+        VertexId v(m.inputs() + 2 * D), input = none;
+        for (; v < all && input == none; ++v)
+            if (m.store.vertex(v).marker == Marker::steiner && m.domains[v] == none) input = neighbour_input(v);
+        CHECK((input != none || D >= 4));
+        if (input != none) {
+            --v.index;
             m.move_to(v, m.store.point(input), 1e-4);
             const QualityAudit audit = m.after({all, v, true});
             CHECK(audit.feature > 20);
             CHECK(audit.steiner > 20);
             CHECK(audit.worst > 20);
-            return;
         }
-        CHECK(D >= 4);  // there is one in 2D and 3D
     }
     SUBCASE("a shell that is not where it belongs") {
-        m.move_to(cage.shell, m.store.point(cage.centre), 1e-3 * cage.radius);
+        VertexId inside = none;
+        visit_star(m.store, VertexId(cage.shell), [&](CellId c) {
+            for (const VertexId w : m.store.cell(c).vertex)
+                if (m.store.vertex(w).marker != Marker::exempt && m.domains[w] == m.hierarchy.made() - 1) inside = w;
+        });
+        REQUIRE(inside != none);
+        m.move_to(cage.shell, m.store.point(inside), 1e-3 * cage.radius);
         const QualityAudit audit = m.after(whole_shell);
         CHECK(audit.cage > cage_insertion_bound<D>());
         CHECK(audit.encroached == 1);
@@ -413,9 +423,12 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         CHECK(m.after(at_shell).encroached == 1);
     }
     SUBCASE("a new cage that sticks out of the one around it") {
-        if (cage.parent == none) return;
-        cage.radius = m.hierarchy.cage(cage.parent).radius;
-        CHECK(m.after(whole_shell).encroached == 1);
+        if (cage.parent != none) {
+            // All else about it is right.
+            Cage& around = m.hierarchy.cage(cage.parent);
+            around.radius = 0.9 * distance<D>(m.store.point(around.centre), m.store.point(cage.centre)) + cage.radius;
+            CHECK(m.after(whole_shell).encroached == 1);
+        }
     }
     SUBCASE("an input in the gap within a cage") {
         std::uint32_t p = 0;
