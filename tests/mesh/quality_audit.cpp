@@ -262,6 +262,18 @@ TEST_CASE_TEMPLATE_DEFINE("with cages too, made, nested and released", T, cages)
             }
         }
         REQUIRE(m.hierarchy.live() == 2);
+        // What is near a cage makes K largest for the cage's centre, in the domain around it.
+        const double* const c = m.store.point(m.by_row[each]);
+        std::uint32_t row = 0;
+        for (std::uint32_t q = 1; q < each; ++q)
+            if (distance<D>(c, m.store.point(m.by_row[q])) < distance<D>(c, m.store.point(m.by_row[row]))) row = q;
+        const double* const q = m.store.point(m.by_row[row]);
+        const double away = 1.2 * cage_clearance * m.hierarchy.cage(cage[1]).radius, before = m.changed.feature;
+        double x[D];
+        for (int k = 0; k < D; ++k) x[k] = c[k] + (q[k] - c[k]) * away / distance<D>(c, q);
+        m.insert_steiner(x, each);
+        m.end_step();
+        if (ratio == 1e6) CHECK(m.changed.feature > 10 * before);
         CHECK(m.changed.cage > 0);
         CHECK(m.changed.encroached == 0);
         CHECK(m.exact >= m.changed.feature);
