@@ -312,8 +312,7 @@ bool StepAudit<D>::measure_ratio(VertexId v, std::uint32_t cells, double nearest
         } else if (ball.contains(cell.centre)) {
             if (cell.radius2 * (1 + 0x1p-20) > bound2) farthest.offer(cell.centre, distance2<D>(cell.centre, p), c);
         } else {
-            offer_crossings<D>(store_, ball, v, c, bound2, &farthest);
-            leaves_ball |= cell.radius2 * (1 + 0x1p-20) > bound2;
+            leaves_ball |= cell.radius2 * (1 + 0x1p-20) > bound2;  // then crossings of edges are poles too
         }
     }
     double out2 = bounded ? farthest.distance2 : infinity;

@@ -24,7 +24,7 @@ void check_same(const QualityAudit& changed, const QualityAudit& whole) {
     CHECK(changed.encroached == whole.encroached);
 }
 
-constexpr AuditTerms with_cages = {true, true, true};
+constexpr AuditTerms with_cages = {true, true, true}, without_steiner = {false, true, true};
 constexpr AuditTerms all_terms[] = {
     {true, false, true}, {true, true, true}, {false, false, true}, {true, false, false}};
 
@@ -152,17 +152,19 @@ template <int D> struct ByHand {
         cage.next = step.released == none ? d : step.released;
         step.released = d;
     }
-    Status audit_changed(QualityAudit* audit) {
-        return audit_quality<D>({store, tree, domain, &hierarchy, with_cages}, step, audit);
+    Status audit_changed(QualityAudit* audit, const AuditTerms& terms) {
+        return audit_quality<D>({store, tree, domain, &hierarchy, terms}, step, audit);
     }
     WholeMesh<D> whole_mesh() {
         const Cage* const cages = hierarchy.cages();
         return {store, {cages, cages + hierarchy.made()}, count, domain};
     }
     void end_step() {
-        REQUIRE(audit_changed(&changed) == Status::ok);
+        REQUIRE(audit_changed(&changed, with_cages) == Status::ok);
+        REQUIRE(audit_changed(&inputs_changed, without_steiner) == Status::ok);
         WholeMesh<D> mesh = whole_mesh();
         mesh.add_to(step, with_cages, &whole);
+        mesh.add_to(step, without_steiner, &inputs_whole);
         exact = std::max(exact, mesh.exact_feature(with_cages));
         for (std::uint32_t d = step.released, next; d != none; d = next == d ? none : next) {
             next = hierarchy.cage(d).next;
@@ -171,6 +173,7 @@ template <int D> struct ByHand {
         for (std::uint32_t d = 0; d < hierarchy.made(); ++d) REQUIRE(hierarchy.cage(d).next == none);
         step = {state.vertex_count, none, false};
         check_same(changed, whole);
+        check_same(inputs_changed, inputs_whole);
     }
     std::uint32_t count;
     Block block;
@@ -182,7 +185,7 @@ template <int D> struct ByHand {
     Hierarchy<D> hierarchy;
     std::vector<std::uint32_t> by_row;
     AuditStep step;
-    QualityAudit changed = {}, whole = {};
+    QualityAudit changed = {}, whole = {}, inputs_changed = {}, inputs_whole = {};
     double exact = 0;
 };
 

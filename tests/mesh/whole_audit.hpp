@@ -17,7 +17,7 @@ public:
     // cages: those that are not released are looked at.
     WholeMesh(netmesh::Store<D>& store, const std::vector<netmesh::Cage>& cages, u32 inputs,
               const netmesh::Domain<D>& outermost)
-        : store_(store), cages_(cages), inputs_(inputs), ratios_(store.state.vertex_count),
+        : store_(store), cages_(cages), inputs_(inputs), outermost_(outermost), ratios_(store.state.vertex_count),
           domains_(store.state.vertex_count), neighbours_(store.state.vertex_count) {
         cages_.erase(
             std::remove_if(cages_.begin(), cages_.end(), [](const auto& c) { return c.shell == netmesh::none; }),
@@ -53,13 +53,29 @@ public:
             audit->degree_max = std::max(audit->degree_max, static_cast<u32>(neighbours_[v].size()));
             if (v < inputs_ || terms_.steiner_ratios) audit->worst = std::max(audit->worst, ratios_[v]);
         }
-        if (terms_.steiner_ratios) audit->worst = std::max(audit->worst, quality_.worst);
+        audit->worst = std::max(audit->worst, terms_.steiner_ratios ? quality_.worst : worst_of_cages());
         if (terms_.features) audit->feature = std::max(audit->feature, feature(false, step, audit));
     }
 
 private:
     bool is_frame(u32 v) const { return v >= inputs_ && v < inputs_ + 2 * D; }
     double distance2(u32 v, u32 w) const { return netmesh::distance2<D>(store_.point(v), store_.point(w)); }
+    // Of inputs and cages, measured while all others are exempt.
+    double worst_of_cages() {
+        std::vector<netmesh::Marker> markers;
+        for (u32 v = 0; v < store_.state.vertex_count; ++v) {
+            markers.push_back(store_.vertex(v).marker);
+            if (markers[v] == netmesh::Marker::steiner) store_.vertex(v).marker = netmesh::Marker::exempt;
+        }
+        netmesh::HierarchyQuality quality;
+        std::vector<double> ratios(store_.state.vertex_count);
+        std::vector<u32> domains(store_.state.vertex_count);
+        REQUIRE(netmesh::measure_hierarchy<D>(
+                    store_, {cages_.data(), static_cast<u32>(cages_.size()), outermost_, ratios.data(), domains.data()},
+                    store_.arena, &quality) == netmesh::Status::ok);
+        for (u32 v = 0; v < store_.state.vertex_count; ++v) store_.vertex(v).marker = markers[v];
+        return quality.worst;
+    }
     // What stands for v in a domain.
     u32 member(u32 v, u32 domain) const {
         if (is_frame(v)) return netmesh::none;
@@ -113,6 +129,7 @@ private:
     netmesh::Store<D>& store_;
     std::vector<netmesh::Cage> cages_;
     const u32 inputs_;
+    const netmesh::Domain<D> outermost_;
     netmesh::AuditTerms terms_ = {};
     std::vector<double> ratios_;
     std::vector<u32> domains_;
