@@ -91,16 +91,6 @@ Outcome check_positionals(const Options& options) {
     return {};
 }
 
-}  // namespace
-
-std::string apply_option(Options* options, const std::string& name, const std::string& value) {
-    const OptionEntry* entry = nullptr;
-    const Outcome outcome = find_option(name, options->command, &entry);
-    if (!outcome.good()) return outcome.message;
-    if (entry->value == nullptr && !value.empty()) return "takes no value";
-    return entry->apply(*options, value);
-}
-
 Outcome check_audit(const Options& options) {
     if (options.audit == 0) return {};
     if (options.method == NETMESH_METHOD_REFINE) return usage_error("--audit goes with --method svr or netmesh");
@@ -111,6 +101,16 @@ Outcome check_audit(const Options& options) {
     if (persists && (options.fit || filter.source != NETMESH_SOURCE_MESH || filter.has_theta != 0))
         return usage_error("--audit is of one mesh: for filters on a mesh but scales, and not with --fit");
     return {};
+}
+
+}  // namespace
+
+std::string apply_option(Options* options, const std::string& name, const std::string& value) {
+    const OptionEntry* entry = nullptr;
+    const Outcome outcome = find_option(name, options->command, &entry);
+    if (!outcome.good()) return outcome.message;
+    if (entry->value == nullptr && !value.empty()) return "takes no value";
+    return entry->apply(*options, value);
 }
 
 Outcome check_together(const Options& options) {

@@ -45,6 +45,7 @@ public:
         else
             this->queue_bad_crossings(this->domain_, cell, far);
     }
+    void queue_new(const Cavity&, VertexId) {}
     Verdict judge(VertexId v, Split<D>* split) {
         const double* const p = store_.point(v);
         Corner<D> corner;
