@@ -13,11 +13,6 @@ namespace netmesh {
 // Smaller values make more layers of vertices, larger ones more vertices a layer.
 template <int D> constexpr double pull_back = figures<D>.pull_back;
 
-// While inputs are missing, cells are held to this times tau. 1 makes the meshes of close pairs larger by a fourth to a
-// half, and those of uniform points by 2% to 20%: layers that are made from outside inwards, before an input is medial,
-// fit those that grow outwards from it better when they are fewer.
-constexpr double slack_while_inserting = 2;
-
 // What is refined is the farthest corner of a clipped cell: a Voronoi corner inside the ball that the cell is clipped
 // to, or a point where a Voronoi edge crosses its sphere. Where none of these is too far another point of the sphere
 // may be, see clipped_cell.hpp: those are looked for when it is a vertex's turn. A new vertex leaves other cells no
@@ -127,10 +122,6 @@ protected:
     }
     // The distance at which 3.3 puts a Steiner point, for a nearest neighbour this far away.
     double wanted_distance(double nearest, double pull) const { return pull * 0.5 * tau_ * nearest; }
-
-    // While inputs are missing cells are held to a multiple of tau, afterwards to tau; then all have to be queued.
-    void loosen() { tau_ *= slack_while_inserting; }
-    void tighten() { tau_ /= slack_while_inserting; }
 
     double tau_;  // what cells are held to
 

@@ -50,7 +50,9 @@ private:
     CheckResult find_inputs(bool whole);
     CheckResult find_net() const;
     CheckResult find_frame() const;
+    double* normal_of(std::uint32_t c, int i, double* inner, double* centre) const;
     bool reaches_beyond(std::uint32_t c, int i) const;
+    bool leaves_hole(std::uint32_t c, int i) const;
 
     const Store<D>& store_;
     const Domain<D>& domain_;
@@ -81,6 +83,9 @@ template <int D> CheckResult DomainCheck<D>::find_net() const {
             if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < delta2)
                 return {"two vertices of the boundary net are too near", v};
     }
+    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
+        for (int i = 0; i <= D; ++i)
+            if (store_.cell(c).neighbour[i] == none && leaves_hole(c, i)) return {"the boundary net has a hole", c};
     return {nullptr, none};
 }
 
@@ -95,12 +100,13 @@ template <int D> CheckResult DomainCheck<D>::find_frame() const {
     return {nullptr, none};
 }
 
-// Is the domain's centre not as far from facet i of cell c, to the side of vertex i, as the domain's radius?
-template <int D> bool DomainCheck<D>::reaches_beyond(std::uint32_t c, int i) const {
+// What the directions of facet i of cell c leave of the ways from it to vertex i and to the domain's centre. Returns
+// inner; null when the facet has no normal.
+template <int D>
+double* DomainCheck<D>::normal_of(std::uint32_t c, int i, double* inner, double* centre) const {
     const Cell<D>& cell = store_.cell(c);
     const double* const p = store_.point(cell.vertex[i == 0 ? 1 : 0]);
-    // Orthonormal directions of the facet; what they leave of the ways to vertex i and to the centre.
-    double along[D][D], inner[D], centre[D];
+    double along[D][D];  // orthonormal directions of the facet
     int size = 0;
     const auto leave = [&](double* e) {
         for (int j = 0; j < size; ++j) {
@@ -114,7 +120,7 @@ template <int D> bool DomainCheck<D>::reaches_beyond(std::uint32_t c, int i) con
         for (int k = 0; k < D; ++k) e[k] = store_.point(cell.vertex[j])[k] - p[k];
         leave(e);
         const double length = square_root(dot<D>(e, e));
-        if (!(length > 0)) return true;
+        if (!(length > 0)) return nullptr;
         for (int k = 0; k < D; ++k) e[k] /= length;
         ++size;
     }
@@ -124,8 +130,26 @@ template <int D> bool DomainCheck<D>::reaches_beyond(std::uint32_t c, int i) con
     }
     leave(inner);
     leave(centre);
+    return inner;
+}
+
+// Is the domain's centre not as far from facet i of cell c, to the side of vertex i, as the domain's radius?
+template <int D> bool DomainCheck<D>::reaches_beyond(std::uint32_t c, int i) const {
+    double inner[D], centre[D];
+    if (normal_of(c, i, inner, centre) == nullptr) return true;
     const double height = square_root(dot<D>(centre, centre));
     return !(dot<D>(inner, centre) > 0) || height < domain_.radius * (1 - tolerance);
+}
+
+// Is the point of the sphere above facet i of cell c, which is as far from all of its vertices, farther from them than
+// delta?
+template <int D> bool DomainCheck<D>::leaves_hole(std::uint32_t c, int i) const {
+    double inner[D], centre[D], top[D];
+    if (normal_of(c, i, inner, centre) == nullptr) return true;
+    const double length = square_root(dot<D>(inner, inner));
+    for (int k = 0; k < D; ++k) top[k] = domain_.centre[k] - domain_.radius / length * inner[k];
+    const double* const p = store_.point(store_.cell(c).vertex[i == 0 ? 1 : 0]);
+    return far2_ > 0 && !(distance2<D>(top, p) <= 4 * far2_ * (1 + tolerance));
 }
 
 }  // namespace

@@ -62,10 +62,6 @@ public:
         return store_.vertex(v).marker == Marker::exempt ? judge_cage(hierarchy_.of(v), split) : judge_vertex(v, split);
     }
     void requeue(VertexId v);
-    Status begin() {
-        this->loosen();
-        return Status::ok;
-    }
     Status after_step() { return release_encroached(); }
     Status finish_mesh();
     Hierarchy<D>* hierarchy() { return &hierarchy_; }
@@ -429,7 +425,6 @@ template <int D> Status HierarchyRule<D>::sweep() {
 }
 
 template <int D> Status HierarchyRule<D>::finish_mesh() {
-    this->tighten();
     const Status swept = sweep();
     if (swept != Status::ok || !this->request_.finish) return swept;
     observers_.stop_measuring();

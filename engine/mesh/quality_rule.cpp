@@ -8,6 +8,12 @@
 namespace netmesh {
 namespace {
 
+// While an input waits until it is medial, cells are held to this times tau. What a cell is refined by then comes in
+// layers from outside inwards; those that grow outwards from the input later fit them better when they are fewer: with
+// 1 the meshes of close pairs would be larger by a third. To hold all cells to it as long as inputs are missing makes
+// meshes of uniform points smaller by 5% and those of curves larger by 17%.
+constexpr double slack_while_waiting = 2;
+
 template <int D> class QualityRule : public AspectRule<D, QualityRule<D>> {
     using Base = AspectRule<D, QualityRule<D>>;
     using Base::domain_;
@@ -26,11 +32,12 @@ public:
 
     QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), reference_(request.method == MeshMethod::reference),
-          certify_(request.certify_filter && !reference_), pull_(reference_ ? infinity : pull_back<D>) {}
+          certify_(request.certify_filter && !reference_), pull_(reference_ ? infinity : pull_back<D>),
+          tight_(tau_) {}
 
     double choose_domain();
     double promised_radius() const { return reference_ ? domain_.radius : Base::promised_radius(); }
-    Status begin();
+    Status begin() { return reference_ ? insert_boundary_net() : Status::ok; }
     Status take_turn(VertexId p);
     Status finish_mesh();
     void queue_bad(CellId c);
@@ -62,7 +69,9 @@ private:
 
     const bool reference_, certify_;
     const double pull_;
-    VertexId waiting_ = none;  // the input whose turn it is, until it is medial
+    const double tight_;       // what tau_ is when no input is waiting
+    VertexId waiting_ = none;  // the input whose turn it is, until it is in
+    bool has_waited_ = false;  // has any had to wait?
 };
 
 template <int D> double QualityRule<D>::choose_domain() {
@@ -70,18 +79,10 @@ template <int D> double QualityRule<D>::choose_domain() {
     return domain_.radius = reference_radius(this->request_.tau, domain_.enclosing_radius);
 }
 
-template <int D> Status QualityRule<D>::begin() {
-    if (reference_) return insert_boundary_net();
-    this->loosen();
-    return Status::ok;
-}
-
+// Cells that were good enough while an input was waiting are looked at again.
 template <int D> Status QualityRule<D>::finish_mesh() {
-    if (!reference_) {
-        this->tighten();
-        for (VertexId v(0); v < store_.state.vertex_count; ++v)
-            if (store_.vertex(v).marker != Marker::exempt) queue_.push(v);
-    }
+    for (VertexId v(0); v < store_.state.vertex_count && has_waited_; ++v)
+        if (store_.vertex(v).marker != Marker::exempt) queue_.push(v);
     return this->clean();
 }
 
@@ -103,7 +104,9 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
                 return Status::out_of_memory;
         }
         if (medial == Verdict::out_of_memory) return Status::out_of_memory;
+        tau_ = medial == Verdict::bad ? slack_while_waiting * tight_ : tight_;
         if (medial == Verdict::bad) {
+            has_waited_ = true;
             status = this->yielding_insert(split);
         } else {
             status = this->fill(p, cavity);
@@ -112,6 +115,7 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
         if (status == Status::ok) status = this->clean();
         from = store_.vertex(u).cell;
     }
+    tau_ = tight_;
     waiting_ = none;
     return status;
 }
@@ -131,11 +135,13 @@ template <int D> VertexId QualityRule<D>::nearest_in_conflict(VertexId p, const 
     return nearest;
 }
 
-// u's cell reaches no farther than tau/2 of the way to its nearest neighbour, as the mesh is clean.
+// u's cell reaches no farther than tau/2 times the way to its nearest neighbour, as the mesh is clean; than twice that
+// when it was cleaned while another input was waiting.
 template <int D> bool QualityRule<D>::is_surely_medial(VertexId p, VertexId u) const {
     const Vertex<D>& vertex = store_.vertex(u);
     const double d2 = distance2<D>(store_.point(p), vertex.x);
-    return vertex.marker == Marker::exempt || !(this->least_bad2(vertex) > mediality * mediality * d2);
+    const double most = 0.5 * tight_ * (has_waited_ ? slack_while_waiting : 1);
+    return vertex.marker == Marker::exempt || !(most * most * vertex.nearest2 > mediality * mediality * d2);
 }
 
 // Does the cell of u, the nearest vertex of p, reach farther than p is medial for? Then it is split there.

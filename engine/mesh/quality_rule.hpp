@@ -21,9 +21,9 @@ namespace netmesh {
 //
 // An input enters when it is medial: the clipped cell of its nearest vertex u reaches no farther than `mediality` times
 // its distance from u. Before that u's cell is split at its farthest corner, yielding to other inputs, and the mesh is
-// cleaned. So no insertion makes a ratio above 2 * mediality, and while inputs are missing all cells are held to twice
-// tau: the aspect ratio of every intermediate mesh is bounded, and with it its degrees (4.4), whatever the spread. When
-// all inputs are in, cells are held to tau.
+// cleaned, to twice tau until p is in. So no input's entry makes a ratio above 2 * mediality, and the aspect ratio of
+// every intermediate mesh is bounded, and with it its degrees (4.4), whatever the spread. At the end all cells are
+// held to tau.
 //
 // With certify_filter a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners
 // outside the domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an
