@@ -8,6 +8,7 @@
 #include "mesh/frame.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality_audit.hpp"
+#include "mesh/split.hpp"
 
 using namespace netmesh;
 
@@ -250,6 +251,14 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
         }
 }
 TEST_CASE_TEMPLATE_APPLY(quality, Dimensions<2, 4>);
+
+TEST_CASE("ratios of unfinished meshes do not depend on how near inputs are to each other") {
+    for (const double gap : {1e-1, 1e-3, 1e-6}) {
+        const Hierarchical<2> m(inputs::close_pairs(2, 2, gap), audited(by_quality(3), false, true));
+        REQUIRE(m.status == Status::ok);
+        CHECK(m.result.audit.quality.worst <= 2 * mediality);
+    }
+}
 
 TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, planted) {
     constexpr int D = T::value;
