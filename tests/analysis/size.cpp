@@ -5,6 +5,7 @@
 #include "analysis/common.hpp"
 #include "analysis/pacing.hpp"
 #include "common/dimensions.hpp"
+#include "mesh/split.hpp"
 #include "numerics/elementary.hpp"
 
 using namespace netmesh;
@@ -164,6 +165,45 @@ TEST_CASE("two points: the integral of 3.8.3") {
     }
 }
 
+TEST_CASE("integrals over balls of which few boxes have a part inside") {
+    // Two points a from the origin, f_P(x, y)^2 = x^2 + (|y| + a)^2: the boxes about the origin have sides 1, or 4 when
+    // the points are far. Balls end before the centres of four boxes, behind them, or lie inside of one box.
+    for (const double a : {2.85, 100.0}) {
+        Ordered<2> o({0, -a, 0, a});
+        const double centre[2] = {0, 0};
+        for (const double radius : {0.3, 0.5, 0.7, 0.708, 1.0}) {
+            FeatureIntegral integral;
+            REQUIRE(feature_integral<2>(o.held.store, o.tree, 2, {centre, &radius, 1, infinity, 0},
+                                        {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
+            double sum = 0;
+            const int side = 400;
+            const double step = 2 * radius / side;
+            for (int i = 0; i < side; ++i)
+                for (int j = 0; j < side; ++j) {
+                    const double x = (i + 0.5 - side / 2) * step, y = (j + 0.5 - side / 2) * step;
+                    const double up = std::fabs(y) + a;
+                    if (x * x + y * y < radius * radius) sum += step * step / (x * x + up * up);
+                }
+            INFO("radius " << radius << ", points " << a << " away");
+            CHECK(integral.lower[0] < sum * 1.001);
+            CHECK(sum * 0.999 < integral.upper[0]);
+        }
+    }
+}
+
+TEST_CASE("two points in a ball of a million of their distances") {
+    // r^2 + 1/4 <= f_P^2 <= (r + 1/2)^2 at r from the middle of points 1 apart. What balls' boundaries add is little.
+    Ordered<2> o({-0.5, 0, 0.5, 0});
+    const double centre[2] = {0, 0}, radius = 0x1p20, pi = 3.14159265358979324;
+    FeatureIntegral integral;
+    REQUIRE(feature_integral<2>(o.held.store, o.tree, 2, {centre, &radius, 1, infinity, 0},
+                                {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
+    const double most = pi * std::log1p(4 * radius * radius);      // of 2 pi r / (r^2 + 1/4)
+    const double least = 2 * pi * (std::log(2 * radius + 1) - 1);  // of 2 pi r / (r + 1/2)^2, up to 1 / radius
+    CHECK(integral.lower[0] < most);
+    CHECK(integral.upper[0] > least);
+}
+
 TEST_CASE_TEMPLATE_DEFINE("bounds of chapter 3 hold on every mesh", T, bounds) {
     constexpr int D = T::value;
     constexpr std::size_t sizes = by_dimension<std::size_t>(D, {400, 100, 30, 12, 4});
@@ -244,6 +284,49 @@ TEST_CASE("figures that break a bound are found out") {
     a = good;
     a.pace_upper = 0.5 * good.integral.lower[ball_wide];
     CHECK(violated_size_bound(a) != nullptr);
+}
+
+TEST_CASE_TEMPLATE_DEFINE("bounds on sizes are those of 3.4.1 and 3.4.2, with all in-balls", T, size_bounds) {
+    constexpr int D = T::value;
+    const double pi = 3.14159265358979324, volume = D == 2 ? pi : 4 * pi / 3, tau = 2.5;
+    for (const inputs::Points& points : {inputs::uniform(D, 30), inputs::clusters(D, 20)}) {
+        Held<D> held;
+        REQUIRE(held.mesh(points, tau) == Status::ok);
+        const SizeAnalysis a = analyse<D>(held, tau);
+        double ratio = 0, reach = held.domain.radius;
+        for (std::uint32_t v = 0; v < held.state.vertex_count; ++v) {
+            if (held.store.vertex(v).marker == Marker::exempt) continue;
+            double nearest = HUGE_VAL;
+            for (std::uint32_t w = 0; w < held.state.vertex_count; ++w)
+                if (w != v) nearest = std::min(nearest, distance(held.store.point(v), held.store.point(w), D));
+            ratio = std::max(ratio, second_nearest(points, D, held.store.point(v)) / nearest);
+            reach = std::max(reach, distance(held.store.point(v), held.domain.centre, D) + nearest / 2);
+        }
+        CHECK(a.feature_ratio == doctest::Approx(ratio).epsilon(1e-12));
+        CHECK(a.radius[ball_vertices] == doctest::Approx(reach).epsilon(1e-12));
+        CHECK(a.radius[ball_vertices] > held.domain.radius);
+        // In the in-ball of v, of radius N/2, f_P is at most (ratio + 1/2) N; a clipped cell lies in a ball of radius
+        // tau N/2 about v, in which f_P is at least N/2.
+        const double most = a.integral.upper[ball_vertices] / volume * std::pow(2 * ratio + 1, D);
+        CHECK(a.size_upper >= most);
+        CHECK(a.size_upper <= most * 1.001);
+        const double least = a.integral.lower[ball_domain] / volume / std::pow(tau, D);
+        CHECK(a.size_lower <= least);
+        CHECK(a.size_lower >= least * 0.999);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(size_bounds, Dimensions<2, 3>);
+
+TEST_CASE("the bound on feature ratios is where 3.3.1 ends, step by step") {
+    for (const double tau : {2.5, 3.0, 4.0, 8.0}) {
+        double inputs = 1;
+        for (int step = 0; step < 1000; ++step) {
+            const double steiner = 2 * inputs / tau + 2;
+            inputs = (steiner - 1) / yield_radius + 2;
+        }
+        CHECK(feature_ratio_bound(tau, {}) >= inputs * (1 - 1e-12));
+        CHECK(feature_ratio_bound(tau, {}) <= inputs * 1.01);
+    }
 }
 
 TEST_CASE_TEMPLATE_DEFINE("bounds by paces are those of 3.8.3 to 3.8.7", T, pace_bounds) {

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -184,6 +185,95 @@ template <int D> void overlap(double shift) {
     CHECK(std::string(r.violation) == "two cells overlap");
 }
 
+// Two simplices with the facet of the unit vectors in common: the origin and `apex`, each at the same position, in all
+// orders of the others that a swap leads to. What is said of every one of them.
+template <int D, class Check> std::string of_two_cells(const double* apex, Check&& check) {
+    std::string said;
+    for (int position = 0; position <= D; ++position)
+        for (unsigned swaps = 0; swaps < 4; ++swaps) {
+            double x[(D + 2) * D] = {};
+            for (int k = 0; k < D; ++k) {
+                x[k * D + k] = 1;
+                x[(D + 1) * D + k] = apex[k];
+            }
+            std::uint32_t cells[2 * (D + 1)];
+            for (unsigned c = 0; c < 2; ++c) {
+                std::uint32_t* const cell = cells + c * (D + 1);
+                for (int i = 0, w = 0; i <= D; ++i) cell[i] = i == position ? D + c : static_cast<std::uint32_t>(w++);
+                if (swaps >> c & 1u) std::swap(cell[position == 0 ? 1 : 0], cell[position == D ? D - 1 : D]);
+            }
+            Block block(std::size_t{1} << 18);
+            StoreState state = {};
+            Store<D> store(block.arena, state);
+            CheckResult why;
+            REQUIRE(load_cells<D>(store, x, D + 2, cells, 2, &why) == Status::ok);
+            const std::string now = Patient<D>::said(check(store));
+            if (said.empty()) said = now;
+            CHECK(said == now);
+        }
+    return said;
+}
+
+template <int D> void two_cells() {
+    double inside[D], dent[D];
+    for (int k = 0; k < D; ++k) {
+        inside[k] = 0.75;                          // within the cube whose corners the ball passes through
+        dent[k] = k == 0 ? -0.25 : 1.5 / (D - 1);  // beyond the plane of the origin's cell's facet opposite to e_0
+    }
+    CHECK(of_two_cells<D>(inside, check_delaunay<D>) == "a vertex lies inside the ball of a cell");
+    CHECK(of_two_cells<D>(inside, check_geometric<D>) == "nothing");
+    CHECK(of_two_cells<D>(dent, check_geometric<D>) == "the hull is not convex");
+}
+
+// Simplices apart from each other, two of which are the same.
+template <int D> void covered_twice() {
+    for (std::uint32_t second = 1; second < 4; ++second) {
+        double x[4 * (D + 1) * D] = {};
+        std::uint32_t cells[4 * (D + 1)];
+        for (std::uint32_t v = 0; v < 4 * (D + 1); ++v) {
+            const std::uint32_t cell = v / (D + 1), corner = v % (D + 1);
+            for (std::uint32_t k = 0; k < D; ++k)
+                x[v * D + k] = (corner == k + 1 ? 1 : 0) + (cell == second ? 0 : 8.0 * cell);
+            cells[v] = v;
+        }
+        Block block(std::size_t{1} << 18);
+        StoreState state = {};
+        Store<D> store(block.arena, state);
+        CheckResult why;
+        REQUIRE(load_cells<D>(store, x, 4 * (D + 1), cells, 4, &why) == Status::ok);
+        const CheckResult r = check_geometric<D>(store);
+        REQUIRE(r.violation != nullptr);
+        CHECK(std::string(r.violation) == "two cells overlap");
+        CHECK(r.cell == second);
+    }
+}
+
+// One simplex, its vertices in any order: each knows its nearest.
+template <int D> void nearest_of_simplex() {
+    for (std::uint32_t turn = 0; turn <= D; ++turn) {
+        double x[(D + 1) * D] = {};
+        std::uint32_t cell[D + 1];
+        for (std::uint32_t i = 0; i <= D; ++i) {
+            if (i < D) x[i * D + i] = 1 + 0.125 * i;
+            cell[i] = (i + turn) % (D + 1);
+        }
+        Block block(std::size_t{1} << 18);
+        StoreState state = {};
+        Store<D> store(block.arena, state);
+        CheckResult why;
+        REQUIRE(load_cells<D>(store, x, D + 1, cell, 1, &why) == Status::ok);
+        for (std::uint32_t v = 0; v <= D; ++v) {
+            double nearest2 = HUGE_VAL;
+            for (std::uint32_t w = 0; w <= D; ++w) {
+                double d2 = 0;
+                for (int k = 0; k < D; ++k) d2 += (x[v * D + k] - x[w * D + k]) * (x[v * D + k] - x[w * D + k]);
+                if (w != v && d2 < nearest2) nearest2 = d2;
+            }
+            CHECK(store.vertex(VertexId(v)).nearest2 == nearest2);
+        }
+    }
+}
+
 // What load refuses: a facet of three cells, a vertex that does not exist or comes twice.
 template <int D> void refuse_to_load() {
     double x[(D + 3) * D] = {};
@@ -220,6 +310,9 @@ TEST_CASE_TEMPLATE_DEFINE("damage is seen", T, damage) {
     leave_out<D>();
     overlap<D>(0);
     overlap<D>(1.0 / 64);
+    covered_twice<D>();
+    two_cells<D>();
+    nearest_of_simplex<D>();
     refuse_to_load<D>();
 }
 TEST_CASE_TEMPLATE_APPLY(damage, Dimensions<>);

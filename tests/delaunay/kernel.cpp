@@ -182,6 +182,26 @@ TEST_CASE("spatial order is a permutation with equal points together, for any sp
     for (std::uint32_t i = 0; i < 250; ++i) CHECK(position[1000 + i] == position[i] + 1);
 }
 
+TEST_CASE_TEMPLATE_DEFINE("of equal points the first comes first, wherever halves round", T, equal_points) {
+    constexpr int D = T::value;
+    for (const double step : {1.0, std::numeric_limits<double>::denorm_min()}) {
+        constexpr std::uint32_t n = 12;
+        inputs::Points points;
+        for (std::uint32_t i = 0; i < n; ++i)
+            for (int k = 0; k < D; ++k) points.push_back(k == 0 ? step * (i % 2) : 0);
+        Block block(std::size_t{1} << 16);
+        std::vector<std::uint32_t> order(n), expected;
+        bool repeats = false;
+        REQUIRE(spatial_order<D>(reinterpret_cast<const unsigned char*>(points.data()), 8 * D, n, 1, block.arena,
+                                 order.data(), &repeats) == Status::ok);
+        CHECK(repeats);
+        for (const std::uint32_t first : {order[0] % 2, 1 - order[0] % 2})
+            for (std::uint32_t i = first; i < n; i += 2) expected.push_back(i);
+        CHECK(order == expected);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(equal_points, Dimensions<>);
+
 TEST_CASE_TEMPLATE_DEFINE("points that only their last bits tell apart are not taken for duplicates", T, subnormal) {
     constexpr int D = T::value;
     // Below the smallest normal number halves round, and the curve cannot tell these apart.
@@ -247,6 +267,95 @@ TEST_CASE_TEMPLATE_DEFINE("a star that the gap is too small for is refused, and 
     CHECK(count == expected);
 }
 TEST_CASE_TEMPLATE_APPLY(stars, Dimensions<>);
+
+TEST_CASE_TEMPLATE_DEFINE("a cavity's list is the same in any gap that it fits, and never leaves the gap", T, lists) {
+    constexpr int D = T::value;
+    const inputs::Points points = inputs::uniform(D, 4 * D);
+    Block block(std::size_t{1} << 20);
+    StoreState state = {};
+    Store<D> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    std::uint32_t* order;
+    REQUIRE(take_input<D>(store, points.data(), 4 * D, 1, monitor, &input, &order) == Status::ok);
+    REQUIRE(store.open_cells() == Status::ok);
+    Kernel<D> kernel(store, corner_error_max, VertexCells::kept);
+    VertexId ids[D + 1];
+    REQUIRE(independent_points<D>(store, order, 4 * D, ids));
+    REQUIRE(kernel.start(ids) == Status::ok);
+    for (std::uint32_t k = 0; k < 4 * D; ++k) {
+        const VertexId v(order[k]);
+        if (store.vertex(v).cell != none) continue;
+        const CellId from = kernel.locate(store.point(v), v, state.last_cell);
+        Cavity whole;
+        REQUIRE(kernel.find_cavity(store.point(v), v, from, &whole));
+        const std::size_t low = block.arena.low_mark(), top = block.arena.high_mark();
+        std::vector<unsigned char> below(64 * (D + 1), 0xA5);
+        std::size_t refused = 0;
+        for (std::size_t gap = 0;; gap += 4) {
+            unsigned char* const edge = reinterpret_cast<unsigned char*>(block.arena.at(top - gap));
+            std::copy(below.begin(), below.end(), edge - below.size());
+            block.arena.release_low(top - gap);
+            Cavity cavity;
+            const bool fits = kernel.find_cavity(store.point(v), v, from, &cavity);
+            block.arena.release_low(low);
+            REQUIRE(std::equal(below.begin(), below.end(), edge - below.size()));
+            if (!fits) {
+                ++refused;
+                continue;
+            }
+            CHECK(cavity.cells == whole.cells);
+            CHECK(cavity.facets == whole.facets);
+            break;
+        }
+        CHECK(refused > 0);
+        REQUIRE(kernel.find_cavity(store.point(v), v, from, &whole));
+        kernel.fill(whole, v);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(lists, Dimensions<>);
+
+TEST_CASE_TEMPLATE_DEFINE("a point in the plane of a hull facet: the ghost is in conflict when the cell behind is", T,
+                          coplanar) {
+    constexpr int D = T::value;
+    // The corner simplex of a cube, and a point with x_0 = 0: inside the facet, far outside of the ball, or, but in the
+    // plane, a corner of the cube too, where indices decide.
+    for (const double coordinate : {0.25 / D, 4.0, 1.0}) {
+        std::uint32_t conflicts = 0, tried = 0;
+        for (std::uint32_t row = 0; row < D + 2; ++row) {
+            if (D == 2 && coordinate == 1) continue;
+            inputs::Points points;
+            VertexId ids[D + 1];
+            for (std::uint32_t v = 0, corner = 0; v < D + 2; ++v) {
+                for (std::uint32_t k = 0; k < D; ++k)
+                    points.push_back(v == row ? (k == 0 ? 0 : coordinate) : corner == k + 1 ? 1 : 0);
+                if (v != row) ids[corner++] = VertexId(v);
+            }
+            Block block(std::size_t{1} << 18);
+            StoreState state = {};
+            Store<D> store(block.arena, state);
+            Monitor monitor;
+            InputReport input;
+            std::uint32_t* order;
+            REQUIRE(take_input<D>(store, points.data(), D + 2, 1, monitor, &input, &order) == Status::ok);
+            REQUIRE(store.open_cells() == Status::ok);
+            Kernel<D> kernel(store, corner_error_max, VertexCells::kept);
+            REQUIRE(kernel.start(ids) == Status::ok);
+            int position = 0;
+            while (store.cell(CellId(0)).vertex[position] != ids[1]) ++position;
+            const CellId ghost = store.cell(CellId(0)).neighbour[position].cell();
+            const VertexId v(row);
+            const bool conflict = kernel.in_conflict(ghost, store.point(v), v);
+            CHECK(conflict == kernel.in_conflict(CellId(0), store.point(v), v));
+            conflicts += conflict;
+            ++tried;
+        }
+        if (coordinate < 1) CHECK(conflicts == tried);
+        if (coordinate > 1) CHECK(conflicts == 0);
+        if (coordinate == 1 && D > 2) CHECK((conflicts > 0 && conflicts < tried));
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(coplanar, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("stamps that run out begin anew, and the triangulation is the same", T, stamps) {
     constexpr int D = T::value;

@@ -8,6 +8,7 @@
 #include "mesh/frame.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality_audit.hpp"
+#include "mesh/split.hpp"
 
 using namespace netmesh;
 
@@ -227,6 +228,13 @@ TEST_CASE_TEMPLATE_DEFINE("lists are refused where they do not fit", T, refused_
 }
 TEST_CASE_TEMPLATE_APPLY(refused_lists, Dimensions<>);
 
+TEST_CASE("ratios of unfinished meshes do not depend on how near inputs are to each other") {
+    for (const double gap : {1e-1, 1e-3, 1e-6}) {
+        const Hierarchical<2> m(inputs::close_pairs(2, 2, gap), audited(by_quality(3), false, true));
+        REQUIRE(m.status == Status::ok);
+        CHECK(m.result.audit.quality.worst <= 2 * mediality);
+    }
+}
 TEST_CASE("any arena size leaves a whole mesh of what was inserted, with lists and without") {
     const inputs::Points points = inputs::nested(2, 3, 8, 1e3);
     std::uint32_t partial = 0, whole = 0;

@@ -136,6 +136,36 @@ TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on ce
 }
 TEST_CASE_TEMPLATE_APPLY(agree, Dimensions<>);
 
+TEST_CASE_TEMPLATE_DEFINE("a point that reaches a distance is at it, in the ball and in the cell", T, reaching) {
+    constexpr int D = T::value;
+    int found = 0;
+    for (const int within : {1, 2, D}) {
+        const std::uint32_t n = 3 * D;
+        Framed<D> m(flat(D, within, n, 5));
+        const std::vector<double> sampled2 = sampled_reach2<D>(m.store, m.domain, 5000);
+        for (VertexId v(0); v < n; ++v)
+            for (const double part : {0.3, 0.6, 0.9, 0.99}) {
+                const double* const p = m.store.point(v);
+                const Cut<D> cut(m.domain, p, part * sampled2[v]);
+                CutCorners<D> corners;
+                for (CellId c(0); c < m.state.cell_slots; ++c)
+                    if (std::count(m.store.cell(c).vertex, m.store.cell(c).vertex + D + 1, v) > 0)
+                        offer_cut_corners<D>(m.store, cut, v, c, &corners);
+                CHECK(corners.reach_beyond(cut.distance2()));
+                double x[D];
+                if (!find_reaching_point<D>(m.store, cut, v, corners, x)) continue;
+                ++found;
+                const double d2 = distance2<D>(x, p), slack = 1e-9 * m.domain.radius * m.domain.radius;
+                CHECK(d2 == doctest::Approx(part * sampled2[v]).epsilon(1e-9));
+                CHECK(distance2<D>(x, m.domain.centre) <= m.domain.radius * m.domain.radius + slack);
+                for (std::uint32_t w = 0; w < m.state.vertex_count; ++w)
+                    CHECK(distance2<D>(x, m.store.point(w)) >= d2 - slack);
+            }
+    }
+    CHECK(found > 0);
+}
+TEST_CASE_TEMPLATE_APPLY(reaching, Dimensions<>);
+
 TEST_CASE_TEMPLATE_DEFINE("sampled cells of flat and curved inputs keep tau", T, keep) {
     constexpr int D = T::value;
     constexpr double tau = D < 4 ? 2.5 : 4;
