@@ -18,6 +18,7 @@ bool offer_clipped(const Store<D>& store, const Cage& cage, const Domain<D>& bal
         return false;
     }
     for (int i = 0; i <= D; ++i) {
+        if (cell.neighbour[i] == none) continue;
         const Cell<D>& behind = store.cell(cell.neighbour[i].cell());
         if (!(behind.radius2 < infinity) || !is_mixed<D>(store, cage, c, i)) continue;
         double z[2][D];

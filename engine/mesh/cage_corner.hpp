@@ -21,6 +21,7 @@ template <int D, class Visit> bool visit_cage_boundary(Store<D>& store, const Ca
         const CellId c = boundary[k];
         visit(c);
         for (int i = 0; i <= D; ++i) {
+            if (store.cell(c).neighbour[i] == none) continue;
             const CellId n = store.cell(c).neighbour[i].cell();
             if (is_on_boundary<D>(store, cage, n) && !boundary.add(n)) return false;
         }

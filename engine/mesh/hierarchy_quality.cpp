@@ -290,7 +290,10 @@ template <int D> void Measurement<D>::measure_cells() {
                 if (k != i) out2_[cell.vertex[k]] = infinity;
         Cell<D> here;
         if (!corner(c, &here)) {
-            for (const VertexId v : cell.vertex) leaves_ball_[v] = true;
+            for (const VertexId v : cell.vertex) {
+                leaves_ball_[v] = true;
+                for (std::uint32_t d = domain_[v]; d != none; d = cages_[d].parent) cage_leaves_ball_[d] = true;
+            }
             continue;
         }
         raise_vertices(c, here);
