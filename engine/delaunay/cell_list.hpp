@@ -11,7 +11,7 @@ namespace netmesh {
 // kernel's next search, are written to the same place.
 template <int D> class CellList {
 public:
-    explicit CellList(Store<D>& store)
+    [[gnu::always_inline]] explicit CellList(Store<D>& store)
         : store_(store), end_(store.list_top()), capacity_(store.list_capacity()), stamp_(store.new_stamp()) {}
 
     // Lists c unless it is listed already. False when the gap has no room for it.

@@ -62,7 +62,7 @@ protected:
     }
     // v has just filled the cavity. Does its cell, clipped to the ball, end on the sphere, with a corner far enough to
     // be bad elsewhere?
-    void queue_new(const Cavity& cavity, const Domain<D>& ball, VertexId v) {
+    [[gnu::noinline]] void queue_new(const Cavity& cavity, const Domain<D>& ball, VertexId v) {
         const Vertex<D>& vertex = this->store_.vertex(v);
         if (vertex.queued || vertex.marker == Marker::exempt) return;
         for (std::uint32_t k = 0; k < cavity.facets; ++k) {
@@ -75,7 +75,8 @@ protected:
     }
     // A point of v's clipped cell that is neither a corner nor on an edge, and farther from v than the root of bound2.
     // distance2 of *found is negative when there is none. Just before, v's star of `count` cells has been visited.
-    void find_beyond(const Domain<D>& ball, VertexId v, double bound2, std::uint32_t count, Corner<D>* found) const {
+    [[gnu::noinline]] void find_beyond(const Domain<D>& ball, VertexId v, double bound2, std::uint32_t count,
+                                       Corner<D>* found) const {
         *found = Corner<D>{};
         const double* const p = this->store_.point(v);
         const CellId* const star = this->store_.list_top();

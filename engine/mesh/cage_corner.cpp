@@ -9,7 +9,7 @@ namespace {
 // Offers the corner of cell c, on the cage's boundary, where the ball contains it, otherwise where the edges of the
 // cage's cell that end in it cross the sphere. True when the ball does not contain it, or when it is not known.
 template <int D>
-bool offer_clipped(const Store<D>& store, const Cage& cage, const Domain<D>& ball, CellId c, Corner<D>* corner) {
+[[gnu::noinline]] bool offer_clipped(const Store<D>& store, const Cage& cage, const Domain<D>& ball, CellId c, Corner<D>* corner) {
     const Cell<D>& cell = store.cell(c);
     const double* const centre = store.point(cage.centre);
     if (!(cell.radius2 < infinity)) return true;
@@ -29,7 +29,7 @@ bool offer_clipped(const Store<D>& store, const Cage& cage, const Domain<D>& bal
 }
 
 // Is a vertex inside of the cage nearest to x?
-template <int D> bool is_in_cage_cell(const Store<D>& store, const Cage& cage, const double* x) {
+template <int D> [[gnu::cold]] bool is_in_cage_cell(const Store<D>& store, const Cage& cage, const double* x) {
     double inside2 = infinity, outside2 = infinity;
     for (VertexId v(0); v < store.state.vertex_count; ++v) {
         if (store.vertex(v).cell == none) continue;
@@ -53,7 +53,8 @@ bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, 
 // The edges of the cage's cell after the cut are those behind mixed facets: where one with vertices inside of the cage
 // alone is cut, the cell goes on to both sides in the plane of the cut, and does not reach farthest.
 template <int D>
-void find_cage_pole(const Store<D>& store, const Cage& cage, const Domain<D>& ball, double bound2, Corner<D>* corner) {
+[[gnu::cold]] void find_cage_pole(const Store<D>& store, const Cage& cage, const Domain<D>& ball, double bound2,
+                                  Corner<D>* corner) {
     const double* const centre = store.point(cage.centre);
     const Cut<D> cut(ball, centre, bound2);
     CutCorners<D> corners;
@@ -73,8 +74,8 @@ void find_cage_pole(const Store<D>& store, const Cage& cage, const Domain<D>& ba
 }
 
 template <int D>
-void raise_to_cage_cell(const Store<D>& store, const Cage& cage, const Domain<D>& ball, const CellId* boundary,
-                        std::uint32_t count, double* out2) {
+[[gnu::cold]] void raise_to_cage_cell(const Store<D>& store, const Cage& cage, const Domain<D>& ball,
+                                      const CellId* boundary, std::uint32_t count, double* out2) {
     Corner<D> farthest;
     farthest.distance2 = *out2;
     bool leaves_ball = false;

@@ -60,7 +60,7 @@ private:
     double far2_ = 0;  // of the input farthest from the domain's centre
 };
 
-template <int D> CheckResult DomainCheck<D>::find_inputs(bool whole) {
+template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_inputs(bool whole) {
     const double most = domain_.radius * (1 + tolerance);
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         if (whole && !is(v, in_cell)) return {"a vertex belongs to no cell", v};
@@ -74,7 +74,7 @@ template <int D> CheckResult DomainCheck<D>::find_inputs(bool whole) {
     return {nullptr, none};
 }
 
-template <int D> CheckResult DomainCheck<D>::find_net() const {
+template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_net() const {
     const double delta2 = 4 * far2_ * (1 - tolerance);
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         if (!stands_free(v)) continue;
@@ -89,7 +89,7 @@ template <int D> CheckResult DomainCheck<D>::find_net() const {
     return {nullptr, none};
 }
 
-template <int D> CheckResult DomainCheck<D>::find_frame() const {
+template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_frame() const {
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v)
         if (stands_free(v) && !is(v, on_hull))
             return {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
@@ -103,7 +103,7 @@ template <int D> CheckResult DomainCheck<D>::find_frame() const {
 // What the directions of facet i of cell c leave of the ways from it to vertex i and to the domain's centre. Returns
 // inner; null when the facet has no normal.
 template <int D>
-double* DomainCheck<D>::normal_of(std::uint32_t c, int i, double* inner, double* centre) const {
+[[gnu::cold]] double* DomainCheck<D>::normal_of(std::uint32_t c, int i, double* inner, double* centre) const {
     const Cell<D>& cell = store_.cell(c);
     const double* const p = store_.point(cell.vertex[i == 0 ? 1 : 0]);
     double along[D][D];  // orthonormal directions of the facet
@@ -134,7 +134,7 @@ double* DomainCheck<D>::normal_of(std::uint32_t c, int i, double* inner, double*
 }
 
 // Is the domain's centre not as far from facet i of cell c, to the side of vertex i, as the domain's radius?
-template <int D> bool DomainCheck<D>::reaches_beyond(std::uint32_t c, int i) const {
+template <int D> [[gnu::cold]] bool DomainCheck<D>::reaches_beyond(std::uint32_t c, int i) const {
     double inner[D], centre[D];
     if (normal_of(c, i, inner, centre) == nullptr) return true;
     const double height = square_root(dot<D>(centre, centre));
@@ -143,7 +143,7 @@ template <int D> bool DomainCheck<D>::reaches_beyond(std::uint32_t c, int i) con
 
 // Is the point of the sphere above facet i of cell c, which is as far from all of its vertices, farther from them than
 // delta?
-template <int D> bool DomainCheck<D>::leaves_hole(std::uint32_t c, int i) const {
+template <int D> [[gnu::cold]] bool DomainCheck<D>::leaves_hole(std::uint32_t c, int i) const {
     double inner[D], centre[D], top[D];
     if (normal_of(c, i, inner, centre) == nullptr) return true;
     const double length = square_root(dot<D>(inner, inner));

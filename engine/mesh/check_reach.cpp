@@ -19,7 +19,7 @@ template <int D> struct Centre {
     double x[D];
 };
 
-template <int D> Centre<D> centre_of(const Store<D>& store, CellId c) {
+template <int D> [[gnu::cold]] Centre<D> centre_of(const Store<D>& store, CellId c) {
     const double* const p = store.point(store.cell(c).vertex[0]);
     double longest = 0;
     DoubleDouble a[D][D + 1];
@@ -97,7 +97,7 @@ private:
     const ReachRequest<D>& request_;
 };
 
-template <int D> typename Reach<D>::HalfSpace Reach<D>::half_space_of(VertexId v) const {
+template <int D> [[gnu::cold]] typename Reach<D>::HalfSpace Reach<D>::half_space_of(VertexId v) const {
     const std::uint32_t d = request_.domains != nullptr ? request_.domains[v] : none;
     const double* centre = request_.outermost.centre;
     double radius = request_.outermost.radius;
@@ -116,7 +116,8 @@ template <int D> typename Reach<D>::HalfSpace Reach<D>::half_space_of(VertexId v
 }
 
 // Does the edge from the corner y, outside of the half-space, to that of cell n enter it beyond the limit?
-template <int D> bool Reach<D>::crosses_beyond(VertexId v, const HalfSpace& half, const double* y, CellId n) const {
+template <int D>
+[[gnu::cold]] bool Reach<D>::crosses_beyond(VertexId v, const HalfSpace& half, const double* y, CellId n) const {
     const Centre<D> centre = centre_of<D>(store_, n);
     if (!centre.known) return false;
     double z[D], x[D], x2 = 0;
@@ -133,7 +134,8 @@ template <int D> bool Reach<D>::crosses_beyond(VertexId v, const HalfSpace& half
 
 // The same for the edge behind a facet of c, and through the cell there when that is flat.
 template <int D>
-bool Reach<D>::leads_beyond(VertexId v, const HalfSpace& half, const double* y, CellId c, int across) const {
+[[gnu::cold]] bool Reach<D>::leads_beyond(VertexId v, const HalfSpace& half, const double* y, CellId c,
+                                          int across) const {
     const CellId n = store_.cell(c).neighbour[across].cell();
     if (crosses_beyond(v, half, y, n)) return true;
     if (centre_of<D>(store_, n).known) return false;
@@ -146,7 +148,8 @@ bool Reach<D>::leads_beyond(VertexId v, const HalfSpace& half, const double* y, 
 }
 
 template <int D>
-bool Reach<D>::has_corner_beyond(CellId c, const Centre<D>& centre, VertexId v, const HalfSpace& half) const {
+[[gnu::cold]] bool Reach<D>::has_corner_beyond(CellId c, const Centre<D>& centre, VertexId v,
+                                               const HalfSpace& half) const {
     double y[D], y2 = 0;
     from_vertex(c, centre, v, y);
     for (int k = 0; k < D; ++k) y2 += y[k] * y[k];
@@ -158,7 +161,7 @@ bool Reach<D>::has_corner_beyond(CellId c, const Centre<D>& centre, VertexId v, 
     return false;
 }
 
-template <int D> bool Reach<D>::is_own(VertexId v, const double* y, const CellList<D>& star) const {
+template <int D> [[gnu::cold]] bool Reach<D>::is_own(VertexId v, const double* y, const CellList<D>& star) const {
     double y2 = 0;
     for (int k = 0; k < D; ++k) y2 += y[k] * y[k];
     for (std::uint32_t s = 0; s < star.size(); ++s)
@@ -175,7 +178,7 @@ template <int D> bool Reach<D>::is_own(VertexId v, const double* y, const CellLi
 
 // v is outside of the half-space: is the point of its cut cell nearest to v within the limit? That point is the foot of
 // v on the plane cut with the flat of some face.
-template <int D> bool Reach<D>::comes_within(VertexId v, const HalfSpace& half, bool* fits) const {
+template <int D> [[gnu::cold]] bool Reach<D>::comes_within(VertexId v, const HalfSpace& half, bool* fits) const {
     CellList<D> star(store_);
     *fits = star.add(store_.vertex(v).cell);
     for (std::uint32_t s = 0; s < star.size() && *fits; ++s) {
@@ -227,7 +230,7 @@ template <int D> bool Reach<D>::comes_within(VertexId v, const HalfSpace& half, 
     return false;
 }
 
-template <int D> Status Reach<D>::find_beyond(std::uint32_t* beyond) {
+template <int D> [[gnu::cold]] Status Reach<D>::find_beyond(std::uint32_t* beyond) {
     for (CellId c(0); c < store_.state.cell_slots; ++c) {
         const Centre<D> centre = centre_of<D>(store_, c);
         if (!centre.known) continue;

@@ -76,7 +76,7 @@ template <int D> unsigned neighbours_before(const Store<D>& store, VertexId v, C
 
 }  // namespace
 
-template <int D> bool Flat<D>::cut(const double* u, const double* w, const double* x) {
+template <int D> [[gnu::cold]] bool Flat<D>::cut(const double* u, const double* w, const double* x) {
     double* const n = normal[codimension];
     double length2 = 0, rest2 = 0, level = 0;
     for (int k = 0; k < D; ++k) {
@@ -98,7 +98,7 @@ template <int D> bool Flat<D>::cut(const double* u, const double* w, const doubl
     return true;
 }
 
-template <int D> void Flat<D>::foot(const double* p, double* at) const {
+template <int D> [[gnu::cold]] void Flat<D>::foot(const double* p, double* at) const {
     copy<D>(p, at);
     for (int i = 0; i < codimension; ++i) {
         double along = -offset[i];
@@ -107,7 +107,7 @@ template <int D> void Flat<D>::foot(const double* p, double* at) const {
     }
 }
 
-template <int D> void Flat<D>::direction(double* along) const {
+template <int D> [[gnu::cold]] void Flat<D>::direction(double* along) const {
     double best = 0;
     for (int axis = 0; axis < D; ++axis) {
         double p[D] = {};
@@ -121,7 +121,7 @@ template <int D> void Flat<D>::direction(double* along) const {
     }
 }
 
-template <int D> bool Flat<D>::poles(const Domain<D>& ball, const double* u, double (&x)[2][D]) const {
+template <int D> [[gnu::cold]] bool Flat<D>::poles(const Domain<D>& ball, const double* u, double (&x)[2][D]) const {
     const double zero[D] = {};
     double centre[D], middle[D], nearest[D], away[D];
     for (int k = 0; k < D; ++k) centre[k] = ball.centre[k] - u[k];
@@ -143,8 +143,8 @@ template <int D> bool Flat<D>::poles(const Domain<D>& ball, const double* u, dou
 }
 
 template <int D>
-void offer_poles(const Store<D>& store, const Domain<D>& ball, VertexId v, const CellId* star, std::uint32_t count,
-                 Corner<D>* farthest) {
+[[gnu::cold]] void offer_poles(const Store<D>& store, const Domain<D>& ball, VertexId v, const CellId* star,
+                               std::uint32_t count, Corner<D>* farthest) {
     const auto contains = [&](const double* x) { return is_in_cell<D>(store, v, x, star, count); };
     for (std::uint32_t s = 0; s < count; ++s) {
         const CellId c = star[-1 - static_cast<std::ptrdiff_t>(s)];

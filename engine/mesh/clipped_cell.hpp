@@ -63,7 +63,8 @@ template <int D> struct CutCorners {
 // Offers those corners of Vor(w) after the cut that corner c of it gives rise to: itself, and where its edges are cut
 // but for those that lead to a corner with a smaller index.
 template <int D>
-void offer_cut_corners(const Store<D>& store, const Cut<D>& cut, VertexId w, CellId c, CutCorners<D>* corners) {
+[[gnu::noinline]] void offer_cut_corners(const Store<D>& store, const Cut<D>& cut, VertexId w, CellId c,
+                                         CutCorners<D>* corners) {
     const Cell<D>& cell = store.cell(c);
     if (!(cell.radius2 < infinity)) {
         corners->unknown |= !store.is_ghost(c);
@@ -92,8 +93,8 @@ void offer_cut_corners(const Store<D>& store, const Cut<D>& cut, VertexId w, Cel
 // A point of Vor(w) within the ball at distance s from u, the cut's origin, on the way to the farthest corner after the
 // cut from w or from the nearest one, whichever is within s of u. False when none is, or no corner is beyond s.
 template <int D>
-bool find_reaching_point(const Store<D>& store, const Cut<D>& cut, VertexId w, const CutCorners<D>& corners,
-                         double* x) {
+[[gnu::cold]] bool find_reaching_point(const Store<D>& store, const Cut<D>& cut, VertexId w,
+                                       const CutCorners<D>& corners, double* x) {
     const double *const u = cut.origin(), s2 = cut.distance2();
     const double* from = store.point(w);
     if (cut.height(from) > 0 || distance2<D>(from, u) > s2) from = corners.near;
@@ -134,8 +135,8 @@ template <int D> struct Flat {
 // them and they are farther than what has been offered; `left`: but for faces that a neighbour of c across a facet at
 // any of these positions belongs to as well.
 template <int D, class Contains>
-void offer_poles(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId w, CellId c, unsigned left,
-                 Contains&& contains, Corner<D>* farthest) {
+[[gnu::cold]] void offer_poles(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId w, CellId c,
+                               unsigned left, Contains&& contains, Corner<D>* farthest) {
     const Cell<D>& cell = store.cell(c);
     unsigned own = 0;
     for (int i = 0; i <= D; ++i)

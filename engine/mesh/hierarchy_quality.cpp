@@ -72,7 +72,7 @@ private:
     bool *leaves_ball_, *cage_leaves_ball_;  // has the cell a corner outside of its ball, or one that is not known?
 };
 
-template <int D> Status Measurement<D>::open() {
+template <int D> [[gnu::cold]] Status Measurement<D>::open() {
     [[maybe_unused]] const std::size_t low = arena_.low_mark();
     const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
     order_ = arena_.template take_low<std::uint32_t>(count_);
@@ -124,7 +124,7 @@ void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& vis
 }
 
 // From the largest cage to the smallest: each takes its vertices from the one around it.
-template <int D> CheckResult Measurement<D>::find_domains() {
+template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) domain_[v] = none;
     for (std::uint32_t d = 0; d < count_; ++d) {
         order_[d] = d;
@@ -150,7 +150,7 @@ template <int D> CheckResult Measurement<D>::find_domains() {
 }
 
 // Exempt vertices of a cage's domain are its shell: near its sphere, and as many as a cross-polytope has.
-template <int D> CheckResult Measurement<D>::find_shells() {
+template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
     CheckResult result = {nullptr, none};
     for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
@@ -169,7 +169,7 @@ template <int D> CheckResult Measurement<D>::find_shells() {
     return result;
 }
 
-template <int D> CheckResult Measurement<D>::find_encroached() {
+template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_encroached() {
     for (std::uint32_t d = 0; d < count_; ++d) {
         Cage& cage = cages_[d];
         const double r2 = cage.radius * cage.radius, e2 = cage_epsilon * cage_epsilon * r2;
@@ -238,7 +238,7 @@ template <int D> void Measurement<D>::raise_vertices(std::uint32_t c, const Cell
 }
 
 // The corner belongs to each cage that has some of the cell's vertices but not all.
-template <int D> void Measurement<D>::raise_cages(std::uint32_t c, const Cell<D>& here) {
+template <int D> [[gnu::cold]] void Measurement<D>::raise_cages(std::uint32_t c, const Cell<D>& here) {
     const Cell<D>& cell = store_.cell(c);
     for (int i = 0; i <= D; ++i)
         for (std::uint32_t d = domain_[cell.vertex[i]]; d != none && is_on_boundary<D>(store_, cages_[d], c);
@@ -302,7 +302,7 @@ template <int D> void Measurement<D>::measure_cells() {
 }
 
 // What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
-template <int D> Status Measurement<D>::measure_poles() {
+template <int D> [[gnu::cold]] Status Measurement<D>::measure_poles() {
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
         if (!leaves_ball_[v] || !(out2_[v] < infinity) || !counts(v)) continue;
         const Domain<D> ball = domain_ball<D>(store_, cages_, domain_[v], outermost_);
@@ -317,7 +317,7 @@ template <int D> Status Measurement<D>::measure_poles() {
     return Status::ok;
 }
 
-template <int D> void Measurement<D>::worst(HierarchyQuality* quality) const {
+template <int D> [[gnu::cold]] void Measurement<D>::worst(HierarchyQuality* quality) const {
     quality->worst = 0;
     quality->vertex = none;
     const auto offer = [&](double ratio, std::uint32_t v) {
@@ -330,7 +330,7 @@ template <int D> void Measurement<D>::worst(HierarchyQuality* quality) const {
         offer(square_root(cage_out2_[d]) / in_radius<D>(cages_[d]), cages_[d].centre);
 }
 
-template <int D> void Measurement<D>::copy(double* ratios, std::uint32_t* domains) const {
+template <int D> [[gnu::cold]] void Measurement<D>::copy(double* ratios, std::uint32_t* domains) const {
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         ratios[v] = ratio(v);
         domains[v] = domain_[v];

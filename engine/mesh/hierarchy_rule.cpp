@@ -186,7 +186,7 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
 
 // The cage of the inputs within `reach` of the nearest neighbour of p. There are no vertices in it yet, but for those
 // of a cage about the same centre that p is outside of.
-template <int D> Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
+template <int D> [[gnu::cold]] Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
     if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
     const double radius = reach / cage_epsilon * (1 + tau_margin);
     const VertexId u = near_, shell(store_.state.vertex_count);
@@ -208,7 +208,7 @@ template <int D> Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
     return Status::ok;
 }
 
-template <int D> void HierarchyRule<D>::make_shell(VertexId centre, std::uint32_t cage, double radius) {
+template <int D> [[gnu::cold]] void HierarchyRule<D>::make_shell(VertexId centre, std::uint32_t cage, double radius) {
     const double* const c = store_.point(centre);
     std::uint64_t random = mix64(std::uint64_t{centre.index} << 32 | cage);
     for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
@@ -235,7 +235,7 @@ template <int D> Status HierarchyRule<D>::release_encroached() {
     return Status::ok;
 }
 
-template <int D> Status HierarchyRule<D>::release_cage(std::uint32_t d) {
+template <int D> [[gnu::cold]] Status HierarchyRule<D>::release_cage(std::uint32_t d) {
     const VertexId shell(hierarchy_.cage(d).shell);
     hierarchy_.release(d);
     observers_.note_released(hierarchy_, d);
@@ -325,7 +325,7 @@ template <int D> void HierarchyRule<D>::queue_bad_vertices(CellId c) {
 }
 
 // Queues all vertices whose cells this corner, or a point of the sphere on a face that it belongs to, could make bad.
-template <int D> void HierarchyRule<D>::queue_all_far(CellId c) {
+template <int D> [[gnu::cold]] void HierarchyRule<D>::queue_all_far(CellId c) {
     const Cell<D>& cell = store_.cell(c);
     if (!store_.is_ghost(c)) this->queue_positions(cell, this->positions_of_bad(cell));
 }
@@ -410,7 +410,7 @@ template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>*
 }
 
 // Looks at all cells until there is nothing to do.
-template <int D> Status HierarchyRule<D>::sweep() {
+template <int D> [[gnu::cold]] Status HierarchyRule<D>::sweep() {
     std::uint32_t before;
     do {
         before = store_.state.vertex_count;
@@ -437,7 +437,7 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
 }
 
 // What filters ask of a mesh without cages: the nearest input of each vertex.
-template <int D> void HierarchyRule<D>::find_nearest_inputs() {
+template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
     for (std::uint32_t v = inputs_; v < store_.state.vertex_count; ++v) {
         double d2;
         store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);

@@ -5,11 +5,6 @@
 namespace netmesh {
 
 // Long cells of Steiner vertices are no fault of a mesh made for a certificate.
-template <int D>
-Observers<D>::Observers(const MeshRequest& request)
-    : terms_{request.method != MeshMethod::certificate, request.method == MeshMethod::hierarchy, true},
-      locates_(request.audit_location), measures_(request.audit_quality) {}
-
 template <int D> Status Observers<D>::open(Store<D>& store, std::uint32_t inputs) {
     return locates_ ? lists_.open(store, store.arena, inputs) : Status::ok;
 }

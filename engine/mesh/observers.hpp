@@ -17,7 +17,9 @@ namespace netmesh {
 // byte the one that is made without. VoronoiRefine, which inserts all inputs first, has no quality to be audited.
 template <int D> class Observers {
 public:
-    explicit Observers(const MeshRequest& request);
+    explicit Observers(const MeshRequest& request)
+        : terms_{request.method != MeshMethod::certificate, request.method == MeshMethod::hierarchy, true},
+          locates_(request.audit_location), measures_(request.audit_quality) {}
 
     // Memory for the lists, before the store's cells are opened; later the frame is there. out_of_memory.
     Status open(Store<D>& store, std::uint32_t inputs);

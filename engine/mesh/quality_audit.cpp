@@ -111,7 +111,7 @@ private:
 
 // Calls visit(cell), perhaps several times, for each cell at a vertex that the step has inserted, or that was in a cage
 // which it has released. False when the gap is too small for the search.
-template <int D> template <class Visit> bool StepAudit<D>::visit_changed(Visit&& visit) {
+template <int D> template <class Visit> [[gnu::cold]] bool StepAudit<D>::visit_changed(Visit&& visit) {
     for (VertexId v(step_.first_made); v < store_.state.vertex_count; ++v)
         if (!visit_star(store_, v, visit)) return false;
     if (step_.vertex < step_.first_made && !visit_star(store_, VertexId(step_.vertex), visit)) return false;
@@ -125,7 +125,7 @@ template <int D> template <class Visit> bool StepAudit<D>::visit_changed(Visit&&
 
 // Any vertex in a ball about another one has a neighbour nearer to that, so the cells at vertices of a ball are
 // connected.
-template <int D> template <class Visit> bool StepAudit<D>::visit_inside(const Cage& cage, Visit&& visit) {
+template <int D> template <class Visit> [[gnu::cold]] bool StepAudit<D>::visit_inside(const Cage& cage, Visit&& visit) {
     CellList<D> list(store_);
     if (!list.add(store_.vertex(cage.centre).cell)) return false;
     for (std::uint32_t k = 0; k < list.size(); ++k) {
@@ -142,7 +142,7 @@ template <int D> template <class Visit> bool StepAudit<D>::visit_inside(const Ca
 }
 
 // Counts, then lists the vertices of these cells.
-template <int D> bool StepAudit<D>::list_changed() {
+template <int D> [[gnu::cold]] bool StepAudit<D>::list_changed() {
     const bool counted = visit_changed([&](CellId c) {
         for (const VertexId v : store_.cell(c).vertex)
             if (v != none) count_ += put_mark<D>(store_.vertex(v), in_list);
@@ -160,7 +160,7 @@ template <int D> bool StepAudit<D>::list_changed() {
 }
 
 // The cell belongs to the boundary of each cage that has some of its vertices but not all.
-template <int D> void StepAudit<D>::list_cages(CellId c) {
+template <int D> [[gnu::cold]] void StepAudit<D>::list_cages(CellId c) {
     if (hierarchy_ == nullptr || store_.is_ghost(c)) return;
     std::uint32_t domains[D + 1];
     bool equal = true;
@@ -181,7 +181,7 @@ template <int D> void StepAudit<D>::list_cages(CellId c) {
 // The vertex of M_Omega, Omega a domain, that stands for v: itself, or the centre of the cage *within directly inside
 // of Omega; none when v is outside of Omega's ball.
 template <int D>
-std::uint32_t StepAudit<D>::member(std::uint32_t v, std::uint32_t domain, std::uint32_t* within) const {
+[[gnu::cold]] std::uint32_t StepAudit<D>::member(std::uint32_t v, std::uint32_t domain, std::uint32_t* within) const {
     *within = none;
     if (is_frame(v)) return none;
     if (hierarchy_ == nullptr) return v;
@@ -193,8 +193,8 @@ std::uint32_t StepAudit<D>::member(std::uint32_t v, std::uint32_t domain, std::u
 
 // Offers what stands for an input in M_Omega. True when all within `reach` of the input is within the same cage.
 template <int D>
-bool StepAudit<D>::offer_member(const double* x, std::uint32_t domain, std::uint32_t input, double reach,
-                                TwoNearest* inputs) {
+[[gnu::cold]] bool StepAudit<D>::offer_member(const double* x, std::uint32_t domain, std::uint32_t input, double reach,
+                                              TwoNearest* inputs) {
     if (terms_.inserted_inputs && store_.vertex(input).cell == none) return false;
     if (hierarchy_ == nullptr) {
         inputs->offer(input, distance2<D>(x, store_.point(input)));
@@ -211,7 +211,8 @@ bool StepAudit<D>::offer_member(const double* x, std::uint32_t domain, std::uint
 
 // Finds the second nearest input of M_Omega, or any two inputs that are near enough.
 template <int D>
-void StepAudit<D>::find_second(const double* x, std::uint32_t domain, double enough2, TwoNearest* inputs) {
+[[gnu::cold]] void StepAudit<D>::find_second(const double* x, std::uint32_t domain, double enough2,
+                                             TwoNearest* inputs) {
     Part<D> stack[40];
     int depth = 0;
     stack[depth++] = {tree_.root(), 0, {}};
@@ -236,8 +237,8 @@ void StepAudit<D>::find_second(const double* x, std::uint32_t domain, double eno
 
 // `inputs` holds what is known. A feature size that does not make K or K' larger need not be known any better.
 template <int D>
-void StepAudit<D>::raise_feature(const double* x, std::uint32_t domain, double mesh2, TwoNearest* inputs,
-                                 double* kind) {
+[[gnu::cold]] void StepAudit<D>::raise_feature(const double* x, std::uint32_t domain, double mesh2, TwoNearest* inputs,
+                                               double* kind) {
     const double least = kind != nullptr && *kind < audit_.feature ? *kind : audit_.feature;
     find_second(x, domain, least * least * mesh2, inputs);
     if (!(inputs->second2 < infinity)) return;
@@ -247,7 +248,7 @@ void StepAudit<D>::raise_feature(const double* x, std::uint32_t domain, double m
 }
 
 // False when the gap is too small.
-template <int D> bool StepAudit<D>::measure_vertex(VertexId v) {
+template <int D> [[gnu::cold]] bool StepAudit<D>::measure_vertex(VertexId v) {
     if (is_frame(v)) return true;
     const Vertex<D>& vertex = store_.vertex(v);
     const std::uint32_t domain = domain_of(v);
@@ -296,7 +297,8 @@ template <int D> bool StepAudit<D>::measure_vertex(VertexId v) {
 
 // Just before, v's star of `cells` cells has been visited.
 template <int D>
-bool StepAudit<D>::measure_ratio(VertexId v, std::uint32_t cells, double nearest2, const Domain<D>& ball) {
+[[gnu::cold]] bool StepAudit<D>::measure_ratio(VertexId v, std::uint32_t cells, double nearest2,
+                                               const Domain<D>& ball) {
     const double* const p = store_.point(v);
     const double bound2 = 0.25 * audit_.worst * audit_.worst * nearest2;
     const CellId* const star = store_.list_top();
@@ -322,7 +324,7 @@ bool StepAudit<D>::measure_ratio(VertexId v, std::uint32_t cells, double nearest
 }
 
 // Does w, outside of the cage and near its boundary, encroach on it?
-template <int D> void StepAudit<D>::look_from_outside(const Cage& cage, std::uint32_t w) {
+template <int D> [[gnu::cold]] void StepAudit<D>::look_from_outside(const Cage& cage, std::uint32_t w) {
     const double* const centre = store_.point(cage.centre);
     const double clear = cage_clearance * cage.radius;
     if (!(distance2<D>(store_.point(w), centre) < clear * clear)) return;
@@ -332,7 +334,7 @@ template <int D> void StepAudit<D>::look_from_outside(const Cage& cage, std::uin
                    (marker == Marker::steiner && hierarchy_->contains(domain, centre));
 }
 
-template <int D> bool StepAudit<D>::measure_cage(std::uint32_t d) {
+template <int D> [[gnu::cold]] bool StepAudit<D>::measure_cage(std::uint32_t d) {
     Cage cage = hierarchy_->cage(d);
     const double* const centre = store_.point(cage.centre);
     const std::uint32_t around = hierarchy_->parent(d);
@@ -375,7 +377,7 @@ template <int D> bool StepAudit<D>::measure_cage(std::uint32_t d) {
 }
 
 // Of the step's input, and the cage that was made for it.
-template <int D> void StepAudit<D>::look_at_step() {
+template <int D> [[gnu::cold]] void StepAudit<D>::look_at_step() {
     if (hierarchy_ == nullptr) return;
     if (step_.vertex != none && store_.vertex(step_.vertex).marker == Marker::input)
         for (std::uint32_t d = hierarchy_->of(step_.vertex); d != none; d = hierarchy_->parent(d)) {
@@ -397,7 +399,7 @@ template <int D> void StepAudit<D>::look_at_step() {
     encroached_ |= !(distance<D>(centre, store_.point(outer.centre)) + cage.radius <= outer.radius);
 }
 
-template <int D> bool StepAudit<D>::measure_listed() {
+template <int D> [[gnu::cold]] bool StepAudit<D>::measure_listed() {
     for (std::uint32_t k = 0; k < count_; ++k)
         if (!measure_vertex(VertexId(list_[k]))) return false;
     for (std::uint32_t d = cages_, next; d != none; d = next == d ? none : next) {
@@ -407,7 +409,7 @@ template <int D> bool StepAudit<D>::measure_listed() {
     return true;
 }
 
-template <int D> Status StepAudit<D>::run() {
+template <int D> [[gnu::cold]] Status StepAudit<D>::run() {
     ArenaScope scope(store_.arena);
     const bool fits = list_changed() && measure_listed();
     for (std::uint32_t d = cages_, next; d != none; d = next == d ? none : next) {

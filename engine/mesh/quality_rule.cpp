@@ -32,8 +32,7 @@ public:
 
     QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), reference_(request.method == MeshMethod::reference),
-          certify_(request.certify_filter && !reference_), pull_(reference_ ? infinity : pull_back<D>),
-          tight_(tau_) {}
+          certify_(request.certify_filter && !reference_), pull_(reference_ ? infinity : pull_back<D>), tight_(tau_) {}
 
     double choose_domain();
     double promised_radius() const { return reference_ ? domain_.radius : Base::promised_radius(); }
@@ -145,7 +144,7 @@ template <int D> bool QualityRule<D>::is_surely_medial(VertexId p, VertexId u) c
 }
 
 // Does the cell of u, the nearest vertex of p, reach farther than p is medial for? Then it is split there.
-template <int D> Verdict QualityRule<D>::judge_medial(VertexId p, VertexId u, Split<D>* split) {
+template <int D> [[gnu::cold]] Verdict QualityRule<D>::judge_medial(VertexId p, VertexId u, Split<D>* split) {
     const double bound2 = mediality * mediality * distance2<D>(store_.point(p), store_.point(u));
     CellView view;
     if (!view_cell(u, bound2, &view)) return Verdict::out_of_memory;

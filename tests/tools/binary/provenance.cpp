@@ -186,7 +186,7 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
         bad("domain", with_line(text, number("# domain"), [](const std::string& old) { return scaled(old, 4, 1.01); }),
             number("# domain"), " is due");
         bad("k", with_head(text, "k ", "# k 4"), first, "lines");
-        bad("values", with_head(text, "values", "# values thesis"), first, "lines");
+        bad("values", with_head(text, "values", "# values thesis"), number("# certified-ratio"), " is due");
         bad("max-degree", with_head(text, "max-degree", "# max-degree 0"), number("1 "), "max-degree is 0");
         bad("bound of a bar 1% up",
             with_line(text, loop,
