@@ -9,7 +9,8 @@ namespace {
 // Offers the corner of cell c, on the cage's boundary, where the ball contains it, otherwise where the edges of the
 // cage's cell that end in it cross the sphere. True when the ball does not contain it, or when it is not known.
 template <int D>
-[[gnu::noinline]] bool offer_clipped(const Store<D>& store, const Cage& cage, const Domain<D>& ball, CellId c, Corner<D>* corner) {
+[[gnu::noinline]] bool offer_clipped(const Store<D>& store, const Cage& cage, const Domain<D>& ball, CellId c,
+                                     Corner<D>* corner) {
     const Cell<D>& cell = store.cell(c);
     const double* const centre = store.point(cage.centre);
     if (!(cell.radius2 < infinity)) return true;
