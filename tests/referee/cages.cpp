@@ -56,8 +56,10 @@ void judge_cage(const Mesh& mesh, const Hierarchy& hierarchy, int cage, Verdict*
     }
     if (shell != 2 * mesh.dim) verdict->add("cages", name + " has a shell of " + count_text(shell) + " vertices");
     const int parent = hierarchy.parent[static_cast<std::size_t>(cage)];
+    if (parent == no_cage) return;
+    // Balls are nested: that of the cage around is meant, not the half of it that its inputs lie in.
     const double reach = distance(clip_centre(mesh, parent), mesh.vertices[line.centre], mesh.dim) + line.radius;
-    if (reach > clip_radius(mesh, parent) * (1 + 0x1p-40) && parent != no_cage)
+    if (reach > line_of(mesh, parent).radius * (1 + 0x1p-40))
         verdict->add("cages", name + " sticks out of the domain around it");
 }
 
