@@ -60,8 +60,8 @@ protected:
         for (int i = 0; i <= D; ++i)
             if (positions >> i & 1u) this->queue_.push(cell.vertex[i]);
     }
-    // v has just filled the cavity. Does its cell, clipped to the ball, end on the sphere, with a corner far enough to
-    // be bad elsewhere?
+    // v has just filled the cavity. Queues it when its cell has a corner outside of the ball that is too far from v, or
+    // not known: then some point of the sphere may be too far too.
     [[gnu::noinline]] void queue_new(const Cavity& cavity, const Domain<D>& ball, VertexId v) {
         const Vertex<D>& vertex = this->store_.vertex(v);
         if (vertex.queued || vertex.marker == Marker::exempt) return;
