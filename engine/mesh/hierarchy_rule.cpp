@@ -143,18 +143,10 @@ template <int D> Status HierarchyRule<D>::insert_input(VertexId p, CellId from, 
     return status == Status::ok ? this->finish_step(p, cleaning) : status;
 }
 
-// Finds the domain of p and its nearest neighbour in it from the nearest vertex, which is one of the cells in
-// conflict. Those are finite, as the frame's hull contains the domain.
+// Finds the domain of p and its nearest neighbour in it from the nearest vertex.
 template <int D> void HierarchyRule<D>::locate_domain(VertexId p, const Cavity& cavity) {
     const double* const x = store_.point(p);
-    double best2 = infinity;
-    for (std::uint32_t k = 0; k < cavity.cells; ++k)
-        for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
-            const double d2 = distance2<D>(x, store_.point(w));
-            if (!(d2 < best2)) continue;
-            best2 = d2;
-            near_ = w;
-        }
+    near_ = this->nearest_in_conflict(p, cavity);
     near_nearest2_ = store_.vertex(near_).nearest2;
     near_cage_ = none;
     std::uint32_t d = hierarchy_.of(near_);

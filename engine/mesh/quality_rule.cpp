@@ -62,7 +62,6 @@ private:
     bool spoils_certificate(VertexId v, const CellView& view) const;
     void find_beyond(VertexId v, std::uint32_t cells, Corner<D>* beyond);
 
-    VertexId nearest_in_conflict(VertexId p, const Cavity& cavity) const;
     bool is_surely_medial(VertexId p, VertexId u) const;
     Verdict judge_medial(VertexId p, VertexId u, Split<D>* split);
 
@@ -94,7 +93,7 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
     while (status == Status::ok && store_.vertex(p).cell == none) {
         Cavity cavity;
         if (!this->find_cavity(p, from, &cavity)) return Status::out_of_memory;
-        const VertexId u = nearest_in_conflict(p, cavity);
+        const VertexId u = this->nearest_in_conflict(p, cavity);
         Split<D> split;
         Verdict medial = Verdict::good;
         if (!is_surely_medial(p, u)) {
@@ -117,21 +116,6 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
     tau_ = tight_;
     waiting_ = none;
     return status;
-}
-
-// The vertex nearest to p, which is one of the cells in conflict. Those are finite, as the frame's hull contains the
-// domain.
-template <int D> VertexId QualityRule<D>::nearest_in_conflict(VertexId p, const Cavity& cavity) const {
-    VertexId nearest = none;
-    double best2 = infinity;
-    for (std::uint32_t k = 0; k < cavity.cells; ++k)
-        for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
-            const double d2 = distance2<D>(store_.point(p), store_.point(w));
-            if (!(d2 < best2)) continue;
-            best2 = d2;
-            nearest = w;
-        }
-    return nearest;
 }
 
 // u's cell reaches no farther than tau/2 times the way to its nearest neighbour, as the mesh is clean; than twice that

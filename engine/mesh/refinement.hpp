@@ -112,6 +112,20 @@ protected:
         const double* const q = store_.point(v);
         return kernel_.find_cavity(q, v, kernel_.locate(q, v, from), cavity);
     }
+    // The vertex nearest to p, which is one of the cells in conflict. Those are finite, as the frame's hull contains
+    // the domain.
+    VertexId nearest_in_conflict(VertexId p, const Cavity& cavity) const {
+        VertexId nearest = none;
+        double best2 = infinity;
+        for (std::uint32_t k = 0; k < cavity.cells; ++k)
+            for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
+                const double d2 = distance2<D>(store_.point(p), store_.point(w));
+                if (!(d2 < best2)) continue;
+                best2 = d2;
+                nearest = w;
+            }
+        return nearest;
+    }
     Status fill(VertexId v, const Cavity& cavity);
     void update_nearest(const Cavity& cavity, VertexId v);
     Status finish_step(VertexId v, bool cleaning);
