@@ -5,13 +5,20 @@
 namespace netmesh {
 namespace {
 
-// Rounding of places on the sphere, of inputs on the boundary of the domain, of heights of facets; relative.
-constexpr double tolerance = 0x1p-30;
+// Slack of lengths, for the rounding of places on the sphere, of inputs on the boundary of the domain and of heights of
+// facets. The first is of the radius; the second of the coordinates' size, of which one unit in the last place moves a
+// vertex by 2^-53: in a domain 1e-11 wide at distance 1 from the origin this is the larger one.
+constexpr double slack_of_radius = 0x1p-30, slack_of_places = 0x1p-48;
 
 template <int D> class DomainCheck {
 public:
     DomainCheck(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains)
-        : store_(store), domain_(domain), domains_(domains) {}
+        : store_(store), domain_(domain), domains_(domains), slack_(domain.radius * slack_of_radius) {
+        double most = 0;
+        for (int k = 0; k < D; ++k)
+            if (absolute(domain.centre[k]) > most) most = absolute(domain.centre[k]);
+        slack_ += slack_of_places * (most + domain.radius);
+    }
 
     CheckResult run(bool whole) {
         mark();
@@ -39,8 +46,7 @@ private:
                (domains_ == nullptr || domains_[v] == none);
     }
     bool is_on_sphere(std::uint32_t v) const {
-        const double away = square_root(domain_.distance2(store_.point(v))) - domain_.radius;
-        return absolute(away) <= tolerance * domain_.radius;
+        return absolute(square_root(domain_.distance2(store_.point(v))) - domain_.radius) <= slack_;
     }
     bool has_net() const {
         for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v)
@@ -57,11 +63,12 @@ private:
     const Store<D>& store_;
     const Domain<D>& domain_;
     const std::uint32_t* const domains_;
+    double slack_;     // of lengths
     double far2_ = 0;  // of the input farthest from the domain's centre
 };
 
 template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_inputs(bool whole) {
-    const double most = domain_.radius * (1 + tolerance);
+    const double most = domain_.radius + slack_;
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         if (whole && !is(v, in_cell)) return {"a vertex belongs to no cell", v};
         const Marker marker = store_.vertex(v).marker;
@@ -75,12 +82,12 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_inputs(bool whol
 }
 
 template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_net() const {
-    const double delta2 = 4 * far2_ * (1 - tolerance);
+    const double delta = 2 * square_root(far2_) > slack_ ? 2 * square_root(far2_) - slack_ : 0;
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         if (!stands_free(v)) continue;
         if (!is_on_sphere(v)) return {"an exempt vertex is not on the domain's sphere, where the boundary net is", v};
         for (std::uint32_t w = 0; w < v; ++w)
-            if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < delta2)
+            if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < delta * delta)
                 return {"two vertices of the boundary net are too near", v};
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
@@ -138,7 +145,7 @@ template <int D> [[gnu::cold]] bool DomainCheck<D>::reaches_beyond(std::uint32_t
     double inner[D], centre[D];
     if (normal_of(c, i, inner, centre) == nullptr) return true;
     const double height = square_root(dot<D>(centre, centre));
-    return !(dot<D>(inner, centre) > 0) || height < domain_.radius * (1 - tolerance);
+    return !(dot<D>(inner, centre) > 0) || height < domain_.radius - slack_;
 }
 
 // Is the point of the sphere above facet i of cell c, which is as far from all of its vertices, farther from them than
@@ -149,7 +156,7 @@ template <int D> [[gnu::cold]] bool DomainCheck<D>::leaves_hole(std::uint32_t c,
     const double length = square_root(dot<D>(inner, inner));
     for (int k = 0; k < D; ++k) top[k] = domain_.centre[k] - domain_.radius / length * inner[k];
     const double* const p = store_.point(store_.cell(c).vertex[i == 0 ? 1 : 0]);
-    return far2_ > 0 && !(distance2<D>(top, p) <= 4 * far2_ * (1 + tolerance));
+    return far2_ > 0 && !(square_root(distance2<D>(top, p)) <= 2 * square_root(far2_) + slack_);
 }
 
 }  // namespace

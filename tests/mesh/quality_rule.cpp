@@ -6,6 +6,7 @@
 
 #include "common/dimensions.hpp"
 #include "hierarchical.hpp"
+#include "mesh/check_domain.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/quality.hpp"
 #include "numerics/vector.hpp"
@@ -103,6 +104,20 @@ TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 
     CHECK(worst_of(m) <= 3);
 }
 TEST_CASE_TEMPLATE_APPLY(reference, Dimensions<2, 3>);
+
+TEST_CASE("the domain and net of points close together and far from the origin are those that the checker wants") {
+    // A unit in the last place of the coordinates is a part of 1e-5 of the domain's radius.
+    inputs::Points points = inputs::uniform(2, 18);
+    for (double& x : points) x = 0.53 + 1e-12 * x;
+    Meshed<2> m(points, by_reference(3.98));
+    REQUIRE(m.status == Status::ok);
+    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true).violation == nullptr);
+    std::uint32_t net = 0;
+    while (m.store.vertex(net).marker != Marker::exempt) ++net;
+    double* const x = m.store.vertex(net).x;
+    for (int k = 0; k < 2; ++k) x[k] += 0.01 * (x[k] - m.result.domain.centre[k]);
+    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true).violation != nullptr);
+}
 
 TEST_CASE_TEMPLATE_DEFINE("the reference in arenas of any size, in 4D up to one that it fits", T, reference_arenas) {
     constexpr int D = T::value;

@@ -8,6 +8,13 @@ namespace {
 // Corners are known to this part of their distances; so are the numbers made of them.
 constexpr double corner_room = 1e-9;
 
+// How far a cell reaches from one of the inputs that its vertex is nearest to. There can be several as far from it: any
+// of them bounds the distance to the inputs on the cell.
+struct Reach {
+    std::uint32_t input;
+    double far;
+};
+
 std::uint32_t nearest(const Mesh& mesh, const Point& x, bool inputs_only, double* least) {
     std::uint32_t found = 0;
     *least = INFINITY;
@@ -40,6 +47,16 @@ double corner_distance(const Mesh& mesh, const Vector<Rational>& corner, const P
     return std::sqrt(norm2<Rational>(d, mesh.dim).get_d());
 }
 
+std::vector<Reach> nearest_inputs(const Mesh& mesh, std::uint32_t v, double* least) {
+    nearest(mesh, mesh.vertices[v], true, least);
+    std::vector<Reach> found;
+    for (std::uint32_t w = 0; w < mesh.count(); w++)
+        if (mesh.markers[w] == input_marker &&
+            distance(mesh.vertices[w], mesh.vertices[v], mesh.dim) <= *least * (1 + corner_room))
+            found.push_back({w, 0});
+    return found;
+}
+
 // The radius of a ball about the domain's centre that contains the inputs.
 double enclosing_radius(const Mesh& mesh) {
     double most = 0;
@@ -53,9 +70,9 @@ double enclosing_radius(const Mesh& mesh) {
 void judge_certificate(const Mesh& mesh, const Diagram& diagram, const Hull& hull, Verdict* verdict) {
     const std::size_t count = mesh.count();
     const double rho = enclosing_radius(mesh);
-    std::vector<double> out(count, 0), far(count, 0), from_inputs(count);
-    std::vector<std::uint32_t> origin(count);
-    for (std::uint32_t v = 0; v < count; v++) origin[v] = nearest(mesh, mesh.vertices[v], true, &from_inputs[v]);
+    std::vector<double> out(count, 0), from_inputs(count);
+    std::vector<std::vector<Reach>> reaches(count);
+    for (std::uint32_t v = 0; v < count; v++) reaches[v] = nearest_inputs(mesh, v, &from_inputs[v]);
     for (const Entries& cell : mesh.cells) {
         const Vector<Rational> corner = exact_corner(mesh, cell);
         const Point& from = mesh.vertices[cell[0]];
@@ -63,12 +80,14 @@ void judge_certificate(const Mesh& mesh, const Diagram& diagram, const Hull& hul
         for (int i = 0; i <= mesh.dim; i++) {
             const std::uint32_t v = cell[i];
             out[v] = std::max(out[v], radius);
-            far[v] = std::max(far[v], corner_distance(mesh, corner, from, mesh.vertices[origin[v]]));
+            for (Reach& reach : reaches[v])
+                reach.far = std::max(reach.far, corner_distance(mesh, corner, from, mesh.vertices[reach.input]));
         }
     }
     for (std::uint32_t v = 0; v < count; v++) {
         const double d = from_inputs[v];
-        double low = std::max(d / 2, d - out[v]), high = far[v];
+        double low = std::max(d / 2, d - out[v]), high = INFINITY;
+        for (const Reach& reach : reaches[v]) high = std::min(high, reach.far);
         if (mesh.markers[v] == input_marker) low = diagram.nearest(v) / 2, high = out[v];
         if (hull.has[v]) low = d / 2, high = INFINITY;
         const double ratio = std::sqrt(std::min(high, rho) / std::min(low, rho));
