@@ -8,9 +8,9 @@ namespace {
 // Corners are known to this part of their distances; so are the numbers made of them.
 constexpr double corner_room = 1e-9;
 
-// How far a cell reaches from one of the inputs that its vertex is nearest to. There can be several as far from it: any
-// of them bounds the distance to the inputs on the cell.
-struct Reach {
+// How far a cell nearest_to from one of the inputs that its vertex is nearest to. There can be several as far from it:
+// any of them bounds the distance to the inputs on the cell.
+struct NearestInput {
     std::uint32_t input;
     double far;
 };
@@ -47,9 +47,9 @@ double corner_distance(const Mesh& mesh, const Vector<Rational>& corner, const P
     return std::sqrt(norm2<Rational>(d, mesh.dim).get_d());
 }
 
-std::vector<Reach> nearest_inputs(const Mesh& mesh, std::uint32_t v, double* least) {
+std::vector<NearestInput> nearest_inputs(const Mesh& mesh, std::uint32_t v, double* least) {
     nearest(mesh, mesh.vertices[v], true, least);
-    std::vector<Reach> found;
+    std::vector<NearestInput> found;
     for (std::uint32_t w = 0; w < mesh.count(); w++)
         if (mesh.markers[w] == input_marker &&
             distance(mesh.vertices[w], mesh.vertices[v], mesh.dim) <= *least * (1 + corner_room))
@@ -71,8 +71,8 @@ void judge_certificate(const Mesh& mesh, const Diagram& diagram, const Hull& hul
     const std::size_t count = mesh.count();
     const double rho = enclosing_radius(mesh);
     std::vector<double> out(count, 0), from_inputs(count);
-    std::vector<std::vector<Reach>> reaches(count);
-    for (std::uint32_t v = 0; v < count; v++) reaches[v] = nearest_inputs(mesh, v, &from_inputs[v]);
+    std::vector<std::vector<NearestInput>> nearest_to(count);
+    for (std::uint32_t v = 0; v < count; v++) nearest_to[v] = nearest_inputs(mesh, v, &from_inputs[v]);
     for (const Entries& cell : mesh.cells) {
         const Vector<Rational> corner = exact_corner(mesh, cell);
         const Point& from = mesh.vertices[cell[0]];
@@ -80,14 +80,14 @@ void judge_certificate(const Mesh& mesh, const Diagram& diagram, const Hull& hul
         for (int i = 0; i <= mesh.dim; i++) {
             const std::uint32_t v = cell[i];
             out[v] = std::max(out[v], radius);
-            for (Reach& reach : reaches[v])
-                reach.far = std::max(reach.far, corner_distance(mesh, corner, from, mesh.vertices[reach.input]));
+            for (NearestInput& near : nearest_to[v])
+                near.far = std::max(near.far, corner_distance(mesh, corner, from, mesh.vertices[near.input]));
         }
     }
     for (std::uint32_t v = 0; v < count; v++) {
         const double d = from_inputs[v];
         double low = std::max(d / 2, d - out[v]), high = INFINITY;
-        for (const Reach& reach : reaches[v]) high = std::min(high, reach.far);
+        for (const NearestInput& near : nearest_to[v]) high = std::min(high, near.far);
         if (mesh.markers[v] == input_marker) low = diagram.nearest(v) / 2, high = out[v];
         if (hull.has[v]) low = d / 2, high = INFINITY;
         const double ratio = std::sqrt(std::min(high, rho) / std::min(low, rho));
