@@ -69,6 +69,21 @@ std::string apply_eps(Options& options, const std::string& text) {
     return parse_finite(text, &options.eps) && options.eps > 0 ? "" : "must be a finite number above 0";
 }
 
+std::string apply_cell_size(Options& options, const std::string& text) {
+    const std::size_t comma = text.find(',');
+    const bool grows = comma != std::string::npos;
+    const bool good =
+        parse_finite(text.substr(0, comma), &options.size_at_inputs) && options.size_at_inputs > 0 &&
+        (!grows || (parse_finite(text.substr(comma + 1), &options.size_growth) && options.size_growth >= 0));
+    return good ? "" : "must be a finite number above 0, and may have another, 0 or more, behind a comma: 0.1,0.5";
+}
+
+std::string apply_domain_factor(Options& options, const std::string& text) {
+    const bool good =
+        parse_finite(text, &options.domain_factor) && options.domain_factor >= 1 && options.domain_factor <= 8;
+    return good ? "" : "must be a number from 1 to 8";
+}
+
 std::string apply_theta(Options& options, const std::string& text) {
     const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
     return good ? "" : "must be a number above 0 and at most 1/9";
@@ -261,6 +276,10 @@ const std::vector<OptionEntry>& option_entries() {
          "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
         {"--eps", mesh | size | check, "E", apply_eps,
          "also refine until no cell reaches farther than E times the distance to the second nearest input"},
+        {"--cell-size", mesh | size | check, "A[,B]", apply_cell_size,
+         "also refine until no cell reaches farther than A plus B times its vertex's distance to the nearest input"},
+        {"--domain", mesh | size, "F", apply_domain_factor,
+         "radius of the ball that is meshed over that of the smallest one that holds the points, 1 to 8 (1)"},
         {"--eps", persist, "E", apply_eps,
          "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
         {"--theta", persist | size | check, "T", apply_theta,
@@ -337,6 +356,9 @@ const char* option_name(netmesh_field field) {
         const char* option;
     } table[] = {{NETMESH_FIELD_TAU, "--tau"},
                  {NETMESH_FIELD_SIZES, "--eps"},
+                 {NETMESH_FIELD_SIZE_AT_INPUTS, "--cell-size"},
+                 {NETMESH_FIELD_SIZE_GROWTH, "--cell-size"},
+                 {NETMESH_FIELD_DOMAIN_FACTOR, "--domain"},
                  {NETMESH_FIELD_TIGHT_EPS, "--eps"},
                  {NETMESH_FIELD_EPS, "--eps"},
                  {NETMESH_FIELD_THETA, "--theta"},

@@ -95,8 +95,8 @@ Outcome check_audit(const Options& options) {
     if (options.audit == 0) return {};
     if (options.method == NETMESH_METHOD_REFINE) return usage_error("--audit goes with --method svr or netmesh");
     const bool persists = options.command == Command::persist;
-    if ((options.audit & NETMESH_AUDIT_LOCATION) != 0 && (persists || options.eps > 0))
-        return usage_error("--audit location goes with the command mesh, and not with --eps");
+    if ((options.audit & NETMESH_AUDIT_LOCATION) != 0 && (persists || options.eps > 0 || options.size_at_inputs > 0))
+        return usage_error("--audit location goes with the command mesh, and not with --eps or --cell-size");
     const netmesh_filter_info& filter = about(filter_of(options));
     if (persists && (options.fit || filter.source != NETMESH_SOURCE_MESH || filter.has_theta != 0))
         return usage_error("--audit is of one mesh: for filters on a mesh but scales, and not with --fit");
@@ -118,6 +118,9 @@ Outcome check_together(const Options& options) {
     const Outcome audited = check_audit(options);
     if (!audited.good()) return audited;
     if (options.eps > 0 && hierarchical) return usage_error("--eps does not go with --method netmesh");
+    if (options.size_at_inputs > 0 && hierarchical) return usage_error("--cell-size does not go with --method netmesh");
+    if (options.domain_factor > 0 && options.method == NETMESH_METHOD_REFINE)
+        return usage_error("--domain does not go with --method refine, which has the domain of 3.5");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

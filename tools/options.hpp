@@ -36,6 +36,8 @@ struct Options {
     std::uint32_t audit = 0;               // netmesh_audit_what
     double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
     double theta = 0;  // scales; 0: not given
+    double size_at_inputs = 0, size_growth = 0;  // over-refinement by the distance to the inputs; 0: not given
+    double domain_factor = 0;                    // 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;

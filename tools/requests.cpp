@@ -29,6 +29,9 @@ requests::Mesh mesh_request(const Options& options, std::uint32_t dim) {
     mesh.method = options.method.value_or(NETMESH_METHOD_SVR);
     mesh.tau = options.tau.value_or(0);
     (promises_accuracy(options) ? mesh.tight_eps : mesh.sizes.eps) = options.eps;
+    mesh.size_at_inputs = options.size_at_inputs;
+    mesh.size_growth = options.size_growth;
+    mesh.domain_factor = options.domain_factor;
     mesh.finish = options.finish ? 1 : 0;
     mesh.audit = options.audit;
     if (refines_by_certificate(options))

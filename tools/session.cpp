@@ -96,6 +96,7 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
     case NETMESH_FIELD_K_FIRST:
     case NETMESH_FIELD_K_LAST: return data_error(cloud.name + ": " + option + ": " + said);
     case NETMESH_FIELD_SIZES:
+    case NETMESH_FIELD_SIZE_AT_INPUTS:
         return data_error(cloud.where(detail.index_a) + ": " + option + ": near this point " + said);
     default: break;
     }

@@ -72,7 +72,7 @@ Status measure_pace(const Store<D>& store, const Domain<D>& domain, const InputT
 
 double feature_ratio_bound(double tau, const SizeRule& rule) {
     const double loss = 2 / (yield_radius * tau * (1 - tolerance));
-    if (rule.function != nullptr || !(loss < 1)) return infinity;
+    if (rule.function != nullptr || rule.at_inputs > 0 || !(loss < 1)) return infinity;
     const double k = (2 + 1 / yield_radius) / (1 - loss);
     return rule.eps > 0 && rule.eps < 1 ? k / rule.eps : k;
 }

@@ -69,8 +69,10 @@ netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_reque
     clear(context);
     if (asked.method == MeshMethod::certificate)
         return refuse(context, NETMESH_FIELD_FOCUS_FROM, "focus_from is below what coordinates resolve at focus_ratio");
+    const bool by_distance = asked.size.eps == 0 && asked.size.function == nullptr;
     return refuse(context,
-                  {NETMESH_FIELD_SIZES, "the size asked for is not positive or below what coordinates resolve"},
+                  {by_distance ? NETMESH_FIELD_SIZE_AT_INPUTS : NETMESH_FIELD_SIZES,
+                   "the size asked for is not positive or below what coordinates resolve"},
                   result.input.row_a);
 }
 

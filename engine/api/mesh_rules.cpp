@@ -39,6 +39,12 @@ Complaint complaint_about_numbers(const netmesh_mesh_request& request) {
         return {NETMESH_FIELD_TAU, "tau is not a finite number above 2"};
     if (!(request.sizes.eps >= 0) || !is_finite(request.sizes.eps))
         return {NETMESH_FIELD_SIZES, "sizes.eps is neither 0 nor a finite number above"};
+    if (!(request.size_at_inputs >= 0) || !is_finite(request.size_at_inputs))
+        return {NETMESH_FIELD_SIZE_AT_INPUTS, "size_at_inputs is neither 0 nor a finite number above"};
+    if (!(request.size_growth >= 0) || !is_finite(request.size_growth))
+        return {NETMESH_FIELD_SIZE_GROWTH, "size_growth is neither 0 nor a finite number above"};
+    if (request.size_growth > 0 && request.size_at_inputs == 0)
+        return {NETMESH_FIELD_SIZE_GROWTH, "size_growth without size_at_inputs asks for cells of no size at inputs"};
     if (request.domain_factor != 0 && !(request.domain_factor >= 1 && request.domain_factor <= 8))
         return {NETMESH_FIELD_DOMAIN_FACTOR, "domain_factor is not between 1 and 8"};
     if (request.purpose == NETMESH_PURPOSE_TIGHT && !is_valid_eps(eps_of(request.tight_eps)))
@@ -71,7 +77,7 @@ Complaint complaint_about_promises(const netmesh_mesh_request& request) {
 }
 
 SizeRule sizes_of(const netmesh_mesh_request& request) {
-    SizeRule sizes = size_rule_of(request.sizes);
+    SizeRule sizes = size_rule_of(request);
     if (request.purpose != NETMESH_PURPOSE_TIGHT) return sizes;
     const double tight = tight_size(eps_of(request.tight_eps));
     if (!(sizes.eps > 0 && sizes.eps < tight)) sizes.eps = tight;

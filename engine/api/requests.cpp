@@ -60,7 +60,7 @@ Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Pro
     const Complaint complaint = complaint_about_promises(request);
     if (complaint.text != nullptr) return complaint;
     promises->tau = tau_of(dim, request.tau);
-    promises->sizes = size_rule_of(request.sizes);
+    promises->sizes = size_rule_of(request);
     promises->goal = goal_of(request.certificate);
     return {};
 }

@@ -19,7 +19,9 @@ inline FilterValues values_of(netmesh_values values) {
 inline std::uint32_t degree_of(std::uint32_t max_degree, std::uint32_t dim) {
     return max_degree < dim ? max_degree : dim - 1;
 }
-inline SizeRule size_rule_of(const netmesh_sizes& sizes) { return {sizes.eps, sizes.size, sizes.user}; }
+inline SizeRule size_rule_of(const netmesh_mesh_request& mesh) {
+    return {mesh.sizes.eps, mesh.sizes.size, mesh.sizes.user, mesh.size_at_inputs, mesh.size_growth};
+}
 inline RatioGoal goal_of(const netmesh_certificate_goal& goal) {
     return {goal.ratio, goal.focus_ratio, goal.focus_from, goal.focus_to};
 }

@@ -89,6 +89,8 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_TOLERANCE: return "tolerance";
     case NETMESH_FIELD_SCALE: return "scale";
     case NETMESH_FIELD_SCRATCH: return "scratch";
+    case NETMESH_FIELD_SIZE_AT_INPUTS: return "size_at_inputs";
+    case NETMESH_FIELD_SIZE_GROWTH: return "size_growth";
     case NETMESH_FIELD_COUNT: break;
     }
     return "unknown field";

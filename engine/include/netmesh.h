@@ -140,6 +140,8 @@ typedef enum netmesh_field {
     NETMESH_FIELD_TOLERANCE,
     NETMESH_FIELD_SCALE,
     NETMESH_FIELD_SCRATCH,
+    NETMESH_FIELD_SIZE_AT_INPUTS,
+    NETMESH_FIELD_SIZE_GROWTH,
     NETMESH_FIELD_COUNT
 } netmesh_field;
 
@@ -262,9 +264,8 @@ typedef enum netmesh_method {
 typedef double (*netmesh_size)(void* user, const double* x);
 
 /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most
- * f(v) = min(eps * f_P(v), size(user, v)), f_P the distance to the second nearest input, the point itself counted.
- * R_v is taken, as everywhere, over corners inside the domain and points where Voronoi edges cross its sphere; a cell
- * with none is refined too while it reaches farther, but the report has R_v = 0 for it. */
+ * f(v) = min(eps * f_P(v), size(user, v)), f_P the distance to the second nearest input, the point itself counted, and
+ * at most what size_at_inputs and size_growth of netmesh_mesh_request say. */
 typedef struct netmesh_sizes {
     double eps;        /* > 0; 0: not asked for. The mesh has about eps^-D times as many vertices */
     netmesh_size size; /* null: not asked for */
@@ -287,8 +288,8 @@ typedef struct netmesh_certificate_goal {
  * after each insertion, until FinishMesh begins; K and K' until over-refinement begins. */
 typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
 
-/* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes and
- * certificate of it. */
+/* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes,
+ * certificate, size_at_inputs and size_growth of it. */
 typedef struct netmesh_mesh_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
@@ -309,6 +310,9 @@ typedef struct netmesh_mesh_request {
     uint32_t audit;  /* a union of netmesh_audit_what, not with METHOD_REFINE; LOCATION for PURPOSE_MESH without sizes.
                         The mesh is as good as without, with QUALITY alone the same; it takes several times as long.
                         INTERNAL when an audit finds a point out of its balls or an encroached cage */
+    /* Over-refinement by the distance to the nearest input, d_P: no clipped cell reaches farther than
+     * size_at_inputs + size_growth * d_P(v). Finite, >= 0; size_at_inputs 0: not asked for, nor growth then. */
+    double size_at_inputs, size_growth;
 } netmesh_mesh_request;
 
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim);

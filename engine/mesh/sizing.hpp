@@ -2,18 +2,21 @@
 #pragma once
 #include <cstdint>
 
+#include "certificate/cells.hpp"
 #include "mesh/domain.hpp"
 #include "mesh/input_tree.hpp"
 
 namespace netmesh {
 
-// f(v) = min(eps * f_P(v), function(user, x)); a rule that is 0 or null asks for nothing.
+// f(v) = min(eps * f_P(v), function(user, x), at_inputs + growth * d_P(v)), d_P the distance to the nearest input; a
+// rule that is 0 or null asks for nothing.
 struct SizeRule {
     double eps = 0;
     double (*function)(void* user, const double* x) = nullptr;
     void* user = nullptr;
+    double at_inputs = 0, growth = 0;
 
-    bool asks() const { return eps > 0 || function != nullptr; }
+    bool asks() const { return eps > 0 || function != nullptr || at_inputs > 0; }
 };
 
 // Distance from vertex v to its second nearest input, v itself counted when it is one (3.3): +infinity when there is
@@ -32,6 +35,10 @@ double wanted_size(const Store<D>& store, const InputTree<D>& tree, const SizeRu
     if (rule.function != nullptr) {
         const double asked = rule.function(rule.user, store.point(v));
         if (!(asked >= size)) size = asked;
+    }
+    if (rule.at_inputs > 0) {
+        const double asked = rule.at_inputs + rule.growth * distance_to_inputs<D>(store, VertexId(v));
+        if (asked < size) size = asked;
     }
     return size;
 }

@@ -234,6 +234,11 @@ TEST_CASE("points and what is asked of meshes") {
         }
         for (const double eps : {-1.0, not_a_number, infinite})
             refused([=](auto& r) { r.sizes.eps = eps; }, NETMESH_FIELD_SIZES);
+        for (const double size : {-1.0, not_a_number, infinite}) {
+            refused([=](auto& r) { r.size_at_inputs = size; }, NETMESH_FIELD_SIZE_AT_INPUTS);
+            refused([=](auto& r) { r.size_at_inputs = 1, r.size_growth = size; }, NETMESH_FIELD_SIZE_GROWTH);
+        }
+        refused([](auto& r) { r.size_growth = 0.5; }, NETMESH_FIELD_SIZE_GROWTH);
         for (const double factor : {0.5, 9.0, not_a_number})
             refused([=](auto& r) { r.domain_factor = factor; }, NETMESH_FIELD_DOMAIN_FACTOR);
         for (const double eps : {-1.0, 0.75, not_a_number}) {
@@ -252,6 +257,7 @@ TEST_CASE("points and what is asked of meshes") {
         const auto with_cages = [](auto& r) { r.method = NETMESH_METHOD_HIERARCHY; };
         refused([=](auto& r) { with_cages(r), r.purpose = NETMESH_PURPOSE_PERSIST; }, NETMESH_FIELD_PURPOSE);
         refused([=](auto& r) { with_cages(r), r.sizes.eps = 0.5; }, NETMESH_FIELD_SIZES);
+        refused([=](auto& r) { with_cages(r), r.size_at_inputs = 0.5; }, NETMESH_FIELD_SIZES);
         refused([](auto& r) { r.audit = 4; }, NETMESH_FIELD_AUDIT);
         const auto by_ratio = [](auto& r) { r.certificate.ratio = 3, r.purpose = NETMESH_PURPOSE_PERSIST; };
         refused([=](auto& r) { by_ratio(r), r.certificate.ratio = 1.4; }, NETMESH_FIELD_RATIO);

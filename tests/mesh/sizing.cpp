@@ -202,6 +202,56 @@ TEST_CASE("no point of the domain is farther from its vertex than asked for, by 
         }
 }
 
+TEST_CASE("no sampled cell reaches farther than a size that grows with the distance to the inputs") {
+    for (const int dim : dimensions(2, 4)) {
+        const std::size_t n = by_dimension<std::size_t>(dim, {30, 12, 5});
+        const double size = by_dimension<double>(dim, {0.05, 0.15, 0.3}), growth = 0.25;
+        const inputs::Points points = inputs::uniform(dim, n);
+        const auto to_inputs = [&](const double* x) {
+            double least = infinity;
+            for (std::size_t i = 0; i < n; ++i)
+                least = std::min(least, distance(x, &points[i * std::size_t(dim)], dim));
+            return least;
+        };
+        Session session(dim);
+        session.request.tau = dim < 4 ? 3 : 4;
+        REQUIRE(session.mesh(points) == NETMESH_OK);
+        const std::uint64_t unsized = session.report().mesh.vertices;
+        session.request.size_at_inputs = size;
+        session.request.size_growth = growth;
+        REQUIRE(session.mesh(points) == NETMESH_OK);
+        const netmesh_report r = session.report();
+        CHECK(r.mesh.vertices > 2 * unsized);
+        CHECK(r.mesh.sizes.ratio_max <= 1);
+        CHECK(r.mesh.sizes.ratio_max > 0.5);
+        CHECK(session.check() == NETMESH_OK);
+        session.request.size_growth = growth / 4;
+        CHECK(session.check() == NETMESH_CHECK_FAILED);
+        const std::vector<netmesh_vertex> vertices = session.vertices();
+        inputs::Random random(5);
+        double worst = 0;
+        for (int sample = 0; sample < 4000; ++sample) {
+            double x[6], d2;
+            do {
+                d2 = 0;
+                for (int k = 0; k < dim; ++k) {
+                    x[k] = 2 * random.uniform() - 1;
+                    d2 += x[k] * x[k];
+                }
+            } while (d2 > 1);
+            for (int k = 0; k < dim; ++k) x[k] = r.mesh.domain[k] + r.mesh.domain[dim] * x[k];
+            const netmesh_vertex* nearest = &vertices[0];
+            for (const netmesh_vertex& v : vertices)
+                if (distance(x, v.coordinates, dim) < distance(x, nearest->coordinates, dim)) nearest = &v;
+            if (nearest->marker == 2) continue;
+            const double asked = size + growth * to_inputs(nearest->coordinates);
+            worst = std::max(worst, distance(x, nearest->coordinates, dim) / asked);
+        }
+        CHECK(worst <= 1 + 1e-9);
+        CHECK(worst > 0.5);
+    }
+}
+
 TEST_CASE("one point: eps asks for nothing") {
     Session session(2);
     session.request.sizes.eps = 0.1;

@@ -24,6 +24,8 @@ void judge_remarks(const Mesh& mesh, const Case& wanted, Verdict* verdict) {
     if (mesh.has_domain != wanted.is_mesh) verdict->add("remarks", "a mesh has a domain, a triangulation none");
     if (wanted.tau > 0 && promised_tau(mesh) != wanted.tau) verdict->add("remarks", "another tau was asked for");
     if (wanted.eps > 0 && mesh.eps != wanted.eps) verdict->add("remarks", "another eps was asked for");
+    if (wanted.least_size > 0 && (wanted.least_size != mesh.least_size || wanted.growth != mesh.growth))
+        verdict->add("remarks", "another cell-size was asked for");
     if (!wanted.has_cages && !mesh.cages.empty()) verdict->add("remarks", "cages that were not asked for");
 }
 

@@ -8,9 +8,10 @@ namespace referee {
 struct Case {
     std::vector<Point> points;  // as they were handed to the tool
     int dim = 0;
-    double tau = 0, eps = 0;  // 0: not asked for
-    bool is_mesh = true;      // else a Delaunay triangulation of the points
-    bool has_cages = false;   // there may be some
+    double tau = 0, eps = 0;            // 0: not asked for
+    double least_size = 0, growth = 0;  // of --cell-size
+    bool is_mesh = true;                // else a Delaunay triangulation of the points
+    bool has_cages = false;             // there may be some
     std::size_t samples = 20000;
     double sphere_tests = 2e6;
     double cells_max = 1e300;  // Voronoi cells that are measured; of larger meshes about as many by chance

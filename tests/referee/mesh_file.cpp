@@ -30,13 +30,18 @@ std::string keep_remark(const std::string& line, Mesh* mesh, std::vector<double>
     words >> name;
     std::getline(words, rest);
     std::vector<double> numbers;
-    if (name != "domain" && name != "tau" && name != "ratio" && name != "eps" && name != "cage") return {};
+    if (name != "domain" && name != "tau" && name != "ratio" && name != "eps" && name != "cell-size" && name != "cage")
+        return {};
     if (!numbers_of(rest, &numbers) || numbers.empty()) return "a remark without numbers: " + line;
     if (name == "domain") {
         *domain = numbers;
     } else if (name == "cage") {
         if (numbers.size() != 2 || !is_index(numbers[0], outside)) return "a cage that is none: " + line;
         mesh->cages.push_back({static_cast<std::uint32_t>(numbers[0]), numbers[1]});
+    } else if (name == "cell-size") {
+        if (numbers.size() != 2) return "a cell-size that is none: " + line;
+        mesh->least_size = numbers[0];
+        mesh->growth = numbers[1];
     } else {
         (name == "tau" ? mesh->tau : name == "ratio" ? mesh->ratio : mesh->eps) = numbers[0];
     }
@@ -155,6 +160,7 @@ void write_mesh(const std::string& stem, const Mesh& mesh) {
         if (mesh.tau > 0) out << "# tau " << mesh.tau << '\n';
         if (mesh.ratio > 0) out << "# ratio " << mesh.ratio << '\n';
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
+        if (mesh.least_size > 0) out << "# cell-size " << mesh.least_size << ' ' << mesh.growth << '\n';
         for (const CageLine& cage : mesh.cages) out << "# cage " << cage.centre << ' ' << cage.radius << '\n';
     }
     const bool valued = !mesh.values.empty();

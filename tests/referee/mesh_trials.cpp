@@ -116,6 +116,9 @@ void run_trial(const Tool& tool, const Settings& settings, const Method& method,
     if (is_persist) arguments.insert(arguments.end(), {"-o", tool.path("trial.pers")});
     if (wanted.tau > 0) arguments.insert(arguments.end(), {"--tau", number_text(wanted.tau)});
     if (wanted.eps > 0) arguments.insert(arguments.end(), {"--eps", number_text(wanted.eps)});
+    if (wanted.least_size > 0)
+        arguments.insert(arguments.end(),
+                         {"--cell-size", number_text(wanted.least_size) + "," + number_text(wanted.growth)});
     if (is_persist) wanted.tau = 0;  // the file says a ratio instead
     const Outcome outcome = tool.run(arguments, settings.seconds);
     if (outcome.exit == out_of_time || outcome.exit == memory_exit) {
@@ -124,7 +127,7 @@ void run_trial(const Tool& tool, const Settings& settings, const Method& method,
     }
     if (outcome.exit != done) {
         account->refused++;
-        if (!may_refuse(outcome, method, wanted, wanted.eps > 0))
+        if (!may_refuse(outcome, method, wanted, wanted.eps > 0 || wanted.least_size > 0))
             fail("exit " + count_text(outcome.exit) + ": " + outcome.message);
         return;
     }
@@ -164,10 +167,18 @@ void try_family(const Tool& tool, const Settings& settings, int dim, std::size_t
     if (method.is_mesh && random.below(2) == 0)
         wanted.tau = std::round(100 * random.between(dim > 3 ? 3 : 2.3, 6)) / 100;
     if (method.takes_eps && is_small && random.below(2) == 0) wanted.eps = dim > 3 ? 1 : 0.5;
+    if (method.takes_eps && wanted.eps == 0 && random.below(3) == 0) {
+        double width = 0;
+        for (const Point& p : wanted.points) width = std::max(width, distance(p, wanted.points[0], dim));
+        wanted.least_size = std::stod(number_text((dim == 2 ? 0.1 : dim == 3 ? 0.4 : 1) * width));
+        wanted.growth = random.below(2) == 0 ? 0 : 0.3;
+    }
     const std::string replay = count_text(dim) + ":" + count_text(family) + ":" + count_text(seed);
     std::string title = "D = " + count_text(dim) + ", " + made.name + ", " + count_text(wanted.points.size()) +
                         " points, " + method.name;
     if (wanted.tau > 0) title += ", tau " + number_text(wanted.tau);
+    if (wanted.least_size > 0)
+        title += ", cell-size " + number_text(wanted.least_size) + "," + number_text(wanted.growth);
     if (wanted.eps > 0) title += ", eps " + number_text(wanted.eps);
     run_trial(tool, settings, method, wanted, title + "  (--trial " + replay + ")", random, account);
 }

@@ -31,6 +31,7 @@ std::vector<GroundKind> ground_kinds(int dim) {
         {plain, "svr", {"mesh", "--tau", tau}},
         {caged, "cages", {"mesh", "--method", "netmesh", "--tau", tau}},
         {sized, "eps", {"mesh", "--tau", tau, "--eps", choose(dim, "0.6", "1", "1.5")}},
+        {sized, "cell-size", {"mesh", "--tau", tau, "--cell-size", choose(dim, "0.2,0.3", "0.6,0.3", "1.2,0.3")}},
         {certified, "ratio", {"persist", "--max-degree", "0"}},
     };
     if (dim < 4) all.push_back({netted, "net", {"mesh", "--method", "refine", "--tau", tau}});

@@ -120,6 +120,13 @@ void judge_cage_cells(const Mesh& mesh, const Diagram& diagram, const Hierarchy&
     }
 }
 
+double input_distance(const Mesh& mesh, const Point& x) {
+    double least = INFINITY;
+    for (std::size_t v = 0; v < mesh.count(); v++)
+        if (mesh.markers[v] == input_marker) least = std::min(least, distance(mesh.vertices[v], x, mesh.dim));
+    return least;
+}
+
 }  // namespace
 
 double promised_tau(const Mesh& mesh) {
@@ -192,12 +199,14 @@ void judge_quality(const Mesh& mesh, const Diagram& diagram, const Hierarchy& hi
         verdict->worst_ratio = std::max(verdict->worst_ratio, ratio);
         if (reach.beyond)
             verdict->add("quality", "the cell of vertex " + count_text(v) + " has the ratio " + number_text(ratio));
-        const double size = mesh.eps > 0 ? mesh.eps * feature_size(mesh, mesh.vertices[v]) : INFINITY;
+        double size = mesh.eps > 0 ? mesh.eps * feature_size(mesh, mesh.vertices[v]) : INFINITY;
+        if (mesh.least_size > 0)
+            size = std::min(size, mesh.least_size + mesh.growth * input_distance(mesh, mesh.vertices[v]));
         if (!std::isfinite(size) || reach.farthest < size * (1 - 0x1p-30)) continue;
         clip.limit2 = limit2(2 * room, square(exact(size)));
         if (diagram.reach(v, clip).beyond)
             verdict->add("size", "the cell of vertex " + count_text(v) + " reaches " +
-                                     number_text(reach.farthest / size) + " times as far as eps admits");
+                                     number_text(reach.farthest / size) + " times as far as its size admits");
     }
     judge_cage_cells(mesh, diagram, hierarchy, verdict);
 }

@@ -16,6 +16,18 @@ bool no_tau(Mesh* mesh, const Planter& p) {
 
 bool less_eps(Mesh* mesh, const Planter&) {
     mesh->eps *= 0.7;
+    return mesh->eps > 0;
+}
+
+bool less_size(Mesh* mesh, const Planter&) {
+    mesh->least_size *= 0.7;
+    mesh->growth *= 0.7;
+    return mesh->least_size > 0;
+}
+
+bool size_of_none(Mesh* mesh, const Planter&) {
+    mesh->least_size = 0.1 * mesh->radius;
+    mesh->growth = 0;
     return true;
 }
 
@@ -92,6 +104,8 @@ const std::vector<Plant>& remark_plants() {
         {"tau is gone, and a cell's ratio above the default", plain | caged | netted | sized, false, false, no_tau},
         {"eps is less than a cell's", sized, false, false, less_eps},
         {"eps in a mesh that was not refined to it", plain | netted, false, false, eps_of_none},
+        {"cell-size is less than a cell's", sized, false, false, less_size},
+        {"a cell-size in a mesh that was not refined to it", plain | netted, false, false, size_of_none},
         {"the ratio is less than a cell's", certified, false, false, less_ratio},
         {"tau in place of the ratio", certified, false, false, ratio_becomes_tau},
         {"the domain is larger", plain | caged | sized, false, false, larger_domain},

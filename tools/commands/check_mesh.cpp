@@ -96,6 +96,8 @@ Outcome compare_inputs(const MeshFiles& files, const PointCloud& points) {
 void set_promises(const Options& options, const NodeFile& node, requests::Mesh* mesh) {
     if (!options.tau && node.tau > 0) mesh->tau = node.tau;
     if (options.eps == 0 || promises_accuracy(options)) mesh->sizes.eps = node.eps;
+    mesh->size_at_inputs = options.size_at_inputs > 0 ? options.size_at_inputs : node.size_at_inputs;
+    mesh->size_growth = options.size_at_inputs > 0 ? options.size_growth : node.size_growth;
     mesh->certificate = goal_of(options, options.ratio.value_or(node.ratio));
 }
 
@@ -117,8 +119,13 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netm
                            " cages nested about inputs, none encroached; their cells and all others in their domains");
     }
     if (report.sizes.ratio_max > 0) {
-        checked->push_back("cells reach " + rounded_text(report.sizes.ratio_max, 6) + " of the size asked for (eps " +
-                           rounded_text(mesh.sizes.eps, 6) + ")");
+        std::string asked;
+        if (mesh.sizes.eps > 0) asked = "eps " + rounded_text(mesh.sizes.eps, 6);
+        if (mesh.size_at_inputs > 0)
+            asked += (asked.empty() ? "cell-size " : ", cell-size ") + number_text(mesh.size_at_inputs) + ',' +
+                     number_text(mesh.size_growth);
+        checked->push_back("cells reach " + rounded_text(report.sizes.ratio_max, 6) + " of the size asked for (" +
+                           asked + ")");
     }
     checked->push_back(is_mesh && ratio == 0 ? "size and degrees within the bounds of chapters 3 and 5"
                                              : "degrees within the bounds of fat cells (chapter 5)");

@@ -191,6 +191,8 @@ Outcome run_engine_command(const Options& options) {
 
     Result result{EngineMesh(session.engine()), {}, {}};
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
+    result.mesh.size_at_inputs = options.size_at_inputs;
+    result.mesh.size_growth = options.size_growth;
     if (run.engine->mesh.is_mesh != 0 && ending_of(mesh_path) == ".vtu") result.mesh.measure();
     if (!persists(options)) return finish_run(mesh_jobs(options, result.mesh), start, &run);
 

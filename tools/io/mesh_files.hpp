@@ -21,19 +21,20 @@ public:
 
     std::uint32_t dim = 0;
     std::uint64_t vertex_count = 0, cell_count = 0;
-    double tau = 0;                           // bound asked for; 0 for a Delaunay triangulation
-    double ratio = 0;                         // asked of the certificate instead; 0: not asked for
-    double eps = 0;                           // of over-refinement; 0 when there was none
-    double domain[NETMESH_DIM_MAX + 1] = {};  // centre, radius at index dim; radius 0 for a Delaunay triangulation
-    bool has_values = false;                  // vertices carry filter values
-    std::vector<netmesh_cage> cages;          // of a hierarchical mesh
-    std::vector<double> ratios;               // of vertices' clipped cells, where they have been measured
-    std::vector<std::uint32_t> domains;       // innermost cages of vertices, with the ratios
+    double tau = 0;                              // bound asked for; 0 for a Delaunay triangulation
+    double ratio = 0;                            // asked of the certificate instead; 0: not asked for
+    double eps = 0;                              // of over-refinement; 0 when there was none
+    double size_at_inputs = 0, size_growth = 0;  // the same by the distance to the inputs
+    double domain[NETMESH_DIM_MAX + 1] = {};     // centre, radius at index dim; radius 0 for a Delaunay triangulation
+    bool has_values = false;                     // vertices carry filter values
+    std::vector<netmesh_cage> cages;             // of a hierarchical mesh
+    std::vector<double> ratios;                  // of vertices' clipped cells, where they have been measured
+    std::vector<std::uint32_t> domains;          // innermost cages of vertices, with the ratios
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
-// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` for an over-refined one, `# cage V R` for
-// each cage: its centre's id and its radius.
+// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` and `# cell-size A B` for an over-refined
+// one, `# cage V R` for each cage: its centre's id and its radius.
 void write_node(const MeshSource& mesh, TextWriter& out);
 void write_ele(const MeshSource& mesh, TextWriter& out);
 // -1 outside; neighbour i is opposite vertex i.
@@ -54,7 +55,8 @@ struct NodeFile {
     std::uint64_t first_id = 0;          // 0 or 1
     std::vector<double> domain;          // dim + 1 numbers, or empty
     double tau = 0, ratio = 0, eps = 0;  // 0 when the file does not say
-    std::vector<netmesh_cage> cages;     // centres counted from 0; no parents
+    double size_at_inputs = 0, size_growth = 0;
+    std::vector<netmesh_cage> cages;  // centres counted from 0; no parents
 };
 
 // Every fault is Exit::data with file and line. node->cloud.name is used for messages.

@@ -23,10 +23,19 @@ Complaint keep_cage(const std::vector<double>& numbers, NodeFile* node) {
     return {};
 }
 
-// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E` and `# cage V R`; other comments say nothing.
+Complaint keep_size(const std::vector<double>& numbers, NodeFile* node) {
+    if (numbers.size() != 2 || !(numbers[0] > 0) || !(numbers[1] >= 0))
+        return "a cell-size is a number above 0 and one of 0 or more";
+    node->size_at_inputs = numbers[0];
+    node->size_growth = numbers[1];
+    return {};
+}
+
+// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E`, `# cell-size A B` and `# cage V R`; other comments say
+// nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
-    static constexpr std::string_view known[] = {"domain", "tau", "ratio", "eps", "cage"};
+    static constexpr std::string_view known[] = {"domain", "tau", "ratio", "eps", "cell-size", "cage"};
     if (words.empty() || std::find(std::begin(known), std::end(known), words[0]) == std::end(known)) return {};
     std::vector<double> numbers;
     for (std::size_t i = 1; i < words.size(); i++) {
@@ -36,6 +45,7 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
     }
     if (words[0] == "domain") return keep_domain(numbers, node);
     if (words[0] == "cage") return keep_cage(numbers, node);
+    if (words[0] == "cell-size") return keep_size(numbers, node);
     const double number = numbers.size() == 1 ? numbers[0] : 0;
     if (words[0] == "tau") {
         node->tau = number;

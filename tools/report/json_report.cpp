@@ -32,6 +32,9 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
     write_known(json, "tau", mesh.tau > 0 || options.tau, mesh.tau > 0 ? mesh.tau : options.tau.value_or(0));
     write_known(json, "theta", options.theta > 0, options.theta);
     write_known(json, "eps", options.eps > 0, options.eps);
+    write_known(json, "size_at_inputs", options.size_at_inputs > 0, options.size_at_inputs);
+    write_known(json, "size_growth", options.size_at_inputs > 0, options.size_growth);
+    write_known(json, "domain_factor", options.domain_factor > 0, options.domain_factor);
     write_known(json, "method", mesh.is_mesh != 0,
                 mesh.certificate.ratio > 0 ? "certificate" : method_name(mesh.method));
     json.entry("finish", options.finish);

@@ -159,6 +159,12 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(folder.run("mesh p.txt -o fine.node --eps 0.4 --check").exit == 0);
     CHECK(folder.run("check fine.node").out.find("of the size asked for (eps 0.4)") != std::string::npos);
     CHECK(folder.run("mesh p.txt -o none.node --eps 1e-18").exit == 3);
+    CHECK(folder.run("mesh p.txt -o sized.node --cell-size .05,.5 --domain 2 --check").exit == 0);
+    CHECK(folder.run("check sized.node").out.find("(cell-size 0.05,0.5)") != std::string::npos);
+    CHECK(folder.run("check sized.node --cell-size .05").exit == 7);
+    const Result unresolved = folder.run("mesh p.txt -o none.node --cell-size 1e-18");
+    CHECK(unresolved.exit == 3);
+    CHECK(unresolved.err.find("--cell-size 1e-18: ") != std::string::npos);
     CHECK(check.out.find("within the bounds of chapters 3 and 5") != std::string::npos);
     const Result analysed = folder.run("mesh p.txt -o m.node --analyse --json");
     CHECK(analysed.exit == 0);

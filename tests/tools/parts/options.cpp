@@ -74,6 +74,10 @@ TEST_CASE("sizes of memory") {
 TEST_CASE("numbers out of range name their argument") {
     for (const char* eps : {"0", "-1", "inf", "nan", "x", ""})
         CHECK(names(fault({"mesh", "p", "--eps", eps}), "--eps"));
+    for (const char* size : {"0", "-1", "inf", "1,-1", "1,", ",1", "1,2,3", "x", ""})
+        CHECK(names(fault({"mesh", "p", "--cell-size", size}), "--cell-size"));
+    for (const char* factor : {"0.9", "8.1", "nan", "x", ""})
+        CHECK(names(fault({"mesh", "p", "--domain", factor}), "--domain"));
     for (const char* tau : {"2", "1.9", "-3", "0", "inf", "nan", "1e400", "x", "", "3x"}) {
         CHECK(names(fault({"mesh", "p", "--tau", tau}), "--tau"));
     }
@@ -103,6 +107,10 @@ TEST_CASE("methods, filters and values that this version has not") {
     good({"mesh", "p", "--method", "netmesh", "--finish"});
     CHECK(names(fault({"mesh", "p", "--finish"}), "--finish goes with --method netmesh"));
     CHECK(names(fault({"persist", "p", "--method", "netmesh"}), "--finish"));
+    CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--cell-size", "1"}),
+                "--cell-size does not go with --method netmesh"));
+    CHECK(names(fault({"mesh", "p", "--method", "refine", "--domain", "2"}),
+                "--domain does not go with --method refine"));
     CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--eps", ".4"}), "--eps does not go with --method netmesh"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
     for (const char* filter : {"frob", "cechs"}) {
