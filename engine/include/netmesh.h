@@ -533,7 +533,11 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * For FUNCTION: the sublevel sets of a function (8.6). certified_ratio is infinite where f is too small for its change
  * across a Voronoi cell; a distance_factor keeps it finite.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
- * is not finite or negative), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+ * is not finite or negative), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190
+ * in space, 2^640 in R^6, of which all coordinates are multiples), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays
+ * whole on failure. ALPHA: a bar of positive length for each that there is in exact arithmetic, and no other. Births
+ * and deaths have exactly the order of the true ones: where many different ones share one double, each is the next
+ * double to the one before, within value_error of the report. */
 netmesh_status netmesh_persist(netmesh_context* context, const netmesh_persist_request* request);
 
 /* Pairs sorted by degree, birth, death; death is +infinity for an essential class. O(1). */
@@ -894,7 +898,9 @@ typedef struct netmesh_diagram_report {
                                the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;       /* scale from which the ratio holds: 0, or r_P for the basic filter */
-    uint64_t reserved[4];
+    double value_error;          /* ALPHA: births and deaths are within value_error times themselves of the true ones,
+                                    which are in the same order and equal where these are; 0: no bound of this kind */
+    uint64_t reserved[3];
 } netmesh_diagram_report;
 
 /* Of netmesh_bound_bars. */
