@@ -1,6 +1,7 @@
 #include "filtration/radius_order.hpp"
 
 #include "filtration/circumsphere_fast.hpp"
+#include "numerics/close_values.hpp"
 #include "numerics/real.hpp"
 #include "numerics/sort.hpp"
 #include "numerics/value_order.hpp"
@@ -8,8 +9,6 @@
 
 namespace netmesh {
 namespace {
-
-double next_double(double x) { return x < radius_max ? double_of_bits(bits_of(x) + 1) : x; }
 
 template <int K, int D> bool simplex_radius(const double* const* point, int k, Radius* out) {
     if constexpr (K < D)
@@ -74,7 +73,8 @@ private:
     Status decide(std::uint32_t begin, std::uint32_t end, double base);
     bool compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error);
     void settle(std::uint32_t begin, std::uint32_t end, double radius, double error);
-    bool collect();
+    Status pass(bool all);
+    bool collect(bool all);
     bool stop(std::uint32_t work) { return work_.monitor.advance(done_, work); }
 
     const Faces<D>& faces_;
@@ -83,41 +83,65 @@ private:
     std::uint64_t* const scratch_;
     double* const* const value_;
     double error_, spread_;
-    double last_ = 0;  // the last radius that was settled
+    double last_ = 0;       // the last radius that was settled
+    double top_ = 0;        // what is settled now must not pass this: radii that were left out may be above it
+    bool crowded_ = false;  // it did
     double* radius_ = nullptr;
     std::uint32_t* label_ = nullptr;
     std::uint32_t count_ = 0;
     std::uint64_t done_ = 0;
 };
 
-template <int D> bool RadiusOrder<D>::collect() {
-    std::uint64_t all = 0, count = 0;
+// Takes radii and labels of those that may have another radius close by, or of all. False: out of memory.
+template <int D> bool RadiusOrder<D>::collect(bool all) {
+    count_ = 0;
+    std::uint64_t faces = 0, radii = 0, room = 0;
     for (int k = 1; k <= D; ++k) {
-        all += faces_.count[k];
-        for (std::uint32_t i = 0; i < faces_.count[k]; ++i) count += value_[k][i] >= 0;
+        faces += faces_.count[k];
+        for (std::uint32_t i = 0; i < faces_.count[k]; ++i) radii += value_[k][i] >= 0;
     }
-    if (all > 0xFFFFFFFFu) return false;
-    radius_ = work_.arena.template take_high<double>(static_cast<std::size_t>(count));
-    label_ = work_.arena.template take_high<std::uint32_t>(static_cast<std::size_t>(count));
+    if (faces > 0xFFFFFFFFu) return false;
+    CloseValues close;
+    if (!all) {
+        if (!close.take(radii, spread_, work_.arena)) return false;
+        for (int k = 1; k <= D; ++k)
+            for (std::uint32_t i = 0; i < faces_.count[k]; ++i)
+                if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
+    }
+    if (all || room > radii) room = radii;
+    radius_ = work_.arena.template take_high<double>(static_cast<std::size_t>(room));
+    label_ = work_.arena.template take_high<std::uint32_t>(static_cast<std::size_t>(room));
     if (radius_ == nullptr || label_ == nullptr) return false;
     std::uint32_t label = 0;
     for (int k = 1; k <= D; ++k)
         for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
-            if (!(value_[k][i] >= 0)) continue;
+            if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) continue;
             radius_[count_] = value_[k][i];
             label_[count_++] = label;
         }
-    done_ = all;
+    done_ = faces;
     return sort_labelled(radius_, label_, count_, work_.arena);
 }
 
 template <int D> Status RadiusOrder<D>::run() {
+    const bool all = !(spread_ < CloseValues::spread_max);
+    Status status = pass(all);
+    if (status == Status::ok && crowded_ && !all) {
+        spread_ = 1.01 * error_ + 0x1p-51;
+        status = pass(true);
+    }
+    return status;
+}
+
+template <int D> Status RadiusOrder<D>::pass(bool all) {
     const HighScope scope(work_.arena);
-    if (!collect()) return Status::out_of_memory;
+    if (!collect(all)) return Status::out_of_memory;
+    last_ = 0;
     const double low = 1 - spread_, high = 1 + spread_;
     for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
         end = begin + 1;
         while (end < count_ && radius_[end] * low <= radius_[end - 1] * high) ++end;
+        top_ = radius_[end - 1] * (1 + spread_ / 2);
         if (end == begin + 1 && radius_[begin] > last_) {
             last_ = radius_[begin];
             continue;
@@ -140,7 +164,7 @@ template <int D> Radius RadiusOrder<D>::look_again(std::uint32_t i) const {
 
 // Radii of which each meets the next by the common bound: cuts where all before are below all that follow.
 template <int D> Status RadiusOrder<D>::part(std::uint32_t begin, std::uint32_t end) {
-    if (end - begin > few || end - begin == 1) return compute(begin, end);
+    if (end - begin > few || end - begin == 1 || crowded_) return compute(begin, end);
     double low[few], high[few];
     for (std::uint32_t i = 0; i < end - begin; ++i) {
         const double x = radius_[begin + i], error = 1.01 * look_again(begin + i).error + 0x1p-51;
@@ -268,11 +292,12 @@ template <int D> bool RadiusOrder<D>::compare_all(std::uint32_t begin, std::uint
 // Equal radii, above those settled before.
 template <int D> void RadiusOrder<D>::settle(std::uint32_t begin, std::uint32_t end, double radius, double error) {
     if (radius <= last_) {
-        const double above = next_double(last_);
+        const double above = last_ < radius_max ? next_up(last_) : last_;
         error = above > last_ ? error + 1.01 * (above - radius) / radius : infinity;
         radius = above;
     }
     last_ = radius;
+    if (radius > top_) crowded_ = true;
     error_ = error > error_ ? error : error_;
     for (std::uint32_t i = begin; i < end; ++i) {
         const Place place = place_of(label_[i]);

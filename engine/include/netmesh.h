@@ -558,8 +558,8 @@ void netmesh_bounds_request_init(netmesh_bounds_request* request, size_t request
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely
  * stands for a class of the true diagram; and the ratio as a function of scale. Where a filter's bounds_by_scale is
  * 1: by scale, and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; else by the
- * certified ratio. The numbers stay with the diagram: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and
- * what a diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure.
+ * certified ratio and value_error. The numbers stay with the diagram: 48 bytes a bar. Scratch: about 110 bytes a
+ * vertex, 120 a bar, and what a diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure.
  * NO_RESULT (no diagram), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_bounds_request* request);
 
@@ -893,13 +893,14 @@ typedef struct netmesh_diagram_report {
     uint32_t representatives;                   /* 1: there is a cycle for each pair */
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
-    uint64_t simplices;     /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
-    double certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
-                               the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
+    uint64_t simplices; /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
+    double
+        certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
+                            the function of KNN, KDISTANCE and FUNCTION) is at most ln c; ALPHA: but for value_error */
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;       /* scale from which the ratio holds: 0, or r_P for the basic filter */
-    double value_error;          /* ALPHA: births and deaths are within value_error times themselves of the true ones,
-                                    which are in the same order and equal where these are; 0: no bound of this kind */
+    double value_error;          /* ALPHA: births and deaths differ from the true ones by at most this times the true
+                                    ones, and are in the same order and equal where those are; 0: no such bound */
     uint64_t reserved[3];
 } netmesh_diagram_report;
 

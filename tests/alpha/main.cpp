@@ -85,6 +85,12 @@ const Kind kinds[] = {
          }
          if (whole(e, 0, 2) == 0) p[1] += std::ldexp(1, -whole(e, 20, 50));
      }},
+    {"many in one double",  // pairs across the gap, at distances that differ by far less than a double tells
+     [](Engine& e, std::size_t dim, std::vector<double>& p) {
+         p[0] = whole(e, 0, 1);
+         for (std::size_t c = 1; c < dim; ++c) p[c] = std::ldexp(whole(e, 0, 60), -40);
+         if (p[0] == 1 && whole(e, 0, 3) == 0) p[0] = 1 + std::ldexp(whole(e, 0, 3), -51);
+     }},
     {"anywhere",
      [](Engine& e, std::size_t, std::vector<double>& p) {
          for (double& x : p) x = unit(e);
