@@ -85,11 +85,19 @@ const Kind kinds[] = {
          }
          if (whole(e, 0, 2) == 0) p[1] += std::ldexp(1, -whole(e, 20, 50));
      }},
-    {"many in one double",  // pairs across the gap, at distances that differ by far less than a double tells
+    {"many in one double",  // pairs across a gap, whose distances differ by far less than a double tells
      [](Engine& e, std::size_t dim, std::vector<double>& p) {
+         for (double& x : p) x = std::ldexp(whole(e, 0, dim > 2 ? 3 : 60), -46);
          p[0] = whole(e, 0, 1);
-         for (std::size_t c = 1; c < dim; ++c) p[c] = std::ldexp(whole(e, 0, 60), -40);
-         if (p[0] == 1 && whole(e, 0, 3) == 0) p[0] = 1 + std::ldexp(whole(e, 0, 3), -51);
+     }},
+    {"flat triangles",  // three of them, alike but for an ulp
+     [](Engine& e, std::size_t dim, std::vector<double>& p) {
+         static const double corner[][2] = {{0, 0}, {.3, nudged(0x1.5p-9, 1)}, {1, 0}};
+         const auto& at = corner[whole(e, 0, 2)];
+         const double turn = .1 * whole(e, 0, 2);
+         p[0] = 64 * turn + at[0] - turn * at[1];
+         p[1] = nudged(1 + turn * at[0] + at[1], whole(e, -1, 1));
+         if (dim > 2) p[dim - 1] = 0x1.7p-8 * whole(e, 0, 1);
      }},
     {"anywhere",
      [](Engine& e, std::size_t, std::vector<double>& p) {

@@ -32,7 +32,7 @@ template <int D> Cloud<D> cloud(std::vector<double> x, std::vector<std::array<st
     return c;
 }
 
-template <int D> Values alpha(const Cloud<D>& c) {
+template <int D> Values alpha(const Cloud<D>& c, double* value_error = nullptr) {
     Block block(std::size_t{1} << 22);
     Monitor monitor;
     Faces<D> faces;
@@ -42,6 +42,7 @@ template <int D> Values alpha(const Cloud<D>& c) {
     double error;
     REQUIRE(alpha_values<D>(faces, c.x.data(), D * sizeof(double), {block.arena, monitor}, value, &error) ==
             Status::ok);
+    if (value_error != nullptr) *value_error = error;
     Values all;
     for (int k = 0; k <= D; ++k)
         for (std::uint32_t i = 0; i < faces.count[k]; ++i) {
@@ -258,6 +259,34 @@ TEST_CASE("a regular hexagon has one hole, whose triangles all enter together") 
     CHECK(d.degree[1][0].second == doctest::Approx(1).epsilon(1e-15));
     CHECK(d.degree[1][1].first == doctest::Approx(1).epsilon(1e-15));
     CHECK(d.degree[1][1].second - d.degree[1][1].first < 1e-15);
+}
+
+TEST_CASE("many radii in one double are parted, within the error, and pass by no other") {
+    // Edges across a gap of 1 with offsets of 1, 3, 5, ... quanta, so different radii that all round to .5; and a pair
+    // far away at a distance a little above 1.
+    constexpr std::uint32_t count = 100;
+    const double quantum = 0x1p-46, apart = 1 + 40 * 0x1p-51;
+    std::vector<double> x;
+    std::vector<std::array<std::uint32_t, 3>> cells;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        x.insert(x.end(), {double(i % 2), quantum * (i * i)});
+        if (i > 1) cells.push_back({i - 2, i - 1, i});
+    }
+    x.insert(x.end(), {-20, 0, -20, apart, -40, .3});
+    cells.push_back({count, count + 1, count + 2});
+    double error;
+    const Values values = alpha(cloud<2>(x, cells), &error);
+    const double far = values.at({count, count + 1});
+    CHECK(far >= apart / 2);
+    CHECK(far - apart / 2 <= error * apart / 2);
+    CHECK(error < 0x1p-40);
+    for (std::uint32_t i = 0; i + 1 < count; ++i) {
+        const double value = values.at({i, i + 1});
+        CHECK(value >= .5);
+        CHECK(value - .5 <= .5 * error);
+        CHECK(value < far);
+        if (i > 0) CHECK(value > values.at({i - 1, i}));
+    }
 }
 
 TEST_CASE("a regular tetrahedron: a class in each degree") {

@@ -74,8 +74,8 @@ TEST_CASE("the table asks for room") {
     CloseValues close;
     CHECK(!close.take(1000, 0x1p-40, block.arena));
     CHECK(close.take(10, 0x1p-40, block.arena));
-    CHECK(close.add(1) == 0);
-    CHECK(!close.found(1));
-    CHECK(close.add(1) == 1);
-    CHECK(close.found(1));
+    CHECK(close.add(1.3) == 0);
+    CHECK(!close.found(1.3));
+    CHECK(close.add(1.3) == 1);
+    CHECK(close.found(1.3));
 }
