@@ -272,7 +272,7 @@ TEST_CASE("many radii in one double are parted, within the error, and pass by no
         x.insert(x.end(), {double(i % 2), quantum * (i * i)});
         if (i > 1) cells.push_back({i - 2, i - 1, i});
     }
-    x.insert(x.end(), {-20, 0, -20, apart, -40, .3});
+    x.insert(x.end(), {-20, 0, -20, apart, -20.9, .5});
     cells.push_back({count, count + 1, count + 2});
     double error;
     const Values values = alpha(cloud<2>(x, cells), &error);
@@ -286,6 +286,27 @@ TEST_CASE("many radii in one double are parted, within the error, and pass by no
         CHECK(value - .5 <= .5 * error);
         CHECK(value < far);
         if (i > 0) CHECK(value > values.at({i - 1, i}));
+    }
+}
+
+TEST_CASE("flat triangles turned by an angle with rational sine have the same radius, whatever rounding says") {
+    std::vector<double> x;
+    std::vector<std::array<std::uint32_t, 3>> cells;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        const double corner[][2] = {{0, 0}, {1001, 1}, {433 + i / 4.0, 3 + i / 4.0}};
+        for (const double turn : {0, 1}) {
+            for (const auto& [a, b] : corner) {
+                x.push_back(10000 * (2 * i + turn) + (turn == 0 ? 5 * a : 3 * a - 4 * b));
+                x.push_back(turn == 0 ? 5 * b : 4 * a + 3 * b);
+            }
+            const std::uint32_t first = 6 * i + 3 * (turn == 0 ? 0 : 1);
+            cells.push_back({first, first + 1, first + 2});
+        }
+    }
+    const Values values = alpha(cloud<2>(x, cells));
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        CAPTURE(i);
+        CHECK(values.at({6 * i, 6 * i + 1, 6 * i + 2}) == values.at({6 * i + 3, 6 * i + 4, 6 * i + 5}));
     }
 }
 
