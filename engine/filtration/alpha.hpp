@@ -33,7 +33,7 @@ template <int D> struct AlphaFiltration {
 // 2^1670 in the plane, 2^1190 in space, 2^640 in R^6. Beyond that the result may be out_of_range.
 //
 // Requires all faces (faces.dimension_max == D), fewer than 2^32. One small linear solve a face, see circumsphere.hpp,
-// and what order_radii takes. Scratch at the high end: 12 bytes for each face that is Gabriel, besides 60 KiB.
+// and what order_radii takes. Scratch at the high end: 60 KiB and that of order_radii.
 // out_of_memory, out_of_range, cancelled.
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,

@@ -43,12 +43,14 @@ template <int D> inline bool edge_radius(const double* const* point, Radius* out
 // many different radii are within one unit in the last place, each is the next double to the one before; *error becomes
 // what then holds.
 //
-// Radii are sorted together, 12 bytes each. Where intervals of neighbours meet, the float stage's own error bounds of
+// Those that may have another close by are found by their leading digits (close_values.hpp) and sorted: few of random
+// points, all of a grid. Where intervals of neighbours meet, the float stage's own error bounds of
 // these simplices are looked at; if this does not part them, their squared radii are computed exactly
 // (circumsphere_exact.hpp) and sorted by their first 87 bits or more, and compared exactly where these agree. So an
 // exact tie costs one comparison, a microsecond or less for coordinates of few digits and some ten for any other.
-// scratch: of ExactSphere.
-// out_of_memory; out_of_range: a comparison needs more digits than there are; cancelled.
+// scratch: of ExactSphere. Memory: 4 to 8 bytes a radius, 12 for each that is sorted; where so many radii share a
+// double that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
+// digits than there are; cancelled.
 template <int D>
 Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, std::uint64_t* scratch,
                    double* const* value, double* error);

@@ -529,7 +529,7 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
 /* Persistent homology over Z/2 of the filtration on what the context holds. Values are radii, not squared radii. ALPHA
  * needs a Delaunay triangulation, the others a mesh without cages; one mesh serves every k. Replaces the diagram, also
  * when it fails.
- * Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
+ * Memory above the mesh: below 8 bytes a simplex, for alpha about 25 bytes a simplex plus fill, 8 more on grids.
  * For FUNCTION: the sublevel sets of a function (8.6). certified_ratio is infinite where f is too small for its change
  * across a Voronoi cell; a distance_factor keeps it finite.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
