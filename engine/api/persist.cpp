@@ -38,6 +38,7 @@ void keep_diagram(netmesh_context* context, const PersistRequest& request, netme
     kept.certified_ratio = diagram.certificate.ratio;
     kept.certified_ratio_best = diagram.certificate.ratio_best;
     kept.certified_from = diagram.certificate.from;
+    kept.value_error = diagram.value_error;
 }
 
 }  // namespace

@@ -1,88 +1,155 @@
-// Values go down from the cells: a face meets all of its cofacets before its own turn comes. Until then its entry holds
-// the least value of the cofacets met, with the sign bit set once one of them has its apex in the face's sphere.
+// Values go down from the cells, twice. First every face gets its radius, and its facets a mark where its apex is in
+// their spheres: those get no value of their own. Then the radii are put into exact order. Then each marked face gets
+// the least value of its cofacets.
+//
+// Why that is the alpha complex when points are cospherical. Let F be a face, c the centre of its smallest
+// circumsphere, g_p(c) = |p - c|^2 - radius^2, and let the triangulation be that of lifts raised by infinitely small
+// weights (predicates.cpp). The centres of spheres through F that are empty up to weights are { g_v + small >= 0 } for
+// the apexes v of F's cofacets, a polyhedron that is not empty as F is a face; the normals of these half-spaces do not
+// depend on the weights. If some p is strictly inside, g_p(c) < 0, then g_p + small is >= 0 on the polyhedron, thus at
+// least a combination of the g_v + small with factors >= 0, which may be chosen from finitely many; so some g_v(c) < 0:
+// looking at apexes of cofacets is enough. An apex on the sphere is marked too. If then nothing is strictly inside, the
+// cofacet has the same sphere and nothing inside either, its value is the same radius, and no cofacet has less: the
+// value of the face is right, and copied instead of being compared.
 #include "filtration/alpha.hpp"
 
 #include "filtration/circumsphere_fast.hpp"
-#include "filtration/half_distance.hpp"
+#include "filtration/radius_order.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
-bool is_marked(double x) { return __builtin_signbit(x) != 0; }
-double unmarked(double x) { return is_marked(x) ? -x : x; }
+constexpr std::uint32_t chunk = 1024;
 
-template <int D> struct Points {
-    const double* coordinates;
-    std::ptrdiff_t stride_bytes;
-    const double* operator[](std::uint32_t v) const {
-        return reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(coordinates) +
-                                               static_cast<std::ptrdiff_t>(v) * stride_bytes);
+template <int D> class AlphaValues {
+public:
+    AlphaValues(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value)
+        : faces_(faces), points_(points), work_(work), value_(value) {}
+
+    Status run(double* error) {
+        const HighScope scope(work_.arena);
+        scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(D));
+        if (scratch_ == nullptr) return Status::out_of_memory;
+        for (std::uint32_t i = 0; i < faces_.count[0]; ++i) value_[0][i] = 0;
+        for (int k = 1; k <= D; ++k)
+            for (std::uint32_t i = 0; i < faces_.count[k]; ++i) value_[k][i] = 0;
+        Status status = find_radii_from<D>();
+        if (status == Status::ok) status = order_radii(faces_, points_, work_, scratch_, value_, &error_);
+        if (status == Status::ok) status = hand_down_from<D>();
+        *error = beyond_ ? infinity : error_;
+        return status;
     }
+
+private:
+    template <int K> Status find_radii();
+    template <int K> Status hand_down();
+    template <int K> Status find_radii_from() {
+        const Status status = find_radii<K>();
+        if constexpr (K > 1) return status == Status::ok ? find_radii_from<K - 1>() : status;
+        return status;
+    }
+    template <int K> Status hand_down_from() {
+        const Status status = hand_down<K>();
+        if constexpr (K > 2) return status == Status::ok ? hand_down_from<K - 1>() : status;
+        return status;
+    }
+    // Any simplex; not in the loop, and not often.
+    [[gnu::noinline]] bool evaluate_exactly(const double* const* point, int k, Circumsphere* out) {
+        const ExactSphere sphere(point, k, D);
+        if (!sphere.in_range()) return false;
+        *out = sphere.evaluate(scratch_);
+        if (out->radius < radius_max) {
+            note_error(exact_radius_error(out->radius));
+        } else {
+            beyond_ = true;
+        }
+        return true;
+    }
+    void note_error(double error) { error_ = error > error_ ? error : error_; }
+    bool stop(std::uint32_t f, int k) {
+        if (f % chunk != chunk - 1) return false;
+        done_ += chunk;
+        return work_.monitor.advance(done_, chunk * static_cast<std::uint32_t>(k));
+    }
+
+    const Faces<D>& faces_;
+    const PointRecords<D> points_;
+    const Work& work_;
+    double* const* value_;
+    std::uint64_t* scratch_ = nullptr;
+    std::uint64_t done_ = 0;
+    double error_ = 0;
+    bool beyond_ = false;  // some radius is above the largest double
 };
 
-template <int K, int D> Circumsphere circumsphere(const double* const* point) {
-    Circumsphere sphere;
-    if constexpr (K > 1) {
-        if (circumsphere_fast<K, D>(point, &sphere)) return sphere;
-        return circumsphere_precise(point, K, D);
-    } else {
-        return {half_distance<D>(point[1], point[0]), 0};
-    }
-}
-
-// Gives the K-faces their values and hands them down to their facets.
-template <int K, int D>
-bool give_values(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, Monitor& monitor,
-                 double* const* value) {
-    constexpr std::uint32_t chunk = 1024;
-    const std::uint32_t count = faces.count[K];
-    const std::uint32_t* facet = faces.facets[K];
+// The radii of the K-faces that are not marked, and marks for their facets: the least double.
+template <int D> template <int K> Status AlphaValues<D>::find_radii() {
+    const std::uint32_t count = faces_.count[K];
+    const std::uint32_t* facet = faces_.facets[K];
+    double volume = 1;
     for (std::uint32_t f = 0; f < count; ++f, facet += K + 1) {
-        std::uint32_t vertex[K + 1];
+        double& value = value_[K][f];
         const double* point[K + 1];
-        faces.vertices(K, f, vertex);
-        for (int i = 0; i <= K; ++i) point[i] = points[vertex[i]];
-        const Circumsphere sphere = circumsphere<K, D>(point);
-        double v = unmarked(value[K][f]);
-        if (!is_marked(value[K][f]) && sphere.radius < v) v = sphere.radius;
-        value[K][f] = v;
         if constexpr (K > 1) {
-            for (int i = 0; i <= K; ++i) {
-                double& below = value[K - 1][facet[i]];
-                const bool mark = is_marked(below) || (sphere.within >> i & 1u) != 0;
-                const double least = unmarked(below) < v ? unmarked(below) : v;
-                below = mark ? -least : least;
+            points_.of_face(faces_, K, f, point);
+            Circumsphere sphere;
+            if (circumsphere_fast<K, D>(point, &sphere)) {
+                if (sphere.volume < volume) volume = sphere.volume;
+            } else if (!evaluate_exactly(point, K, &sphere)) {
+                return Status::out_of_range;
+            }
+            if (!(value < 0)) value = sphere.radius;
+            for (int i = 0; i <= K; ++i)
+                if ((sphere.within >> i & 1u) != 0) value_[K - 1][facet[i]] = -infinity;
+        } else if (!(value < 0)) {
+            points_.of_face(faces_, K, f, point);
+            Radius edge;
+            if (edge_radius<D>(point, &edge)) {
+                note_error(edge.error);
+                value = edge.value;
+            } else {
+                Circumsphere sphere;
+                if (!evaluate_exactly(point, K, &sphere)) return Status::out_of_range;
+                value = sphere.radius;
             }
         }
-        if (f % chunk == chunk - 1 && monitor.advance(done + f, chunk * K)) return false;
+        if (stop(f, K)) return Status::cancelled;
     }
-    return true;
+    if constexpr (K > 1) note_error(radius_error<K, D>(volume));
+    return Status::ok;
 }
 
-template <int K, int D>
-bool give_values_from(const Faces<D>& faces, const Points<D>& points, std::uint64_t done, Monitor& monitor,
-                      double* const* value) {
-    if (!give_values<K, D>(faces, points, done, monitor, value)) return false;
-    if constexpr (K > 1) return give_values_from<K - 1, D>(faces, points, done + faces.count[K], monitor, value);
-    return true;
+// A marked face holds the negative of the least value met.
+template <int D> template <int K> Status AlphaValues<D>::hand_down() {
+    const std::uint32_t count = faces_.count[K];
+    const std::uint32_t* facet = faces_.facets[K];
+    for (std::uint32_t f = 0; f < count; ++f, facet += K + 1) {
+        const double value = absolute(value_[K][f]);
+        value_[K][f] = value;
+        for (int i = 0; i <= K; ++i) {
+            double& below = value_[K - 1][facet[i]];
+            if (below < -value) below = -value;
+        }
+        if (stop(f, 1)) return Status::cancelled;
+    }
+    if constexpr (K == 2)
+        for (std::uint32_t f = 0; f < faces_.count[1]; ++f) value_[1][f] = absolute(value_[1][f]);
+    return Status::ok;
 }
 
 }  // namespace
 
 template <int D>
-Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, Monitor& monitor,
-                    double* const* value) {
-    const Points<D> points = {coordinates, stride_bytes};
-    for (std::uint32_t i = 0; i < faces.count[0]; ++i) value[0][i] = 0;
-    for (int k = 1; k <= D; ++k)
-        for (std::uint32_t i = 0; i < faces.count[k]; ++i) value[k][i] = infinity;
-    return give_values_from<D, D>(faces, points, 0, monitor, value) ? Status::ok : Status::cancelled;
+Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
+                    double* const* value, double* error) {
+    return AlphaValues<D>(faces, {coordinates, stride_bytes}, work, value).run(error);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, Monitor&, double* const*);
+    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, const Work&, double* const*,       \
+                                    double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -5,7 +5,7 @@
 
 #include "complex/faces.hpp"
 #include "complex/triangulation.hpp"
-#include "vocabulary/monitor.hpp"
+#include "memory/work.hpp"
 #include "vocabulary/status.hpp"
 
 namespace netmesh {
@@ -19,17 +19,24 @@ template <int D> struct AlphaFiltration {
 };
 
 // Values of the alpha filtration, as radii. A simplex enters at the radius of its smallest circumsphere when no point
-// lies inside that (Gabriel), otherwise with the first of its cofacets; points enter at 0. value[k][i] belongs to the
-// i-th k-face; the arrays hold faces.count[k] numbers each, k = 0..D. Never decreasing from a face to its cofaces.
+// lies inside that (Gabriel; on it does not count), otherwise with the first of its cofacets; points enter at 0.
+// value[k][i] belongs to the i-th k-face; the arrays hold faces.count[k] numbers each, k = 0..D.
 //
-// coordinates, stride_bytes: as above.
-// Relative error about 1e-12 at most (see circumsphere.hpp for nearly flat simplices); where vertices are cospherical
-// to the last bit, values that agree in theory agree in all bits if one simplex is a face of the other. Ties of
-// cospherical points may be broken in any consistent way.
+// Exact: whether a sphere is empty is decided exactly, and two values are equal if and only if the true ones are, and
+// otherwise in the same order, whatever the points. So the diagram has a bar of positive length for each that the alpha
+// complex has in exact arithmetic and no other, and the values never decrease from a face to its cofaces.
+// *error: every value is within this of the true one, relative to that; below 2^-30, mostly 2^-36. Infinity when
+// a radius is above the largest double: such radii are that.
 //
-// Requires all faces (faces.dimension_max == D). One small linear solve a face: see circumsphere.hpp. cancelled.
+// coordinates, stride_bytes: as above. Two simplices are compared exactly as long as differences of their coordinates
+// are below 2^(16,700 / (4D+2)) units, the unit being the highest power of two of which all coordinates are multiples:
+// 2^1670 in the plane, 2^1190 in space, 2^640 in R^6. Beyond that the result may be out_of_range.
+//
+// Requires all faces (faces.dimension_max == D), fewer than 2^32. One small linear solve a face, see circumsphere.hpp,
+// and what order_radii takes. Scratch at the high end: 60 KiB and that of order_radii.
+// out_of_memory, out_of_range, cancelled.
 template <int D>
-Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, Monitor& monitor,
-                    double* const* value);
+Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
+                    double* const* value, double* error);
 
 }  // namespace netmesh

@@ -13,7 +13,7 @@ constexpr double tie = 0x1p-80;         // of a facet's distance from the centre
 double magnitude(double x) { return x < 0 ? -x : x; }
 
 // 2^e for |e| <= 1000, the nearer bound outside.
-double power_of_two(int e) {
+double power_within(int e) {
     const int within = e < -1000 ? -1000 : e > 1000 ? 1000 : e;
     const std::uint64_t bits = static_cast<std::uint64_t>(within + 1023) << 52;
     double x;
@@ -58,13 +58,13 @@ void load(const double* const* point, double shrink, Rows& rows) {
         rows.at[i] = i;
         rows.size[i] = exponent(reach);
         if (rows.size[i] > rows.largest) rows.largest = rows.size[i];
-        const double unit = power_of_two(-rows.size[i]);
+        const double unit = power_within(-rows.size[i]);
         for (int d = 0; d < rows.dim; ++d) rows.e[i][d] = scaled(rows.e[i][d], unit);
     }
     for (int i = 0; i < rows.k; ++i) {
         const DoubleDouble n = inner(rows.e[i], rows.e[i], rows.dim);
         rows.n[i] = n.high;
-        rows.b[i] = scaled(n, power_of_two(rows.size[i] - rows.largest - 1));
+        rows.b[i] = scaled(n, power_within(rows.size[i] - rows.largest - 1));
     }
 }
 
@@ -124,15 +124,15 @@ Circumsphere circumsphere_precise(const double* const* point, int k, int dim) {
     for (int j = k - 1; j >= 0; --j) {
         for (int i = j + 1; i < k; ++i) y[j] = y[j] - rows.r[j][i] * y[i];
         const int shorter = rows.largest - rows.size[j];
-        const double stretch = power_of_two(shorter > 500 ? 500 : shorter);
+        const double stretch = power_within(shorter > 500 ? 500 : shorter);
         first = first - scaled(y[j], stretch);
         spread += stretch;
         if (y[j].high <= reach_of_tie) within |= 2u << rows.at[j];
     }
     if (first.high <= reach_of_tie * spread) within |= 1u;
-    double radius = square_root(radius_squared) * power_of_two(rows.largest);
+    double radius = square_root(radius_squared) * power_within(rows.largest);
     if (!(radius <= largest_double * shrink)) radius = largest_double * shrink;
-    return {radius / shrink, within};
+    return {radius / shrink, within, 0};
 }
 
 }  // namespace netmesh

@@ -9,6 +9,8 @@ namespace netmesh {
 //   within   bit i set: vertex i lies inside or on the smallest circumsphere of the facet opposite it (then that
 //   facet's
 //            sphere is not empty, or it is the simplex's own sphere)
+//   volume   of the float stage: squared volume of the edge vectors over their squared lengths, in (0, 1]: how good it
+//   is
 //
 // The centre c is the point of the simplex's affine hull with barycentric coordinates beta, and vertex i lies outside
 // the sphere of its facet exactly when beta_i > 0: c is then on i's side of the facet. One solve thus answers for the
@@ -17,11 +19,14 @@ namespace netmesh {
 struct Circumsphere {
     double radius;
     std::uint32_t within;
+    double volume;
 };
 
 // In doubles. False when the result is not certain: the simplex is flat for the precision, its size is far from 1, or
-// some beta_i is too close to 0 to tell its sign. point: k+1 addresses of D coordinates. 2 <= k <= D.
+// some beta_i is too close to 0 to tell its sign. Otherwise `within` is exact, and the radius is off by at most
+// radius_error of the true one. point: k+1 addresses of D coordinates. 2 <= k <= D. Proof: circumsphere_fast.hpp.
 template <int K, int D> bool circumsphere_fast(const double* const* point, Circumsphere* out);
+template <int K, int D> double radius_error(double volume);
 
 // In about 106 bits, any finite coordinates. A centre that lies on a facet to within 2^-80 radii counts as on it: the
 // two spheres are then the same in all bits that matter, and noise does not decide. The radius is nearly always

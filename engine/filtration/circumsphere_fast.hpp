@@ -1,6 +1,7 @@
 // The float stage of circumsphere.hpp.
 #pragma once
 #include "filtration/circumsphere.hpp"
+#include "numerics/real.hpp"
 
 namespace netmesh {
 
@@ -14,10 +15,48 @@ template <int D> inline double inner_product(const double* a, const double* b) {
 // With e_i the edge vectors and c = vertex 0 + x: e_i . x = |e_i|^2 / 2. Gram-Schmidt turns the rows e_i into
 // orthogonal q_j and the right-hand sides with them, so that x = sum of (b_j / n_j) q_j with n_j = |q_j|^2; going back
 // through the triangle of coefficients gives beta.
+//
+// What the errors are. u = 2^-53, l_i = |e_i|, R = |x|, M the rows e_i / l_i, P^2 = product of l_j^2 / n_j = 1 /
+// volume. P <= 2^12, so that terms of second order are below 1/50 of those of the first; 21/20 is put in for them. The
+// least singular value of M is at least 1 / (sqrt(e) P): M M^T has the trace K and the determinant 1 / P^2, and K-1
+// numbers of sum at most K have a product of at most (K / (K-1))^(K-1) < e.
+// Pivoting makes |r| <= |e_i| / |q_j| <= 1 for the coefficients r of row i, e_i as it then is; lengths do not grow.
+//  1. Rows. A step changes row i by at most 2 u l_i besides what it should do, the first difference by u l_i. So
+//  exactly
+//     e_i + F_i = sum of r_ij q_j with |F_i| <= 2 K u l_i; and b_i + g_i = sum of r_ij b_j with
+//     |g_i| <= (D + 2 + 2 K) u l_i R, since b_i = l_i^2 / 2 <= l_i R.
+//  2. Angles. r is off by (2 D + 2) u |e_i| / |q_j|, so row i after its step is at right angles to q_j up to
+//     (2 D + 4) u l_i |q_j|; later steps add 2 u l_i |q_j| and what q_m, m > j, is off itself. With l_i / |q_i| for the
+//     length of row i, and each sum at most doubling: cosines of q_i and q_j are at most
+//     w = (2 D + 2 K + 4) 2^(K-2) u P.
+//  3. Radius. Let x' in the span of the q have q_j . x' = b_j. By 1, |M (x' - x)| <= sqrt(K) (D + 2 + 4 K) u R, and x'
+//     leaves the span of the e_i by no more than 2 K sqrt(K) u R sqrt(e) P: |x' - x| <= sqrt(e K) (D + 2 + 6 K) u P R.
+//     |x'|^2 and the sum of b_j^2 / n_j differ by (K-1) w, and D + K + 4 roundings; the root halves them and adds one.
+//     Radius: sqrt(e K) (D + 2 + 6 K) P + (K-1) w / 2u + (D + K + 6) / 2 times u R at most.
+//  4. beta. x'' = sum of y_j q_j differs from x' by (K-1) w R + (D + 2) sqrt(K) u R. Going back leaves residuals of
+//     2 (K-1) u (R + (K-1) Z) in each of K rows, Z = max |beta_i| l_i. So sum of (computed - beta_i) e_i is at most
+//     L = max(R, Z) times u times
+//         (K-1) w / u + sqrt(e K) (D + 2 + 6 K) P + (D + 2) sqrt(K) + 2 K^3,
+//     and |computed - beta_i| l_i is at most sqrt(e) P times that: beta_error P^2 L. beta_0 = 1 - sum of beta_i is off
+//     by K / min l_i times as much, and K + 2 roundings, which the 21/20 covers.
+// Sizes within 2^+-200 and P <= 2^12 keep what underflows below 2^-300 of all this.
+template <int K, int D> struct CircumsphereBounds {
+    static constexpr double root_ek[7] = {0, 1.65, 2.34, 2.86, 3.30, 3.69, 4.04};  // sqrt(e K), rounded up
+    static constexpr double root_k[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
+    static constexpr double angles = (K - 1.0) * (2 * D + 2 * K + 4) * (1 << K) / 4;  // (K-1) w / u P
+    static constexpr double centre = root_ek[K] * (D + 2 + 6 * K);
+    static constexpr double radius_error = 1.05 * unit_roundoff * (centre + angles / 2 + (D + K + 6) / 2.0);
+    static constexpr double beta_error =
+        1.05 * unit_roundoff * 1.65 * (angles + centre + (D + 2) * root_k[K] + 2 * K * K * K);
+    static constexpr double volume_min = 0x1p-24;
+};
+
+template <int K, int D> inline double radius_error(double volume) {
+    return CircumsphereBounds<K, D>::radius_error / square_root(volume) * 1.01;
+}
+
 template <int K, int D> inline bool circumsphere_fast(const double* const* point, Circumsphere* out) {
     constexpr double size_min = 0x1p-200, size_max = 0x1p200;
-    constexpr double unit = 0x1p-50;       // error of beta over the squared condition: far above what is seen
-    constexpr double error_max = 0x1p-26;  // radii are then seen to be good to 2^-38
     double e[K][D], b[K], n[K], whole[K], r[K][K];
     int at[K];
     double whole_min = size_max, product = 1;
@@ -62,8 +101,8 @@ template <int K, int D> inline bool circumsphere_fast(const double* const* point
             n[i] = inner_product<D>(e[i], e[i]);
         }
     }
-    const double error = unit / product;
-    if (!(error <= error_max)) return false;
+    if (!(product >= CircumsphereBounds<K, D>::volume_min)) return false;
+    const double error = CircumsphereBounds<K, D>::beta_error / product;
 
     double first = 1, largest = radius_squared, smallest = size_max;
     std::uint32_t within = 0;
@@ -82,6 +121,7 @@ template <int K, int D> inline bool circumsphere_fast(const double* const* point
     if (!(smallest > slack && first * first * whole_min > slack * (K * K))) return false;
     out->radius = __builtin_sqrt(radius_squared);
     out->within = within;
+    out->volume = product;
     return true;
 }
 

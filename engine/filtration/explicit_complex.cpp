@@ -118,9 +118,10 @@ Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimensi
                      ListedComplex* out) {
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
+    double error;
     Status status = take_faces<D>(filtration.complex, D, work, &faces, out);
     if (status == Status::ok)
-        status = alpha_values<D>(faces, filtration.coordinates, filtration.stride_bytes, work.monitor, out->value);
+        status = alpha_values<D>(faces, filtration.coordinates, filtration.stride_bytes, work, out->value, &error);
     work.arena.release_high(high);
     out->dimension = dimension;
     return status == Status::ok ? order_by_value(*out, work.arena) : status;

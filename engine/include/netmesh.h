@@ -533,11 +533,15 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
 /* Persistent homology over Z/2 of the filtration on what the context holds. Values are radii, not squared radii. ALPHA
  * needs a Delaunay triangulation, the others a mesh without cages; one mesh serves every k. Replaces the diagram, also
  * when it fails.
- * Memory above the mesh: below 8 bytes a simplex, for alpha about 24 bytes a simplex plus fill.
+ * Memory above the mesh: below 8 bytes a simplex, for alpha about 25 bytes a simplex plus fill, 8 more on grids.
  * For FUNCTION: the sublevel sets of a function (8.6). certified_ratio is infinite where f is too small for its change
  * across a Voronoi cell; a distance_factor keeps it finite.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
- * is not finite or negative), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. */
+ * is not finite or negative), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190
+ * in space, 2^640 in R^6, of which all coordinates are multiples), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays
+ * whole on failure. ALPHA: a bar of positive length for each that there is in exact arithmetic, and no other. Births
+ * and deaths have exactly the order of the true ones: where many different ones share one double, each is the next
+ * double to the one before, within value_error of the report. */
 netmesh_status netmesh_persist(netmesh_context* context, const netmesh_persist_request* request);
 
 /* Pairs sorted by degree, birth, death; death is +infinity for an essential class. O(1). */
@@ -558,8 +562,8 @@ void netmesh_bounds_request_init(netmesh_bounds_request* request, size_t request
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely
  * stands for a class of the true diagram; and the ratio as a function of scale. Where a filter's bounds_by_scale is
  * 1: by scale, and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; else by the
- * certified ratio. The numbers stay with the diagram: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and
- * what a diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure.
+ * certified ratio and value_error. The numbers stay with the diagram: 48 bytes a bar. Scratch: about 110 bytes a
+ * vertex, 120 a bar, and what a diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure.
  * NO_RESULT (no diagram), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_bounds_request* request);
 
@@ -893,12 +897,15 @@ typedef struct netmesh_diagram_report {
     uint32_t representatives;                   /* 1: there is a cycle for each pair */
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
-    uint64_t simplices;     /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
-    double certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
-                               the function of KNN, KDISTANCE and FUNCTION) is at most ln c */
+    uint64_t simplices; /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
+    double
+        certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
+                            the function of KNN, KDISTANCE and FUNCTION) is at most ln c; ALPHA: but for value_error */
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;       /* scale from which the ratio holds: 0, or r_P for the basic filter */
-    uint64_t reserved[4];
+    double value_error;          /* ALPHA: births and deaths differ from the true ones by at most this times the true
+                                    ones, and are in the same order and equal where those are; 0: no such bound */
+    uint64_t reserved[3];
 } netmesh_diagram_report;
 
 /* Of netmesh_bound_bars. */

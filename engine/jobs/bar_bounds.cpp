@@ -96,17 +96,21 @@ Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& ar
     return Status::ok;
 }
 
-Status bound_by_ratio(double ratio, const BarList& bars, Arena& arena, BarBounds* bounds, ScaleCurve* curve) {
+Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& arena, BarBounds* bounds,
+                      ScaleCurve* curve) {
+    // A true value is between x / (1 + error) and x / (1 - error), error < 2^-20 or infinite; and one rounding.
+    const double ratio = bound.ratio, slack = bound.value_error > 0 ? 1 + 1.01 * bound.value_error + 0x1p-51 : 1;
+    const double most = ratio * slack;
     for (std::uint64_t i = 0; i < bars.count; ++i) {
         const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
         const bool zero = birth == 0;  // whatever the ratio: 0 times infinity is no number
-        const double after = zero ? 0 : birth * ratio * ratio;
-        bounds[i] = {zero ? 0 : birth / ratio,
-                     zero ? 0 : birth * ratio,
-                     death < infinity ? death / ratio : infinity,
-                     death > 0 ? death * ratio : 0,
-                     after,
-                     death > after ? 1u : 0u,
+        const double real_after = zero ? 0 : birth * ratio * ratio;
+        bounds[i] = {zero ? 0 : birth / most,
+                     zero ? 0 : birth * most,
+                     death < infinity ? death / most : infinity,
+                     death > 0 ? death * most : 0,
+                     zero ? 0 : real_after * slack,
+                     death > real_after ? 1u : 0u,
                      0};
     }
     *curve = {arena.take_low<ScaleStep>(ratio > 1 ? 1 : 0), ratio > 1 ? 1u : 0u};

@@ -58,7 +58,14 @@ struct ScaleCurve {
 Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 
-// The same from one ratio, which holds at every scale. Deaths at infinity are exact. out_of_memory.
-Status bound_by_ratio(double ratio, const BarList& bars, Arena& arena, BarBounds* bounds, ScaleCurve* curve);
+// What holds at every scale: the ratio; and how far values are at most from those that it speaks of, relative to these,
+// which are in the same order and equal where the values are. Then each bar of positive length stands for one.
+struct UniformBound {
+    double ratio, value_error;
+};
+
+// The same from one bound, whose value_error is not in the curve. Deaths at infinity are exact. out_of_memory.
+Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& arena, BarBounds* bounds,
+                      ScaleCurve* curve);
 
 }  // namespace netmesh

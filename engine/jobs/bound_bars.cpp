@@ -39,11 +39,11 @@ Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, 
     return status;
 }
 
-Status bound_bars_by_ratio(double ratio, const BarList& bars, const Work& work, BoundedBars* out) {
+Status bound_bars_by_ratio(const UniformBound& bound, const BarList& bars, const Work& work, BoundedBars* out) {
     ArenaScope scope(work.arena);
     *out = {work.arena.take_low<BarBounds>(static_cast<std::size_t>(bars.count)), {}};
     if (out->bounds == nullptr) return Status::out_of_memory;
-    const Status status = bound_by_ratio(ratio, bars, work.arena, out->bounds, &out->curve);
+    const Status status = bound_by_ratio(bound, bars, work.arena, out->bounds, &out->curve);
     if (status == Status::ok) scope.keep_low_from_now();
     return status;
 }

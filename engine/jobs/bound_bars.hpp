@@ -21,7 +21,7 @@ struct BoundedBars {
 template <int D>
 Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, const Work& work, BoundedBars* out);
 
-// Of any other diagram: from its certified ratio. out_of_memory.
-Status bound_bars_by_ratio(double ratio, const BarList& bars, const Work& work, BoundedBars* out);
+// Of any other diagram: from its certified ratio and error. out_of_memory.
+Status bound_bars_by_ratio(const UniformBound& bound, const BarList& bars, const Work& work, BoundedBars* out);
 
 }  // namespace netmesh

@@ -8,8 +8,6 @@
 namespace netmesh {
 namespace {
 
-constexpr double rounding = 0x1p-36;  // of a value that an alpha complex has, relative
-
 // Moves rows so that row j is what row from[j] was. Sets and then ignores the top bit of from.
 template <int W> void permute_rows(std::uint32_t* row, std::uint32_t* from, std::uint32_t count) {
     constexpr std::uint32_t moved = 0x80000000u;
@@ -76,7 +74,8 @@ template <int D> bool keep_dimensions(Faces<D>& faces, int dimension, double** v
 
 // Leaves the pairs somewhere above the arena's low mark, with what was taken on the way.
 template <int D>
-Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out) {
+Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out,
+                  double* error) {
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
@@ -90,8 +89,8 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
         if (value[k] == nullptr || faces.count[k] > 0x7FFFFFFFu) return Status::out_of_memory;
         total += faces.count[k];
     }
-    work.monitor.begin(NETMESH_STAGE_FILTER, total);
-    status = alpha_values(faces, filtration.coordinates, filtration.stride_bytes, work.monitor, value);
+    work.monitor.begin(NETMESH_STAGE_FILTER, 2 * total);
+    status = alpha_values(faces, filtration.coordinates, filtration.stride_bytes, work, value, error);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
 
@@ -111,30 +110,20 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
 
 }  // namespace
 
-void drop_rounding(PairList* list) {
-    std::uint64_t kept = 0;
-    for (std::uint64_t i = 0; i < list->count; ++i) {
-        const Pair pair = list->pairs[i];
-        if (pair.death == infinity || pair.death - pair.birth > rounding * pair.death) list->pairs[kept++] = pair;
-    }
-    list->count = kept;
-}
-
 template <int D>
-Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work,
-                     CountedPairs* out) {
+Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out,
+                     double* error) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     if (request.max_degree >= D) request.max_degree = D - 1;
     PairList& found = out->pairs;
-    const Status status = diagram_of(filtration, request, work, out);
-    if (status == Status::ok && !request.keep_zero) drop_rounding(&found);
+    const Status status = diagram_of(filtration, request, work, out, error);
     work.arena.release_low(low);
     work.arena.release_high(high);
     return status == Status::ok ? move_pairs_down(low, work.arena, &found) : status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_alpha<D>(const AlphaFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);
+    template Status persist_alpha<D>(const AlphaFiltration<D>&, DiagramRequest, const Work&, CountedPairs*, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

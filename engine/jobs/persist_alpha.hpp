@@ -7,19 +7,18 @@
 
 namespace netmesh {
 
-// Persistent homology of an alpha filtration in degrees 0..max_degree (at most D-1; larger is clamped). Without
-// keep_zero also pairs shorter than the rounding errors of their values (2^-36 relative) are left out, which no input
-// can be known to have. Counted are the simplices of dimensions 0..max_degree+1, which are what is filtered.
+// Persistent homology of an alpha filtration in degrees 0..max_degree (at most D-1; larger is clamped): in exact
+// arithmetic, with births and deaths to *error relative (alpha.hpp). Counted are the simplices of dimensions
+// 0..max_degree+1, which are what is filtered.
 //
 // The diagram is put at the arena's low end in the canonical order (diagram/pair.hpp), everything else is given back;
 // without Status::ok nothing stays. It does not depend on the order in which cells are stored.
 // Memory: 20, 23, 26, 29, 32 bytes a simplex of the triangulation in D = 2..6 until all are in order; then 16, 19, 22,
-// 25, 28 and what persist_homology takes. Peaks seen: 30, 27, 27, 29, 32.
-// out_of_memory, cancelled.
+// 25, 28 and what persist_homology takes. Peaks seen: 30, 27, 27, 29, 32. Grids, where most radii are equal to others,
+// take 8 more in space.
+// out_of_memory, out_of_range, cancelled.
 template <int D>
-Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out);
-
-// Leaves out the pairs of such a diagram that are shorter than rounding errors, which persist_alpha does by itself.
-void drop_rounding(PairList* pairs);
+Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out,
+                     double* error);
 
 }  // namespace netmesh

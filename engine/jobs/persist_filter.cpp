@@ -13,8 +13,8 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     const Store<D>& store = mesh.store;
     CountedPairs found = {};
     if (find_filter(request.filter.filter)->source == FilterSource::delaunay) {
-        const Status status =
-            persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram, work, &found);
+        const Status status = persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram,
+                                               work, &found, &out->value_error);
         out->pairs = found.pairs;
         out->simplices = found.simplices;
         return status;

@@ -14,6 +14,7 @@ struct FilterDiagram {
     PairList pairs = {};
     std::uint64_t simplices = 0;  // of the filtered complex
     Certificate certificate = {};
+    double value_error = 0;         // alpha: of births and deaths, relative
     const double* value = nullptr;  // [vertices] of a filter on meshes; null: alpha
     std::uint32_t culprit = 0;      // as of Evaluation
 };

@@ -1,7 +1,6 @@
 #include "jobs/represent.hpp"
 
 #include "filtration/explicit_complex.hpp"
-#include "jobs/persist_alpha.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -21,7 +20,6 @@ Status represent_listed(const FilteredMesh<D>& mesh, const RepresentRequest& req
     if (status != Status::ok) return status;
     Representatives found = {};
     status = persist_with_cycles(out->complex.filtered(), request.diagram, work, &found);
-    if (status == Status::ok && alpha && !request.diagram.keep_zero) drop_rounding(&found.pairs);
     out->pairs = found.pairs;
     out->cycles = found.store;
     return status;

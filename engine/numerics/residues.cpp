@@ -91,4 +91,23 @@ int sign_of_residues(std::uint64_t* residues, int n) {
     return 1;
 }
 
+// From the highest digit down, the number is a * 2^exponent after each step of a -> a p + d, p = 2^61 - excess. Each of
+// at most 276 steps takes two operations of at most 2^-102; digits from the fourth on are below 2^-122 of the number.
+Floating floating_of_digits(const std::uint64_t* digits, int n) {
+    const auto exactly = [](std::uint64_t d) {
+        return quick_two_sum(static_cast<double>(static_cast<std::int64_t>(d >> 30)) * 0x1p30,
+                             static_cast<double>(static_cast<std::int64_t>(d & 0x3FFFFFFFu)));
+    };
+    int top = n - 1;
+    while (top > 0 && digits[top] == 0) --top;
+    DoubleDouble a = exactly(digits[top]);
+    double unit = 1;
+    for (int j = top - 1; j >= 0; --j) {
+        a = a * quick_two_sum(1, -static_cast<double>(prime_excess[j]) * 0x1p-61);
+        unit = top - j > 3 ? 0 : unit * 0x1p-61;
+        a = a + scaled(exactly(digits[j]), unit);
+    }
+    return {a, 61 * top};
+}
+
 }  // namespace netmesh

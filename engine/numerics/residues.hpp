@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "numerics/double_double.hpp"
 #include "numerics/wide.hpp"
 
 namespace netmesh {
@@ -36,5 +37,13 @@ inline std::uint64_t multiply(std::uint64_t a, std::uint64_t b, const ResiduePri
 // Sign (-1, 0, 1) of the number below half the product of the first n primes in magnitude that has these residues.
 // Overwrites them with the number's mixed-radix digits. O(n^2).
 int sign_of_residues(std::uint64_t* residues, int n);
+
+// mantissa * 2^exponent.
+struct Floating {
+    DoubleDouble mantissa;
+    int exponent;
+};
+// The positive number whose n mixed-radix digits these are, to 2^-91 relative; 1 <= mantissa <= 2^61.
+Floating floating_of_digits(const std::uint64_t* digits, int n);
 
 }  // namespace netmesh

@@ -100,15 +100,20 @@ void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end
     }
 }
 
-}  // namespace
+struct Scratch {
+    Range* stack = nullptr;
+    std::uint32_t* end = nullptr;
 
-bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Arena& arena) {
-    const ArenaScope scope(arena);
-    Range* const stack = arena.take_high<Range>(depth_max * digits);
-    std::uint32_t* const end = arena.take_high<std::uint32_t>(digits);
-    if (stack == nullptr || end == nullptr) return false;
-    const Items items = {value, position};
-    for (std::uint32_t i = 0; i < count; ++i) position[i] = i;
+    bool take(Arena& arena) {
+        stack = arena.take_high<Range>(depth_max * digits);
+        end = arena.take_high<std::uint32_t>(digits);
+        return stack != nullptr && end != nullptr;
+    }
+};
+
+void sort_items(const Items& items, std::uint32_t count, const Scratch& scratch) {
+    Range* const stack = scratch.stack;
+    std::uint32_t* const end = scratch.end;
     std::size_t height = 0;
     if (count > 1) stack[height++] = {0, count};
     while (height > 0) {
@@ -124,6 +129,24 @@ bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Ar
             begin = end[d];
         }
     }
+}
+
+}  // namespace
+
+bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Arena& arena) {
+    const ArenaScope scope(arena);
+    Scratch scratch;
+    if (!scratch.take(arena)) return false;
+    for (std::uint32_t i = 0; i < count; ++i) position[i] = i;
+    sort_items({value, position}, count, scratch);
+    return true;
+}
+
+bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Arena& arena) {
+    const ArenaScope scope(arena);
+    Scratch scratch;
+    if (!scratch.take(arena)) return false;
+    sort_items({value, label}, count, scratch);
     return true;
 }
 

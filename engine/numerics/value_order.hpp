@@ -13,4 +13,7 @@ namespace netmesh {
 // nothing has changed then.
 bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Arena& arena);
 
+// The same with labels of the caller's, which are distinct: label[j] moves with value[j], equal values go by label.
+bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Arena& arena);
+
 }  // namespace netmesh

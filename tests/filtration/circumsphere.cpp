@@ -61,7 +61,8 @@ template <int K, int D> void compare_both(double flatten) {
         if (!fast<K, D>(points, &a)) continue;
         ++decided;
         CHECK(a.within == b.within);
-        CHECK(std::fabs(a.radius - b.radius) <= 0x1p-36 * b.radius);
+        CHECK(std::fabs(a.radius - b.radius) <= radius_error<K, D>(a.volume) * b.radius);
+        CHECK(radius_error<K, D>(a.volume) < 0x1p-28);
     }
     if (flatten == 1) CHECK(decided > 1500);
 }

@@ -139,11 +139,32 @@ TEST_CASE("bounds by one ratio") {
     ScaleCurve curve;
     BarBounds bounds;
     const Pair pair = {2, 3, 1, 0};
-    REQUIRE(bound_by_ratio(1.5, {&pair, 1}, block.arena, &bounds, &curve) == Status::ok);
+    REQUIRE(bound_by_ratio({1.5, 0}, {&pair, 1}, block.arena, &bounds, &curve) == Status::ok);
     REQUIRE(curve.count == 1);
     CHECK(curve.steps[0].from == 0);
     CHECK(curve.steps[0].ratio == 1.5);
     CHECK(bounds.birth_high == 3);
     CHECK(bounds.death_low == 2);
     CHECK(bounds.certain_after == 4.5);
+}
+
+TEST_CASE("bounds by values that are off by little and in the true order") {
+    Block block(std::size_t{1} << 16);
+    ScaleCurve curve;
+    const Pair pairs[] = {{0, 2, 0, 0}, {2, 2 + 0x1p-40, 1, 0}, {2, 2, 1, 0}, {3, infinity, 0, 0}};
+    BarBounds bounds[4];
+    const double error = 0x1p-36;
+    REQUIRE(bound_by_ratio({1, error}, {pairs, 4}, block.arena, bounds, &curve) == Status::ok);
+    CHECK(curve.count == 0);
+    for (int i = 0; i < 4; ++i) {
+        CAPTURE(i);
+        const auto around = [&](double x, double low, double high) {
+            if (x == 0 || x == infinity) return low == x && high == x;
+            return low * (1 + error) <= x && high * (1 - error) >= x && high - low < 2.1 * error * x;
+        };
+        CHECK(around(pairs[i].birth, bounds[i].birth_low, bounds[i].birth_high));
+        CHECK(around(pairs[i].death, bounds[i].death_low, bounds[i].death_high));
+        CHECK(bounds[i].certain == (pairs[i].birth < pairs[i].death));
+        CHECK(bounds[i].certain_after >= bounds[i].birth_high);
+    }
 }

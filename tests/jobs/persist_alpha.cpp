@@ -32,14 +32,17 @@ template <int D> Cloud<D> cloud(std::vector<double> x, std::vector<std::array<st
     return c;
 }
 
-template <int D> Values alpha(const Cloud<D>& c) {
+template <int D> Values alpha(const Cloud<D>& c, double* value_error = nullptr) {
     Block block(std::size_t{1} << 22);
     Monitor monitor;
     Faces<D> faces;
     REQUIRE(enumerate_faces<D>(c.cells.view(), D, {block.arena, monitor}, &faces) == Status::ok);
     double* value[D + 1];
     for (int k = 0; k <= D; ++k) value[k] = block.arena.template take_low<double>(faces.count[k]);
-    REQUIRE(alpha_values<D>(faces, c.x.data(), D * sizeof(double), monitor, value) == Status::ok);
+    double error;
+    REQUIRE(alpha_values<D>(faces, c.x.data(), D * sizeof(double), {block.arena, monitor}, value, &error) ==
+            Status::ok);
+    if (value_error != nullptr) *value_error = error;
     Values all;
     for (int k = 0; k <= D; ++k)
         for (std::uint32_t i = 0; i < faces.count[k]; ++i) {
@@ -60,10 +63,12 @@ Diagram diagram(const Cloud<D>& c, std::uint32_t max_degree = D, bool keep_zero 
     Block block(std::size_t{1} << 22);
     Monitor monitor;
     CountedPairs counted;
+    double error;
     Diagram out;
     const std::ptrdiff_t stride_bytes = stride == 0 ? static_cast<std::ptrdiff_t>(D * sizeof(double)) : stride;
     const AlphaFiltration<D> filtration = {c.cells.view(), c.x.data(), stride_bytes};
-    REQUIRE(persist_alpha<D>(filtration, {max_degree, keep_zero}, {block.arena, monitor}, &counted) == Status::ok);
+    REQUIRE(persist_alpha<D>(filtration, {max_degree, keep_zero}, {block.arena, monitor}, &counted, &error) ==
+            Status::ok);
     const PairList& list = counted.pairs;
     out.simplices = counted.simplices;
     CHECK(block.arena.offset_of(list.pairs) == 0);
@@ -248,9 +253,63 @@ TEST_CASE("a regular hexagon has one hole, whose triangles all enter together") 
         cloud<2>({1, 0, .5, h, -.5, h, -1, 0, -.5, -h, .5, -h}, {{0, 2, 4}, {0, 1, 2}, {2, 3, 4}, {4, 5, 0}});
     const Diagram d = diagram(c);
     REQUIRE(d.degree.size() == 2);
-    REQUIRE(d.degree[1].size() == 1);
+    // h is rounded: a second bar, of two triangles, is as long as that.
+    REQUIRE(d.degree[1].size() == 2);
     CHECK(d.degree[1][0].first == doctest::Approx(.5).epsilon(1e-15));
     CHECK(d.degree[1][0].second == doctest::Approx(1).epsilon(1e-15));
+    CHECK(d.degree[1][1].first == doctest::Approx(1).epsilon(1e-15));
+    CHECK(d.degree[1][1].second - d.degree[1][1].first < 1e-15);
+}
+
+TEST_CASE("many radii in one double are parted, within the error, and pass by no other") {
+    // Edges across a gap with offsets of 1, 3, 5, ... quanta, so different radii that all round to half the gap; and a
+    // pair far away at a distance a little above it.
+    constexpr std::uint32_t count = 100;
+    const double quantum = 0x1p-46;
+    for (int step = 0; step < 70; ++step) {
+        CAPTURE(step);
+        const double gap = 1 + step * 0x1p-48, apart = gap + 80 * 0x1p-51;
+        std::vector<double> x;
+        std::vector<std::array<std::uint32_t, 3>> cells;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            x.insert(x.end(), {i % 2 * gap, quantum * (i * i)});
+            if (i > 1) cells.push_back({i - 2, i - 1, i});
+        }
+        x.insert(x.end(), {-20, 0, -20, apart, -20.9, .5});
+        cells.push_back({count, count + 1, count + 2});
+        double error;
+        const Values values = alpha(cloud<2>(x, cells), &error);
+        CHECK(error < 0x1p-40);
+        const double far = values.at({count, count + 1});
+        bool right = far >= apart / 2 && far - apart / 2 <= error * apart / 2;
+        for (std::uint32_t i = 0; i + 1 < count; ++i) {
+            const double value = values.at({i, i + 1});
+            right = right && value >= gap / 2 && value - gap / 2 <= error * gap / 2 && value < far;
+            if (i > 0) right = right && value > values.at({i - 1, i});
+        }
+        CHECK(right);
+    }
+}
+
+TEST_CASE("flat triangles turned by an angle with rational sine have the same radius, whatever rounding says") {
+    std::vector<double> x;
+    std::vector<std::array<std::uint32_t, 3>> cells;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        const double corner[][2] = {{0, 0}, {1001, 1}, {433 + i / 4.0, 3 + i / 4.0}};
+        for (const double turn : {0, 1}) {
+            for (const auto& [a, b] : corner) {
+                x.push_back(10000 * (2 * i + turn) + (turn == 0 ? 5 * a : 3 * a - 4 * b));
+                x.push_back(turn == 0 ? 5 * b : 4 * a + 3 * b);
+            }
+            const std::uint32_t first = 6 * i + 3 * (turn == 0 ? 0 : 1);
+            cells.push_back({first, first + 1, first + 2});
+        }
+    }
+    const Values values = alpha(cloud<2>(x, cells));
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        CAPTURE(i);
+        CHECK(values.at({6 * i, 6 * i + 1, 6 * i + 2}) == values.at({6 * i + 3, 6 * i + 4, 6 * i + 5}));
+    }
 }
 
 TEST_CASE("a regular tetrahedron: a class in each degree") {
@@ -340,8 +399,9 @@ TEST_CASE_TEMPLATE_DEFINE("the diagram in low degrees is that part of the whole"
     Block block(std::size_t{1} << 22);
     Monitor monitor;
     CountedPairs counted;
-    REQUIRE(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, monitor}, &counted) ==
-            Status::ok);
+    double error;
+    REQUIRE(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, monitor}, &counted,
+                             &error) == Status::ok);
     std::size_t pairs = 0;
     for (const auto& degree : whole.degree) pairs += degree.size();
     CHECK(counted.pairs.count == pairs);
@@ -359,8 +419,9 @@ TEST_CASE_TEMPLATE_DEFINE("values can be stopped at the cells", T, stopped) {
     Monitor stopping([](void*, const netmesh_progress* progress) { return static_cast<int>(progress->total > 0); },
                      nullptr);
     CountedPairs counted;
-    CHECK(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, stopping}, &counted) ==
-          Status::cancelled);
+    double error;
+    CHECK(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, stopping}, &counted,
+                           &error) == Status::cancelled);
     CHECK(block.arena.bytes_used() == 0);
 }
 TEST_CASE_TEMPLATE_APPLY(stopped, Dimensions<>);
@@ -377,8 +438,9 @@ TEST_CASE("values of edges can be stopped, and may be as long as squares overflo
         },
         &polls);
     CountedPairs counted;
-    CHECK(persist_alpha<2>({c.cells.view(), c.x.data(), 2 * sizeof(double)}, {2}, {block.arena, second}, &counted) ==
-          Status::cancelled);
+    double error;
+    CHECK(persist_alpha<2>({c.cells.view(), c.x.data(), 2 * sizeof(double)}, {2}, {block.arena, second}, &counted,
+                           &error) == Status::cancelled);
     CHECK(polls == 2);
     const double huge = 0x1p600;
     const auto far = cloud<2>({0, 0, 6 * huge, 0, 0, 8 * huge}, {{0, 1, 2}});
@@ -429,7 +491,9 @@ TEST_CASE("any amount of memory gives the diagram or says that it is too little;
     c.x = freudenthal_points<3>(2);
     const auto run = [&](Block& block, Monitor monitor, std::vector<double>& deaths) {
         CountedPairs counted;
-        const Status status = persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted);
+        double error;
+        const Status status =
+            persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted, &error);
         const PairList& list = counted.pairs;
         deaths.clear();
         for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) deaths.push_back(list.pairs[i].death);
@@ -468,14 +532,16 @@ TEST_CASE("a caller that wants to stop stops it at each of its polls") {
     Block block(std::size_t{1} << 25);
     Countdown none_stopped{-1, 0};
     CountedPairs counted;
+    double error;
     Monitor monitor(poll, &none_stopped);
-    REQUIRE(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted) == Status::ok);
+    REQUIRE(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted, &error) ==
+            Status::ok);
     REQUIRE(none_stopped.polls > 3);
     for (int stop = 0; stop < none_stopped.polls; ++stop) {
         Countdown countdown{stop, 0};
         Monitor stopping(poll, &countdown);
         block.arena.release_low(0);
-        CHECK(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, stopping}, &counted) ==
+        CHECK(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, stopping}, &counted, &error) ==
               Status::cancelled);
         CHECK(block.arena.bytes_used() == 0);
     }

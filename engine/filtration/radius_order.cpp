@@ -1,0 +1,325 @@
+#include "filtration/radius_order.hpp"
+
+#include "filtration/circumsphere_fast.hpp"
+#include "numerics/close_values.hpp"
+#include "numerics/real.hpp"
+#include "numerics/sort.hpp"
+#include "numerics/value_order.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+template <int K, int D> bool simplex_radius(const double* const* point, int k, Radius* out) {
+    if constexpr (K < D)
+        if (k > K) return simplex_radius<K + 1, D>(point, k, out);
+    Circumsphere sphere;
+    if (!circumsphere_fast<K, D>(point, &sphere)) return false;
+    *out = {sphere.radius, radius_error<K, D>(sphere.volume)};
+    return true;
+}
+
+// How much the square of a radius differs from that of `base`, relative to the latter; below 2^-88 (1 + |result|) +
+// 2^-53 |result| off. Not -0.
+double deviation(const Floating& square, double base) {
+    const int e = exponent_of(base), exponent = square.exponent - 2 * e;
+    const double mantissa = base / power_of_two(e / 2) / power_of_two(e - e / 2);
+    const double unit = power_of_two(exponent < -900 ? -900 : exponent > 900 ? 900 : exponent);
+    const DoubleDouble ratio = scaled(square.mantissa / two_product(mantissa, mantissa), unit);
+    return (ratio - DoubleDouble{1, 0}).high + 0.0;
+}
+// sqrt(base^2 (1 + x)), nearly always the nearest double.
+double deviating(double base, double x) {
+    const int e = exponent_of(base);
+    const double near = power_of_two(e / 2), far = power_of_two(e - e / 2), mantissa = base / near / far;
+    const double root = square_root(two_product(mantissa, mantissa) * two_sum(1, x)) * near * far;
+    return root < radius_max ? root : radius_max;
+}
+double deviation_error(double x) { return 0x1p-87 * (1 + absolute(x)) + 0x1p-52 * absolute(x); }
+
+template <int D> class RadiusOrder {
+public:
+    RadiusOrder(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, std::uint64_t* scratch,
+                double* const* value, double error)
+        : faces_(faces), points_(points), work_(work), scratch_(scratch), value_(value), error_(error),
+          spread_(1.01 * error + 0x1p-51) {}
+
+    Status run();
+    double error() const { return error_; }
+
+private:
+    static constexpr std::uint32_t few = 16;
+
+    // A face among all of them: those of dimension 1 first.
+    struct Place {
+        int k;
+        std::uint32_t face;
+    };
+    Place place_of(std::uint32_t label) const {
+        int k = 1;
+        for (; label >= faces_.count[k]; ++k) label -= faces_.count[k];
+        return {k, label};
+    }
+    ExactSphere sphere_of(std::uint32_t label) const {
+        const Place place = place_of(label);
+        const double* point[D + 1];
+        points_.of_face(faces_, place.k, place.face, point);
+        return ExactSphere(point, place.k, D);
+    }
+    Radius look_again(std::uint32_t i) const;
+
+    Status part(std::uint32_t begin, std::uint32_t end);
+    Status compute(std::uint32_t begin, std::uint32_t end);
+    Status decide(std::uint32_t begin, std::uint32_t end, double base);
+    bool compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error);
+    void settle(std::uint32_t begin, std::uint32_t end, double radius, double error);
+    Status pass(bool all);
+    bool collect(bool all);
+    bool stop(std::uint32_t work) { return work_.monitor.advance(done_, work); }
+
+    const Faces<D>& faces_;
+    const PointRecords<D>& points_;
+    const Work& work_;
+    std::uint64_t* const scratch_;
+    double* const* const value_;
+    double error_, spread_;
+    double last_ = 0;       // the last radius that was settled
+    double top_ = 0;        // what is settled now must not pass this: radii that were left out may be above it
+    bool crowded_ = false;  // it did
+    double* radius_ = nullptr;
+    std::uint32_t* label_ = nullptr;
+    std::uint32_t count_ = 0;
+    std::uint64_t done_ = 0;
+};
+
+// Takes radii and labels of those that may have another radius close by, or of all. False: out of memory.
+template <int D> bool RadiusOrder<D>::collect(bool all) {
+    count_ = 0;
+    std::uint64_t faces = 0, radii = 0, room = 0;
+    for (int k = 1; k <= D; ++k) {
+        faces += faces_.count[k];
+        for (std::uint32_t i = 0; i < faces_.count[k]; ++i) radii += value_[k][i] >= 0;
+    }
+    if (faces > 0xFFFFFFFFu) return false;
+    CloseValues close;
+    if (!all) {
+        if (!close.take(radii, spread_, work_.arena)) return false;
+        for (int k = 1; k <= D; ++k)
+            for (std::uint32_t i = 0; i < faces_.count[k]; ++i)
+                if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
+    }
+    if (all || room > radii) room = radii;
+    radius_ = work_.arena.template take_high<double>(static_cast<std::size_t>(room));
+    label_ = work_.arena.template take_high<std::uint32_t>(static_cast<std::size_t>(room));
+    if (radius_ == nullptr || label_ == nullptr) return false;
+    std::uint32_t label = 0;
+    for (int k = 1; k <= D; ++k)
+        for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
+            if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) continue;
+            radius_[count_] = value_[k][i];
+            label_[count_++] = label;
+        }
+    done_ = faces;
+    return sort_labelled(radius_, label_, count_, work_.arena);
+}
+
+template <int D> Status RadiusOrder<D>::run() {
+    const bool all = !(spread_ < CloseValues::spread_max);
+    Status status = pass(all);
+    if (status == Status::ok && crowded_ && !all) {
+        spread_ = 1.01 * error_ + 0x1p-51;
+        status = pass(true);
+    }
+    return status;
+}
+
+template <int D> Status RadiusOrder<D>::pass(bool all) {
+    const HighScope scope(work_.arena);
+    if (!collect(all)) return Status::out_of_memory;
+    last_ = 0;
+    const double low = 1 - spread_, high = 1 + spread_;
+    for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
+        end = begin + 1;
+        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high) ++end;
+        top_ = radius_[end - 1] * (1 + spread_ / 2);
+        if (end == begin + 1 && radius_[begin] > last_) {
+            last_ = radius_[begin];
+            continue;
+        }
+        const Status status = part(begin, end);
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+// The radius at its place as the float stage knows it.
+template <int D> Radius RadiusOrder<D>::look_again(std::uint32_t i) const {
+    const Place place = place_of(label_[i]);
+    const double* point[D + 1];
+    points_.of_face(faces_, place.k, place.face, point);
+    Radius again;
+    const bool known = place.k == 1 ? edge_radius<D>(point, &again) : simplex_radius<2, D>(point, place.k, &again);
+    return known ? again : Radius{radius_[i], exact_radius_error(radius_[i])};
+}
+
+// Radii of which each meets the next by the common bound: cuts where all before are below all that follow.
+template <int D> Status RadiusOrder<D>::part(std::uint32_t begin, std::uint32_t end) {
+    if (end - begin > few || end - begin == 1 || crowded_) return compute(begin, end);
+    double low[few], high[few];
+    for (std::uint32_t i = 0; i < end - begin; ++i) {
+        const double x = radius_[begin + i], error = 1.01 * look_again(begin + i).error + 0x1p-51;
+        low[i] = x * (1 - error);
+        high[i] = x * (1 + error);
+    }
+    for (std::uint32_t i = end - begin - 1; i-- > 0;) low[i] = low[i + 1] < low[i] ? low[i + 1] : low[i];
+    double highest = 0;
+    std::uint32_t from = 0;
+    for (std::uint32_t i = 0; i < end - begin; ++i) {
+        highest = high[i] > highest ? high[i] : highest;
+        if (i + 1 < end - begin && low[i + 1] <= highest) continue;
+        const Status status = compute(begin + from, begin + i + 1);
+        if (status != Status::ok) return status;
+        from = i + 1;
+    }
+    return Status::ok;
+}
+
+// Radii that nothing is known of but that they are above all before.
+template <int D> Status RadiusOrder<D>::compute(std::uint32_t begin, std::uint32_t end) {
+    if (end - begin == 1) {
+        settle(begin, end, radius_[begin], error_);
+        return Status::ok;
+    }
+    const double base = radius_[begin];
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const ExactSphere sphere = sphere_of(label_[i]);
+        if (!sphere.in_range()) return Status::out_of_range;
+        radius_[i] = deviation(sphere.radius_squared(scratch_), base);
+        if (stop(64)) return Status::cancelled;
+    }
+    if (!sort_labelled(radius_ + begin, label_ + begin, end - begin, work_.arena)) return Status::out_of_memory;
+    for (std::uint32_t from = begin, to; from < end; from = to) {
+        to = from + 1;
+        while (to < end &&
+               radius_[to] - deviation_error(radius_[to]) <= radius_[to - 1] + deviation_error(radius_[to - 1]))
+            ++to;
+        const Status status = decide(from, to, base);
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+// Radii whose leading digits agree. Each is held against some that are known to be equal; nearly always all are.
+template <int D> Status RadiusOrder<D>::decide(std::uint32_t begin, std::uint32_t end, double base) {
+    const double x = radius_[begin], radius = deviating(base, x);
+    const double error = exact_radius_error(radius) + (radius_[end - 1] - x);
+    if (end - begin == 1) {
+        settle(begin, end, radius, error);
+        return Status::ok;
+    }
+    std::uint32_t equal[4] = {label_[begin]}, kinds = 1, i = begin + 1;
+    for (; i < end; ++i) {
+        const ExactSphere sphere = sphere_of(label_[i]);
+        const double near = radius_[i] - x + deviation_error(radius_[i]) + deviation_error(x);
+        bool found = false;
+        for (std::uint32_t j = 0; j < kinds && !found; ++j) {
+            const ExactSphere other = sphere_of(equal[j]);
+            found = ExactSphere::equal_if_within(sphere, other, near) || ExactSphere::congruent(sphere, other);
+        }
+        if (!found) {
+            double difference;
+            if (!ExactSphere::excess(sphere, sphere_of(equal[0]), scratch_, &difference)) return Status::out_of_range;
+            if (difference != 0) break;
+            equal[kinds < 4 ? kinds++ : 1 + i % 3] = label_[i];
+        }
+        if (stop(16)) return Status::cancelled;
+    }
+    if (i == end) {
+        settle(begin, end, radius, error);
+        return Status::ok;
+    }
+    // Excess over the first, known once for all that are congruent.
+    constexpr std::uint32_t slots = 32;
+    std::uint32_t known[slots];
+    double excess[slots];
+    for (std::uint32_t& label : known) label = label_[begin];
+    for (double& e : excess) e = 0;
+    const std::uint32_t first = label_[begin];
+    for (i = begin; i < end; ++i) {
+        const ExactSphere sphere = sphere_of(label_[i]);
+        const std::uint32_t slot = sphere.hash() % slots;
+        if (!ExactSphere::congruent(sphere, sphere_of(known[slot]))) {
+            if (!ExactSphere::excess(sphere, sphere_of(first), scratch_, &excess[slot])) return Status::out_of_range;
+            known[slot] = label_[i];
+        }
+        radius_[i] = excess[slot];
+        if (stop(64)) return Status::cancelled;
+    }
+    if (!sort_labelled(radius_ + begin, label_ + begin, end - begin, work_.arena)) return Status::out_of_memory;
+    bool in_range = true;
+    for (std::uint32_t from = begin, to; in_range && from < end; from = to) {
+        to = from + 1;
+        while (to < end && radius_[to] - radius_[to - 1] <= 0x1p-48 * absolute(radius_[to])) ++to;
+        if (to - from == 1 || radius_[from] == 0) {
+            settle(from, to, radius, error);
+        } else {
+            in_range = compare_all(from, to, radius, error);
+        }
+    }
+    return in_range ? Status::ok : Status::out_of_range;
+}
+
+// The last resort: a comparison sort. False: out of range.
+template <int D> bool RadiusOrder<D>::compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error) {
+    bool in_range = true;
+    const auto less = [&](std::uint32_t a, std::uint32_t b) {
+        const ExactSphere x = sphere_of(a), y = sphere_of(b);
+        double excess = 0;
+        in_range = in_range && (ExactSphere::congruent(x, y) || ExactSphere::excess(x, y, scratch_, &excess));
+        return excess < 0;
+    };
+    bool sorted = true;
+    for (std::uint32_t i = begin + 1; i < end && sorted; ++i) sorted = !less(label_[i], label_[i - 1]);
+    if (!sorted) sort(label_ + begin, end - begin, less);
+    for (std::uint32_t from = begin, to; in_range && from < end; from = to) {
+        to = from + 1;
+        while (to < end && !less(label_[to - 1], label_[to])) ++to;
+        settle(from, to, radius, error);
+    }
+    return in_range;
+}
+
+// Equal radii, above those settled before.
+template <int D> void RadiusOrder<D>::settle(std::uint32_t begin, std::uint32_t end, double radius, double error) {
+    if (radius <= last_) {
+        const double above = last_ < radius_max ? next_up(last_) : last_;
+        error = above > last_ ? error + 1.01 * (above - radius) / radius : infinity;
+        radius = above;
+    }
+    last_ = radius;
+    if (radius > top_) crowded_ = true;
+    error_ = error > error_ ? error : error_;
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const Place place = place_of(label_[i]);
+        value_[place.k][place.face] = radius;
+    }
+}
+
+}  // namespace
+
+template <int D>
+Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, std::uint64_t* scratch,
+                   double* const* value, double* error) {
+    RadiusOrder<D> order(faces, points, work, scratch, value, *error);
+    const Status status = order.run();
+    *error = order.error();
+    return status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status order_radii<D>(const Faces<D>&, const PointRecords<D>&, const Work&, std::uint64_t*,               \
+                                   double* const*, double*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

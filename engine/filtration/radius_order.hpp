@@ -1,0 +1,58 @@
+// Radii of simplices as doubles that have exactly the order of the true radii.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "complex/faces.hpp"
+#include "filtration/circumsphere_exact.hpp"
+#include "memory/work.hpp"
+#include "numerics/vector.hpp"
+#include "vocabulary/status.hpp"
+
+namespace netmesh {
+
+// D coordinates at the start of each vertex record.
+template <int D> struct PointRecords {
+    const double* coordinates;
+    std::ptrdiff_t stride_bytes;
+    const double* operator[](std::uint32_t v) const {
+        return reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(coordinates) +
+                                               static_cast<std::ptrdiff_t>(v) * stride_bytes);
+    }
+    void of_face(const Faces<D>& faces, int k, std::uint32_t face, const double** point) const {
+        std::uint32_t vertex[D + 1];
+        faces.vertices(k, face, vertex);
+        for (int i = 0; i <= k; ++i) point[i] = (*this)[vertex[i]];
+    }
+};
+
+// A radius and a bound on how far it is from the true one, relative to that.
+struct Radius {
+    double value, error;
+};
+// Half the length of an edge. The squared length has D + 2 roundings, the root halves them and adds one. False: squares
+// are out of the range of doubles.
+template <int D> inline bool edge_radius(const double* const* point, Radius* out) {
+    const double squared = distance2<D>(point[0], point[1]);
+    *out = {square_root(squared) / 2, 1.01 * unit_roundoff * (D / 2.0 + 2)};
+    return squared > 0x1p-900 && squared < 0x1p1000;
+}
+
+// value[k][i], k >= 1: the radius of the i-th k-face, to *error relative, or negative: it has none. Afterwards two of
+// them are equal if and only if the true ones are, and otherwise in the same order. Nearly all stay as they are. Where
+// many different radii are within one unit in the last place, each is the next double to the one before; *error becomes
+// what then holds.
+//
+// Those that may have another close by are found by their leading digits (close_values.hpp) and sorted: few of random
+// points, all of a grid. Where intervals of neighbours meet, the float stage's own error bounds of
+// these simplices are looked at; if this does not part them, their squared radii are computed exactly
+// (circumsphere_exact.hpp) and sorted by their first 87 bits or more, and compared exactly where these agree. So an
+// exact tie costs one comparison, a microsecond or less for coordinates of few digits and some ten for any other.
+// scratch: of ExactSphere. Memory: 4 to 8 bytes a radius, 12 for each that is sorted; where so many radii share a
+// double that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
+// digits than there are; cancelled.
+template <int D>
+Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, std::uint64_t* scratch,
+                   double* const* value, double* error);
+
+}  // namespace netmesh
