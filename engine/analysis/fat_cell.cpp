@@ -140,13 +140,18 @@ template <int D> [[gnu::cold]] void FatCells<D>::measure_in_ball(VertexId v, Fat
     copy<D>(p, cell->in_centre);
 }
 
-template <int D> [[gnu::cold]] Status FatCells<D>::measure_star(VertexId v, FatCell<D>* cell) {
+template <int D> [[gnu::cold]] Status FatCells<D>::measure(VertexId v, FatCell<D>* cell) {
+    const ArenaScope scope(arena_);
     *cell = {};
     cell->nearest = infinity;
-    cell->bounded = cell->whole = true;
-    std::size_t corners = 0;
-    if (!visit_any_star<D>(store_, v, [&](CellId) { ++corners; })) return Status::out_of_memory;
-    cell->corners = static_cast<std::uint32_t>(corners);
+    cell->known = cell->bounded = cell->whole = true;
+    const auto count = [&](CellId c) {
+        ++cell->corners;
+        cell->known &= knows(store_, c);
+    };
+    if (!visit_any_star<D>(store_, v, count)) return Status::out_of_memory;
+    if (!cell->known) return Status::ok;
+    const std::size_t corners = cell->corners;
     neighbour_ = arena_.take_low<VertexId>(corners * D);
     meets_ = arena_.take_low<bool>(corners * D);
     plane_ = arena_.take_low<double>((corners * D + clipping_rounds) * D);
@@ -157,6 +162,8 @@ template <int D> [[gnu::cold]] Status FatCells<D>::measure_star(VertexId v, FatC
     doubt_ = 0;
     store_.vertex(v).next = none;
     if (!visit_any_star<D>(store_, v, [&](CellId c) { add_corners(v, c, cell); })) return Status::out_of_memory;
+    for (std::uint32_t k = 0; k < cell->degree; ++k)
+        cell->met += meets_[k] && (part_ == nullptr || part_[neighbour_[k]] <= most_);
     const double* const p = store_.point(v);
     if (points_ == 0) return Status::ok;  // it does not meet the ball, or with a face alone
     measure_in_ball(v, cell);
@@ -184,7 +191,29 @@ template <int D> [[gnu::cold]] Status FatCells<D>::measure_star(VertexId v, FatC
     return Status::ok;
 }
 
-#define NETMESH_INSTANTIATE(D) template class FatCells<D>;
+template <int D>
+[[gnu::cold]] FattestCells<D>::FattestCells(Store<D>& store, const Domain<D>& domain, Arena& arena,
+                                            const std::uint8_t* part, std::uint8_t most)
+    : around_(FatCells<D>::surrounding_ball(store)), first_(domain.radius > 0 ? domain : around_),
+      has_domain_(domain.radius > 0), in_first_(store, first_, arena, part, most),
+      in_ball_(store, around_, arena, part, most) {}
+
+template <int D> [[gnu::cold]] Status FattestCells<D>::measure(VertexId v, FatCell<D>* cell, Piece* piece) {
+    const Status status = in_first_.measure(v, cell);
+    *piece = cell->whole || !cell->known ? Piece::whole : has_domain_ ? Piece::in_domain : Piece::in_ball;
+    if (status != Status::ok || *piece != Piece::in_domain) return status;
+    FatCell<D> other;
+    const Status again = in_ball_.measure(v, &other);
+    if (cell->in_radius > 0 && !(other.out_radius * cell->in_radius < cell->out_radius * other.in_radius)) return again;
+    other.met = cell->met;
+    *cell = other;
+    *piece = Piece::in_ball;
+    return again;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template class FatCells<D>;                                                                                        \
+    template class FattestCells<D>;
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

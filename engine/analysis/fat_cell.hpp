@@ -17,6 +17,8 @@ namespace netmesh {
 template <int D> struct FatCell {
     std::uint32_t corners;           // of the whole cell: D-balls at its vertex
     std::uint32_t degree;            // Delaunay neighbours
+    std::uint32_t met;               // of them those whose facet has a corner in the ball or an edge across its sphere
+    bool known;                      // false: doubles do not know a corner, and nothing else is said
     bool bounded;                    // not on the hull
     bool whole;                      // all corners are in the ball: not clipped
     double nearest;                  // distance to the nearest neighbour
@@ -26,10 +28,12 @@ template <int D> struct FatCell {
         out_radius;  // of a ball around it, the smallest one where the cell is whole; reach / 2 at least
 };
 
-// On a compact store with recomputed balls, whose corners must be known (FatCells::knows). Vertex::next is used.
+// On a compact store with recomputed balls; the ball must outlive this. Vertex::next is used.
 template <int D> class FatCells {
 public:
-    FatCells(Store<D>& store, const Domain<D>& ball, Arena& arena) : store_(store), ball_(ball), arena_(arena) {}
+    // part[vertices], or null: of neighbours only those with part[w] <= most are counted in `met`.
+    FatCells(Store<D>& store, const Domain<D>& ball, Arena& arena, const std::uint8_t* part, std::uint8_t most)
+        : store_(store), ball_(ball), arena_(arena), part_(part), most_(most) {}
 
     // A ball that holds all vertices and all corners that are known, with as much room again: what clips the unbounded
     // cells of a triangulation without a domain. Facets meet it, as each has a corner.
@@ -37,18 +41,10 @@ public:
     // Is this corner known well enough, and are the squares of the cell's edges numbers that doubles hold?
     static bool knows(const Store<D>& store, CellId c);
 
-    // Calls visit(neighbour) for each neighbour whose facet with v has a corner in the ball or an edge across its
-    // sphere. Scratch: the star. out_of_memory.
-    template <class Visit> Status measure(VertexId v, FatCell<D>* cell, Visit&& visit) {
-        ArenaScope scope(arena_);
-        const Status status = measure_star(v, cell);
-        for (std::uint32_t k = 0; status == Status::ok && k < cell->degree; ++k)
-            if (meets_[k]) visit(neighbour_[k]);
-        return status;
-    }
+    // Of an inserted vertex. Scratch: its star. out_of_memory.
+    Status measure(VertexId v, FatCell<D>* cell);
 
 private:
-    Status measure_star(VertexId v, FatCell<D>* cell);
     void add_neighbour(VertexId v, VertexId w, FatCell<D>* cell);
     void add_corners(VertexId v, CellId c, FatCell<D>* cell);
     void add_point(const double* x);
@@ -58,6 +54,8 @@ private:
     Store<D>& store_;
     const Domain<D>& ball_;
     Arena& arena_;
+    const std::uint8_t* const part_;
+    const std::uint8_t most_;
     VertexId* neighbour_;
     bool* meets_;
     double *plane_, *point_;  // mirror images of the in-ball's origin, D numbers each; points of the clipped cell
@@ -71,26 +69,14 @@ template <int D> class FattestCells {
 public:
     enum class Piece : std::uint32_t { whole, in_domain, in_ball };
 
-    FattestCells(Store<D>& store, const Domain<D>& domain, Arena& arena)
-        : around_(FatCells<D>::surrounding_ball(store)), first_(domain.radius > 0 ? domain : around_),
-          has_domain_(domain.radius > 0), in_first_(store, first_, arena), in_ball_(store, around_, arena) {}
+    FattestCells(Store<D>& store, const Domain<D>& domain, Arena& arena, const std::uint8_t* part = nullptr,
+                 std::uint8_t most = 0);
     FattestCells(const FattestCells&) = delete;
     FattestCells& operator=(const FattestCells&) = delete;
 
     double radius() const { return around_.radius; }
-    // As FatCells::measure; visit is called for facets that meet the domain.
-    template <class Visit> Status measure(VertexId v, FatCell<D>* cell, Piece* piece, Visit&& visit) {
-        const Status status = in_first_.measure(v, cell, visit);
-        *piece = cell->whole ? Piece::whole : has_domain_ ? Piece::in_domain : Piece::in_ball;
-        if (status != Status::ok || *piece != Piece::in_domain) return status;
-        FatCell<D> other;
-        const Status again = in_ball_.measure(v, &other, [](VertexId) {});
-        if (cell->in_radius > 0 && !(other.out_radius * cell->in_radius < cell->out_radius * other.in_radius))
-            return again;
-        *cell = other;
-        *piece = Piece::in_ball;
-        return again;
-    }
+    // As FatCells::measure; `met` is of facets that meet the domain.
+    Status measure(VertexId v, FatCell<D>* cell, Piece* piece);
 
 private:
     const Domain<D> around_, first_;

@@ -75,7 +75,7 @@ private:
     std::uint8_t* part_;  // [vertices]: the smallest part that the vertex belongs to
 };
 
-template <int D> Status Fatness<D>::open() {
+template <int D> [[gnu::cold]] Status Fatness<D>::open() {
     analysis_ = {};
     const std::uint32_t count = store_.state.vertex_count;
     part_ = arena_.take_low<std::uint8_t>(count);
@@ -101,7 +101,7 @@ template <int D> Status Fatness<D>::open() {
 }
 
 // One cell of v's star: its corner's distance, and the neighbours not met before.
-template <int D> void Fatness<D>::collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours) {
+template <int D> [[gnu::cold]] void Fatness<D>::collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours) {
     const Cell<D>& cell = store_.cell(c);
     const double* const x = store_.point(v);
     const double error = static_cast<double>(cell.error), radius = square_root(cell.radius2);
@@ -125,7 +125,7 @@ template <int D> void Fatness<D>::collect(VertexId v, CellId c, CellMeasure* m, 
 }
 
 // Corners of v's clipped cell at corner c: itself inside, crossings of its edges outside.
-template <int D> void Fatness<D>::add_clipped(VertexId v, CellId c, Points<D>* corners) {
+template <int D> [[gnu::cold]] void Fatness<D>::add_clipped(VertexId v, CellId c, Points<D>* corners) {
     const Cell<D>& cell = store_.cell(c);
     if (domain_.contains(cell.centre)) {
         corners->add(cell.centre, store_.point(v));
@@ -144,7 +144,8 @@ template <int D> void Fatness<D>::add_clipped(VertexId v, CellId c, Points<D>* c
 // Out-radius over in-radius of the clipped cell; 0 when no corner of it is known. In-balls are kept in the domain by
 // cutting planes: a tangent plane of the sphere is a bisector with the vertex's mirror image.
 template <int D>
-double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners, Points<D> neighbours) {
+[[gnu::cold]] double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners,
+                                                 Points<D> neighbours) {
     double out_radius, centre[D] = {};
     if (corners.count < 2 || !domain_.contains(store_.point(v))) return 0;
     smallest_enclosing_ball<D>(corners.x, corners.count, centre, &out_radius);
@@ -171,7 +172,7 @@ double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> c
     return best > 0 ? out_radius / best : 0;
 }
 
-template <int D> Status Fatness<D>::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
+template <int D> [[gnu::cold]] Status Fatness<D>::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
     *m = {0, {}, {}, 0, 0, infinity, 0, 0, true, {true, true, true}};
     *clipped = 0;
     if (!visit_star(store_, v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
@@ -208,7 +209,7 @@ double regular_simplex_volume(int d) {
     return volume;
 }
 
-template <int D> void Fatness<D>::add(const CellMeasure& m, int which) {
+template <int D> [[gnu::cold]] void Fatness<D>::add(const CellMeasure& m, int which) {
     FatPart* const part = &of(which);
     const std::uint32_t degree = m.degree[which];
     const double faces = m.faces[which];
@@ -232,7 +233,7 @@ template <int D> void Fatness<D>::add(const CellMeasure& m, int which) {
 }
 
 // The bounds that hold vertex by vertex.
-template <int D> void Fatness<D>::compare(const CellMeasure& m, int which) {
+template <int D> [[gnu::cold]] void Fatness<D>::compare(const CellMeasure& m, int which) {
     FatPart& part = of(which);
     const double beta = part.beta_max, degree = static_cast<double>(m.degree[which]);
     int layers = 1;
@@ -245,7 +246,7 @@ template <int D> void Fatness<D>::compare(const CellMeasure& m, int which) {
     }
 }
 
-template <int D> void finish(FatPart* part) {
+template <int D> [[gnu::cold]] void finish(FatPart* part) {
     const double cells = static_cast<double>(part->cells);
     if (part->cells > 0) part->beta_mean /= cells;
     part->edges /= 2;
@@ -253,7 +254,7 @@ template <int D> void finish(FatPart* part) {
     part->faces_bound = power(4 * part->beta_max, D * D) * cells;
 }
 
-template <int D> Status Fatness<D>::run(Monitor& monitor) {
+template <int D> [[gnu::cold]] Status Fatness<D>::run(Monitor& monitor) {
     const std::uint32_t count = store_.state.vertex_count;
     CellMeasure m;
     double clipped;
@@ -285,8 +286,8 @@ template <int D> [[gnu::cold]] Status Fatness<D>::measure_all(FattestCells<D>& c
     FatCell<D> cell;
     typename FattestCells<D>::Piece piece;
     *m = {};
-    const Status status =
-        cells.measure(v, &cell, &piece, [&](VertexId w) { m->degree[part_all] += holds(part_all, w); });
+    const Status status = cells.measure(v, &cell, &piece);
+    m->degree[part_all] = cell.met;
     m->whole = m->among[part_all] = piece == FattestCells<D>::Piece::whole;
     m->corners = cell.corners;
     m->faces[part_all] = static_cast<double>(cell.corners) * ((1 << D) - 1);
@@ -303,7 +304,7 @@ template <int D> [[gnu::cold]] Status Fatness<D>::measure_all(FattestCells<D>& c
 
 // Which cells there are, then what they are like, then what depends on the largest beta.
 template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor) {
-    FattestCells<D> cells(store_, domain_, arena_);
+    FattestCells<D> cells(store_, domain_, arena_, part_, part_all);
     analysis_.all_radius = cells.radius();
     const std::uint32_t count = store_.state.vertex_count;
     for (std::uint32_t v = 0; v < count; ++v) {

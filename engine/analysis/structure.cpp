@@ -14,11 +14,14 @@ template <int D> constexpr std::uint32_t intersections_expected = figures<D>.int
 constexpr std::uint32_t looks_max = 1u << 24;
 
 // The number of cells connected with `from` through cells that `take`. `none` when the gap has no room for their list.
-template <int D, class Take> std::uint32_t flood(Store<D>& store, CellId from, Take&& take) {
+// *hull: whether a facet of the hull is among theirs.
+template <int D, class Take> std::uint32_t flood(Store<D>& store, CellId from, bool* hull, Take&& take) {
     CellList<D> taken(store);
+    *hull = false;
     if (!taken.add(from)) return none;
     for (std::uint32_t k = 0; k < taken.size(); ++k)
         for (const FacetId facet : store.cell(taken[k]).neighbour) {
+            *hull |= facet == none;
             if (facet == none || taken.has(facet.cell()) || !take(store.cell(facet.cell()))) continue;
             if (!taken.add(facet.cell())) return none;
         }
@@ -82,19 +85,26 @@ template <int D> bool is_at_boundary(const Store<D>& store, const bool* hull, Ce
     return false;
 }
 
-// D-balls that contain x, which c's does; none when memory runs out.
+// D-balls that contain x, a point within the hull that c's contains; none when memory runs out.
 template <int D> std::uint32_t ply_of(Store<D>& store, CellId c, const double* x) {
-    return flood<D>(store, c, [&](const Cell<D>& cell) { return distance2<D>(x, cell.centre) < cell.radius2; });
+    bool hull;
+    return flood<D>(store, c, &hull, [&](const Cell<D>& cell) { return distance2<D>(x, cell.centre) < cell.radius2; });
 }
 
-// D-balls that meet that of c, itself among them.
+// D-balls that meet that of c, itself among them. Beyond the hull balls may meet that do not hang together within it.
 template <int D> std::uint32_t balls_at(Store<D>& store, CellId c) {
     const Cell<D>& ball = store.cell(c);
     const double radius = square_root(ball.radius2);
-    return flood<D>(store, c, [&](const Cell<D>& cell) {
+    const auto meets = [&](const Cell<D>& cell) {
         const double sum = radius + square_root(cell.radius2);
         return distance2<D>(ball.centre, cell.centre) < sum * sum;
-    });
+    };
+    bool hull;
+    const std::uint32_t met = flood<D>(store, c, &hull, meets);
+    if (met == none || !hull) return met;
+    std::uint32_t count = 0;
+    for (std::uint32_t b = 0; b < store.state.cell_slots; ++b) count += b == c || meets(store.cell(b));
+    return count;
 }
 
 template <int D> void barycentre(const Store<D>& store, CellId c, double* x) {

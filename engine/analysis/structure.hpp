@@ -26,9 +26,10 @@ struct StructureAnalysis {
 // are within `reach` of `centre` (pass 0 for none), intersections at all D-balls, those at the boundary of a mesh
 // apart: they are as large as the mesh and meet a number of others that grows with it. Of both every k-th cell is
 // looked at, k the least for which the work is bounded by about 2^24 looks at a cell. Balls are solved for anew, in
-// doubles, so what touches within rounding may count either way. The cells whose balls contain a point of the hull, or
-// meet a ball, hang together through facets, so a flood from one of them finds them all. Uses vertex.next and
-// cell.mark. Scratch: 1 byte a vertex, 4 bytes a cell of the largest flood. out_of_memory, cancelled.
+// doubles, so what touches within rounding may count either way. The cells whose balls contain a point within the hull
+// hang together through facets, so a flood from one of them finds them all; so do those that meet a ball, but for what
+// meets it beyond the hull: where a flood gets to the hull all cells are looked at. Uses vertex.next and cell.mark.
+// Scratch: 1 byte a vertex, 4 bytes a cell of the largest flood. out_of_memory, cancelled.
 template <int D>
 Status analyse_structure(Store<D>& store, const double* centre, double reach, const Work& work,
                          StructureAnalysis* analysis);

@@ -2,7 +2,6 @@
 #include "analysis/fat_cell.hpp"
 #include "analysis/structure.hpp"
 #include "api/measure.hpp"
-#include "delaunay/any_star.hpp"
 #include "delaunay/load.hpp"
 
 namespace netmesh {
@@ -13,64 +12,56 @@ template <class Item> void give_element(const Item& from, std::uint64_t index, s
     start_struct(&from, sizeof from, reinterpret_cast<unsigned char*>(array) + index * bytes, bytes);
 }
 
-template <int D> bool knows_all_corners(Store<D>& store, VertexId v, bool* known) {
-    *known = true;
-    return visit_any_star(store, v, [&](CellId c) { *known &= FatCells<D>::knows(store, c); });
-}
-
-template <int D> [[gnu::cold]] Status measure_whole_cells(Context& context, double* ratios, std::uint32_t* domains) {
-    Store<D> store(context.arena, context.mesh.store);
-    recompute_balls<D>(store);
-    const Domain<D> around = FatCells<D>::surrounding_ball(store);
-    FatCells<D> cells(store, around, context.arena);
-    Status status = Status::ok;
-    for (VertexId v(0); v < store.state.vertex_count && status == Status::ok; ++v) {
-        domains[v] = none;
-        ratios[v] = 0;
-        if (store.vertex(v).cell == none) continue;
-        bool known;
-        if (!knows_all_corners<D>(store, v, &known)) return Status::out_of_memory;
-        FatCell<D> cell;
-        if (known) status = cells.measure(v, &cell, [](VertexId) {});
-        ratios[v] = known && cell.bounded ? 2 * cell.reach / cell.nearest : infinity;
-    }
-    return status;
-}
-
 template <int D> void copy_ball(const double* centre, double radius, double* ball) {
     copy<D>(centre, ball);
     ball[D] = radius;
 }
 
-template <int D> [[gnu::cold]] Status measure_voronoi(Context& context, std::uint32_t bytes, netmesh_voronoi* array) {
+// Calls give(vertex, cell, piece) for each vertex that is inserted.
+template <int D, class Give> [[gnu::cold]] Status measure_each(Context& context, Give&& give) {
     Store<D> store(context.arena, context.mesh.store);
     recompute_balls<D>(store);
     Domain<D> domain = domain_of<D>(context.mesh);
     if (!context.mesh.is_mesh) domain.radius = 0;
     FattestCells<D> cells(store, domain, context.arena);
-    for (VertexId v(0); v < store.state.vertex_count; ++v) {
-        netmesh_voronoi found = {};
-        bool known = false;
-        const bool is_in = store.vertex(v).cell != none;
-        if (is_in && !knows_all_corners<D>(store, v, &known)) return Status::out_of_memory;
-        if (known) {
-            FatCell<D> cell;
-            typename FattestCells<D>::Piece piece;
-            const Status status = cells.measure(v, &cell, &piece, [](VertexId) {});
-            if (status != Status::ok) return status;
-            found.piece = static_cast<std::uint32_t>(piece);
-            found.bounded = cell.bounded;
-            found.corners = cell.corners;
-            found.degree = cell.degree;
-            found.nearest = cell.nearest;
-            found.reach = cell.reach;
-            copy_ball<D>(cell.in_centre, cell.in_radius, found.in_ball);
-            copy_ball<D>(cell.out_centre, cell.out_radius, found.out_ball);
-            if (cell.in_radius > 0) found.beta = cell.out_radius / cell.in_radius * (1 + 0x1p-40);
-        }
-        give_element(found, v, bytes, array);
+    Status status = Status::ok;
+    for (VertexId v(0); v < store.state.vertex_count && status == Status::ok; ++v) {
+        if (store.vertex(v).cell == none) continue;
+        FatCell<D> cell;
+        typename FattestCells<D>::Piece piece;
+        status = cells.measure(v, &cell, &piece);
+        if (status == Status::ok) give(v, cell, static_cast<std::uint32_t>(piece));
     }
-    return Status::ok;
+    return status;
+}
+
+// Of a triangulation.
+template <int D> [[gnu::cold]] Status measure_whole_cells(Context& context, double* ratios, std::uint32_t* domains) {
+    for (std::uint32_t v = 0; v < context.mesh.store.vertex_count; ++v) {
+        ratios[v] = 0;
+        domains[v] = none;
+    }
+    return measure_each<D>(context, [&](VertexId v, const FatCell<D>& cell, std::uint32_t) {
+        ratios[v] = cell.known && cell.bounded ? 2 * cell.reach / cell.nearest : infinity;
+    });
+}
+
+template <int D> [[gnu::cold]] Status measure_voronoi(Context& context, std::uint32_t bytes, netmesh_voronoi* array) {
+    for (std::uint32_t v = 0; v < context.mesh.store.vertex_count; ++v) give_element({}, v, bytes, array);
+    return measure_each<D>(context, [&](VertexId v, const FatCell<D>& cell, std::uint32_t piece) {
+        netmesh_voronoi found = {};
+        if (!cell.known) return;
+        found.piece = piece;
+        found.bounded = cell.bounded;
+        found.corners = cell.corners;
+        found.degree = cell.degree;
+        found.nearest = cell.nearest;
+        found.reach = cell.reach;
+        copy_ball<D>(cell.in_centre, cell.in_radius, found.in_ball);
+        copy_ball<D>(cell.out_centre, cell.out_radius, found.out_ball);
+        if (cell.in_radius > 0) found.beta = cell.out_radius / cell.in_radius * (1 + 0x1p-40);
+        give_element(found, v, bytes, array);
+    });
 }
 
 template <int D> [[gnu::cold]] Status measure_balls(Context& context, std::uint32_t bytes, netmesh_ball* array) {
