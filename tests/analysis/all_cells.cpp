@@ -244,8 +244,9 @@ template <int D> Point point_in(inputs::Random& random, const double* centre, do
 TEST_CASE_TEMPLATE_DEFINE("each cell of a hierarchical mesh: balls and neighbours by brute force", T, each_cell) {
     constexpr int D = T::value;
     std::size_t whole_cells = 0;
-    for (const inputs::Points& points : {inputs::geometric(D, 100, 5), inputs::geometric(D, 1e6, 4),
-                                         inputs::close_pairs(D, 4, 1e-4), inputs::nested(D, 2, 7, 1e4)}) {
+    for (const inputs::Points& points :
+         {inputs::geometric(D, 100, 5), inputs::geometric(D, 1e6, 4), inputs::close_pairs(D, 4, 1e-4),
+          inputs::nested(D, 2, 7, 1e4), inputs::geometric(D, 1e6, D == 3 ? 12 : 4, 10)}) {
         Diagram<D> diagram(points, 2.5);
         REQUIRE(diagram.cage_count > 0);
         const FatnessAnalysis a = diagram.analysed();
