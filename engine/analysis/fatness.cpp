@@ -1,5 +1,6 @@
 #include "analysis/fatness.hpp"
 
+#include "analysis/fat_cell.hpp"
 #include "analysis/in_ball.hpp"
 #include "delaunay/cell_list.hpp"
 #include "delaunay/load.hpp"
@@ -11,20 +12,21 @@ namespace netmesh {
 namespace {
 
 constexpr double up = 1 + 0x1p-40;
-constexpr double least_square = 0x1p-960;  // shorter edges have squares that doubles do not hold
-constexpr int clipping_rounds = 12;        // cutting planes for an in-ball at the sphere
+constexpr int clipping_rounds = 12;  // cutting planes for an in-ball at the sphere
 
-enum Part : std::uint8_t { part_inside = 0, part_bounded = 1, part_none = 2 };
+enum Part : std::uint8_t { part_inside = 0, part_bounded = 1, part_all = 2, part_none = 3 };
+constexpr int parts = 3;
 
 // What is measured of one vertex. Lengths are relative to nothing, points to the vertex.
 struct CellMeasure {
     std::uint32_t corners;
-    std::uint32_t degree[2];       // neighbours in the part
-    double faces[2];               // simplices with them, each as often as it is in a cell
+    std::uint32_t degree[parts];   // neighbours in the part
+    double faces[parts];           // simplices with them, each as often as it is in a cell
     double in_radius, out_radius;  // of in-ball and out-ball
     double nearest, farthest;      // distance to the nearest neighbour and to the farthest corner
     double doubt;                  // of a corner
-    bool among[2];                 // all neighbours are in the part
+    bool whole;                    // the cell is not clipped
+    bool among[parts];             // all neighbours are in the part
 };
 
 // Points about one vertex, in scratch memory.
@@ -54,7 +56,11 @@ public:
 
 private:
     bool holds(int part, std::uint32_t v) const { return part_[v] <= part; }
-    FatPart& of(int part) { return part == part_inside ? analysis_.inside : analysis_.bounded; }
+    FatPart& of(int part) {
+        return part == part_inside ? analysis_.inside : part == part_bounded ? analysis_.bounded : analysis_.all;
+    }
+    Status run_over_all(Monitor& monitor);
+    Status measure_all(FattestCells<D>& cells, VertexId v, CellMeasure* m);
     Status measure(VertexId v, bool balls, CellMeasure* m, double* clipped);
     void collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours);
     void add_clipped(VertexId v, CellId c, Points<D>* corners);
@@ -69,35 +75,33 @@ private:
     std::uint8_t* part_;  // [vertices]: the smallest part that the vertex belongs to
 };
 
-template <int D> Status Fatness<D>::open() {
+template <int D> [[gnu::cold]] Status Fatness<D>::open() {
     analysis_ = {};
     const std::uint32_t count = store_.state.vertex_count;
     part_ = arena_.take_low<std::uint8_t>(count);
     if (part_ == nullptr) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < count; ++v) {
-        part_[v] = store_.vertex(v).marker == Marker::exempt || store_.vertex(v).cell == none ? part_none : part_inside;
+        part_[v] = store_.vertex(v).cell == none               ? part_none
+                   : store_.vertex(v).marker == Marker::exempt ? part_all
+                                                               : part_inside;
         store_.vertex(v).next = none;
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
         const Cell<D>& cell = store_.cell(c);
-        const bool known = cell.radius2 < infinity && static_cast<double>(cell.error) < 0x1p-10;
-        for (int i = 0; i <= D; ++i)
-            for (int j = 0; j < i; ++j)
-                if (!(distance2<D>(store_.point(cell.vertex[i]), store_.point(cell.vertex[j])) > least_square))
-                    part_[cell.vertex[i]] = part_[cell.vertex[j]] = part_none;
+        const bool known = FatCells<D>::knows(store_, CellId(c));
         const std::uint8_t least = !known ? part_none : domain_.contains(cell.centre) ? part_inside : part_bounded;
         for (int i = 0; i <= D; ++i) {
             if (part_[cell.vertex[i]] < least) part_[cell.vertex[i]] = least;
             if (cell.neighbour[i] != none) continue;
             for (int j = 0; j <= D; ++j)
-                if (j != i) part_[cell.vertex[j]] = part_none;
+                if (j != i && part_[cell.vertex[j]] < part_all) part_[cell.vertex[j]] = part_all;
         }
     }
     return Status::ok;
 }
 
 // One cell of v's star: its corner's distance, and the neighbours not met before.
-template <int D> void Fatness<D>::collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours) {
+template <int D> [[gnu::cold]] void Fatness<D>::collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours) {
     const Cell<D>& cell = store_.cell(c);
     const double* const x = store_.point(v);
     const double error = static_cast<double>(cell.error), radius = square_root(cell.radius2);
@@ -121,7 +125,7 @@ template <int D> void Fatness<D>::collect(VertexId v, CellId c, CellMeasure* m, 
 }
 
 // Corners of v's clipped cell at corner c: itself inside, crossings of its edges outside.
-template <int D> void Fatness<D>::add_clipped(VertexId v, CellId c, Points<D>* corners) {
+template <int D> [[gnu::cold]] void Fatness<D>::add_clipped(VertexId v, CellId c, Points<D>* corners) {
     const Cell<D>& cell = store_.cell(c);
     if (domain_.contains(cell.centre)) {
         corners->add(cell.centre, store_.point(v));
@@ -140,7 +144,8 @@ template <int D> void Fatness<D>::add_clipped(VertexId v, CellId c, Points<D>* c
 // Out-radius over in-radius of the clipped cell; 0 when no corner of it is known. In-balls are kept in the domain by
 // cutting planes: a tangent plane of the sphere is a bisector with the vertex's mirror image.
 template <int D>
-double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners, Points<D> neighbours) {
+[[gnu::cold]] double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners,
+                                                 Points<D> neighbours) {
     double out_radius, centre[D] = {};
     if (corners.count < 2 || !domain_.contains(store_.point(v))) return 0;
     smallest_enclosing_ball<D>(corners.x, corners.count, centre, &out_radius);
@@ -167,8 +172,8 @@ double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> c
     return best > 0 ? out_radius / best : 0;
 }
 
-template <int D> Status Fatness<D>::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
-    *m = {0, {0, 0}, {0, 0}, 0, 0, infinity, 0, 0, {true, true}};
+template <int D> [[gnu::cold]] Status Fatness<D>::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
+    *m = {0, {}, {}, 0, 0, infinity, 0, 0, true, {true, true, true}};
     *clipped = 0;
     if (!visit_star(store_, v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
     ArenaScope scope(arena_);
@@ -204,7 +209,7 @@ double regular_simplex_volume(int d) {
     return volume;
 }
 
-template <int D> void Fatness<D>::add(const CellMeasure& m, int which) {
+template <int D> [[gnu::cold]] void Fatness<D>::add(const CellMeasure& m, int which) {
     FatPart* const part = &of(which);
     const std::uint32_t degree = m.degree[which];
     const double faces = m.faces[which];
@@ -224,11 +229,11 @@ template <int D> void Fatness<D>::add(const CellMeasure& m, int which) {
     part->faces += sum < faces ? sum : faces;
     const double least = 2 * unit_ball_volume(D - 1) / (regular_simplex_volume(D - 1) * power(2 * beta, D));
     const double share = least / static_cast<double>(m.corners);
-    if (share > part->corners_share) part->corners_share = share;
+    if (m.whole && share > part->corners_share) part->corners_share = share;
 }
 
 // The bounds that hold vertex by vertex.
-template <int D> void Fatness<D>::compare(const CellMeasure& m, int which) {
+template <int D> [[gnu::cold]] void Fatness<D>::compare(const CellMeasure& m, int which) {
     FatPart& part = of(which);
     const double beta = part.beta_max, degree = static_cast<double>(m.degree[which]);
     int layers = 1;
@@ -241,7 +246,7 @@ template <int D> void Fatness<D>::compare(const CellMeasure& m, int which) {
     }
 }
 
-template <int D> void finish(FatPart* part) {
+template <int D> [[gnu::cold]] void finish(FatPart* part) {
     const double cells = static_cast<double>(part->cells);
     if (part->cells > 0) part->beta_mean /= cells;
     part->edges /= 2;
@@ -249,7 +254,7 @@ template <int D> void finish(FatPart* part) {
     part->faces_bound = power(4 * part->beta_max, D * D) * cells;
 }
 
-template <int D> Status Fatness<D>::run(Monitor& monitor) {
+template <int D> [[gnu::cold]] Status Fatness<D>::run(Monitor& monitor) {
     const std::uint32_t count = store_.state.vertex_count;
     CellMeasure m;
     double clipped;
@@ -273,6 +278,52 @@ template <int D> Status Fatness<D>::run(Monitor& monitor) {
     finish<D>(&analysis_.bounded);
     finish<D>(&analysis_.inside);
     if (analysis_.clipped > 0) analysis_.clipped_mean /= static_cast<double>(analysis_.clipped);
+    return run_over_all(monitor);
+}
+
+// in_radius 0: the cell is not of the part.
+template <int D> [[gnu::cold]] Status Fatness<D>::measure_all(FattestCells<D>& cells, VertexId v, CellMeasure* m) {
+    FatCell<D> cell;
+    typename FattestCells<D>::Piece piece;
+    *m = {};
+    const Status status = cells.measure(v, &cell, &piece);
+    m->degree[part_all] = cell.met;
+    m->whole = m->among[part_all] = piece == FattestCells<D>::Piece::whole;
+    m->corners = cell.corners;
+    m->faces[part_all] = static_cast<double>(cell.corners) * ((1 << D) - 1);
+    m->in_radius = cell.in_radius;
+    m->out_radius = cell.out_radius;
+    m->nearest = cell.nearest;
+    m->farthest = cell.reach;
+    if (status == Status::ok && !(cell.in_radius > 0)) {
+        part_[v] = part_none;
+        ++analysis_.left_out;
+    }
+    return status;
+}
+
+// Which cells there are, then what they are like, then what depends on the largest beta.
+template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor) {
+    FattestCells<D> cells(store_, domain_, arena_, part_, part_all);
+    analysis_.all_radius = cells.radius();
+    const std::uint32_t count = store_.state.vertex_count;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        analysis_.left_out += part_[v] == part_none && store_.vertex(v).cell != none;
+        store_.vertex(v).next = none;
+    }
+    CellMeasure m;
+    for (int pass = 0; pass < 3; ++pass) {
+        for (VertexId v(0); v < count; ++v) {
+            if (!holds(part_all, v)) continue;
+            const Status status = measure_all(cells, v, &m);
+            if (status != Status::ok) return status;
+            if (pass == 1) add(m, part_all);
+            if (pass == 2) compare(m, part_all);
+            if (monitor.advance(v, 4 * m.corners)) return Status::cancelled;
+        }
+    }
+    for (std::uint32_t v = 0; v < count; ++v) store_.vertex(v).next = none;
+    finish<D>(&analysis_.all);
     return Status::ok;
 }
 

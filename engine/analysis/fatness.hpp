@@ -34,11 +34,19 @@ struct FatnessAnalysis {
     // nothing.
     std::uint64_t clipped;
     double clipped_max, clipped_mean;
+    // Every vertex: inputs, Steiner points, shells, the boundary. Of a cell that is not inside the domain two convex
+    // pieces are looked at, what is in the domain and what is in FatCells::surrounding_ball, which is all of it when it
+    // is bounded; beta is that of the piece that is the fatter one. See fat_cell.hpp. Edges and faces are those that
+    // have a corner in the domain (without one: in the ball) or an edge across its sphere.
+    FatPart all;
+    std::uint64_t left_out;  // cells with a corner that doubles do not know, or with no in-ball that was found
+    double all_radius;       // of the surrounding ball
 };
 
 // On a compact store, a triangulation or a mesh; the domain is ball(centre, reach), reach 0 for none. Corners are
 // solved for anew; uses vertex.next and cell.mark. O(cells) plus the balls, about 2 D^2 multiply-adds a cell and vertex
-// times the steps of both searches. Scratch: 1 byte a vertex, and the largest star. out_of_memory, cancelled.
+// times the steps of both searches, three times. Scratch: 1 byte a vertex, and the largest star. out_of_memory,
+// cancelled.
 template <int D>
 Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work, FatnessAnalysis* analysis);
 

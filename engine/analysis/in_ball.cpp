@@ -16,7 +16,7 @@ template <int D> struct ActiveSet {
 
     // Splits (0, .., 0, 1) into multipliers of the rows and a rest orthogonal to them: the direction of steepest
     // growth.
-    void project(double* multiplier, double* rest) const {
+    [[gnu::cold]] void project(double* multiplier, double* rest) const {
         double g[D + 1][D + 2];
         for (int i = 0; i < size; ++i) {
             for (int j = 0; j < size; ++j) {
@@ -54,7 +54,7 @@ template <int D> struct ActiveSet {
 };
 
 // u . x and half the distance |w| of a neighbour w.
-template <int D> double along(const double* w, const double* x, double* half) {
+template <int D> [[gnu::cold]] double along(const double* w, const double* x, double* half) {
     double length2 = 0, dot = 0;
     for (int k = 0; k < D; ++k) {
         length2 += w[k] * w[k];
@@ -95,7 +95,7 @@ private:
 };
 
 // The ball about the origin up to the nearest plane.
-template <int D> void BallSearch<D>::start() {
+template <int D> [[gnu::cold]] void BallSearch<D>::start() {
     std::uint32_t first = 0;
     double radius = infinity;
     for (std::uint32_t i = 0; i < count_; ++i) {
@@ -109,7 +109,7 @@ template <int D> void BallSearch<D>::start() {
     touch(first);
 }
 
-template <int D> void BallSearch<D>::touch(std::uint32_t i) {
+template <int D> [[gnu::cold]] void BallSearch<D>::touch(std::uint32_t i) {
     double half;
     const double* const p = neighbour(i);
     along<D>(p, y_, &half);
@@ -120,7 +120,7 @@ template <int D> void BallSearch<D>::touch(std::uint32_t i) {
 
 // A plane that keeps the ball from growing although it need not be touched, the first one by number; -1 when there is
 // none: then the ball is the largest.
-template <int D> int BallSearch<D>::plane_to_leave(const double* multiplier) const {
+template <int D> [[gnu::cold]] int BallSearch<D>::plane_to_leave(const double* multiplier) const {
     int worst = -1;
     for (int i = 0; i < active_.size; ++i)
         if (multiplier[i] < -flat && (worst < 0 || active_.index[i] < active_.index[worst])) worst = i;
@@ -128,7 +128,8 @@ template <int D> int BallSearch<D>::plane_to_leave(const double* multiplier) con
 }
 
 // The plane that the ball meets first when it changes in this direction, and how far that is; `count` if none.
-template <int D> std::uint32_t BallSearch<D>::first_plane_on_the_way(const double* direction, double* reach) const {
+template <int D>
+[[gnu::cold]] std::uint32_t BallSearch<D>::first_plane_on_the_way(const double* direction, double* reach) const {
     std::uint32_t blocking = count_;
     *reach = infinity;
     for (std::uint32_t i = 0; i < count_; ++i) {
@@ -143,7 +144,7 @@ template <int D> std::uint32_t BallSearch<D>::first_plane_on_the_way(const doubl
     return blocking;
 }
 
-template <int D> void BallSearch<D>::grow(double scale) {
+template <int D> [[gnu::cold]] void BallSearch<D>::grow(double scale) {
     for (int step = 0; step < 60 * (D + 1); ++step) {
         double multiplier[D + 1], rest[D + 1];
         active_.project(multiplier, rest);
@@ -161,7 +162,7 @@ template <int D> void BallSearch<D>::grow(double scale) {
     }
 }
 
-template <int D> double BallSearch<D>::settle(double* centre) {
+template <int D> [[gnu::cold]] double BallSearch<D>::settle(double* centre) {
     double radius = infinity;
     y_[D] = 0;
     for (std::uint32_t i = 0; i < count_; ++i) {
@@ -174,7 +175,8 @@ template <int D> double BallSearch<D>::settle(double* centre) {
 
 }  // namespace
 
-template <int D> double largest_inscribed_ball(const double* w, std::uint32_t count, double scale, double* centre) {
+template <int D>
+[[gnu::cold]] double largest_inscribed_ball(const double* w, std::uint32_t count, double scale, double* centre) {
     BallSearch<D> search(w, count);
     search.start();
     search.grow(scale);

@@ -1,6 +1,6 @@
 #include "analysis/structure.hpp"
 
-#include "delaunay/cell_list.hpp"
+#include "delaunay/any_star.hpp"
 #include "delaunay/load.hpp"
 #include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
@@ -14,11 +14,14 @@ template <int D> constexpr std::uint32_t intersections_expected = figures<D>.int
 constexpr std::uint32_t looks_max = 1u << 24;
 
 // The number of cells connected with `from` through cells that `take`. `none` when the gap has no room for their list.
-template <int D, class Take> std::uint32_t flood(Store<D>& store, CellId from, Take&& take) {
+// *hull: whether a facet of the hull is among theirs.
+template <int D, class Take> std::uint32_t flood(Store<D>& store, CellId from, bool* hull, Take&& take) {
     CellList<D> taken(store);
+    *hull = false;
     if (!taken.add(from)) return none;
     for (std::uint32_t k = 0; k < taken.size(); ++k)
         for (const FacetId facet : store.cell(taken[k]).neighbour) {
+            *hull |= facet == none;
             if (facet == none || taken.has(facet.cell()) || !take(store.cell(facet.cell()))) continue;
             if (!taken.add(facet.cell())) return none;
         }
@@ -36,24 +39,26 @@ void note(std::uint64_t value, std::uint64_t* count, std::uint64_t* most, double
     if (value > *most) *most = value;
 }
 
-template <int D> Status measure_stars(Store<D>& store, Arena& arena, StructureAnalysis* analysis) {
-    ArenaScope scope(arena);
-    const std::uint32_t count = store.state.vertex_count;
-    std::uint8_t* const open = arena.take_low<std::uint8_t>(count);
-    if (open == nullptr) return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        open[v] = store.vertex(v).cell == none;
-        store.vertex(v).next = none;
-    }
+// Whether each vertex is on the hull.
+template <int D> bool* find_hull(const Store<D>& store, Arena& arena) {
+    bool* const hull = arena.take_low<bool>(store.state.vertex_count);
+    if (hull == nullptr) return nullptr;
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) hull[v] = false;
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
         for (int i = 0; i <= D; ++i)
             for (int j = 0; j <= D && store.cell(c).neighbour[i] == none; ++j)
-                if (j != i) open[store.cell(c).vertex[j]] = 1;
+                if (j != i) hull[store.cell(c).vertex[j]] = true;
+    return hull;
+}
+
+template <int D> Status measure_stars(Store<D>& store, const bool* hull, StructureAnalysis* analysis) {
+    const std::uint32_t count = store.state.vertex_count;
+    for (std::uint32_t v = 0; v < count; ++v) store.vertex(v).next = none;
     std::uint64_t stars = 0;
     for (VertexId v(0); v < count; ++v) {
-        if (open[v]) continue;
+        if (store.vertex(v).cell == none) continue;
         std::uint64_t degree = 0, star = 0;
-        const bool room = visit_star(store, v, [&](CellId c) {
+        const bool room = visit_any_star(store, v, [&](CellId c) {
             ++star;
             for (const VertexId w : store.cell(c).vertex) {
                 if (w == v || store.vertex(w).next == v) continue;
@@ -62,62 +67,105 @@ template <int D> Status measure_stars(Store<D>& store, Arena& arena, StructureAn
             }
         });
         if (!room) return Status::out_of_memory;
+        double sum = 0;
+        if (hull[v]) {
+            note(degree, &analysis->hull_vertices, &analysis->hull_degree_max, &sum);
+            continue;
+        }
         note(degree, &analysis->vertices, &analysis->degree_max, &analysis->degree_mean);
         note(star, &stars, &analysis->star_max, &analysis->star_mean);
     }
     return Status::ok;
 }
 
+// Has the cell a vertex of a mesh's boundary: exempt, and on the hull?
+template <int D> bool is_at_boundary(const Store<D>& store, const bool* hull, CellId c) {
+    for (const VertexId v : store.cell(c).vertex)
+        if (hull[v] && store.vertex(v).marker == Marker::exempt) return true;
+    return false;
+}
+
+// D-balls that contain x, a point within the hull that c's contains; none when memory runs out.
+template <int D> std::uint32_t ply_of(Store<D>& store, CellId c, const double* x) {
+    bool hull;
+    return flood<D>(store, c, &hull, [&](const Cell<D>& cell) { return distance2<D>(x, cell.centre) < cell.radius2; });
+}
+
+// D-balls that meet that of c, itself among them. Beyond the hull balls may meet that do not hang together within it.
+template <int D> std::uint32_t balls_at(Store<D>& store, CellId c) {
+    const Cell<D>& ball = store.cell(c);
+    const double radius = square_root(ball.radius2);
+    const auto meets = [&](const Cell<D>& cell) {
+        const double sum = radius + square_root(cell.radius2);
+        return distance2<D>(ball.centre, cell.centre) < sum * sum;
+    };
+    bool hull;
+    const std::uint32_t met = flood<D>(store, c, &hull, meets);
+    if (met == none || !hull) return met;
+    std::uint32_t count = 0;
+    for (std::uint32_t b = 0; b < store.state.cell_slots; ++b) count += b == c || meets(store.cell(b));
+    return count;
+}
+
+template <int D> void barycentre(const Store<D>& store, CellId c, double* x) {
+    for (int k = 0; k < D; ++k) x[k] = 0;
+    for (const VertexId v : store.cell(c).vertex)
+        for (int k = 0; k < D; ++k) x[k] += store.point(v)[k] / (D + 1);
+}
+
 template <int D> Status measure_ply(Store<D>& store, CellId c, const double* x, StructureAnalysis* analysis) {
-    const std::uint32_t ply =
-        flood<D>(store, c, [&](const Cell<D>& cell) { return distance2<D>(x, cell.centre) < cell.radius2; });
+    const std::uint32_t ply = ply_of<D>(store, c, x);
     if (ply == none) return Status::out_of_memory;
     note(ply, &analysis->ply_points, &analysis->ply_max, &analysis->ply_mean);
     return Status::ok;
 }
 
-template <int D> Status measure_intersections(Store<D>& store, CellId c, StructureAnalysis* analysis) {
-    const Cell<D>& ball = store.cell(c);
-    const double radius = square_root(ball.radius2);
-    const std::uint32_t met = flood<D>(store, c, [&](const Cell<D>& cell) {
-        const double sum = radius + square_root(cell.radius2);
-        return distance2<D>(ball.centre, cell.centre) < sum * sum;
-    });
+// `boundary`: the ball counts apart.
+template <int D> Status measure_intersections(Store<D>& store, CellId c, bool boundary, StructureAnalysis* analysis) {
+    const std::uint32_t met = balls_at<D>(store, c);
     if (met == none) return Status::out_of_memory;
-    note(met - 1, &analysis->balls, &analysis->intersections_max, &analysis->intersections_mean);
+    double sum = 0;
+    if (boundary)
+        note(met - 1, &analysis->hull_balls, &analysis->hull_intersections_max, &sum);
+    else
+        note(met - 1, &analysis->balls, &analysis->intersections_max, &analysis->intersections_mean);
     return Status::ok;
 }
 
-template <int D> bool is_ordinary(const Store<D>& store, CellId c) {
-    if (!(store.cell(c).radius2 < infinity)) return false;
-    for (const VertexId v : store.cell(c).vertex)
-        if (store.vertex(v).marker == Marker::exempt) return false;
-    return true;
-}
-
 }  // namespace
+
+template <int D> [[gnu::cold]] Status measure_ball(Store<D>& store, CellId c, BallFigures* figures) {
+    double x[D];
+    barycentre<D>(store, c, x);
+    figures->ply = ply_of<D>(store, c, x);
+    figures->meets = balls_at<D>(store, c) - 1;
+    return figures->ply == none || figures->meets + 1 == none ? Status::out_of_memory : Status::ok;
+}
 
 template <int D>
 Status analyse_structure(Store<D>& store, const double* centre, double reach, const Work& work,
                          StructureAnalysis* analysis) {
     *analysis = {};
+    ArenaScope scope(work.arena);
     recompute_balls<D>(store);
-    Status status = measure_stars<D>(store, work.arena, analysis);
+    const bool* const hull = find_hull<D>(store, work.arena);
+    if (hull == nullptr) return Status::out_of_memory;
+    Status status = measure_stars<D>(store, hull, analysis);
     const std::uint32_t cells = store.state.cell_slots;
-    const std::uint32_t ply_stride = stride_of<D>(store, ply_expected<D>);
+    const std::uint32_t ply_stride = analysis->ply_stride = stride_of<D>(store, ply_expected<D>);
     for (CellId c(0); c < cells && status == Status::ok; c = CellId(c + ply_stride)) {
-        double x[D] = {};
-        for (const VertexId v : store.cell(c).vertex)
-            for (int k = 0; k < D; ++k) x[k] += store.point(v)[k] / (D + 1);
+        double x[D];
+        barycentre<D>(store, c, x);
         status = measure_ply<D>(store, c, x, analysis);
         const Cell<D>& cell = store.cell(c);
         if (status == Status::ok && cell.radius2 < infinity && distance2<D>(cell.centre, centre) < reach * reach)
             status = measure_ply<D>(store, c, cell.centre, analysis);
         if (status == Status::ok && work.monitor.advance(c, ply_expected<D>)) status = Status::cancelled;
     }
-    const std::uint32_t stride = stride_of<D>(store, intersections_expected<D>);
+    const std::uint32_t stride = analysis->balls_stride = stride_of<D>(store, intersections_expected<D>);
     for (CellId c(0); c < cells && status == Status::ok; c = CellId(c + stride)) {
-        if (is_ordinary<D>(store, c)) status = measure_intersections<D>(store, c, analysis);
+        if (store.cell(c).radius2 < infinity)
+            status = measure_intersections<D>(store, c, is_at_boundary<D>(store, hull, c), analysis);
         if (status == Status::ok && work.monitor.advance(c, intersections_expected<D>)) status = Status::cancelled;
     }
     const auto mean = [](double* sum, std::uint64_t count) {
@@ -131,7 +179,8 @@ Status analyse_structure(Store<D>& store, const double* centre, double reach, co
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status analyse_structure<D>(Store<D>&, const double*, double, const Work&, StructureAnalysis*);
+    template Status analyse_structure<D>(Store<D>&, const double*, double, const Work&, StructureAnalysis*);           \
+    template Status measure_ball<D>(Store<D>&, CellId, BallFigures*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

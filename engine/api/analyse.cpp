@@ -33,6 +33,14 @@ void give_size(const SizeAnalysis& from, netmesh_size_analysis* to) {
     to->boxes = from.integral.boxes;
 }
 
+void give_boundary(const StructureAnalysis& from, netmesh_boundary_analysis* to) {
+    to->present = 1;
+    to->vertices = from.hull_vertices;
+    to->degree_max = from.hull_degree_max;
+    to->balls = from.hull_balls;
+    to->intersections_max = from.hull_intersections_max;
+}
+
 void give_structure(const StructureAnalysis& from, netmesh_structure_analysis* to) {
     to->present = 1;
     to->degree_max = from.degree_max;
@@ -45,6 +53,8 @@ void give_structure(const StructureAnalysis& from, netmesh_structure_analysis* t
     to->balls = from.balls;
     to->intersections_max = from.intersections_max;
     to->intersections_mean = from.intersections_mean;
+    to->ply_stride = from.ply_stride;
+    to->balls_stride = from.balls_stride;
 }
 
 netmesh_fatness fatness_of(const FatPart& from) {
@@ -71,6 +81,13 @@ void give_fatness(const FatnessAnalysis& from, netmesh_fatness_analysis* to) {
     to->clipped_cells = from.clipped;
     to->clipped_beta_max = from.clipped_max;
     to->clipped_beta_mean = from.clipped_mean;
+}
+
+void give_all_cells(const FatnessAnalysis& from, netmesh_all_cells_analysis* to) {
+    to->present = 1;
+    to->cells = fatness_of(from.all);
+    to->left_out = from.left_out;
+    to->radius = from.all_radius;
 }
 
 template <int D>
@@ -104,12 +121,18 @@ Status analyse(Context& context, const netmesh_analyse_request& request, const P
     if (status == Status::ok && (request.what & NETMESH_ANALYSE_STRUCTURE) != 0) {
         StructureAnalysis structure;
         status = analyse_structure<D>(store, domain.centre, domain.radius, work, &structure);
-        if (status == Status::ok) give_structure(structure, &analysis->structure);
+        if (status == Status::ok) {
+            give_structure(structure, &analysis->structure);
+            give_boundary(structure, &analysis->boundary);
+        }
     }
     if (status == Status::ok && (request.what & NETMESH_ANALYSE_FATNESS) != 0) {
         FatnessAnalysis fatness;
         status = analyse_fatness<D>(store, domain, work, &fatness);
-        if (status == Status::ok) give_fatness(fatness, &analysis->fatness);
+        if (status == Status::ok) {
+            give_fatness(fatness, &analysis->fatness);
+            give_all_cells(fatness, &analysis->all_cells);
+        }
     }
     return status;
 }

@@ -119,6 +119,7 @@ Status check_bounds(Context& context, Store<D>& store, const Promises& promises,
     if (status != Status::ok) return status;
     why->violation = violated_fatness_bound(fatness.bounded);
     if (why->violation == nullptr) why->violation = violated_fatness_bound(fatness.inside);
+    if (why->violation == nullptr) why->violation = violated_fatness_bound(fatness.all);
     return Status::ok;
 }
 

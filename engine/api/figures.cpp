@@ -154,26 +154,27 @@ template <> struct Figures_of<netmesh_report> {
     };
 };
 
-#define FATNESS(part, first)                                                                                           \
-    ONE("fatness." #part ".cells", uint64, fatness.part.cells, fatness, 0, first),                                     \
-        ONE("fatness." #part ".beta_max", real, fatness.part.beta_max, fatness, 0, first + 3),                         \
-        ONE("fatness." #part ".beta_mean", real, fatness.part.beta_mean, fatness, 0, first + 4),                       \
-        ONE("fatness." #part ".aspect_ratio_max", real, fatness.part.aspect_ratio_max, fatness, 0, first + 5),         \
-        ONE("fatness." #part ".edges", uint64, fatness.part.edges, fatness, 0, first + 1),                             \
-        ONE("fatness." #part ".edges_bound", real, fatness.part.edges_bound, fatness, 0, first + 6),                   \
-        ONE("fatness." #part ".faces", real, fatness.part.faces, fatness, 0, first + 7),                               \
-        ONE("fatness." #part ".faces_bound", real, fatness.part.faces_bound, fatness, 0, first + 8),                   \
-        ONE("fatness." #part ".degree_max", uint64, fatness.part.degree_max, fatness, 0, first + 2),                   \
-        ONE("fatness." #part ".degree_share", real, fatness.part.degree_share, fatness, 0, first + 9),                 \
-        ONE("fatness." #part ".planar_share", real, fatness.part.planar_share, fatness, 0, first + 10),                \
-        ONE("fatness." #part ".corners_share", real, fatness.part.corners_share, fatness, 0, first + 11)
+#define FATNESS(part, member, condition, first)                                                                        \
+    ONE("fatness." #part ".cells", uint64, member.cells, condition, 0, first),                                         \
+        ONE("fatness." #part ".beta_max", real, member.beta_max, condition, 0, first + 3),                             \
+        ONE("fatness." #part ".beta_mean", real, member.beta_mean, condition, 0, first + 4),                           \
+        ONE("fatness." #part ".aspect_ratio_max", real, member.aspect_ratio_max, condition, 0, first + 5),             \
+        ONE("fatness." #part ".edges", uint64, member.edges, condition, 0, first + 1),                                 \
+        ONE("fatness." #part ".edges_bound", real, member.edges_bound, condition, 0, first + 6),                       \
+        ONE("fatness." #part ".faces", real, member.faces, condition, 0, first + 7),                                   \
+        ONE("fatness." #part ".faces_bound", real, member.faces_bound, condition, 0, first + 8),                       \
+        ONE("fatness." #part ".degree_max", uint64, member.degree_max, condition, 0, first + 2),                       \
+        ONE("fatness." #part ".degree_share", real, member.degree_share, condition, 0, first + 9),                     \
+        ONE("fatness." #part ".planar_share", real, member.planar_share, condition, 0, first + 10),                    \
+        ONE("fatness." #part ".corners_share", real, member.corners_share, condition, 0, first + 11)
 
 template <> struct Figures_of<netmesh_analysis> {
     using Struct = netmesh_analysis;
     static constexpr Condition unconditional = {always, 0};
     static constexpr Condition size = IF(size.present), structure = IF(structure.present),
-                               fatness = IF(fatness.present);
-    static constexpr std::uint8_t ranks = 50;
+                               fatness = IF(fatness.present), boundary = IF(boundary.present),
+                               all_cells = IF(all_cells.present);
+    static constexpr std::uint8_t ranks = 70;
     static constexpr Row rows[] = {
         ONE("what", uint32, what, unconditional, 0, 1),
         ONE("size.vertices", uint64, size.vertices, size, 0, 2),
@@ -200,8 +201,17 @@ template <> struct Figures_of<netmesh_analysis> {
         ONE("structure.balls", uint64, structure.balls, structure, 0, 8),
         ONE("structure.intersections_max", uint64, structure.intersections_max, structure, 0, 9),
         ONE("structure.intersections_mean", real, structure.intersections_mean, structure, 0, 23),
-        FATNESS(bounded, 27),
-        FATNESS(inside, 39),
+        ONE("structure.ply_stride", uint64, structure.ply_stride, structure, 0, 51),
+        ONE("structure.balls_stride", uint64, structure.balls_stride, structure, 0, 52),
+        ONE("structure.boundary.vertices", uint64, boundary.vertices, boundary, 0, 53),
+        ONE("structure.boundary.degree_max", uint64, boundary.degree_max, boundary, 0, 54),
+        ONE("structure.boundary.balls", uint64, boundary.balls, boundary, 0, 55),
+        ONE("structure.boundary.intersections_max", uint64, boundary.intersections_max, boundary, 0, 56),
+        FATNESS(bounded, fatness.bounded, fatness, 27),
+        FATNESS(inside, fatness.inside, fatness, 39),
+        FATNESS(all, all_cells.cells, all_cells, 59),
+        ONE("fatness.left_out", uint64, all_cells.left_out, all_cells, 0, 57),
+        ONE("fatness.radius", real, all_cells.radius, all_cells, 0, 58),
         ONE("fatness.clipped_cells", uint64, fatness.clipped_cells, fatness, 0, 10),
         ONE("fatness.clipped_beta_max", real, fatness.clipped_beta_max, fatness, 0, 24),
         ONE("fatness.clipped_beta_mean", real, fatness.clipped_beta_mean, fatness, 0, 25),

@@ -181,19 +181,4 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
     });
 }
 
-netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, uint32_t* domains) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    if (ratios == nullptr || domains == nullptr) return refuse(context, NETMESH_FIELD_RESULT, "an array is null");
-    if (!context->mesh.is_mesh) return finish(context, Status::no_result, "there is no mesh");
-    return with_dimension(context->input.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store(context->arena, context->mesh.store);
-        HierarchyQuality quality;
-        const Status status = measure_hierarchy<D>(
-            store, {cages_of(*context), cage_count_of(*context), domain_of<D>(context->mesh), ratios, domains},
-            context->arena, &quality);
-        return finish(context, status);
-    });
-}
-
 }  // extern "C"

@@ -415,10 +415,45 @@ netmesh_status netmesh_get_cell(const netmesh_context* context, uint64_t index, 
 /* O(1). Cages come before those inside them. */
 netmesh_status netmesh_get_cage(const netmesh_context* context, uint64_t index, netmesh_cage* cage);
 
-/* Measures each vertex's cell in a mesh: ratios[vertices] gets its clipped aspect ratio, 0 for exempt vertices;
- * domains[vertices] the innermost cage that it is in, NETMESH_NONE for none. Scratch in the block.
- * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY. */
+/* Measures each vertex's cell: ratios[vertices] gets its clipped aspect ratio, 0 for exempt vertices; domains[vertices]
+ * the innermost cage that it is in, NETMESH_NONE for none. Of a Delaunay triangulation: the aspect ratio of the whole
+ * cell, +infinity on the hull or where doubles do not know a corner; 0 for points that are not inserted. Scratch in the
+ * block. INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY. */
 netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, uint32_t* domains);
+
+/* The Voronoi cell of a vertex (5.1). Its corners are the centres of the D-balls of the vertex's cells, the Delaunay
+ * neighbours the other vertices of these. Of a cell that is not inside the domain (of a triangulation: not bounded) two
+ * pieces are looked at, what is in the domain and what is in a ball that holds all vertices and corners; what is said
+ * here is said of the fatter one. All is 0 where doubles do not know a corner. */
+typedef struct netmesh_voronoi {
+    uint32_t struct_bytes;
+    uint32_t bounded;                     /* 1: the vertex is not on the hull */
+    uint32_t piece;                       /* 0: the whole cell; 1: what is in the domain; 2: in the ball around all */
+    uint32_t corners, degree;             /* of the whole cell; neighbours */
+    double nearest;                       /* distance to the nearest neighbour: twice the in-radius about the vertex */
+    double reach;                         /* no point of the piece is farther from the vertex */
+    double in_ball[NETMESH_DIM_MAX + 1];  /* centre, radius at index D: the largest ball inside, up to rounding */
+    double out_ball[NETMESH_DIM_MAX + 1]; /* one around it; the smallest when piece is 0 */
+    double beta;                          /* fatness: radius of the one over that of the other, rounded up; 0: no ball
+                                             inside was found */
+} netmesh_voronoi;
+
+/* A D-ball, circumscribed to a cell. */
+typedef struct netmesh_ball {
+    uint32_t struct_bytes;
+    uint32_t ply;                     /* open D-balls that contain the barycentre of the cell */
+    uint32_t meets;                   /* other open D-balls that meet this one */
+    double ball[NETMESH_DIM_MAX + 1]; /* centre, a corner of the Voronoi cells of the vertices; radius at index D, which
+                                         is infinite for a cell too flat for doubles */
+    double error;                     /* of the centre, at most */
+} netmesh_ball;
+
+/* Measure all cells, and all D-balls: cells[vertices] in the order of netmesh_get_vertex, balls[cells] in that of
+ * netmesh_get_cell. cells[0].struct_bytes (balls[0].struct_bytes) is set by the caller and says how many bytes there
+ * are from one to the next. Nothing is left out or sampled: each ball costs as many looks as it has neighbours that
+ * meet it. Scratch in the block. INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY. */
+netmesh_status netmesh_measure_voronoi(netmesh_context* context, netmesh_voronoi* cells);
+netmesh_status netmesh_measure_balls(netmesh_context* context, netmesh_ball* balls);
 
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
@@ -1028,17 +1063,28 @@ typedef struct netmesh_size_analysis {
     uint64_t reserved[2];
 } netmesh_size_analysis;
 
-/* Structure (4.8.1, 4.11). */
+/* Structure (4.8.1, 4.11). Maxima of ply and of intersections are taken over a sample: ply at barycentres of cells and
+ * at centres in the domain, so other points may be in more balls whatever the stride is; intersections at balls, so
+ * with balls_stride 1 their maximum is exact. D-balls at the boundary of a mesh, with an exempt vertex on the hull, are
+ * as large as the mesh: netmesh_boundary_analysis counts them. */
 typedef struct netmesh_structure_analysis {
     uint32_t present;
-    uint64_t degree_max, star_max; /* neighbours and cells of a vertex that is not on the hull */
+    uint64_t degree_max, star_max; /* neighbours and cells of a vertex that is not on the hull; exact */
     double degree_mean, star_mean;
     uint64_t ply_points, ply_max; /* circumscribed balls that contain a point: barycentres, centres in the domain */
     double ply_mean;
-    uint64_t balls, intersections_max; /* other circumscribed balls that meet one */
+    uint64_t balls, intersections_max; /* other circumscribed balls that meet one, those of shells included */
     double intersections_mean;
-    uint64_t reserved[2];
+    uint64_t ply_stride, balls_stride; /* every so many-th cell was looked at, 1: each */
 } netmesh_structure_analysis;
+
+/* What is left out of the structure: vertices of the hull, and circumscribed balls of cells with an exempt one. */
+typedef struct netmesh_boundary_analysis {
+    uint32_t present;
+    uint64_t vertices, degree_max;
+    uint64_t balls, intersections_max; /* sampled as the others, by balls_stride */
+    uint64_t reserved[2];
+} netmesh_boundary_analysis;
 
 /* Voronoi cells and what their fatness says about them (5); beta = out-radius / in-radius of a cell, its smallest
  * enclosing and largest inscribed ball. Everything counts vertices of the part only. */
@@ -1055,7 +1101,7 @@ typedef struct netmesh_fatness {
 } netmesh_fatness;
 
 /* Fatness (5): cells of vertices neither exempt nor on the hull, whole; those of them inside the domain; all clipped to
- * the domain (balls of corners; nothing is bounded by them). */
+ * the domain (balls of corners; nothing is bounded by them). Cells of all vertices: netmesh_all_cells_analysis. */
 typedef struct netmesh_fatness_analysis {
     uint32_t present;
     netmesh_fatness bounded, inside;
@@ -1064,6 +1110,17 @@ typedef struct netmesh_fatness_analysis {
     uint64_t reserved[2];
 } netmesh_fatness_analysis;
 
+/* Fatness of every cell, those of shells and of the boundary included, each as in netmesh_voronoi. 5.3.1 to 5.5.1 hold
+ * of these pieces: of edges and degrees whose facet has a corner in the domain or an edge across its sphere (without a
+ * domain: of all), 5.4.5 and 5.5.1 of vertices whose cell is whole. */
+typedef struct netmesh_all_cells_analysis {
+    uint32_t present;
+    netmesh_fatness cells;
+    uint64_t left_out; /* vertices with a corner that doubles do not know, or no ball inside */
+    double radius;     /* of the ball around all vertices and corners */
+    uint64_t reserved[4];
+} netmesh_all_cells_analysis;
+
 typedef struct netmesh_analysis {
     uint32_t struct_bytes;
     uint32_t what;        /* what was analysed */
@@ -1071,6 +1128,8 @@ typedef struct netmesh_analysis {
     netmesh_size_analysis size;
     netmesh_structure_analysis structure;
     netmesh_fatness_analysis fatness;
+    netmesh_boundary_analysis boundary;   /* with STRUCTURE */
+    netmesh_all_cells_analysis all_cells; /* with FATNESS */
 } netmesh_analysis;
 
 /* Analyses what the context holds. analysis->struct_bytes must be set. Scratch: 8 to 40 bytes a vertex.

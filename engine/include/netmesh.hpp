@@ -172,6 +172,11 @@ public:
     netmesh_status measure_cells(double* ratios, std::uint32_t* domains) {
         return status_ = netmesh_measure_cells(context_, ratios, domains);
     }
+    // cells[vertices], balls[cells]; struct_bytes of the first ones are set.
+    netmesh_status measure_voronoi(netmesh_voronoi* cells) {
+        return status_ = netmesh_measure_voronoi(context_, cells);
+    }
+    netmesh_status measure_balls(netmesh_ball* balls) { return status_ = netmesh_measure_balls(context_, balls); }
     // order[inputs], theta[inputs].
     netmesh_status well_paced_order(std::uint32_t* order, double* theta) {
         return status_ = netmesh_well_paced_order(context_, order, theta);

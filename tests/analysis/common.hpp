@@ -11,6 +11,9 @@ template <int D> struct Held {
     netmesh::Status mesh(const inputs::Points& points, double tau, netmesh::SizeRule rule = {}) {
         netmesh::MeshRequest request = by_quality(tau);
         request.size = rule;
+        return mesh(points, request);
+    }
+    netmesh::Status mesh(const inputs::Points& points, const netmesh::MeshRequest& request) {
         netmesh::MeshResult<D> mesh;
         const netmesh::Status status =
             netmesh::mesh_points<D>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &mesh);

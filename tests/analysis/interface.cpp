@@ -209,3 +209,128 @@ TEST_CASE("an analysis can be cancelled") {
     session.request.monitor.poll = nullptr;
     CHECK(session.check() == NETMESH_OK);
 }
+
+TEST_CASE("every Voronoi cell and every D-ball through the interface") {
+    for (const int dim : dimensions()) {
+        INFO("D = " << dim);
+        if (dim > 4) continue;
+        for (const bool meshed : {true, false}) {
+            Session session(dim);
+            session.request.method = NETMESH_METHOD_HIERARCHY;
+            const inputs::Points points = meshed ? inputs::geometric(dim, 100, 4) : inputs::uniform(dim, 25);
+            REQUIRE((meshed ? session.mesh(points) : session.delaunay(points)) == NETMESH_OK);
+            const netmesh_report r = session.report();
+            const netmesh_analysis a = analysed(session, NETMESH_ANALYSE_STRUCTURE | NETMESH_ANALYSE_FATNESS);
+            // Elements larger than this library's struct: the rest is 0.
+            struct Wider {
+                netmesh_voronoi known;
+                std::uint64_t beyond;
+            };
+            std::vector<Wider> cells(r.mesh.vertices);
+            std::memset(cells.data(), 0xAA, cells.size() * sizeof(Wider));
+            cells[0].known.struct_bytes = sizeof(Wider);
+            REQUIRE(netmesh_measure_voronoi(session.context, &cells[0].known) == NETMESH_OK);
+            std::vector<netmesh_ball> balls(r.mesh.cells);
+            balls[0].struct_bytes = sizeof(netmesh_ball);
+            REQUIRE(netmesh_measure_balls(session.context, balls.data()) == NETMESH_OK);
+            std::vector<double> ratios(r.mesh.vertices);
+            std::vector<std::uint32_t> domains(r.mesh.vertices);
+            REQUIRE(netmesh_measure_cells(session.context, ratios.data(), domains.data()) == NETMESH_OK);
+            std::vector<std::vector<std::uint64_t>> star(r.mesh.vertices);
+            std::vector<bool> hull(r.mesh.vertices, false);
+            std::uint64_t meets_max = 0, hull_meets_max = 0;
+            for (std::uint64_t c = 0; c < r.mesh.cells; ++c) {
+                netmesh_cell cell = netmesh::sized<netmesh_cell>();
+                REQUIRE(netmesh_get_cell(session.context, c, &cell) == NETMESH_OK);
+                for (int i = 0; i <= dim; ++i) {
+                    star[cell.vertices[i]].push_back(c);
+                    for (int j = 0; j <= dim; ++j)
+                        if (i != j && cell.neighbours[i] == NETMESH_NONE) hull[cell.vertices[j]] = true;
+                }
+            }
+            const auto point = [&](std::uint64_t v) {
+                netmesh_vertex vertex = netmesh::sized<netmesh_vertex>();
+                REQUIRE(netmesh_get_vertex(session.context, v, &vertex) == NETMESH_OK);
+                return std::vector<double>(vertex.coordinates, vertex.coordinates + dim);
+            };
+            const auto apart = [&](const double* x, const double* y) {
+                double d2 = 0;
+                for (int k = 0; k < dim; ++k) d2 += (x[k] - y[k]) * (x[k] - y[k]);
+                return std::sqrt(d2);
+            };
+            for (std::uint64_t c = 0; c < r.mesh.cells; ++c) {
+                netmesh_cell cell = netmesh::sized<netmesh_cell>();
+                REQUIRE(netmesh_get_cell(session.context, c, &cell) == NETMESH_OK);
+                std::vector<double> middle(static_cast<std::size_t>(dim), 0.0);
+                bool boundary = false;
+                for (int i = 0; i <= dim; ++i) {
+                    const std::vector<double> p = point(cell.vertices[i]);
+                    for (std::size_t k = 0; k < p.size(); ++k) middle[k] += p[k] / (dim + 1);
+                    CHECK(apart(p.data(), balls[c].ball) == doctest::Approx(balls[c].ball[dim]).epsilon(1e-6));
+                    boundary = boundary || (meshed && hull[cell.vertices[i]]);
+                }
+                std::uint32_t least[2] = {}, most[2] = {};  // what touches within rounding may count either way
+                for (std::uint64_t b = 0; b < r.mesh.cells; ++b) {
+                    const double r1 = balls[c].ball[dim], r2 = balls[b].ball[dim];
+                    const double in = apart(middle.data(), balls[b].ball), d = apart(balls[c].ball, balls[b].ball);
+                    least[0] += in < r2 * (1 - 1e-9);
+                    most[0] += in < r2 * (1 + 1e-9);
+                    least[1] += b != c && d < (r1 + r2) * (1 - 1e-9);
+                    most[1] += b != c && d < (r1 + r2) * (1 + 1e-9);
+                }
+                CHECK(least[0] <= balls[c].ply);
+                CHECK(balls[c].ply <= most[0]);
+                CHECK(least[1] <= balls[c].meets);
+                CHECK(balls[c].meets <= most[1]);
+                (boundary ? hull_meets_max : meets_max) =
+                    std::max<std::uint64_t>(boundary ? hull_meets_max : meets_max, balls[c].meets);
+            }
+            CHECK(a.structure.intersections_max == meets_max);
+            CHECK(a.boundary.intersections_max == hull_meets_max);
+            CHECK(a.structure.balls + a.boundary.balls == r.mesh.cells);
+            CHECK(a.structure.balls_stride == 1);
+            double beta_max = 0;
+            for (std::uint64_t v = 0; v < r.mesh.vertices; ++v) {
+                const netmesh_voronoi& cell = cells[v].known;
+                CHECK(cell.struct_bytes == sizeof(Wider));
+                CHECK(cells[v].beyond == 0);
+                CHECK(cell.corners == star[v].size());
+                CHECK(cell.bounded == !hull[v]);
+                double reach = 0, nearest = HUGE_VAL;
+                for (const std::uint64_t c : star[v]) reach = std::max(reach, apart(balls[c].ball, point(v).data()));
+                for (std::uint64_t w = 0; w < r.mesh.vertices; ++w)
+                    if (w != v) nearest = std::min(nearest, apart(point(w).data(), point(v).data()));
+                CHECK(cell.nearest == doctest::Approx(nearest));
+                if (cell.piece == 0) CHECK(cell.reach == doctest::Approx(reach).epsilon(1e-6));
+                CHECK(cell.beta * cell.in_ball[dim] == doctest::Approx(cell.out_ball[dim]).epsilon(1e-9));
+                beta_max = std::max(beta_max, cell.beta);
+                if (meshed) continue;
+                CHECK(domains[v] == NETMESH_NONE);
+                if (hull[v])
+                    CHECK(ratios[v] == HUGE_VAL);
+                else
+                    CHECK(ratios[v] == doctest::Approx(2 * reach / nearest).epsilon(1e-6));
+            }
+            CHECK(a.all_cells.cells.beta_max == doctest::Approx(beta_max).epsilon(1e-9));
+            CHECK(a.all_cells.cells.cells == r.mesh.vertices);
+            CHECK(a.all_cells.left_out == 0);
+        }
+    }
+}
+
+TEST_CASE("cells and balls: arguments") {
+    Session session(2);
+    netmesh_voronoi cell = netmesh::sized<netmesh_voronoi>();
+    netmesh_ball ball = netmesh::sized<netmesh_ball>();
+    CHECK(netmesh_measure_voronoi(session.context, &cell) == NETMESH_NO_RESULT);
+    CHECK(netmesh_measure_balls(session.context, &ball) == NETMESH_NO_RESULT);
+    CHECK(netmesh_measure_voronoi(nullptr, &cell) == NETMESH_INVALID_ARGUMENT);
+    CHECK(netmesh_measure_balls(nullptr, &ball) == NETMESH_INVALID_ARGUMENT);
+    for (const bool sized : {false, true}) {
+        cell.struct_bytes = ball.struct_bytes = 0;
+        CHECK(netmesh_measure_voronoi(session.context, sized ? &cell : nullptr) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == NETMESH_FIELD_RESULT);
+        CHECK(netmesh_measure_balls(session.context, sized ? &ball : nullptr) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == NETMESH_FIELD_RESULT);
+    }
+}

@@ -152,6 +152,10 @@ TEST_CASE("blocks and contexts that are none") {
         auto analysis = netmesh::sized<netmesh_analysis>();
         CHECK(calls.analyse(&analysis) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_measure_cells(c, number, order) == NETMESH_INVALID_ARGUMENT);
+        auto voronoi = netmesh::sized<netmesh_voronoi>();
+        auto ball = netmesh::sized<netmesh_ball>();
+        CHECK(netmesh_measure_voronoi(c, &voronoi) == NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_measure_balls(c, &ball) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_well_paced_order(c, order, number) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_pace(c, index, number) == NETMESH_INVALID_ARGUMENT);
         auto report = netmesh::sized<netmesh_report>();

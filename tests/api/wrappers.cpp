@@ -74,6 +74,14 @@ TEST_CASE("the C++ layer: what is measured of a mesh, vines, functions, loading"
     std::vector<double> ratios(report.mesh.vertices), vertices, theta(report.mesh.inputs);
     std::vector<std::uint32_t> domains(report.mesh.vertices), order(report.mesh.inputs), cells;
     CHECK(engine.measure_cells(ratios.data(), domains.data()) == NETMESH_OK);
+    std::vector<netmesh_voronoi> voronoi(report.mesh.vertices);
+    std::vector<netmesh_ball> balls(report.mesh.cells);
+    voronoi[0] = netmesh::sized<netmesh_voronoi>();
+    balls[0] = netmesh::sized<netmesh_ball>();
+    CHECK(engine.measure_voronoi(voronoi.data()) == NETMESH_OK);
+    CHECK(engine.measure_balls(balls.data()) == NETMESH_OK);
+    CHECK(voronoi.back().beta > 1);
+    CHECK(balls.back().ply > 0);
     REQUIRE(engine.well_paced_order(order.data(), theta.data()) == NETMESH_OK);
     CHECK(engine.pace(order.data(), theta.data()) == NETMESH_OK);
     netmesh::requests::Vineyard vineyard(NETMESH_FILTER_KNN);

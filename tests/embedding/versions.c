@@ -77,6 +77,8 @@ GUARDED(netmesh_analysis, analysis);
 GUARDED(netmesh_vertex, vertex);
 GUARDED(netmesh_cell, cell);
 GUARDED(netmesh_cage, cage);
+GUARDED(netmesh_voronoi, voronoi);
+GUARDED(netmesh_ball, ball);
 GUARDED(netmesh_pair, pair);
 GUARDED(netmesh_bar_bounds, bar);
 GUARDED(netmesh_scale_step, step);
@@ -87,7 +89,8 @@ GUARDED(netmesh_figure, figure);
 GUARDED(netmesh_filter_info, info);
 
 static void fill_results(void) {
-    FILL(detail), FILL(report), FILL(analysis), FILL(vertex), FILL(cell), FILL(cage), FILL(pair), FILL(bar), FILL(step);
+    FILL(detail), FILL(report), FILL(analysis), FILL(vertex), FILL(cell), FILL(cage), FILL(voronoi), FILL(ball),
+        FILL(pair), FILL(bar), FILL(step);
     FILL(simplex), FILL(vine), FILL(distance), FILL(figure), FILL(info);
 }
 

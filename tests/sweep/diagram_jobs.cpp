@@ -185,6 +185,16 @@ netmesh_status measure(Run& run) {
     status = netmesh_measure_cells(run.context, numbers.data(), places.data());
     if (status != NETMESH_OK) return status;
     add(vertices);
+    std::vector<netmesh_voronoi> voronoi(vertices);
+    voronoi[0].struct_bytes = sizeof(netmesh_voronoi);
+    status = netmesh_measure_voronoi(run.context, voronoi.data());
+    if (status != NETMESH_OK) return status;
+    for (const netmesh_voronoi& cell : voronoi) add_figure(static_cast<std::uint64_t>(cell.beta * 0x1p20));
+    std::vector<netmesh_ball> balls(run.report().mesh.cells);
+    balls[0].struct_bytes = sizeof(netmesh_ball);
+    status = netmesh_measure_balls(run.context, balls.data());
+    if (status != NETMESH_OK) return status;
+    for (const netmesh_ball& ball : balls) add_figure(ball.meets);
     status = netmesh_well_paced_order(run.context, places.data(), numbers.data());
     if (status != NETMESH_OK) return status;
     add(inputs);

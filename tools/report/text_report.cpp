@@ -81,17 +81,31 @@ std::string size_lines(const netmesh_size_analysis& size, bool caged) {
            "; feature size integral between " + range_text(size.integral_lower[0], size.integral_upper[0]) + "\n";
 }
 
+// Of the largest number of intersections, when it is not that of all balls.
+std::string sampled_text(const netmesh_structure_analysis& s) {
+    return s.balls_stride > 1 ? " at one ball of " + grouped_text(s.balls_stride) : "";
+}
+
 std::string analysis_lines(const netmesh_analysis& a, bool caged) {
     std::string text = a.size.present != 0 ? size_lines(a.size, caged) : "";
     const netmesh_structure_analysis& s = a.structure;
     text += "stars    " + rounded_text(s.degree_mean, 4) + " neighbours (at most " + grouped_text(s.degree_max) +
             "), " + rounded_text(s.star_mean, 4) + " cells (" + grouped_text(s.star_max) + ")\n";
-    text += "balls    ply " + rounded_text(s.ply_mean, 4) + " (at most " + grouped_text(s.ply_max) + "), each meets " +
-            rounded_text(s.intersections_mean, 4) + " (" + grouped_text(s.intersections_max) + ")\n";
+    text += "balls    ply " + rounded_text(s.ply_mean, 4) + " (at most " + grouped_text(s.ply_max) + " at " +
+            counted(s.ply_points, "sampled point", "sampled points") + "), each meets " +
+            rounded_text(s.intersections_mean, 4) + " (" + grouped_text(s.intersections_max) + sampled_text(s) + ")\n";
+    if (a.boundary.balls > 0)
+        text += "         " + grouped_text(a.boundary.balls) + " more at the boundary, which meet at most " +
+                grouped_text(a.boundary.intersections_max) + sampled_text(s) + "\n";
     const bool whole = a.fatness.inside.cells == 0;
     const netmesh_fatness& part = whole ? a.fatness.bounded : a.fatness.inside;
-    return text + "fatness  " + rounded_text(part.beta_mean, 4) + " (at most " + rounded_text(part.beta_max, 4) +
-           ") of " + grouped_text(part.cells) + (whole ? " bounded cells\n" : " cells inside the domain\n");
+    text += "fatness  " + rounded_text(part.beta_mean, 4) + " (at most " + rounded_text(part.beta_max, 4) + ") of " +
+            grouped_text(part.cells) + (whole ? " bounded cells\n" : " cells inside the domain\n");
+    const netmesh_fatness& all = a.all_cells.cells;
+    text += "         " + rounded_text(all.beta_mean, 4) + " (at most " + rounded_text(all.beta_max, 4) + ") of all " +
+            counted(all.cells, "cell", "cells");
+    if (a.all_cells.left_out > 0) text += "; " + grouped_text(a.all_cells.left_out) + " are not known";
+    return text + "\n";
 }
 
 std::string scales_lines(const netmesh_scales_report& scales) {

@@ -1,0 +1,135 @@
+// What is measured of each Voronoi cell and of each D-ball.
+#include "analysis/fat_cell.hpp"
+#include "analysis/structure.hpp"
+#include "api/measure.hpp"
+#include "delaunay/load.hpp"
+
+namespace netmesh {
+namespace {
+
+// Element `index` of the caller's array, whose first one says how many bytes each has.
+template <class Item> void give_element(const Item& from, std::uint64_t index, std::uint32_t bytes, Item* array) {
+    start_struct(&from, sizeof from, reinterpret_cast<unsigned char*>(array) + index * bytes, bytes);
+}
+
+template <int D> void copy_ball(const double* centre, double radius, double* ball) {
+    copy<D>(centre, ball);
+    ball[D] = radius;
+}
+
+// Calls give(vertex, cell, piece) for each vertex that is inserted.
+template <int D, class Give> [[gnu::cold]] Status measure_each(Context& context, Give&& give) {
+    Store<D> store(context.arena, context.mesh.store);
+    recompute_balls<D>(store);
+    Domain<D> domain = domain_of<D>(context.mesh);
+    if (!context.mesh.is_mesh) domain.radius = 0;
+    FattestCells<D> cells(store, domain, context.arena);
+    Status status = Status::ok;
+    for (VertexId v(0); v < store.state.vertex_count && status == Status::ok; ++v) {
+        if (store.vertex(v).cell == none) continue;
+        FatCell<D> cell;
+        typename FattestCells<D>::Piece piece;
+        status = cells.measure(v, &cell, &piece);
+        if (status == Status::ok) give(v, cell, static_cast<std::uint32_t>(piece));
+    }
+    return status;
+}
+
+// Of a triangulation.
+template <int D> [[gnu::cold]] Status measure_whole_cells(Context& context, double* ratios, std::uint32_t* domains) {
+    for (std::uint32_t v = 0; v < context.mesh.store.vertex_count; ++v) {
+        ratios[v] = 0;
+        domains[v] = none;
+    }
+    return measure_each<D>(context, [&](VertexId v, const FatCell<D>& cell, std::uint32_t) {
+        ratios[v] = cell.known && cell.bounded ? 2 * cell.reach / cell.nearest : infinity;
+    });
+}
+
+template <int D> [[gnu::cold]] Status measure_voronoi(Context& context, std::uint32_t bytes, netmesh_voronoi* array) {
+    for (std::uint32_t v = 0; v < context.mesh.store.vertex_count; ++v) give_element({}, v, bytes, array);
+    return measure_each<D>(context, [&](VertexId v, const FatCell<D>& cell, std::uint32_t piece) {
+        netmesh_voronoi found = {};
+        if (!cell.known) return;
+        found.piece = piece;
+        found.bounded = cell.bounded;
+        found.corners = cell.corners;
+        found.degree = cell.degree;
+        found.nearest = cell.nearest;
+        found.reach = cell.reach;
+        copy_ball<D>(cell.in_centre, cell.in_radius, found.in_ball);
+        copy_ball<D>(cell.out_centre, cell.out_radius, found.out_ball);
+        if (cell.in_radius > 0) found.beta = cell.out_radius / cell.in_radius * (1 + 0x1p-40);
+        give_element(found, v, bytes, array);
+    });
+}
+
+template <int D> [[gnu::cold]] Status measure_balls(Context& context, std::uint32_t bytes, netmesh_ball* array) {
+    Store<D> store(context.arena, context.mesh.store);
+    recompute_balls<D>(store);
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
+        BallFigures figures;
+        const Status status = measure_ball<D>(store, c, &figures);
+        if (status != Status::ok) return status;
+        const Cell<D>& cell = store.cell(c);
+        netmesh_ball found = {};
+        found.ply = figures.ply;
+        found.meets = figures.meets;
+        copy_ball<D>(cell.centre, square_root(cell.radius2), found.ball);
+        found.error = static_cast<double>(cell.error) * found.ball[D];
+        give_element(found, c, bytes, array);
+    }
+    return Status::ok;
+}
+
+// The size of an element, 0 when it is not set.
+template <class Item> std::uint32_t bytes_of(const Item* array) {
+    std::uint32_t bytes = 0;
+    if (has_room(array)) __builtin_memcpy(&bytes, array, sizeof bytes);
+    return bytes;
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+
+netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, uint32_t* domains) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    if (ratios == nullptr || domains == nullptr) return refuse(context, NETMESH_FIELD_RESULT, "an array is null");
+    if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    return with_dimension(context->input.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        if (!context->mesh.is_mesh) return finish(context, measure_whole_cells<D>(*context, ratios, domains));
+        Store<D> store(context->arena, context->mesh.store);
+        HierarchyQuality quality;
+        const Status status = measure_hierarchy<D>(
+            store, {cages_of(*context), cage_count_of(*context), domain_of<D>(context->mesh), ratios, domains},
+            context->arena, &quality);
+        return finish(context, status);
+    });
+}
+
+netmesh_status netmesh_measure_voronoi(netmesh_context* context, netmesh_voronoi* cells) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    const std::uint32_t bytes = bytes_of(cells);
+    if (bytes == 0) return refuse(context, NETMESH_FIELD_RESULT, "cells is null or the first one's size is not set");
+    if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    return with_dimension(context->input.dim, [&](auto dimension) {
+        return finish(context, measure_voronoi<decltype(dimension)::value>(*context, bytes, cells));
+    });
+}
+
+netmesh_status netmesh_measure_balls(netmesh_context* context, netmesh_ball* balls) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
+    const std::uint32_t bytes = bytes_of(balls);
+    if (bytes == 0) return refuse(context, NETMESH_FIELD_RESULT, "balls is null or the first one's size is not set");
+    if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    return with_dimension(context->input.dim, [&](auto dimension) {
+        return finish(context, measure_balls<decltype(dimension)::value>(*context, bytes, balls));
+    });
+}
+
+}  // extern "C"
