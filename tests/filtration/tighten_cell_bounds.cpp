@@ -226,6 +226,49 @@ TEST_CASE("the distance to the inputs is within the bounds of every cell") {
     for_each_dimension<5, 5>([&](auto dim) { sample_cells<dim>(inputs::uniform(5, 6), 4, 300, 0, 4); });
 }
 
+// In the plane a cell is a polygon, whose distance to a point outside is that to one of its sides.
+TEST_CASE("no input is nearer to a cell of the plane than its lower bound, to the last digits") {
+    int touched = 0;
+    for (const inputs::Points& points : {inputs::uniform(2, 90), inputs::clusters(2, 120), inputs::circle(40)}) {
+        Meshed<2> meshed(points, by_quality(2.5, 1, true), std::size_t{1} << 25);
+        REQUIRE(meshed.status == Status::ok);
+        const Store<2>& store = meshed.store;
+        const std::uint32_t inputs = meshed.inputs(), count = store.state.vertex_count;
+        const FilteredMesh<2> mesh = {meshed.store, meshed.result.domain, inputs};
+        std::vector<double> value(count);
+        std::vector<Interval> interval(count);
+        Evaluation complete = {value.data(), interval.data()};
+        REQUIRE(evaluate<2>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified},
+                            {meshed.block.arena, meshed.monitor}, &complete) == Status::ok);
+        REQUIRE(tighten_cell_bounds<2>(mesh, {meshed.block.arena, meshed.monitor}, interval.data()) == Status::ok);
+        std::vector<double> least(count, infinity);
+        const auto see = [&](std::uint32_t v, const double* a, const double* b) {
+            for (std::uint32_t p = 0; p < inputs; ++p) {
+                const double* const q = store.point(p);
+                const double along[2] = {b[0] - a[0], b[1] - a[1]}, to[2] = {q[0] - a[0], q[1] - a[1]};
+                const double length2 = along[0] * along[0] + along[1] * along[1];
+                const double t = length2 > 0 ? (to[0] * along[0] + to[1] * along[1]) / length2 : 0;
+                const double s = std::min(1.0, std::max(0.0, t));
+                const double x[2] = {a[0] + s * along[0], a[1] + s * along[1]};
+                least[v] = std::min(least[v], distance<2>(x, q));
+            }
+        };
+        for (CellId c(0); c < store.state.cell_slots; ++c)
+            for (int i = 0; i < 3; ++i) {
+                const FacetId beyond = store.cell(c).neighbour[i];
+                if (beyond == none) continue;
+                for (int j = 0; j < 3; ++j)
+                    if (j != i) see(store.cell(c).vertex[j], store.cell(c).centre, store.cell(beyond.cell()).centre);
+            }
+        for (std::uint32_t v = inputs; v < count; ++v) {
+            if (store.vertex(v).marker != Marker::steiner || !(interval[v].lo < mesh.cut())) continue;
+            CHECK(interval[v].lo <= least[v] * (1 + 1e-13));
+            touched += interval[v].lo > least[v] * (1 - 1e-9);
+        }
+    }
+    CHECK(touched > 100);  // as near as the bound says
+}
+
 TEST_CASE("bounds of cells in little memory") {
     little_memory<2>(inputs::uniform(2, 300), 2.5);
     little_memory<3>(inputs::uniform(3, 120), 2.5);
