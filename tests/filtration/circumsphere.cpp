@@ -129,7 +129,16 @@ TEST_CASE("the float stage is as good as it says just before it leaves flat simp
             Points points(K + 1, std::vector<double>(D));
             for (auto& p : points)
                 for (double& x : p) x = random.unit();
-            for (auto& p : points) p[D - 1] = std::ldexp(p[D - 1], -flatten);
+            // Towards a plane that is askew, so that all coordinates are of one size and lose digits.
+            for (auto& p : points) {
+                double along = 0, length2 = 0;
+                for (std::size_t d = 0; d < D; ++d) {
+                    along += (1 + 0.375 * double(d)) * p[d];
+                    length2 += (1 + 0.375 * double(d)) * (1 + 0.375 * double(d));
+                }
+                for (std::size_t d = 0; d < D; ++d)
+                    p[d] -= (1 - std::ldexp(1.0, -flatten)) * along / length2 * (1 + 0.375 * double(d));
+            }
             Circumsphere a, b = precise(points);
             if (!fast<K, D>(points, &a)) continue;
             ++decided;

@@ -12,6 +12,7 @@
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
+#include "filtration/sides.hpp"
 
 using namespace netmesh;
 
@@ -116,6 +117,30 @@ TEST_CASE("balls of clumps lie in their cells, and bounds hold everywhere else")
     MeshRequest fine = by_quality(2.5, tight_domain_factor(0.5));
     fine.size.eps = tight_size(0.5);
     sample_cover<2>(inputs::uniform(2, 15), fine, 6000);
+}
+
+// Seldom is it another input, not a cell outside, that bounds a ball: a case in some twenty meshes of this kind.
+TEST_CASE("no other input is nearer to the cells of a clump than its ball's radius, by the sides of cells") {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        CAPTURE(seed);
+        Meshed<2> mesh(inputs::uniform(2, 40, seed), by_quality(3), std::size_t{1} << 24);
+        REQUIRE(mesh.status == Status::ok);
+        const Store<2>& store = mesh.store;
+        const std::uint32_t count = store.state.vertex_count, inputs = mesh.inputs();
+        std::vector<double> value(count);
+        std::vector<Interval> interval(count);
+        Evaluation tight = {value.data(), interval.data()};
+        REQUIRE(evaluate<2>({mesh.store, mesh.result.domain, inputs}, {NETMESH_FILTER_TIGHT, FilterValues::certified},
+                            {mesh.block.arena, mesh.monitor}, &tight) == Status::ok);
+        for_each_side(store, [&](std::uint32_t v, const double* a, const double* b) {
+            if (store.vertex(v).marker == Marker::exempt) return;
+            const Nearest<2> n = nearest_of<2>(store, inputs, store.point(v));
+            const Nearest<2> other = nearest_of<2>(store, inputs, store.point(n.vertex), n.vertex);
+            if (n.distance > 0.5 * other.distance) return;
+            for (std::uint32_t p = 0; p < inputs; ++p)
+                if (p != n.vertex) CHECK(interval[n.vertex].lo <= distance_to_side(store.point(p), a, b) * (1 + 1e-12));
+        });
+    }
 }
 
 // 7.5.1 and 7.5.3: on a mesh of the size that is asked for, in its domain, the thesis's values have the ratio 1 + eps.

@@ -10,6 +10,7 @@
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/nearest_in_hull.hpp"
+#include "filtration/sides.hpp"
 
 using namespace netmesh;
 
@@ -242,24 +243,10 @@ TEST_CASE("no input is nearer to a cell of the plane than its lower bound, to th
                             {meshed.block.arena, meshed.monitor}, &complete) == Status::ok);
         REQUIRE(tighten_cell_bounds<2>(mesh, {meshed.block.arena, meshed.monitor}, interval.data()) == Status::ok);
         std::vector<double> least(count, infinity);
-        const auto see = [&](std::uint32_t v, const double* a, const double* b) {
-            for (std::uint32_t p = 0; p < inputs; ++p) {
-                const double* const q = store.point(p);
-                const double along[2] = {b[0] - a[0], b[1] - a[1]}, to[2] = {q[0] - a[0], q[1] - a[1]};
-                const double length2 = along[0] * along[0] + along[1] * along[1];
-                const double t = length2 > 0 ? (to[0] * along[0] + to[1] * along[1]) / length2 : 0;
-                const double s = std::min(1.0, std::max(0.0, t));
-                const double x[2] = {a[0] + s * along[0], a[1] + s * along[1]};
-                least[v] = std::min(least[v], distance<2>(x, q));
-            }
-        };
-        for (CellId c(0); c < store.state.cell_slots; ++c)
-            for (int i = 0; i < 3; ++i) {
-                const FacetId beyond = store.cell(c).neighbour[i];
-                if (beyond == none) continue;
-                for (int j = 0; j < 3; ++j)
-                    if (j != i) see(store.cell(c).vertex[j], store.cell(c).centre, store.cell(beyond.cell()).centre);
-            }
+        for_each_side(store, [&](std::uint32_t v, const double* a, const double* b) {
+            for (std::uint32_t p = 0; p < inputs; ++p)
+                least[v] = std::min(least[v], distance_to_side(store.point(p), a, b));
+        });
         for (std::uint32_t v = inputs; v < count; ++v) {
             if (store.vertex(v).marker != Marker::steiner || !(interval[v].lo < mesh.cut())) continue;
             CHECK(interval[v].lo <= least[v] * (1 + 1e-13));
