@@ -183,3 +183,52 @@ TEST_CASE("figures that break a bound are found out") {
         CHECK(violated_fatness_bound(a) != nullptr);
     }
 }
+
+// Of v, p and q nearly on a line with it and r on the other side the cell is a triangle with a corner far away, whose
+// place is known to few digits. The fatness that is told is no less than that of the triangle in more digits.
+TEST_CASE("fatness is not underestimated where corners are known to few digits") {
+    using Real = long double;
+    struct Point {
+        Real x, y;
+    };
+    inputs::Random random(19);
+    int told = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        CAPTURE(trial);
+        const double flat = std::ldexp(1, -6 - trial % 14), dx = 0.3 + random.uniform(), dy = 0.3 + random.uniform();
+        const auto place = [&](double along, double across) {
+            return std::vector<double>{along * dx - across * dy, along * dy + across * dx};
+        };
+        std::vector<double> w[3] = {place(1 + random.uniform(), flat), place(-1 - random.uniform(), flat),
+                                    place(0.2 * random.uniform(), -1 - random.uniform())};
+        inputs::Points points = {0, 0};
+        for (const auto& p : w) points.insert(points.end(), p.begin(), p.end());
+        Held<2> held(std::size_t{1} << 16);
+        REQUIRE(held.triangulate(points) == Status::ok);
+        const FatPart part = analyse<2>(held).bounded;
+        if (part.cells == 0) continue;  // the corner is not known at all
+        ++told;
+        // x . w_i = |w_i|^2 / 2 are the sides.
+        const auto corner = [&](int i, int j) {
+            const Real a = w[i][0], b = w[i][1], c = w[j][0], d = w[j][1], e = (a * a + b * b) / 2,
+                       f = (c * c + d * d) / 2, det = a * d - b * c;
+            return Point{(e * d - b * f) / det, (a * f - e * c) / det};
+        };
+        const Point corners[3] = {corner(0, 1), corner(1, 2), corner(2, 0)};
+        Real side[3], longest = 0, sum = 0, squares = 0;
+        for (int i = 0; i < 3; ++i) {
+            const Point &a = corners[i], &b = corners[(i + 1) % 3];
+            side[i] = std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+            longest = std::max(longest, side[i]);
+            sum += side[i];
+            squares += side[i] * side[i];
+        }
+        const Real twice = std::fabs((corners[1].x - corners[0].x) * (corners[2].y - corners[0].y) -
+                                     (corners[1].y - corners[0].y) * (corners[2].x - corners[0].x));
+        const bool obtuse = 2 * longest * longest >= squares;
+        const Real out = obtuse ? longest / 2 : side[0] * side[1] * side[2] / (2 * twice), in = twice / sum;
+        CHECK(part.beta_max >= static_cast<double>(out / in * (1 - 0x1p-44L)));
+        CHECK(part.beta_max <= static_cast<double>(out / in * 1.02L));
+    }
+    CHECK(told > 200);
+}

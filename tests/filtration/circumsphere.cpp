@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "complex/triangulations.hpp"
 
@@ -115,6 +116,45 @@ TEST_CASE("the float stage agrees with the precise one wherever it decides") {
         compare_both<3, 6>(flatten);
     }
     compare_both<6, 6>(1e-4);
+}
+
+// The flatter, the more digits are lost: what is accepted at the limit has to be as good as what is round.
+TEST_CASE("the float stage is as good as it says just before it leaves flat simplices to the precise one") {
+    const auto worst = [](auto k, auto d, int flatten) {
+        constexpr int K = decltype(k)::value, D = decltype(d)::value;
+        Random random;
+        double error = 0;
+        int decided = 0;
+        for (int trial = 0; trial < 1000; ++trial) {
+            Points points(K + 1, std::vector<double>(D));
+            for (auto& p : points)
+                for (double& x : p) x = random.unit();
+            // Towards a plane that is askew, so that all coordinates are of one size and lose digits.
+            for (auto& p : points) {
+                double along = 0, length2 = 0;
+                for (std::size_t d = 0; d < D; ++d) {
+                    along += (1 + 0.375 * double(d)) * p[d];
+                    length2 += (1 + 0.375 * double(d)) * (1 + 0.375 * double(d));
+                }
+                for (std::size_t d = 0; d < D; ++d)
+                    p[d] -= (1 - std::ldexp(1.0, -flatten)) * along / length2 * (1 + 0.375 * double(d));
+            }
+            Circumsphere a, b = precise(points);
+            if (!fast<K, D>(points, &a)) continue;
+            ++decided;
+            CHECK(a.within == b.within);
+            error = std::max(error, std::fabs(a.radius - b.radius) / b.radius);
+        }
+        CHECK((flatten > 4 || decided > 300));
+        return error;
+    };
+    using Two = std::integral_constant<int, 2>;
+    using Three = std::integral_constant<int, 3>;
+    for (int flatten = 0; flatten < 26; ++flatten) {
+        CAPTURE(flatten);
+        CHECK(worst(Two(), Two(), flatten) <= 0x1p-38);
+        CHECK(worst(Three(), Three(), flatten) <= 0x1p-38);
+    }
 }
 
 TEST_CASE("the float stage leaves ties and flat simplices to the precise one") {

@@ -9,6 +9,7 @@
 
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
+#include "delaunay/triangulate.hpp"
 
 using namespace netmesh;
 
@@ -96,6 +97,15 @@ template <int D> void sample_distances(const inputs::Points& points, double tau,
             }
 }
 
+// Calls visit(v, corner, distance) for each corner of each cell that is not exempt.
+template <int D, class Visit> void for_each_corner(const Store<D>& store, Visit visit) {
+    for (CellId c(0); c < store.state.cell_slots; ++c)
+        for (const VertexId v : store.cell(c).vertex) {
+            if (store.vertex(v).marker == Marker::exempt || !is_finite(store.cell(c).radius2)) continue;
+            visit(v, store.cell(c).centre, std::sqrt(squared(store.point(v), store.cell(c).centre, D)));
+        }
+}
+
 }  // namespace
 
 TEST_CASE("nearest neighbours: the same as by looking at all points") {
@@ -139,6 +149,126 @@ TEST_CASE("d_k and the k-distance stay within their certificate") {
     for_each_dimension<5, 5>([&](auto dim) { sample_distances<dim>(inputs::uniform(5, 8), 2.2, 20); });
     for_each_dimension<6, 6>([&](auto dim) { sample_distances<dim>(inputs::clusters(6, 8), 3, 20); });
 }
+
+// Two triples of points far apart: there are many cells between the two scales, on which distances grow outwards as
+// fast as they can, and corners on all sides.
+TEST_CASE("intervals of d_k and the k-distance hold at the corners of cells") {
+    const inputs::Points points = {0, 0, 0x1p-10, 0, 0, 0x1p-10, 1, 0.25, 1, 0.25 + 0x1p-10, 1 + 0x1p-10, 0.25};
+    Mesh<2> mesh(points, 2.5);
+    const double cut = mesh.filtered().cut();
+    for (const InputDistance kind : {InputDistance::kth, InputDistance::root_mean_square})
+        for (const std::uint32_t k : {2u, 3u}) {
+            Monitor monitor;
+            std::vector<double> value(mesh.state.vertex_count);
+            std::vector<Interval> interval(mesh.state.vertex_count);
+            Evaluation out = {value.data(), interval.data()};
+            REQUIRE(evaluate<2>(mesh.filtered(), {filter_of(kind), FilterValues::certified, k},
+                                {mesh.block.arena, monitor}, &out) == Status::ok);
+            int below_cut = 0;
+            for_each_corner<2>(mesh.store, [&](VertexId v, const double* corner, double) {
+                const double f = std::min(brute(points, 2, corner, k, kind), cut);
+                below_cut += f < cut;
+                CHECK(interval[v].lo <= f * (1 + 1e-11));
+                CHECK(f <= interval[v].hi * (1 + 1e-11));
+            });
+            CHECK(below_cut > 100);
+        }
+}
+
+// The cell of (1, 0) has its farthest corner at (2, 0), straight away from both inputs, where d_2 is larger than at
+// (1, 0) by exactly the out-radius: 3 to the last bit.
+TEST_CASE("the interval of d_2 holds what is as far as it can be") {
+    const inputs::Points points = {-0.5, 0, -1, 0, 1, 0, 2, 1, 2, -1, 1, 1, 1, -1, 8, 8, 8, -8, -8, 8, -8, -8};
+    Block block(std::size_t{1} << 16);
+    StoreState state = {};
+    Store<2> store(block.arena, state);
+    Monitor monitor;
+    InputReport input;
+    REQUIRE(triangulate<2>(store, points.data(), points.size() / 2, 1, monitor, &input) == Status::ok);
+    for (VertexId v(2); v < state.vertex_count; ++v) {
+        store.vertex(v).marker = v == 2 ? Marker::steiner : Marker::exempt;
+        store.vertex(v).origin = 0;
+    }
+    Domain<2> domain = {};
+    domain.radius = domain.enclosing_radius = 20;
+    std::vector<double> value(state.vertex_count);
+    std::vector<Interval> interval(state.vertex_count);
+    Evaluation out = {value.data(), interval.data()};
+    REQUIRE(evaluate<2>({store, domain, 2}, {NETMESH_FILTER_KNN, FilterValues::thesis, 2}, {block.arena, monitor},
+                        &out) == Status::ok);
+    CHECK(value[2] == 2);
+    CHECK(interval[2].hi >= 3);
+    CHECK(interval[2].hi <= 3 * (1 + 1e-11));
+    CHECK(interval[2].lo <= 1);
+}
+
+// A linear function that changes as fast as L says, up or down to the farthest corner of a cell. Where it falls to R /
+// c there, R being the corner's distance, it is as small as the distance factor c admits.
+TEST_CASE_TEMPLATE_DEFINE("intervals of a function hold at the farthest corner of a cell", T, farthest_corner) {
+    constexpr int D = T::value;
+    Mesh<D> mesh(D < 6 ? inputs::uniform(D, D + 3) : inputs::clusters(D, 7), 3);
+    struct Corner {
+        const double* at = nullptr;
+        double distance = 0;
+    };
+    std::vector<Corner> farthest(mesh.state.vertex_count);
+    for_each_corner<D>(mesh.store, [&](VertexId v, const double* corner, double distance) {
+        if (distance > farthest[v].distance) farthest[v] = {corner, distance};
+    });
+    std::vector<double> value(mesh.state.vertex_count);
+    std::vector<Interval> interval(mesh.state.vertex_count);
+    const double lipschitz = 3, factor = 0.25, cut = 1e6;
+    int looked_at = 0;
+    for (std::uint32_t v = 0; v < mesh.state.vertex_count && looked_at < 60; ++v) {
+        // Cells that lie in the domain: those outside have the value of the cut.
+        if (mesh.store.vertex(v).marker == Marker::exempt || !(farthest[v].distance > 0) ||
+            !mesh.domain.contains(mesh.store.point(v)))
+            continue;
+        ++looked_at;
+        for (const bool rising : {true, false}) {
+            const double r = farthest[v].distance, at_corner = rising ? 10 + lipschitz * r : r / factor;
+            for (std::uint32_t w = 0; w < mesh.state.vertex_count; ++w) {
+                double along = 0;  // from the corner, on the way to it
+                for (int k = 0; k < D; ++k)
+                    along +=
+                        (mesh.store.point(w)[k] - farthest[v].at[k]) * (farthest[v].at[k] - mesh.store.point(v)[k]) / r;
+                value[w] = std::max(0.0, at_corner + (rising ? lipschitz : -lipschitz) * along);
+            }
+            Evaluation out = {value.data(), interval.data()};
+            REQUIRE(clamp_function<D>(mesh.filtered(), {lipschitz, factor, cut}, FilterValues::thesis, mesh.block.arena,
+                                      &out) == Status::ok);
+            CHECK(interval[v].lo <= at_corner * (1 + 1e-9));
+            CHECK(at_corner <= interval[v].hi * (1 + 1e-9));
+        }
+    }
+    CHECK(looked_at > 5);
+}
+TEST_CASE_TEMPLATE_APPLY(farthest_corner, Dimensions<>);
+
+// The distance to the centre and 1, up to the cut at the domain's sphere: cells that reach in from outside have less.
+TEST_CASE_TEMPLATE_DEFINE("intervals hold where cells reach into the domain", T, reaches_in) {
+    constexpr int D = T::value;
+    Mesh<D> mesh(D < 6 ? inputs::uniform(D, D + 5) : inputs::clusters(D, 7), 3);
+    FilteredMesh<D> filtered = mesh.filtered();
+    filtered.domain.radius = 0.5 * mesh.domain.radius;
+    const Domain<D>& domain = filtered.domain;
+    const double cut = 1 + domain.radius;
+    const auto f = [&](const double* x) { return std::min(cut, 1 + std::sqrt(domain.distance2(x))); };
+    std::vector<double> value(mesh.state.vertex_count);
+    std::vector<Interval> interval(mesh.state.vertex_count);
+    for (VertexId v(0); v < mesh.state.vertex_count; ++v)
+        value[v] = 1 + std::sqrt(domain.distance2(mesh.store.point(v)));
+    Evaluation out = {value.data(), interval.data()};
+    REQUIRE(clamp_function<D>(filtered, {1, 0, cut}, FilterValues::certified, mesh.block.arena, &out) == Status::ok);
+    int reach_in = 0;
+    for_each_corner<D>(mesh.store, [&](VertexId v, const double* corner, double) {
+        reach_in += domain.contains(corner) && !domain.contains(mesh.store.point(v));
+        CHECK(interval[v].lo <= f(corner) * (1 + 1e-11));
+        CHECK(f(corner) <= interval[v].hi * (1 + 1e-11));
+    });
+    CHECK(reach_in > 0);
+}
+TEST_CASE_TEMPLATE_APPLY(reaches_in, Dimensions<>);
 
 // Corollary 8.6.4, corrected: on an eps-refined mesh the functions' own values are within 1 / (1 - eps), 1 / (1 -
 // sqrt(2) eps). The domain is so large that cells which reach out of it are beyond the cut.

@@ -73,6 +73,46 @@ TEST_CASE("the cover and the offsets are interleaved by the certified ratio") {
     for_each_dimension<6, 6>([&](auto dim) { sample_inclusions<dim>(inputs::clusters(6, 8), 3, 1000); });
 }
 
+// 7.4.2: half the distance of an input to its nearest neighbour, a Steiner vertex's distance to the inputs; all cut.
+TEST_CASE_TEMPLATE_DEFINE("the thesis's own values by looking at all vertices, and cells of which nothing is known", T,
+                          own_values) {
+    constexpr int D = T::value;
+    Meshed<D> mesh(D < 6 ? inputs::uniform(D, D + 4) : inputs::clusters(D, 7), by_quality(3, 1, true));
+    REQUIRE(mesh.status == Status::ok);
+    const Store<D>& store = mesh.store;
+    const std::uint32_t count = store.state.vertex_count, inputs = mesh.inputs();
+    const FilteredMesh<D> filtered = {mesh.store, mesh.result.domain, inputs};
+    const double cut = filtered.cut();
+    std::vector<double> value(count), input_distance(count);
+    std::vector<Interval> interval(count);
+    Evaluation out = {value.data(), interval.data()};
+    const auto run = [&](netmesh_filter filter) {
+        REQUIRE(evaluate<D>(filtered, {filter, FilterValues::thesis}, {mesh.block.arena, mesh.monitor}, &out) ==
+                Status::ok);
+    };
+    run(NETMESH_FILTER_COMPLETE);
+    for (std::uint32_t v = 0; v < count; ++v) {
+        double to_input = infinity, to_vertex = infinity;
+        for (std::uint32_t w = 0; w < count; ++w) {
+            const double d = distance<D>(store.point(v), store.point(w));
+            if (w != v) to_vertex = std::min(to_vertex, d);
+            if (w < inputs) to_input = std::min(to_input, d);
+        }
+        input_distance[v] = to_input;
+        CHECK(value[v] == doctest::Approx(std::min(v < inputs ? to_vertex / 2 : to_input, cut)).epsilon(1e-14));
+    }
+    // Were they on the hull, cells would reach as far as there is space, whatever corners they have.
+    for (std::uint32_t v = inputs; v < count; ++v) mesh.store.vertex(v).marker = Marker::exempt;
+    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC}) {
+        run(filter);
+        for (std::uint32_t v = inputs; v < count; ++v) {
+            CHECK(interval[v].hi == cut);
+            CHECK(interval[v].lo <= input_distance[v] / 2);
+        }
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(own_values, Dimensions<>);
+
 TEST_CASE("cells that only the last bits of their vertices keep from being flat are certified like others") {
     const auto bent_grid = [](int dim, int side) {
         inputs::Points points = inputs::grid(dim, side);

@@ -11,6 +11,7 @@
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
+#include "filtration/half_distance.hpp"
 #include "filtration/point_complexes.hpp"
 #include "filtration/rips_graph.hpp"
 #include "homology/oracle.hpp"
@@ -330,6 +331,47 @@ template <int D> void check_graph() {
 
 TEST_CASE("graphs: what does not fit and what is stopped") {
     for_each_dimension([](auto dim) { check_graph<dim>(); });
+}
+
+// From the least distance on within which some point has all others, everything is a cone with that point on top. What
+// enters then belongs to the complex, without it two points would never meet.
+template <int D> void check_cone(const inputs::Points& points, std::uint32_t dimension) {
+    CAPTURE(D);
+    const std::uint32_t n = static_cast<std::uint32_t>(points.size() / D);
+    double cone = infinity;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        double most = 0;
+        for (std::uint32_t j = 0; j < n; ++j)
+            most = std::max(most, netmesh::distance<D>(&points[std::size_t{i} * D], &points[std::size_t{j} * D]) / 2);
+        cone = std::min(cone, most);
+    }
+    CHECK(netmesh::cone_radius<D>(points.data(), n) == cone);
+    Block block(std::size_t{1} << 22);
+    netmesh::Monitor monitor;
+    netmesh::ListedComplex complex, all;
+    REQUIRE(netmesh::rips_complex<D>(points.data(), n, dimension, {block.arena, monitor}, &complex) ==
+            netmesh::Status::ok);
+    REQUIRE(netmesh::full_rips_complex<D>(points.data(), n, dimension, {block.arena, monitor}, &all) ==
+            netmesh::Status::ok);
+    for (std::uint32_t k = 0; k <= dimension && k < n; ++k) {
+        std::vector<double> listed, expected;
+        if (k <= complex.dimension) listed.assign(complex.value[k], complex.value[k] + complex.count[k]);
+        for (std::uint32_t i = 0; i < all.count[k]; ++i)
+            if (all.value[k][i] <= cone) expected.push_back(all.value[k][i]);
+        std::sort(listed.begin(), listed.end());
+        std::sort(expected.begin(), expected.end());
+        CHECK(listed == expected);
+    }
+}
+
+TEST_CASE("Rips complexes end where they become cones, with what enters there") {
+    for_each_dimension([](auto dim) {
+        check_cone<dim>(inputs::uniform(dim, 2), 1);
+        check_cone<dim>(inputs::uniform(dim, 12), 3);
+        inputs::Points centred = inputs::uniform(dim, 11);  // the point that has all others nearest comes last
+        centred.insert(centred.end(), static_cast<std::size_t>(dim), 0.5);
+        check_cone<dim>(centred, 2);
+    });
 }
 
 TEST_CASE("barycentric complexes of more than there is") {

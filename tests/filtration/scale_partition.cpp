@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "common/block.hpp"
@@ -65,6 +66,88 @@ TEST_CASE_TEMPLATE_DEFINE("points of three scales", T, three) {
     }
 }
 TEST_CASE_TEMPLATE_APPLY(three, Dimensions<>);
+
+// The definition followed step by step: what is chosen is the farthest medial point, nothing medial is left, what is
+// left goes to the nearest chosen one, and the separation is the least of all E_j.
+TEST_CASE_TEMPLATE_DEFINE("clusters are chosen, left and set apart as they are defined", T, defined) {
+    constexpr int D = T::value;
+    inputs::Random random(17);
+    int inner = 0;
+    for (int round = 0; round < 12; ++round) {
+        CAPTURE(round);
+        const double theta = round % 3 == 0 ? 1.0 / 9 : 0.02 + 0.08 * random.uniform();
+        // Points about points about points, at distances that differ by any factor.
+        inputs::Points points;
+        for (int i = 0; i < 60; ++i) {
+            double x[D] = {};
+            const std::size_t old = points.size() / D;
+            const double scale = std::pow(0.1, 3 * random.uniform() * (old % 4 == 0 ? 0 : 1));
+            if (old > 0) std::copy_n(&points[random.below(old) * D], D, x);
+            for (double& c : x) c += scale * (2 * random.uniform() - 1);
+            points.insert(points.end(), x, x + D);
+        }
+        Held<D> held(points);
+        const auto apart = [&](std::uint32_t a, std::uint32_t b) {
+            double d2 = 0;
+            for (int k = 0; k < D; ++k)
+                d2 += (points[a * D + k] - points[b * D + k]) * (points[a * D + k] - points[b * D + k]);
+            return std::sqrt(d2);
+        };
+        // Distances to the nearest and the second nearest of the first `count` of P.
+        const auto nearest = [&](std::uint32_t x, const std::vector<std::uint32_t>& p, std::size_t count) {
+            std::vector<double> d;
+            for (std::size_t i = 0; i < count; ++i) d.push_back(apart(x, p[i]));
+            std::sort(d.begin(), d.end());
+            return std::make_pair(d[0], count > 1 ? d[1] : HUGE_VAL);
+        };
+        const auto is_medial = [&](const std::pair<double, double>& d) {
+            return !(d.second < HUGE_VAL) || d.first >= theta * d.second;
+        };
+        std::vector<std::vector<std::uint32_t>> cluster(held.count);  // by representative, without it
+        for (std::uint32_t i = 1; i < held.count; ++i) cluster[0].push_back(i);
+        double separation = HUGE_VAL;
+        Monitor monitor;
+        ScalePartition<D> partition;
+        REQUIRE(partition.open(held.store, held.count, theta, held.block.arena) == Status::ok);
+        for (bool stopped; partition.next(monitor, &stopped);) {
+            const std::vector<std::uint32_t> p(partition.chosen(), partition.chosen() + partition.chosen_count());
+            std::vector<std::uint32_t> left;
+            left.swap(cluster[p[0]]);
+            REQUIRE(!left.empty());
+            for (std::size_t n = 1; n < p.size(); ++n) {
+                const auto taken = std::find(left.begin(), left.end(), p[n]);
+                REQUIRE(taken != left.end());
+                const auto own = nearest(p[n], p, n);
+                CHECK(is_medial(own));
+                for (const std::uint32_t x : left) {
+                    const auto d = nearest(x, p, n);
+                    if (is_medial(d)) CHECK(d.first <= own.first);
+                }
+                left.erase(taken);
+            }
+            for (const std::uint32_t x : left) {
+                CHECK(!is_medial(nearest(x, p, p.size())));
+                std::size_t owner = 0;
+                for (std::size_t i = 1; i < p.size(); ++i)
+                    if (apart(x, p[i]) < apart(x, p[owner])) owner = i;
+                cluster[p[owner]].push_back(x);
+            }
+            for (const std::uint32_t j : p) {
+                double gap = HUGE_VAL, radius = 0;
+                for (const std::uint32_t other : p)
+                    if (other != j) gap = std::min(gap, apart(j, other));
+                for (const std::uint32_t x : cluster[j]) radius = std::max(radius, apart(j, x));
+                if (radius > 0) separation = std::min(separation, gap / (2 * radius));
+            }
+            if (separation < HUGE_VAL) CHECK(partition.separation() == doctest::Approx(separation).epsilon(1e-10));
+            CHECK(partition.separation() <= separation);
+        }
+        for (const auto& c : cluster) CHECK(c.empty());
+        inner += partition.clusters() > 3;
+    }
+    CHECK(inner > 3);
+}
+TEST_CASE_TEMPLATE_APPLY(defined, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("one scale, what does not fit, and what is stopped", T, refused) {
     constexpr int D = T::value;

@@ -12,6 +12,7 @@
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
+#include "filtration/sides.hpp"
 
 using namespace netmesh;
 
@@ -54,6 +55,17 @@ template <int D> void sample_cover(const inputs::Points& points, const MeshReque
         const double f = nearest_of<D>(store, inputs, store.point(n.vertex), n.vertex).distance;
         if (n.distance <= 0.5 * f) clump[v] = n.vertex;
     }
+    // The thesis's own values: what is in a clump comes with it, at half of its input's distance to the others.
+    std::vector<double> own(count);
+    Evaluation thesis = {own.data()};
+    REQUIRE(evaluate<D>({mesh.store, mesh.result.domain, inputs}, {NETMESH_FILTER_TIGHT, FilterValues::thesis},
+                        {mesh.block.arena, mesh.monitor}, &thesis) == Status::ok);
+    for (std::uint32_t v = 0; v < count; ++v) {
+        const Nearest<D> n = nearest_of<D>(store, inputs, store.point(v));
+        const double f = nearest_of<D>(store, inputs, store.point(n.vertex), n.vertex).distance;
+        CHECK(own[v] == doctest::Approx(std::min(std::max(n.distance, f / 2), rho)).epsilon(1e-11));
+        if (clump[v] != none) CHECK(value[v] == value[clump[v]]);
+    }
     int in_balls = 0, in_clumps = 0, others = 0;
     inputs::Random random(8);
     for (int s = 0; s < samples; ++s) {
@@ -61,6 +73,14 @@ template <int D> void sample_cover(const inputs::Points& points, const MeshReque
         const auto near = static_cast<std::uint32_t>(random.below(s % 3 == 0 ? count : inputs));
         const double scale = (s % 3 == 2 ? 1.2 * interval[near].lo : 3 * interval[near].lo) + (s % 3 == 0 ? rho : 0);
         for (int k = 0; k < D; ++k) x[k] = store.point(near)[k] + scale * (2 * random.uniform() - 1);
+        if (s % 3 == 1 && s % 2 == 0) {  // about the middle between two inputs
+            const std::uint32_t next = nearest_of<D>(store, inputs, store.point(near), near).vertex;
+            const double share = 0.35 + 0.3 * random.uniform(),
+                         aside = distance<D>(store.point(near), store.point(next));
+            for (int k = 0; k < D; ++k)
+                x[k] = store.point(near)[k] + share * (store.point(next)[k] - store.point(near)[k]) +
+                       0.1 * aside * (2 * random.uniform() - 1);
+        }
         const Nearest<D> at = nearest_of<D>(store, count, x);
         if (at.second - at.distance < 1e-9 * at.second) continue;
         const double f = std::min(nearest_of<D>(store, inputs, x).distance, rho);
@@ -74,6 +94,8 @@ template <int D> void sample_cover(const inputs::Points& points, const MeshReque
         const std::uint32_t p = clump[at.vertex];
         ++(p == none ? others : in_clumps);
         CHECK(f <= i.hi);
+        // No other input comes nearer to the clump's cells than the ball's radius.
+        if (p != none) CHECK(i.lo <= nearest_of<D>(store, inputs, x, p).distance);
         if (p == none || !(distance<D>(x, store.point(p)) < i.lo)) CHECK(i.lo <= f);
     }
     CHECK(in_balls > samples / 50);
@@ -95,4 +117,52 @@ TEST_CASE("balls of clumps lie in their cells, and bounds hold everywhere else")
     MeshRequest fine = by_quality(2.5, tight_domain_factor(0.5));
     fine.size.eps = tight_size(0.5);
     sample_cover<2>(inputs::uniform(2, 15), fine, 6000);
+}
+
+// Seldom is it another input, not a cell outside, that bounds a ball: a case in some twenty meshes of this kind.
+TEST_CASE("no other input is nearer to the cells of a clump than its ball's radius, by the sides of cells") {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        CAPTURE(seed);
+        Meshed<2> mesh(inputs::uniform(2, 40, seed), by_quality(3), std::size_t{1} << 24);
+        REQUIRE(mesh.status == Status::ok);
+        const Store<2>& store = mesh.store;
+        const std::uint32_t count = store.state.vertex_count, inputs = mesh.inputs();
+        std::vector<double> value(count);
+        std::vector<Interval> interval(count);
+        Evaluation tight = {value.data(), interval.data()};
+        REQUIRE(evaluate<2>({mesh.store, mesh.result.domain, inputs}, {NETMESH_FILTER_TIGHT, FilterValues::certified},
+                            {mesh.block.arena, mesh.monitor}, &tight) == Status::ok);
+        for_each_side(store, [&](std::uint32_t v, const double* a, const double* b) {
+            if (store.vertex(v).marker == Marker::exempt) return;
+            const Nearest<2> n = nearest_of<2>(store, inputs, store.point(v));
+            const Nearest<2> other = nearest_of<2>(store, inputs, store.point(n.vertex), n.vertex);
+            if (n.distance > 0.5 * other.distance) return;
+            for (std::uint32_t p = 0; p < inputs; ++p)
+                if (p != n.vertex) CHECK(interval[n.vertex].lo <= distance_to_side(store.point(p), a, b) * (1 + 1e-12));
+        });
+    }
+}
+
+// 7.5.1 and 7.5.3: on a mesh of the size that is asked for, in its domain, the thesis's values have the ratio 1 + eps.
+TEST_CASE("the sizes of the tight filter reach the accuracy that is promised") {
+    const auto ratio = [](auto dim, const inputs::Points& points, double eps) {
+        constexpr int D = decltype(dim)::value;
+        MeshRequest fine = by_quality(2.5, tight_domain_factor(eps));
+        fine.size.eps = tight_size(eps);
+        Meshed<D> mesh(points, fine, std::size_t{1} << 26);
+        REQUIRE(mesh.status == Status::ok);
+        std::vector<double> value(mesh.store.state.vertex_count);
+        Evaluation out = {value.data()};
+        REQUIRE(evaluate<D>({mesh.store, mesh.result.domain, mesh.inputs()},
+                            {NETMESH_FILTER_TIGHT, FilterValues::thesis}, {mesh.block.arena, mesh.monitor},
+                            &out) == Status::ok);
+        return out.certificate.ratio;
+    };
+    using Plane = std::integral_constant<int, 2>;
+    for (const double eps : {0.5, 0.2, 0.1}) {
+        CAPTURE(eps);
+        CHECK(ratio(Plane(), inputs::uniform(2, 8), eps) <= (1 + eps) * (1 + 1e-9));
+        CHECK(ratio(Plane(), {0, 0, 1, 0, 0.25, 0.75, -2, 1}, eps) <= (1 + eps) * (1 + 1e-9));
+    }
+    CHECK(ratio(std::integral_constant<int, 3>(), inputs::uniform(3, 3), 0.5) <= 1.5 * (1 + 1e-9));
 }

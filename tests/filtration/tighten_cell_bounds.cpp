@@ -10,6 +10,7 @@
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/nearest_in_hull.hpp"
+#include "filtration/sides.hpp"
 
 using namespace netmesh;
 
@@ -224,6 +225,35 @@ TEST_CASE("the distance to the inputs is within the bounds of every cell") {
     sample_cells<3>(inputs::uniform(3, 12), 2.5, 2000, 0.02, 3);
     for_each_dimension<4, 4>([&](auto dim) { sample_cells<dim>(inputs::uniform(4, 7), 3, 1000, 0, 3); });
     for_each_dimension<5, 5>([&](auto dim) { sample_cells<dim>(inputs::uniform(5, 6), 4, 300, 0, 4); });
+}
+
+// In the plane a cell is a polygon, whose distance to a point outside is that to one of its sides.
+TEST_CASE("no input is nearer to a cell of the plane than its lower bound, to the last digits") {
+    int touched = 0;
+    for (const inputs::Points& points : {inputs::uniform(2, 90), inputs::clusters(2, 120), inputs::circle(40)}) {
+        Meshed<2> meshed(points, by_quality(2.5, 1, true), std::size_t{1} << 25);
+        REQUIRE(meshed.status == Status::ok);
+        const Store<2>& store = meshed.store;
+        const std::uint32_t inputs = meshed.inputs(), count = store.state.vertex_count;
+        const FilteredMesh<2> mesh = {meshed.store, meshed.result.domain, inputs};
+        std::vector<double> value(count);
+        std::vector<Interval> interval(count);
+        Evaluation complete = {value.data(), interval.data()};
+        REQUIRE(evaluate<2>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified},
+                            {meshed.block.arena, meshed.monitor}, &complete) == Status::ok);
+        REQUIRE(tighten_cell_bounds<2>(mesh, {meshed.block.arena, meshed.monitor}, interval.data()) == Status::ok);
+        std::vector<double> least(count, infinity);
+        for_each_side(store, [&](std::uint32_t v, const double* a, const double* b) {
+            for (std::uint32_t p = 0; p < inputs; ++p)
+                least[v] = std::min(least[v], distance_to_side(store.point(p), a, b));
+        });
+        for (std::uint32_t v = inputs; v < count; ++v) {
+            if (store.vertex(v).marker != Marker::steiner || !(interval[v].lo < mesh.cut())) continue;
+            CHECK(interval[v].lo <= least[v] * (1 + 1e-13));
+            touched += interval[v].lo > least[v] * (1 - 1e-9);
+        }
+    }
+    CHECK(touched > 100);  // as near as the bound says
 }
 
 TEST_CASE("bounds of cells in little memory") {

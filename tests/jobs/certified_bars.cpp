@@ -113,6 +113,11 @@ template <int D> std::size_t certified_bars(std::size_t points, double spread, d
         certified += bounds[i].certain;
         CHECK(bounds[i].birth_low <= bounds[i].birth_high);
         CHECK(bounds[i].death_low <= bounds[i].death_high);
+        // What is proven of a bar holds of the filter's own one too.
+        CHECK(bounds[i].birth_low <= pairs[i].birth);
+        CHECK(pairs[i].birth <= bounds[i].birth_high);
+        CHECK(bounds[i].death_low <= pairs[i].death);
+        CHECK(pairs[i].death <= bounds[i].death_high);
     }
     return certified;
 }

@@ -236,6 +236,21 @@ TEST_CASE("a right triangle is both") {
     CHECK(v.at({1, 2}) == 2.5);
 }
 
+// With its apex at (0, h) above (-1, 0) and (1, 0): the loop is there from 1 to (h + 1 / h) / 2, 1 + e^2 / 2 and more
+// for h = 1 + e.
+TEST_CASE("a triangle that is hardly acute has a short loop, one that is not has none") {
+    for (const double e : {0x1p-4, 0x1p-8, 0x1p-12, 0x1p-16}) {
+        CAPTURE(e);
+        const Diagram acute = diagram(cloud<2>({-1, 0, 1, 0, 0, 1 + e}, {{0, 1, 2}}));
+        REQUIRE(acute.degree.size() == 2);
+        REQUIRE(acute.degree[1].size() == 1);
+        CHECK(acute.degree[1][0].first == 1);
+        CHECK(acute.degree[1][0].second - 1 == doctest::Approx(e * e / (2 + 2 * e)).epsilon(1e-5));
+        CHECK(diagram(cloud<2>({-1, 0, 1, 0, 0, 1 - e}, {{0, 1, 2}})).degree.size() == 1);
+    }
+    CHECK(diagram(cloud<2>({-1, 0, 1, 0, 0, 1}, {{0, 1, 2}})).degree.size() == 1);
+}
+
 TEST_CASE("a square, either way of cutting it") {
     for (int cut = 0; cut < 2; ++cut) {
         const auto c = cut == 0 ? cloud<2>({0, 0, 1, 0, 1, 1, 0, 1}, {{0, 1, 2}, {0, 2, 3}})

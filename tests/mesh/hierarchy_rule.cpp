@@ -281,6 +281,59 @@ TEST_CASE("parents and nearest distances of cages are those that the mesh implie
     }
 }
 
+// Clusters of clusters at some of many points: cages in cages are left where others were released.
+TEST_CASE("parents of cages are those that the mesh implies where cages were released") {
+    int released = 0, nested = 0;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        inputs::Points points = inputs::uniform(2, 500, seed);
+        const inputs::Points around = inputs::nested(2, 3, 4, 50);
+        inputs::Random random(seed);
+        for (int c = 0; c < 20; ++c) {
+            const std::size_t at = 2 * random.below(500);
+            for (std::size_t i = 0; i < around.size(); ++i)
+                points.push_back(points[at + i % 2] + 2e-5 * around[i] + 1e-9);
+        }
+        Hierarchical<2> m(points, by_hierarchy(2.5, false, seed));
+        REQUIRE(m.status == Status::ok);
+        const std::vector<Cage> made(m.result.cages, m.result.cages + m.result.hierarchy.cages);
+        CHECK(found(m.quality().encroached) == "");
+        for (std::size_t d = 0; d < made.size(); ++d) {
+            CHECK(m.result.cages[d].parent == made[d].parent);
+            nested += made[d].parent != none;
+        }
+        released += static_cast<int>(m.result.hierarchy.cages_released);
+    }
+    CHECK(released > 0);
+    CHECK(nested > 50);
+}
+
+// A ball about the centre of which half of the way to the nearest vertex outside, measured from the nearest vertex of
+// the shell, is the radius: no vertex outside can have a cell that reaches into it along that way.
+TEST_CASE_TEMPLATE_DEFINE("in-radii of cages are no more than the mesh shows", T, in_radii) {
+    constexpr int D = T::value;
+    Hierarchical<D> m(inputs::nested(D, 3, 5, 1e3), by_hierarchy(3));
+    REQUIRE(m.status == Status::ok);
+    REQUIRE(m.result.hierarchy.cages > 1);
+    for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d) {
+        const Cage& cage = m.result.cages[d];
+        double outside = infinity, shell = infinity;
+        int of_shell = 0;
+        for (std::uint32_t v = 0; v < m.state.vertex_count; ++v) {
+            const double away = distance<D>(m.store.point(v), m.store.point(cage.centre));
+            if (!(away < cage.radius)) outside = std::min(outside, away);
+            if (!(away < cage.radius) || !(away > cage_epsilon * cage.radius) ||
+                m.store.vertex(v).marker != Marker::exempt)
+                continue;
+            shell = std::min(shell, away);
+            ++of_shell;
+        }
+        CHECK(of_shell == static_cast<int>(shell_size<D>));
+        CHECK(in_radius<D>(cage) <= 0.5 * (outside + shell) * (1 + 1e-12));
+        CHECK(in_radius<D>(cage) >= 0.5 * (outside + 0.8 * cage.radius));
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(in_radii, Dimensions<2, 3>);
+
 TEST_CASE("any arena size leaves a Delaunay mesh of what was inserted") {
     const inputs::Points points = inputs::nested(2, 4, 8, 1e3);
     std::uint32_t partial = 0, whole = 0;

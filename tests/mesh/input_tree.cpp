@@ -197,6 +197,28 @@ TEST_CASE_TEMPLATE_DEFINE("segments cross a sphere where they should", T, crossi
     place(1, 0, a);
     place(2, 0, b);
     CHECK(sphere_crossings<D>(ball, a, b, z) == 0);  // inside
+    place(4.5, 0, b);
+    CHECK(sphere_crossings<D>(ball, a, b, z) == 0);  // inside, the sphere close behind its end
+    // Any segment crosses as often as its ends and its point nearest to the centre tell.
+    inputs::Random random(21);
+    for (int i = 0; i < 2000; ++i) {
+        double u = 0, length2 = 0, nearest[D];
+        for (int k = 0; k < D; ++k) {
+            a[k] = k + 8 * (2 * random.uniform() - 1);
+            b[k] = a[k] + 10 * (2 * random.uniform() - 1) * (i % 2 == 0 ? 1 : 0.1);
+            u += (ball.centre[k] - a[k]) * (b[k] - a[k]);
+            length2 += (b[k] - a[k]) * (b[k] - a[k]);
+        }
+        const double share = std::min(1.0, std::max(0.0, u / length2));
+        for (int k = 0; k < D; ++k) nearest[k] = a[k] + share * (b[k] - a[k]);
+        const bool in_a = ball.contains(a), in_b = ball.contains(b), passes = ball.contains(nearest);
+        const int found = sphere_crossings<D>(ball, a, b, z);
+        CHECK(found == (in_a && in_b ? 0 : in_a || in_b ? 1 : passes ? 2 : 0));
+        for (int n = 0; n < found; ++n) {
+            CHECK(std::sqrt(ball.distance2(z[n])) == doctest::Approx(5).epsilon(1e-12));
+            CHECK(distance<D>(a, z[n]) + distance<D>(z[n], b) == doctest::Approx(std::sqrt(length2)).epsilon(1e-12));
+        }
+    }
 }
 TEST_CASE_TEMPLATE_APPLY(crossings, Dimensions<>);
 
