@@ -65,6 +65,12 @@ target_compile_features(netmesh_engine PUBLIC cxx_std_17)
 set_target_properties(netmesh_engine PROPERTIES CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF
   ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plain)
 target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
+# What runs seldom is made small rather than fast, as single functions are that say [[gnu::cold]]: archive.size counts
+# the bytes of all that is built.
+set(seldom analysis/fatness analysis/feature_integral analysis/pacing analysis/size analysis/structure delaunay/check
+  filtration/circumsphere_exact filtration/scale_partition jobs/persist_scales mesh/ball_lists)
+list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
+set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
 target_include_directories(netmesh_engine
   PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include> PRIVATE ${PROJECT_SOURCE_DIR}/engine)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -10,7 +10,7 @@
 namespace netmesh {
 namespace {
 
-template <int K, int D> bool simplex_radius(const double* const* point, int k, Radius* out) {
+template <int K, int D> [[gnu::cold]] bool simplex_radius(const double* const* point, int k, Radius* out) {
     if constexpr (K < D)
         if (k > K) return simplex_radius<K + 1, D>(point, k, out);
     Circumsphere sphere;
@@ -60,7 +60,7 @@ private:
         for (; label >= faces_.count[k]; ++k) label -= faces_.count[k];
         return {k, label};
     }
-    ExactSphere sphere_of(std::uint32_t label) const {
+    [[gnu::cold, gnu::noinline]] ExactSphere sphere_of(std::uint32_t label) const {
         const Place place = place_of(label);
         const double* point[D + 1];
         points_.of_face(faces_, place.k, place.face, point);
@@ -153,7 +153,7 @@ template <int D> Status RadiusOrder<D>::pass(bool all) {
 }
 
 // The radius at its place as the float stage knows it.
-template <int D> Radius RadiusOrder<D>::look_again(std::uint32_t i) const {
+template <int D> [[gnu::cold]] Radius RadiusOrder<D>::look_again(std::uint32_t i) const {
     const Place place = place_of(label_[i]);
     const double* point[D + 1];
     points_.of_face(faces_, place.k, place.face, point);
@@ -163,7 +163,7 @@ template <int D> Radius RadiusOrder<D>::look_again(std::uint32_t i) const {
 }
 
 // Radii of which each meets the next by the common bound: cuts where all before are below all that follow.
-template <int D> Status RadiusOrder<D>::part(std::uint32_t begin, std::uint32_t end) {
+template <int D> [[gnu::cold]] Status RadiusOrder<D>::part(std::uint32_t begin, std::uint32_t end) {
     if (end - begin > few || end - begin == 1 || crowded_) return compute(begin, end);
     double low[few], high[few];
     for (std::uint32_t i = 0; i < end - begin; ++i) {
@@ -185,7 +185,7 @@ template <int D> Status RadiusOrder<D>::part(std::uint32_t begin, std::uint32_t 
 }
 
 // Radii that nothing is known of but that they are above all before.
-template <int D> Status RadiusOrder<D>::compute(std::uint32_t begin, std::uint32_t end) {
+template <int D> [[gnu::cold]] Status RadiusOrder<D>::compute(std::uint32_t begin, std::uint32_t end) {
     if (end - begin == 1) {
         settle(begin, end, radius_[begin], error_);
         return Status::ok;
@@ -210,7 +210,7 @@ template <int D> Status RadiusOrder<D>::compute(std::uint32_t begin, std::uint32
 }
 
 // Radii whose leading digits agree. Each is held against some that are known to be equal; nearly always all are.
-template <int D> Status RadiusOrder<D>::decide(std::uint32_t begin, std::uint32_t end, double base) {
+template <int D> [[gnu::cold]] Status RadiusOrder<D>::decide(std::uint32_t begin, std::uint32_t end, double base) {
     const double x = radius_[begin], radius = deviating(base, x);
     const double error = exact_radius_error(radius) + (radius_[end - 1] - x);
     if (end - begin == 1) {
@@ -270,7 +270,8 @@ template <int D> Status RadiusOrder<D>::decide(std::uint32_t begin, std::uint32_
 }
 
 // The last resort: a comparison sort. False: out of range.
-template <int D> bool RadiusOrder<D>::compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error) {
+template <int D>
+[[gnu::cold]] bool RadiusOrder<D>::compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error) {
     bool in_range = true;
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
         const ExactSphere x = sphere_of(a), y = sphere_of(b);
@@ -290,7 +291,8 @@ template <int D> bool RadiusOrder<D>::compare_all(std::uint32_t begin, std::uint
 }
 
 // Equal radii, above those settled before.
-template <int D> void RadiusOrder<D>::settle(std::uint32_t begin, std::uint32_t end, double radius, double error) {
+template <int D>
+[[gnu::cold]] void RadiusOrder<D>::settle(std::uint32_t begin, std::uint32_t end, double radius, double error) {
     if (radius <= last_) {
         const double above = last_ < radius_max ? next_up(last_) : last_;
         error = above > last_ ? error + 1.01 * (above - radius) / radius : infinity;

@@ -260,8 +260,13 @@ class Graph:
             symbol = title.rsplit(":", 1)[-1]
             if symbol not in definitions or self.frame[title] > self.frame[definitions[symbol]]:
                 definitions[symbol] = title
+        def home(symbol):
+            # A constructor of whole objects (C1) is mostly another name of the one of base objects (C2).
+            of_base = symbol.replace("C1E", "C2E")
+            return symbol if symbol in self.frame else definitions.get(symbol, definitions.get(of_base, symbol))
+
         for caller, callees in self.calls.items():
-            self.calls[caller] = {c if c in self.frame else definitions.get(c, c) for c in callees}
+            self.calls[caller] = {home(c) for c in callees}
 
     def cycles(self):
         """Strongly connected sets of more than one function, or functions that call themselves (Tarjan, iterative)."""
