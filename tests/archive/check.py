@@ -261,9 +261,11 @@ class Graph:
             if symbol not in definitions or self.frame[title] > self.frame[definitions[symbol]]:
                 definitions[symbol] = title
         def home(symbol):
-            # A constructor of whole objects (C1) is mostly another name of the one of base objects (C2).
-            of_base = symbol.replace("C1E", "C2E")
-            return symbol if symbol in self.frame else definitions.get(symbol, definitions.get(of_base, symbol))
+            # Constructors and destructors of whole objects (C1, D1) are mostly other names of those of base objects.
+            if symbol in self.frame:
+                return symbol
+            of_base = symbol.replace("C1E", "C2E").replace("D1E", "D2E")
+            return of_base if of_base in self.frame else definitions.get(symbol, definitions.get(of_base, symbol))
 
         for caller, callees in self.calls.items():
             self.calls[caller] = {home(c) for c in callees}
