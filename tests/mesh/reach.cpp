@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on ce
     constexpr int D = T::value;
     const int samples = 20000;
     for (int kind = 0; kind < 8; ++kind) {
-        const std::size_t n = kind == 0 ? 2 : kind == 1 ? 3 : 3 + static_cast<std::size_t>(3 * kind);
+        const std::size_t n = kind == 0 ? 2 : kind == 1 ? 3 : 3 + static_cast<std::size_t>((D < 5 ? 3 : 1) * kind);
         const int within = kind < 2 ? D : 1 + kind % D;
         const inputs::Points points = kind == 7 ? on_curve(D, n) : flat(D, within, n, 7 + static_cast<unsigned>(kind));
         Framed<D> m(points);
