@@ -933,9 +933,9 @@ typedef struct netmesh_diagram_report {
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
     uint64_t simplices; /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
-    double
-        certified_ratio; /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of
-                            the function of KNN, KDISTANCE and FUNCTION) is at most ln c; ALPHA: but for value_error */
+    /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of the function of KNN,
+     * KDISTANCE and FUNCTION) is at most ln c. ALPHA: 1, but for value_error. */
+    double certified_ratio;
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;       /* scale from which the ratio holds: 0, or r_P for the basic filter */
     double value_error;          /* ALPHA: births and deaths differ from the true ones by at most this times the true
