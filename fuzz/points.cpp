@@ -30,7 +30,8 @@ void triangulate(netmesh_context* context, const netmesh_mesh_request& of) {
     check.what = NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY;
     require(netmesh_check(context, &check) == NETMESH_OK);
     const netmesh::requests::Persist alpha(NETMESH_FILTER_ALPHA);
-    require(fits_or_not(netmesh_persist(context, &alpha)));
+    status = netmesh_persist(context, &alpha);
+    require(fits_or_not(status) || status == NETMESH_OUT_OF_RANGE);
 }
 
 // Whether there is a mesh.
