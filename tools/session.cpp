@@ -114,6 +114,10 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     case NETMESH_CANCELLED: return {Exit::cancelled, "netmesh: cancelled"};
     case NETMESH_NOT_FINITE: return data_error(cloud.where(detail.index_a) + ": a coordinate is not finite");
     case NETMESH_OUT_OF_RANGE:
+        if (options_.filter == NETMESH_FILTER_ALPHA)
+            return data_error(cloud.name +
+                              ": coordinates too far apart in size for an exact alpha complex: it has room "
+                              "for 2^1670 in the plane, 2^1190 in space, 2^640 in R^6");
         return data_error(cloud.where(detail.index_a) +
                           ": outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
                           "2^-500 (3.1e-151)");

@@ -542,6 +542,15 @@ TEST_CASE("fingerprints: the same for every format and every memory") {
     CHECK(text_in(folder.run("persist p.txt --seed 2 --json -o d.pers").out, "fingerprint").size() == 16);
 }
 
+TEST_CASE("an alpha complex of coordinates too far apart in size is refused, and nothing is left") {
+    const Folder folder;
+    folder.write("far.txt", "1e300 1e-300\n-1e300 3e-300\n2e-300 1e300\n1e-300 -1e300\n7e-301 1e-301\n");
+    const Result result = folder.run("persist far.txt --filter alpha -o far.pers");
+    CHECK(result.exit == 3);
+    CHECK(result.says("far.txt: coordinates too far apart in size"));
+    CHECK(!folder.has("far.pers"));
+}
+
 TEST_CASE("size: one integer, enough for uniform points") {
     const Folder folder;
     for (const char* dim : {"2", "3", "4"}) {
