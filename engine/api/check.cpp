@@ -16,7 +16,8 @@ namespace {
 constexpr double ratio_tolerance = 0x1p-40;
 constexpr const char* aspect_violation = "a clipped Voronoi cell has an aspect ratio above tau";
 
-// The squared size that each cell may have.
+// The squared size that each cell may have, by a search of its own for the two inputs nearest to each vertex; what
+// refinement takes them from is kept with the vertices.
 template <int D>
 Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& sizes, Arena& arena, double* limit2) {
     const ArenaScope scope(arena);
@@ -24,7 +25,17 @@ Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& 
     if (tree.build(store, arena, inputs) != Status::ok) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
         if (!(limit2[v] < infinity)) continue;
-        const double size = wanted_size<D>(store, tree, sizes, v) * (1 + ratio_tolerance);
+        Neighbour near[2] = {{infinity, none, 0}, {infinity, none, 0}};
+        tree.nearest_k(store.point(v), inputs < 2 ? inputs : 2, near);
+        double size = infinity;
+        if (sizes.eps > 0) size = sizes.eps * square_root(near[1].distance2);
+        if (sizes.at_inputs > 0) {
+            const double by_distance = sizes.at_inputs + sizes.growth * square_root(near[0].distance2);
+            if (by_distance < size) size = by_distance;
+        }
+        const double by_caller = sizes.function != nullptr ? sizes.function(sizes.user, store.point(v)) : infinity;
+        if (!(by_caller >= size)) size = by_caller;
+        size *= 1 + ratio_tolerance;
         limit2[v] = size > 0 ? size * size : 0;
     }
     return Status::ok;

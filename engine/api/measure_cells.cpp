@@ -82,11 +82,17 @@ template <int D> [[gnu::cold]] Status measure_balls(Context& context, std::uint3
     return Status::ok;
 }
 
-// The size of an element, 0 when it is not set.
-template <class Item> std::uint32_t bytes_of(const Item* array) {
+// Calls measure(D, bytes an element has) when there is room for a result and something to measure.
+template <class Item, class Measure>
+netmesh_status fill(netmesh_context* context, const Item* array, Measure&& measure) {
+    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     std::uint32_t bytes = 0;
     if (has_room(array)) __builtin_memcpy(&bytes, array, sizeof bytes);
-    return bytes;
+    if (bytes == 0)
+        return refuse(context, NETMESH_FIELD_RESULT, "the array is null or the first one's size is not set");
+    if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    return with_dimension(context->input.dim,
+                          [&](auto dimension) { return finish(context, measure(dimension, bytes)); });
 }
 
 }  // namespace
@@ -113,22 +119,14 @@ netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, u
 }
 
 netmesh_status netmesh_measure_voronoi(netmesh_context* context, netmesh_voronoi* cells) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    const std::uint32_t bytes = bytes_of(cells);
-    if (bytes == 0) return refuse(context, NETMESH_FIELD_RESULT, "cells is null or the first one's size is not set");
-    if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
-    return with_dimension(context->input.dim, [&](auto dimension) {
-        return finish(context, measure_voronoi<decltype(dimension)::value>(*context, bytes, cells));
+    return fill(context, cells, [=](auto dimension, std::uint32_t bytes) {
+        return measure_voronoi<decltype(dimension)::value>(*context, bytes, cells);
     });
 }
 
 netmesh_status netmesh_measure_balls(netmesh_context* context, netmesh_ball* balls) {
-    if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    const std::uint32_t bytes = bytes_of(balls);
-    if (bytes == 0) return refuse(context, NETMESH_FIELD_RESULT, "balls is null or the first one's size is not set");
-    if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
-    return with_dimension(context->input.dim, [&](auto dimension) {
-        return finish(context, measure_balls<decltype(dimension)::value>(*context, bytes, balls));
+    return fill(context, balls, [=](auto dimension, std::uint32_t bytes) {
+        return measure_balls<decltype(dimension)::value>(*context, bytes, balls);
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
@@ -20,15 +21,19 @@ double distance(const double* a, const double* b, int dim) {
     return std::sqrt(d2);
 }
 
-// Distance to the second nearest input by looking at all of them.
-double feature_size_by_scan(const inputs::Points& points, int dim, const double* x) {
+// Distances to the two nearest inputs by looking at all of them.
+std::pair<double, double> distances_by_scan(const inputs::Points& points, int dim, const double* x) {
     double first = infinity, second = infinity;
     for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim)) {
         const double d = distance(&points[i], x, dim);
         second = std::min(second, std::max(first, d));
         first = std::min(first, d);
     }
-    return second;
+    return {first, second};
+}
+
+double feature_size_by_scan(const inputs::Points& points, int dim, const double* x) {
+    return distances_by_scan(points, dim, x).second;
 }
 
 // Largest R_v / f(v) over clipped cells, by the public interface alone: a cell's farthest point is a corner inside the
@@ -64,6 +69,34 @@ template <class Size> double worst_by_corners(const Session& session, Size&& siz
             const netmesh_vertex& v = vertices[cell.vertices[i]];
             if (v.marker != 2) worst = std::max(worst, distance(x, v.coordinates, dim) / size(v.coordinates));
         }
+    }
+    return worst;
+}
+
+// Largest distance of a point of the domain from its nearest vertex over that vertex's size, every other point on the
+// sphere; points nearest to exempt vertices do not count.
+template <class Size> double worst_by_sampling(const Session& session, Size&& size) {
+    const netmesh_report r = session.report();
+    const int dim = static_cast<int>(r.input.dim);
+    const std::vector<netmesh_vertex> vertices = session.vertices();
+    inputs::Random random(3);
+    double worst = 0;
+    for (int sample = 0; sample < 4000; ++sample) {
+        double x[6], d2;
+        do {
+            d2 = 0;
+            for (int k = 0; k < dim; ++k) {
+                x[k] = 2 * random.uniform() - 1;
+                d2 += x[k] * x[k];
+            }
+        } while (d2 > 1);
+        const double scale = sample % 2 == 0 ? 1 : 1 / std::sqrt(d2);
+        for (int k = 0; k < dim; ++k) x[k] = r.mesh.domain[k] + r.mesh.domain[dim] * scale * x[k];
+        const netmesh_vertex* nearest = &vertices[0];
+        for (const netmesh_vertex& v : vertices)
+            if (distance(x, v.coordinates, dim) < distance(x, nearest->coordinates, dim)) nearest = &v;
+        if (nearest->marker == 2) continue;
+        worst = std::max(worst, distance(x, nearest->coordinates, dim) / size(nearest->coordinates));
     }
     return worst;
 }
@@ -177,28 +210,7 @@ TEST_CASE("no point of the domain is farther from its vertex than asked for, by 
             session.request.sizes.user = &funnel;
             REQUIRE(session.mesh(inputs::uniform(dim, n)) == NETMESH_OK);
             CHECK(session.check() == NETMESH_OK);
-            const netmesh_report r = session.report();
-            const std::vector<netmesh_vertex> vertices = session.vertices();
-            inputs::Random random(3);
-            int beyond = 0;
-            for (int sample = 0; sample < 3000; ++sample) {
-                double x[6], d2;
-                do {
-                    d2 = 0;
-                    for (int k = 0; k < dim; ++k) {
-                        x[k] = 2 * random.uniform() - 1;
-                        d2 += x[k] * x[k];
-                    }
-                } while (d2 > 1);
-                const double scale = sample % 2 == 0 ? 1 : 1 / std::sqrt(d2);  // every other one on the sphere
-                for (int k = 0; k < dim; ++k) x[k] = r.mesh.domain[k] + r.mesh.domain[dim] * scale * x[k];
-                const netmesh_vertex* nearest = &vertices[0];
-                for (const netmesh_vertex& v : vertices)
-                    if (distance(x, v.coordinates, dim) < distance(x, nearest->coordinates, dim)) nearest = &v;
-                beyond +=
-                    distance(x, nearest->coordinates, dim) > Funnel::size(&funnel, nearest->coordinates) * (1 + 1e-9);
-            }
-            CHECK(beyond == 0);
+            CHECK(worst_by_sampling(session, [&](const double* x) { return Funnel::size(&funnel, x); }) <= 1 + 1e-9);
         }
 }
 
@@ -207,12 +219,6 @@ TEST_CASE("no sampled cell reaches farther than a size that grows with the dista
         const std::size_t n = by_dimension<std::size_t>(dim, {30, 12, 5});
         const double size = by_dimension<double>(dim, {0.05, 0.15, 0.3}), growth = 0.25;
         const inputs::Points points = inputs::uniform(dim, n);
-        const auto to_inputs = [&](const double* x) {
-            double least = infinity;
-            for (std::size_t i = 0; i < n; ++i)
-                least = std::min(least, distance(x, &points[i * std::size_t(dim)], dim));
-            return least;
-        };
         Session session(dim);
         session.request.tau = dim < 4 ? 3 : 4;
         REQUIRE(session.mesh(points) == NETMESH_OK);
@@ -221,34 +227,37 @@ TEST_CASE("no sampled cell reaches farther than a size that grows with the dista
         session.request.size_growth = growth;
         REQUIRE(session.mesh(points) == NETMESH_OK);
         const netmesh_report r = session.report();
-        CHECK(r.mesh.vertices > unsized);
+        CHECK(static_cast<double>(r.mesh.vertices) > (dim < 4 ? 2 : 1.5) * static_cast<double>(unsized));
         CHECK(r.mesh.sizes.ratio_max <= 1);
         CHECK(r.mesh.sizes.ratio_max > 0.5);
         CHECK(session.check() == NETMESH_OK);
         session.request.size_growth = growth / 4;
         CHECK(session.check() == NETMESH_CHECK_FAILED);
-        const std::vector<netmesh_vertex> vertices = session.vertices();
-        inputs::Random random(5);
-        double worst = 0;
-        for (int sample = 0; sample < 4000; ++sample) {
-            double x[6], d2;
-            do {
-                d2 = 0;
-                for (int k = 0; k < dim; ++k) {
-                    x[k] = 2 * random.uniform() - 1;
-                    d2 += x[k] * x[k];
-                }
-            } while (d2 > 1);
-            for (int k = 0; k < dim; ++k) x[k] = r.mesh.domain[k] + r.mesh.domain[dim] * x[k];
-            const netmesh_vertex* nearest = &vertices[0];
-            for (const netmesh_vertex& v : vertices)
-                if (distance(x, v.coordinates, dim) < distance(x, nearest->coordinates, dim)) nearest = &v;
-            if (nearest->marker == 2) continue;
-            const double asked = size + growth * to_inputs(nearest->coordinates);
-            worst = std::max(worst, distance(x, nearest->coordinates, dim) / asked);
-        }
+        const double worst = worst_by_sampling(
+            session, [&](const double* x) { return size + growth * distances_by_scan(points, dim, x).first; });
         CHECK(worst <= 1 + 1e-9);
         CHECK(worst > 0.5);
+    }
+}
+
+TEST_CASE("check finds the sizes of a mesh by itself") {
+    // Meshed without a size: refused where a corner is beyond it, accepted where no sample is near it.
+    for (const int dim : dimensions(2, 3)) {
+        const inputs::Points points = inputs::uniform(dim, 25);
+        Session session(dim);
+        REQUIRE(session.mesh(points) == NETMESH_OK);
+        double low = 0, high = 1;  // of the size at the inputs
+        while (high - low > 1e-6) {
+            const double at = (low + high) / 2;
+            const auto size = [&](const double* x) { return at + distances_by_scan(points, dim, x).first / 2; };
+            const bool kept = worst_by_corners(session, size) <= 1 && worst_by_sampling(session, size) <= 1;
+            (kept ? high : low) = at;
+        }
+        session.request.size_growth = 0.5;
+        session.request.size_at_inputs = 0.999 * low;
+        CHECK(session.check() == NETMESH_CHECK_FAILED);
+        session.request.size_at_inputs = 1.1 * high;
+        CHECK(session.check() == NETMESH_OK);
     }
 }
 
