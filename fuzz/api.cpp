@@ -136,10 +136,15 @@ private:
         request.max_degree = tape_.below(8);
         request.keep_zero_pairs = tape_.byte() & 1;
         request.bounds = tape_.byte() & 1;
+        if (tape_.byte() & 1) request.filter = static_cast<netmesh_filter>(tape_.below(9));
+        if (tape_.byte() & 1) request.values = NETMESH_VALUES_THESIS;
+        request.k = tape_.below(4);
         if (tape_.rarely()) request.points = nullptr;
         if (ended(netmesh_fit(context_, maybe<netmesh_fit_request>(request, c))) != NETMESH_OK) return;
         const netmesh_report r = report();
-        require(r.diagram.present != 0 && r.diagram.certified_ratio <= r.mesh.certificate.ratio);
+        const bool laddered = r.diagram.filter == NETMESH_FILTER_COMPLETE && request.values == NETMESH_VALUES_CERTIFIED;
+        require(r.diagram.present != 0);
+        require(!laddered || r.diagram.certified_ratio <= r.mesh.certificate.ratio);
         netmesh_mesh_request made = c.mesh_request();
         made.certificate = r.mesh.certificate;
         require(checked(15, made, c) != NETMESH_CHECK_FAILED);

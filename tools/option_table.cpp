@@ -291,8 +291,8 @@ const std::vector<OptionEntry>& option_entries() {
         {"--from", persist | check, "A", apply_from, "least radius of interest"},
         {"--to", persist | check, "B", apply_to, "largest radius of interest"},
         {"--fit", persist, nullptr, apply_switch<&Options::fit>,
-         "the least ratio that fits in --memory, of the radii --from to --to if given; --ratio C is where it begins "
-         "(4)"},
+         "the least ratio that fits in --memory, of the radii --from to --to if given, for any filter on a mesh but "
+         "tight; --ratio C is where it begins (4)"},
         {"--method", persist | check, "M", apply_method,
          "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
         {"--method", mesh | size, "M", apply_method,

@@ -168,9 +168,11 @@ FilterChoice choice_of(const Options& options) {
 }
 
 bool refines_by_certificate(const Options& options) {
+    if (options.command != Command::persist || options.method || options.finish) return false;
     const FilterChoice choice = choice_of(options);
-    return options.command == Command::persist && !options.method && !options.finish &&
-           about(choice.filter).has_goal != 0 && choice.values == NETMESH_VALUES_CERTIFIED;
+    const netmesh_filter_info& filter = about(choice.filter);
+    if (options.fit) return filter.source == NETMESH_SOURCE_MESH && filter.has_eps == 0;
+    return filter.has_goal != 0 && choice.values == NETMESH_VALUES_CERTIFIED;
 }
 
 Outcome check_ratio(const Options& options) {
@@ -178,7 +180,8 @@ Outcome check_ratio(const Options& options) {
     if (options.command == Command::persist && (options.ratio || focused || options.fit) &&
         !refines_by_certificate(options)) {
         return usage_error(
-            "--ratio, --focus and --fit are for the complete filter with certified values, without --method");
+            options.fit ? "--fit is for filters on a mesh but tight, without --method"
+                        : "--ratio and --focus are for the complete filter with certified values, without --method");
     }
     if (options.fit && options.memory_bytes == 0) return usage_error("--fit needs --memory, the size to fit in");
     if (options.fit && options.focus > 0) return usage_error("--focus is what --fit finds");

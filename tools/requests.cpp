@@ -62,6 +62,9 @@ requests::Fit fit_request(const Options& options, std::uint32_t dim) {
     fit.max_degree = max_degree_of(options, dim);
     fit.keep_zero_pairs = options.all ? 1 : 0;
     fit.bounds = options.bounds ? 1 : 0;
+    fit.filter = choice_of(options).filter;
+    fit.values = choice_of(options).values;
+    fit.k = options.k.value_or(1);
     return fit;
 }
 

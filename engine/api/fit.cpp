@@ -1,22 +1,62 @@
 // Budget mode: the best certified diagram that fits in the block.
 #include "jobs/fit.hpp"
+#include "api/measure.hpp"
 #include "api/requests.hpp"
+#include "certificate/rounding.hpp"
+#include "filtration/filters.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr double coarsest_ratio = 4;
 
+// The largest sqrt(hi / lo) of Steiner cells that matter to the scales of interest: hi > from and lo < to.
+template <int D>
+Status measure_focus(Context& context, const netmesh_fit_request& request, const FilterRequest& filter, double* ratio) {
+    const ArenaScope scope(context.arena);
+    Store<D> store(context.arena, context.mesh.store);
+    const std::uint32_t count = store.state.vertex_count;
+    Evaluation cells = {context.arena.take_high<double>(count), context.arena.take_high<Interval>(count)};
+    if (cells.value == nullptr || cells.interval == nullptr) return Status::out_of_memory;
+    Monitor monitor = monitor_of(request.monitor);
+    const Status status = evaluate<D>(filtered_mesh_of<D>(context, store), filter, {context.arena, monitor}, &cells);
+    double widest = 1;
+    for (VertexId v(0); v < count && status == Status::ok; ++v) {
+        const Interval i = cells.interval[v];
+        if (store.vertex(v).marker != Marker::steiner || !(i.hi > request.focus_from && i.lo < request.focus_to))
+            continue;
+        if (!(i.hi / i.lo <= widest)) widest = i.hi / i.lo;
+    }
+    *ratio = widest > 1 ? square_root(widest) * up : 1;
+    return status;
+}
+
 // Mesh, diagram and bounds of one goal, in place of what the context held.
 class FitRun {
 public:
-    FitRun(netmesh_context* context, const netmesh_fit_request& request) : context_(context), request_(request) {}
+    FitRun(netmesh_context* context, const netmesh_fit_request& request, const FilterRequest& filter)
+        : context_(context), request_(request), filter_(filter) {}
 
-    Status make(const RatioGoal& goal) const {
+    Status make(const RatioGoal& goal, Climbed* climbed) const {
+        const bool focused = request_.focus_to > 0;
         netmesh_status status = mesh(goal);
         if (status == NETMESH_OK) status = persist();
-        if (status == NETMESH_OK && request_.bounds != 0) status = bound();
-        return static_cast<Status>(status);
+        if (status != NETMESH_OK) return static_cast<Status>(status);
+        KeptDiagram& diagram = context_->diagram;
+        climbed->certified = diagram.certified_ratio;
+        if (focused) {
+            const Status measured = with_dimension(request_.dim, [&](auto dimension) {
+                constexpr int D = decltype(dimension)::value;
+                return measure_focus<D>(*context_, request_, filter_, &climbed->certified);
+            });
+            if (measured != Status::ok) return measured;
+            diagram.certified_focus = climbed->certified;
+        }
+        // The mesh is refined for the complete filter's ratio; what it certifies for others is no matter of the ladder.
+        const bool is_laddered =
+            find_filter(filter_.filter)->has(filter_trait::has_goal) && filter_.values == FilterValues::certified;
+        climbed->reached = is_laddered ? climbed->certified : infinity;
+        return request_.bounds != 0 ? static_cast<Status>(bound()) : Status::ok;
     }
 
 private:
@@ -34,9 +74,13 @@ private:
     netmesh_status persist() const {
         netmesh_persist_request asked;
         netmesh_persist_request_init(&asked, sizeof asked);
+        asked.filter = filter_.filter;
         asked.monitor = request_.monitor;
+        asked.values = request_.values;
+        asked.k = filter_.k;
         asked.max_degree = request_.max_degree;
         asked.keep_zero_pairs = request_.keep_zero_pairs;
+        asked.function = request_.function;
         return netmesh_persist(context_, &asked);
     }
     netmesh_status bound() const {
@@ -48,6 +92,7 @@ private:
 
     netmesh_context* context_;
     const netmesh_fit_request& request_;
+    const FilterRequest filter_;
 };
 
 Complaint complaint_about(const netmesh_fit_request& request) {
@@ -57,6 +102,21 @@ Complaint complaint_about(const netmesh_fit_request& request) {
         return {NETMESH_FIELD_RATIO, "ratio is not a finite number above the root of 2"};
     const bool focused = request.focus_from != 0 || request.focus_to != 0;
     return focused ? complaint_about_focus(request.focus_from, request.focus_to) : Complaint{};
+}
+
+// `function` is what the filter's function is copied to.
+Complaint read_filter(const netmesh_fit_request& request, FilterRequest* filter, netmesh_function* function) {
+    constexpr netmesh_filter none = NETMESH_FILTER_NONE;  // of callers whose struct has no filter yet
+    const bool is_given = __builtin_memcmp(&request.filter, &none, sizeof none) != 0;
+    const Filter* const row = is_given ? find_filter(request.filter) : find_filter(NETMESH_FILTER_COMPLETE);
+    if (row == nullptr || row->source != FilterSource::mesh) return {NETMESH_FIELD_FILTER, "not a filter on a mesh"};
+    const Complaint complaint = complaint_about_values(request.values);
+    if (complaint.text != nullptr) return complaint;
+    const std::uint32_t k = request.k > 1 ? request.k : 1;
+    *filter = {row->id, values_of(request.values), row->has(filter_trait::needs_k) ? k : 0, function};
+    if (filter->k > request.point_count) return {NETMESH_FIELD_K, "k is more than the number of points"};
+    if (!row->has(filter_trait::needs_function)) return {};
+    return read_function(request.function, function);
 }
 
 }  // namespace
@@ -70,9 +130,13 @@ extern "C" netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fi
     if (begun != NETMESH_OK) return begun;
     const Complaint complaint = complaint_about(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
+    netmesh_function function = {};
+    FilterRequest filter;
+    const Complaint about_filter = read_filter(request, &filter, &function);
+    if (about_filter.text != nullptr) return refuse(context, about_filter);
     const RatioLadder ladder(request.ratio != 0 ? request.ratio : coarsest_ratio, request.focus_from, request.focus_to);
-    const FitRun run(context, request);
-    const Status status = fit(ladder, [&](const RatioGoal& goal) { return run.make(goal); });
+    const FitRun run(context, request, filter);
+    const Status status = fit(ladder, [&](const RatioGoal& goal, Climbed* climbed) { return run.make(goal, climbed); });
     if (status != Status::ok) clear(context);  // a mesh or a diagram of which a part is missing is no answer
     return static_cast<netmesh_status>(status);
 }

@@ -6,21 +6,6 @@
 namespace netmesh {
 namespace {
 
-bool is_length(double x) { return x >= 0 && is_finite(x); }
-
-// The caller's function, as this version knows it.
-Complaint read_function(const netmesh_function* from, netmesh_function* function) {
-    if (from == nullptr) return {NETMESH_FIELD_FUNCTION, "the function is null"};
-    const netmesh_field fault = read_struct(from, function, sizeof *function);
-    if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
-    if (function->evaluate == nullptr) return {NETMESH_FIELD_FUNCTION, "the function is null"};
-    if (!is_length(function->lipschitz)) return {NETMESH_FIELD_LIPSCHITZ, "lipschitz is not finite and >= 0"};
-    if (!is_length(function->distance_factor))
-        return {NETMESH_FIELD_DISTANCE_FACTOR, "distance_factor is not finite and >= 0"};
-    if (!is_length(function->cut)) return {NETMESH_FIELD_CUT, "cut is not finite and >= 0"};
-    return {};
-}
-
 void keep_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
                   const FilterDiagram& diagram) {
     const Arena& arena = context->arena;

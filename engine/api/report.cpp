@@ -139,6 +139,7 @@ void report_diagram(const netmesh_context* context, netmesh_diagram_report* to) 
     to->certified_ratio = diagram.certified_ratio;
     to->certified_ratio_best = diagram.certified_ratio_best;
     to->certified_from = diagram.certified_from;
+    to->certified_focus = diagram.certified_focus;
     to->value_error = diagram.value_error;
 }
 

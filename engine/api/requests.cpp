@@ -4,6 +4,11 @@
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
+namespace {
+
+bool is_length(double x) { return x >= 0 && is_finite(x); }
+
+}  // namespace
 
 double tau_of(std::uint32_t dim, double tau) {
     if (tau != 0) return tau;
@@ -31,6 +36,18 @@ Complaint complaint_about_points(const double* points, std::size_t count, std::u
 Complaint complaint_about_values(const netmesh_values& values) {
     if (in_range(values, NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS)) return {};
     return {NETMESH_FIELD_VALUES, "unknown kind of values"};
+}
+
+Complaint read_function(const netmesh_function* from, netmesh_function* function) {
+    if (from == nullptr) return {NETMESH_FIELD_FUNCTION, "the function is null"};
+    const netmesh_field fault = read_struct(from, function, sizeof *function);
+    if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
+    if (function->evaluate == nullptr) return {NETMESH_FIELD_FUNCTION, "the function is null"};
+    if (!is_length(function->lipschitz)) return {NETMESH_FIELD_LIPSCHITZ, "lipschitz is not finite and >= 0"};
+    if (!is_length(function->distance_factor))
+        return {NETMESH_FIELD_DISTANCE_FACTOR, "distance_factor is not finite and >= 0"};
+    if (!is_length(function->cut)) return {NETMESH_FIELD_CUT, "cut is not finite and >= 0"};
+    return {};
 }
 
 Complaint complaint_about_focus(double from, double to) {
@@ -146,6 +163,7 @@ void netmesh_represent_request_init(netmesh_represent_request* request, size_t r
 
 void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes, uint32_t dim) {
     netmesh_fit_request defaults = points_defaults<netmesh_fit_request>(dim);
+    defaults.filter = NETMESH_FILTER_COMPLETE;
     defaults.max_degree = NETMESH_DIM_MAX;
     start(defaults, request, request_bytes);
 }

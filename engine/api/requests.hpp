@@ -35,6 +35,8 @@ Complaint complaint_about_dim(std::uint32_t dim);
 Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim);
 Complaint complaint_about_values(const netmesh_values& values);
 Complaint complaint_about_focus(double from, double to);
+// Copies the caller's function, as this version knows it.
+Complaint read_function(const netmesh_function* from, netmesh_function* function);
 
 // Why the context does not hold what a filter is evaluated on; null when it does.
 const char* missing_result(const netmesh_context* context, const Filter& filter);

@@ -308,6 +308,20 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
         f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_FOCUS_FROM);
         bad_fit.focus_from = 2;
         f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_FOCUS_TO);
+        for (const netmesh_filter filter : {NETMESH_FILTER_ALPHA, NETMESH_FILTER_SCALES, NETMESH_FILTER_RIPS}) {
+            bad_fit = fit;
+            bad_fit.filter = filter;
+            f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_FILTER);
+        }
+        bad_fit = fit;
+        bad_fit.values = static_cast<netmesh_values>(2);
+        f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_VALUES);
+        bad_fit = fit;
+        bad_fit.filter = NETMESH_FILTER_FUNCTION;
+        f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_FUNCTION);
+        bad_fit.filter = NETMESH_FILTER_KNN;
+        bad_fit.k = 1000000;
+        f.refused(netmesh_fit(f.c, &bad_fit), NETMESH_FIELD_K);
 
         const netmesh_points_request rips = f.session.points_request(f.points, NETMESH_FILTER_RIPS);
         const auto no_points = [&](auto change, netmesh_field field) {

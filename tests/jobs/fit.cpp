@@ -19,24 +19,36 @@ int rung_of(const RatioLadder& ladder, double ratio) {
     return -1;
 }
 
-struct Climbed {
-    Status status;
-    int held;  // the rung whose result there is, -1: none
-    int jobs;  // how many results were made or tried
+struct Rung {
+    bool fits = true;
+    double certified = 1;
+    double reached = infinity;
 };
 
-// fits[rung]: whether the result of that rung fits in the block.
-Climbed climb(const RatioLadder& ladder, const std::vector<bool>& fits) {
-    Climbed out = {Status::ok, -1, 0};
-    out.status = fit(ladder, [&](const RatioGoal& goal) {
+struct Run {
+    Status status;
+    int held;                // the rung whose result there is, -1: none
+    std::vector<int> tried;  // rungs, in the order in which results were made or tried
+};
+
+Run climb(const RatioLadder& ladder, const std::vector<Rung>& rungs) {
+    Run out = {Status::ok, -1, {}};
+    out.status = fit(ladder, [&](const RatioGoal& goal, Climbed* climbed) {
         const int rung = rung_of(ladder, goal.ratio);
         REQUIRE(rung >= 0);
-        ++out.jobs;
-        const bool room = fits[static_cast<std::size_t>(rung)];
-        out.held = room ? rung : -1;  // the result before is gone either way
-        return room ? Status::ok : Status::out_of_memory;
+        out.tried.push_back(rung);
+        const Rung& here = rungs[static_cast<std::size_t>(rung)];
+        out.held = here.fits ? rung : -1;  // the result before is gone either way
+        *climbed = {here.reached, here.certified};
+        return here.fits ? Status::ok : Status::out_of_memory;
     });
     return out;
+}
+
+std::vector<Rung> rungs_of(const RatioLadder& ladder) {
+    std::vector<Rung> rungs;
+    for (int rung = 0; ladder.has(rung); ++rung) rungs.push_back({true, ladder.goal(rung).ratio, infinity});
+    return rungs;
 }
 
 }  // namespace
@@ -59,52 +71,84 @@ TEST_CASE("eight rungs halve what a ratio is above 1, in equal steps") {
     }
 }
 
-TEST_CASE("a block holds the finest rung that fits in it") {
+TEST_CASE("where finer rungs certify more, the finest that fits is held") {
     const RatioLadder ladder(1e20, 0, 0);
-    int rungs = 0;
-    while (ladder.has(rungs)) ++rungs;
-    REQUIRE(rungs > 200);
-    for (int finest = -1; finest < rungs; ++finest) {
+    std::vector<Rung> rungs = rungs_of(ladder);
+    const int count = static_cast<int>(rungs.size());
+    REQUIRE(count > 200);
+    for (int finest = count - 1; finest >= -1; --finest) {
         CAPTURE(finest);
-        std::vector<bool> fits;
-        for (int rung = 0; rung < rungs; ++rung) fits.push_back(rung <= finest);
-        const Climbed out = climb(ladder, fits);
+        if (finest + 1 < count) rungs[static_cast<std::size_t>(finest + 1)].fits = false;
+        const Run out = climb(ladder, rungs);
         CHECK(out.status == (finest < 0 ? Status::out_of_memory : Status::ok));
         CHECK(out.held == finest);
-        CHECK(out.jobs <= 7 + finest / 8);
+        const int again = finest >= 0 && finest + 1 < count ? 1 : 0, refused = finest + 1 < count ? 1 : 0;
+        CHECK(static_cast<int>(out.tried.size()) == finest + 1 + refused + again);
     }
 }
 
-// What does not fit may be followed by what does: finer meshes are not larger in every case.
-TEST_CASE("a larger block never holds a coarser rung") {
+TEST_CASE("rungs that are reached already are left out") {
     const RatioLadder ladder(40, 0, 0);
-    int rungs = 0;
-    while (ladder.has(rungs)) ++rungs;
+    std::vector<Rung> rungs = rungs_of(ladder);
+    for (Rung& rung : rungs) rung.reached = 0.5 * (1 + rung.certified);  // eight rungs on
+    const Run out = climb(ladder, rungs);
+    for (std::size_t i = 1; i < out.tried.size(); ++i) {
+        const int before = out.tried[i - 1], gap = out.tried[i] - before;
+        CAPTURE(before);
+        CHECK((gap == 8 || gap == 9));
+        CHECK(ladder.goal(out.tried[i]).ratio < rungs[static_cast<std::size_t>(before)].reached);
+        CHECK(ladder.goal(out.tried[i] - 1).ratio >= rungs[static_cast<std::size_t>(before)].reached);
+    }
+    CHECK(out.tried.size() > 3);
+}
+
+// What does not fit may be followed by what does, and finer meshes may certify less: neither makes a block of more
+// bytes certify less.
+TEST_CASE("a larger block never certifies less") {
+    const RatioLadder ladder(40, 0, 0);
+    std::vector<Rung> rungs = rungs_of(ladder);
     inputs::Random random(3);
-    for (int round = 0; round < 200; ++round) {
+    int returned = 0, last_held = 0;
+    for (int round = 0; round < 300; ++round) {
         std::vector<std::uint64_t> bytes;
-        for (int rung = 0; rung < rungs; ++rung)
-            bytes.push_back(static_cast<std::uint64_t>(rung) * 4 + random.below(60));
-        int last = -1;
-        for (std::uint64_t block = 0; block < static_cast<std::uint64_t>(rungs) * 4 + 60; ++block) {
-            std::vector<bool> fits;
-            for (const std::uint64_t b : bytes) fits.push_back(b <= block);
-            const Climbed out = climb(ladder, fits);
+        for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
+            bytes.push_back(rung * 4 + random.below(60));
+            rungs[rung].certified = 1 + (ladder.goal(static_cast<int>(rung)).ratio - 1) * (0.3 + random.uniform());
+            if (round % 3 == 0) rungs[rung].certified = infinity;
+            rungs[rung].reached = round % 2 == 0 ? infinity : rungs[rung].certified;
+        }
+        double last = 0;
+        for (std::uint64_t block = 0; block < rungs.size() * 4 + 60; ++block) {
+            for (std::size_t rung = 0; rung < rungs.size(); ++rung) rungs[rung].fits = bytes[rung] <= block;
+            const Run out = climb(ladder, rungs);
             CHECK((out.status == Status::ok) == (bytes[0] <= block));
             if (out.status != Status::ok) continue;
-            CHECK(out.held >= last);
-            CHECK(out.held >= 0);
-            last = out.held;
+            REQUIRE(out.held >= 0);
+            const double certified = rungs[static_cast<std::size_t>(out.held)].certified;
+            CHECK((last == 0 || certified <= last));
+            if (round % 3 == 0) CHECK(out.held >= last_held);
+            // The best of all that was seen.
+            for (const int rung : out.tried) {
+                const Rung& seen = rungs[static_cast<std::size_t>(rung)];
+                CHECK((!seen.fits || seen.certified >= certified));
+            }
+            returned += out.tried.back() == out.held ? 1 : 0;
+            last = certified;
+            last_held = out.held;
         }
+        last_held = 0;
     }
+    CHECK(returned > 1000);
 }
 
 TEST_CASE("what is not a lack of memory ends the climb") {
     const RatioLadder ladder(5, 0, 0);
     for (int stop = 0; stop < 4; ++stop) {
         int jobs = 0;
-        CHECK(fit(ladder, [&](const RatioGoal&) { return jobs++ == stop ? Status::cancelled : Status::ok; }) ==
-              Status::cancelled);
+        CHECK(fit(ladder, [&](const RatioGoal&, Climbed* climbed) {
+                  *climbed = {infinity, 2};
+                  return jobs++ == stop ? Status::cancelled : Status::ok;
+              }) == Status::cancelled);
         CHECK(jobs == stop + 1);
     }
 }

@@ -453,7 +453,8 @@ TEST_CASE("persist: refinement by the certificate") {
     for (const std::string line :
          {"--fit", "--fit --memory 1M --focus 1.5", "--fit --memory 1M --from 1", "--ratio 1.4", "--ratio x",
           "--focus 1.5", "--focus 1.5 --from 2 --to 1", "--focus 1", "--ratio 2 --filter knn",
-          "--ratio 2 --values thesis", "--ratio 2 --method svr", "--fit --memory 1M --filter alpha"}) {
+          "--ratio 2 --values thesis", "--ratio 2 --method svr", "--fit --memory 1M --filter alpha",
+          "--fit --memory 1M --filter tight", "--fit --memory 1M --method svr"}) {
         CAPTURE(line);
         CHECK(folder.run("persist p.csv " + line).exit == 2);
     }

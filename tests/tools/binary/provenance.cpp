@@ -80,6 +80,8 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
                                    "--ratio 2.5 --focus 1.6 --from .3 --to .9 --bounds",
                                    "--fit --memory 512K",
                                    "--fit --memory 512K --from .3 --to .9 --ratio 3 --bounds",
+                                   "--fit --memory 512K --filter knn --k 2 --bounds",
+                                   "--fit --memory 512K --values thesis",
                                    "--method svr",
                                    "--method refine --tau 4",
                                    "--method netmesh --finish",
