@@ -13,10 +13,19 @@
 // - R_v. In v's cell no input is nearer than v itself, hence d_k(x) >= d_1(x) >= |x - v|, so that lo = d_k(v) / 2 holds
 // too. From rho, the radius of the smallest enclosing ball of the inputs, on the sublevel sets are star-shaped about
 // its centre (where a ball about an input, or the ball about a mean of k inputs that D_k is made of, contains x and the
-// centre, it contains the segment between them), so everything is cut at rho: F = min(d_k, rho). A cell of out-radius
-// (tau/2) nn(v) has hi <= (2 + tau) lo, as for k >= 2 the nearest neighbour of v in the mesh is no farther than d_k(v):
-// c* <= sqrt(2 + tau) where the whole cell is that good. For k = 1 both functions are the distance to the inputs, 0 at
-// the inputs: that is the complete filter.
+// centre, it contains the segment between them), so everything is cut at rho: F = min(d_k, rho). For k = 1 both
+// functions are the distance to the inputs, 0 at the inputs: that is the complete filter.
+//
+// A mesh on which the complete filter certifies c certifies at most sqrt(2 + c^2) for d_k, k >= 2. Write d for d_1 and
+// t for d_k(v) >= d(v), R for R_v. Of the complete filter min(rho, h) <= c^2 l, with h >= R: where h is the distance
+// from a corner to the nearest input of a Steiner vertex that holds as no input is nearer to a corner than v is, and h
+// = R for inputs. Where rho is the least, hi <= rho <= c^2 l <= c^2 lo, as lower ends ascend with the function. Else R
+// <= c^2 l. Steiner vertices: where R >= d / 2, l = d / 2, so R <= c^2 t / 2 and hi / lo <= (t + R) / (t / 2) <= 2 +
+// c^2; where R < d / 2 <= t / 2, hi / lo <= (t + R) / (t - R) <= 3. Inputs: l is half the distance n to the nearest
+// neighbour in the mesh, and n <= t, as for k >= 2 the k-th nearest input is another: the same again. For the
+// k-distance n <= t sqrt(k / (k - 1)) alone, its own distance 0 being one of the k: at most sqrt(2 + sqrt(k / (k - 1))
+// c^2). With c^2 = 2 + tau the constants are sqrt(4 + tau) and, k = 2, sqrt(2 + sqrt 2 (2 + tau)); the sqrt(2 + tau)
+// that cells inside the domain have is not kept at its boundary, where R_v is that of the whole cell.
 //
 // General functions. f(v) - L R_v <= f <= f(v) + L R_v; where f >= d_2 / c is known (8.6.3), also f(x) >= |x - v| / c
 // as above, so that lo = f(v) / (1 + c L). For a general f the clipping argument of 7.4.4 is an assumption: the caller

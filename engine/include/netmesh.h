@@ -569,8 +569,9 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * needs a Delaunay triangulation, the others a mesh without cages; one mesh serves every k. Replaces the diagram, also
  * when it fails.
  * Memory above the mesh: below 8 bytes a simplex, for alpha about 25 bytes a simplex plus fill, 8 more on grids.
- * For FUNCTION: the sublevel sets of a function (8.6). certified_ratio is infinite where f is too small for its change
- * across a Voronoi cell; a distance_factor keeps it finite.
+ * KNN and KDISTANCE, k >= 2: on a mesh on which COMPLETE certifies c the certified_ratio is at most sqrt(2 + s c^2), s
+ * = 1 for KNN and sqrt(k / (k - 1)) for KDISTANCE. For FUNCTION: the sublevel sets of a function (8.6). certified_ratio
+ * is infinite where f is too small for its change across a Voronoi cell; a distance_factor keeps it finite.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
  * is not finite or negative), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190
  * in space, 2^640 in R^6, of which all coordinates are multiples), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays

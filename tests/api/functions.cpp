@@ -1,8 +1,10 @@
 // Filters by a function: what the interface takes and refuses.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -54,6 +56,41 @@ TEST_CASE("a function of the caller's") {
     CHECK(session.report().complete == 1);
     CHECK(session.persist(NETMESH_FILTER_FUNCTION) == NETMESH_INVALID_ARGUMENT);
     CHECK(session.detail().field == NETMESH_FIELD_FUNCTION);
+}
+
+TEST_CASE("filters by neighbours certify no more than the complete filter's ratio lets them") {
+    double closest[2] = {0, 0};  // the share of the bound that is used
+    for (const int dim : dimensions(2, 4)) {
+        for (std::uint64_t set = 0; set < by_dimension<std::uint64_t>(dim, {60, 12, 3}); ++set) {
+            CAPTURE(dim);
+            CAPTURE(set);
+            const std::size_t n = dim == 4 ? 8 : 4 + 7 * (set % 8);
+            const inputs::Points points = set % 3 == 0   ? inputs::uniform(dim, n, set)
+                                          : set % 3 == 1 ? inputs::clusters(dim, n, set)
+                                                         : inputs::shell(dim, n, 1, 1.1, set);
+            Session session(dim);
+            // Meshes by quality and by the certificate, from coarse to fine.
+            if (set % 2 == 0)
+                session.request.tau = dim == 4 ? 4 : 2.1 + 0.2 * static_cast<double>(set % 7);
+            else
+                session.request.certificate.ratio = 1.8 + 0.3 * static_cast<double>(set % 5);
+            REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+            REQUIRE(session.persist(NETMESH_FILTER_COMPLETE) == NETMESH_OK);
+            const double c = session.report().diagram.certified_ratio;
+            for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
+                for (std::uint32_t k = 2; k <= 4; ++k) {
+                    REQUIRE(session.persist(persist_by(filter, k)) == NETMESH_OK);
+                    const bool mean = filter == NETMESH_FILTER_KDISTANCE;
+                    const double s = mean ? std::sqrt(k / (k - 1.0)) : 1;
+                    const double share = session.report().diagram.certified_ratio / std::sqrt(2 + s * c * c);
+                    CHECK(share <= 1 + 1e-9);
+                    closest[mean] = std::max(closest[mean], share);
+                }
+        }
+    }
+    // Both bounds are reached.
+    CHECK(closest[0] > 0.99);
+    CHECK(closest[1] > 0.99);
 }
 
 TEST_CASE("k: one mesh for all, as many neighbours as there are points") {

@@ -42,12 +42,12 @@ void print_head() {
 
 // slack: what the truth is known to.
 void judge(const Case& c, Session& session, const char* filter, const Diagram& truth, double distance, double theory,
-           bool promised = true, double slack = 1 + 1e-9) {
+           double slack = 1 + 1e-9) {
     CAPTURE(c.name);
     CAPTURE(filter);
     const double certified = session.report().diagram.certified_ratio, ratio = std::exp(distance);
     CHECK(ratio <= certified * slack);
-    if (promised) CHECK(certified <= theory * (1 + 1e-9));
+    CHECK(certified <= theory * (1 + 1e-9));
     std::size_t certain = 0;
     CHECK(bounds_hold(session, truth, &certain, slack));
     CHECK(moves_within(curve(session), diagram(session), truth, slack));
@@ -126,7 +126,7 @@ void nearest_k(const Case& c, std::uint32_t k) {
     session.request.tau = c.tau;
     REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_KNN, k)) == NETMESH_OK);
     judge(c, session, k == 2 ? "knn, k = 2" : "knn, k = 3", truth, distance_of_positive(diagram(session), truth, c.dim),
-          theory_of(c, NETMESH_VALUES_CERTIFIED), false);
+          std::sqrt(4 + c.tau));
 }
 
 void k_distance(const Case& c, std::uint32_t k, unsigned side) {
@@ -141,7 +141,7 @@ void k_distance(const Case& c, std::uint32_t k, unsigned side) {
     const double slack = 1 + doubt / (least - doubt);
     REQUIRE(slack < 2);
     judge(c, session, "kdistance, k = 4", truth, distance_of_positive(diagram(session), truth, c.dim),
-          theory_of(c, NETMESH_VALUES_CERTIFIED), false, slack);
+          std::sqrt(2 + std::sqrt(4.0 / 3) * (2 + c.tau)), slack);
 }
 
 }  // namespace
