@@ -59,6 +59,7 @@ struct KeptMesh {
     double size_eps = 0, size_ratio_max = 0;
     Slice<Cage> cages;
     HierarchyCounts hierarchy = {};
+    std::uint64_t touches = 0;  // LocationCounts
     std::uint32_t audited = 0;  // a union of netmesh_audit_what
     MeshAudit audit = {};
 };

@@ -88,7 +88,7 @@ template <> struct Figures_of<netmesh_report> {
         ARRAY("mesh.domain", real, mesh.domain, NETMESH_DIM_MAX + 1, domain, input.dim, 1, 0, 0),
         ONE("mesh.cages", uint64, mesh.hierarchy.cages, hierarchy, on_request, 0),
         ONE("mesh.cages_made", uint64, mesh.hierarchy.cages_made, hierarchy, on_request, 0),
-        ONE("mesh.touches", uint64, mesh.hierarchy.touches, hierarchy, on_request, 0),
+        ONE("mesh.touches", uint64, mesh.touches, domain, on_request | positive, 0),
         ARRAY("mesh.audit.location.load", uint32, mesh.audit.load, NETMESH_ROUNDS_MAX, location, mesh.audit.rounds, 0,
               on_request, 0),
         ONE("mesh.audit.location.nets", uint32, mesh.audit.nets, location, on_request, 0),

@@ -50,6 +50,7 @@ template <int D> void keep_mesh(netmesh_context* context, const MeshRequest& req
     mesh.size_eps = request.size.eps;
     if (result.cages != nullptr) mesh.cages = Slice<Cage>::of(context->arena, result.cages, result.hierarchy.cages);
     mesh.hierarchy = result.hierarchy;
+    mesh.touches = result.location.touches();
     mesh.audit = result.audit;
 }
 

@@ -111,7 +111,7 @@ void report_mesh(const netmesh_context* context, netmesh_mesh_report* to) {
     to->sizes = {mesh.size_eps, mesh.size_ratio_max};
     to->hierarchy.cages = mesh.hierarchy.cages;
     to->hierarchy.cages_made = mesh.hierarchy.cages_made;
-    to->hierarchy.touches = mesh.hierarchy.touches;
+    to->touches = mesh.touches;
     report_audit(mesh.audit, mesh.audited, &to->audit);
 }
 

@@ -886,8 +886,7 @@ typedef struct netmesh_sizes_report {
 
 typedef struct netmesh_hierarchy_report {
     uint64_t cages, cages_made; /* made: those released again are counted too */
-    uint64_t touches;           /* inputs looked at, cells and domains passed by point location */
-    uint64_t reserved[2];
+    uint64_t reserved[3];
 } netmesh_hierarchy_report;
 
 #define NETMESH_ROUNDS_MAX 32
@@ -929,7 +928,9 @@ typedef struct netmesh_mesh_report {
     netmesh_sizes_report sizes;
     netmesh_hierarchy_report hierarchy;
     netmesh_audit_report audit;
-    uint64_t reserved[4];
+    uint64_t touches; /* by point location, whatever made it look: distances to inputs, inputs compared with D-balls
+                         (audit LOCATION), cells, domains and vertices passed; 0 after load */
+    uint64_t reserved[3];
 } netmesh_mesh_report;
 
 typedef struct netmesh_diagram_report {

@@ -77,6 +77,7 @@ template <int D> bool BallLists<D>::start(Kernel<D>& kernel) {
         for (std::uint32_t p = 0; p < inputs_; ++p)
             if (!consider(kernel, c, p)) return false;
     }
+    starting_ = tests_;
     tests_ = 0;
     return true;
 }

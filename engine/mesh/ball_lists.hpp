@@ -48,6 +48,8 @@ public:
     // for the others. chosen[]: room for all inputs. Returns how many. O(cells + entries).
     std::uint32_t draw_nets(std::uint32_t most, std::uint64_t seed, std::uint32_t* chosen);
 
+    // How often an input has been compared with a D-ball, also before the first insertion.
+    std::uint64_t looks() const { return starting_ + tests_; }
     void report(LocationAudit* audit) const;
 
     // What open places for each input and cell, and for each input in a ball.
@@ -72,7 +74,7 @@ private:
     std::uint32_t *first_of_input_, *ply_, *waiting_next_, *stamp_, *touches_;  // [inputs]
     std::uint32_t inputs_, cells_max_, entries_max_, entries_used_ = 0, free_ = none, now_ = 0, waiting_ = none;
     std::uint32_t ply_max_ = 0, located_ = 0;
-    std::uint64_t ply_sum_ = 0, tests_ = 0;
+    std::uint64_t ply_sum_ = 0, starting_ = 0, tests_ = 0;
 };
 
 }  // namespace netmesh

@@ -38,6 +38,7 @@ template <int D> class HierarchyRule : public AspectRule<D, HierarchyRule<D>> {
     using Base::kernel_;
     using Base::nearest_input;
     using Base::observers_;
+    using Base::passed_;
     using Base::queue_;
     using Base::store_;
     using Base::tau_;
@@ -108,7 +109,6 @@ private:
     std::uint32_t near_cage_ = none;
     double near_nearest2_ = 0;
     std::uint32_t encroached_ = none;  // list of cages through Cage::next
-    std::uint64_t passed_ = 0;         // domains passed in finding the domain of an input
 };
 
 template <int D> Status HierarchyRule<D>::reserve(std::size_t n) {
@@ -439,7 +439,7 @@ template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
 template <int D> std::size_t HierarchyRule<D>::keep_results(std::size_t) {
     const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live();
     this->result_.cages = hierarchy_.cages();
-    this->result_.hierarchy = {kept, made, made - kept, tree_.touches() + kernel_.steps() + passed_};
+    this->result_.hierarchy = {kept, made, made - kept};
     if (kept == 0 && store_.state.cell_slots > 0) find_nearest_inputs();
     return store_.arena.offset_of(hierarchy_.cages() + kept);
 }

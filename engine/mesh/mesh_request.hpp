@@ -43,11 +43,18 @@ struct MeshRequest {
 struct HierarchyCounts {
     std::uint32_t cages;  // left in the mesh
     std::uint32_t cages_made, cages_released;
-    // Of inputs by point location: how often a search has looked at one (inserted or not), and cells and domains passed
-    // on the way to where one belongs. Nearly all of it is spent on looking for an input to yield to around each
-    // Steiner point: some 30 / 40 / 60 looks (D = 2 / 3 / 4) a vertex. So it depends on the spread as far as the size
-    // of the mesh does, and gaps of a few times the clusters, too narrow for cages, have the largest meshes.
-    std::uint64_t touches;
+};
+
+// What point location has looked at, whoever made it look. Nearly all of it is spent on looking for an input to yield
+// to around each Steiner point: some 30 / 40 / 60 looks (D = 2 / 3 / 4) a vertex. So it depends on the spread as far
+// as the size of the mesh does, and gaps of a few times the clusters, too narrow for cages, have the largest meshes.
+// Lists of D-balls come on top of that, not in its place. Audits of quality, which measure, do not count.
+struct LocationCounts {
+    std::uint64_t tree;    // distances to inputs, inserted or not, that searches of the tree have computed
+    std::uint64_t lists;   // inputs compared with D-balls by an audit of location, when the lists begin and ever after
+    std::uint64_t passed;  // cells and domains on the way to where a point belongs, vertices compared with an input
+
+    std::uint64_t touches() const { return tree + lists + passed; }
 };
 
 // Figures of what was audited, 0 of what was not.
@@ -61,6 +68,7 @@ template <int D> struct MeshResult {
     Domain<D> domain;
     Cage* cages;  // hierarchy.cages of them at the arena's low end before the cells; null: the method makes none
     HierarchyCounts hierarchy;
+    LocationCounts location;
     MeshAudit audit;
 };
 

@@ -36,6 +36,7 @@ public:
         return lists_.is_open() ? lists_.ball_of(input) : store.state.last_cell;
     }
     BallLists<D>& lists() { return lists_; }
+    std::uint64_t list_looks() const { return lists_.looks(); }
 
     // After each step: vertex v has been inserted, and the shell of a cage before, if one was made. `cleaning`: not
     // because an input had its turn. hierarchy: null where there are no cages. out_of_memory, internal (a cage is

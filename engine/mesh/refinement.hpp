@@ -114,9 +114,10 @@ protected:
     }
     // The vertex nearest to p, which is one of the cells in conflict. Those are finite, as the frame's hull contains
     // the domain.
-    VertexId nearest_in_conflict(VertexId p, const Cavity& cavity) const {
+    VertexId nearest_in_conflict(VertexId p, const Cavity& cavity) {
         VertexId nearest = none;
         double best2 = infinity;
+        passed_ += std::uint64_t{cavity.cells} * (D + 1);
         for (std::uint32_t k = 0; k < cavity.cells; ++k)
             for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
                 const double d2 = distance2<D>(store_.point(p), store_.point(w));
@@ -155,6 +156,7 @@ protected:
     Observers<D> observers_;
     Sizes<D> sizes_;
     std::uint32_t inputs_ = 0, inserted_ = 0;
+    std::uint64_t passed_ = 0;  // LocationCounts::passed without the cells that the kernel counts
 
 private:
     Status reach_sizes();
@@ -196,6 +198,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::run(std::uint32_t* orde
 template <int D, class Rule> Status Refinement<D, Rule>::close(std::size_t low, Status status) {
     observers_.report(&result_.audit);
     low = rule().keep_results(low);
+    result_.location = {tree_.touches(), observers_.list_looks(), kernel_.steps() + passed_};
     store_.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
     recompute_balls<D>(store_);
     rule().restore_distances();

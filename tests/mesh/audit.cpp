@@ -149,6 +149,78 @@ TEST_CASE_TEMPLATE_DEFINE("an audit of quality is of the mesh that is made witho
 }
 TEST_CASE_TEMPLATE_APPLY(same, Dimensions<2, 4>);
 
+TEST_CASE_TEMPLATE_DEFINE("lists count each input that they compare with a ball", T, list_looks) {
+    constexpr int D = T::value;
+    constexpr std::uint32_t n = D < 4 ? 60 : 30;
+    Stored<D> s(inputs::uniform(D, n), std::size_t{1} << 24);
+    std::uint64_t looks = 0;
+    for (CellId c(0); c < s.state.cell_slots; ++c)
+        if (s.store.is_live(c) && !s.store.is_ghost(c)) looks += n;
+    CHECK(s.lists.looks() == looks);
+    for (VertexId v(0); v < n; ++v) {
+        // In balls that go: by looking at all inputs that are left.
+        std::vector<bool> waits(n, false);
+        Cavity cavity = s.find(v);
+        std::vector<CellId> gone;
+        for (std::uint32_t k = 0; k < cavity.cells; ++k) gone.push_back(s.kernel.cavity_cell(k));
+        for (const CellId c : gone)
+            for (const std::uint32_t p : s.in_ball(c, v.index + 1)) waits[p] = true;
+        s.insert(v);
+        // A new ball is compared with those and with what the ball behind the facet opposite to v holds.
+        std::vector<CellId> star;
+        REQUIRE(s.kernel.visit_star(v, [&](CellId c) { star.push_back(c); }));
+        for (const CellId c : star) {
+            std::vector<bool> seen = waits;
+            const Cell<D>& cell = s.store.cell(c);
+            for (int i = 0; i <= D; ++i) {
+                if (cell.vertex[i] != v || s.store.is_ghost(cell.neighbour[i].cell())) continue;
+                for (const std::uint32_t p : s.in_ball(cell.neighbour[i].cell(), v.index + 1)) seen[p] = true;
+            }
+            looks += static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
+        }
+        CHECK(s.lists.looks() == looks);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(list_looks, Dimensions<>);
+
+TEST_CASE_TEMPLATE_DEFINE("touches of whole meshes: all looks of both ways, by any method that locates", T, touches) {
+    constexpr int D = T::value;
+    // The tree is one leaf: each search looks at all inputs, and once more where it has one to start with.
+    constexpr std::uint64_t n = 7;
+    const inputs::Points points = inputs::geometric(D, 100, n);
+    for (const bool lists : {false, true})
+        for (const MeshRequest& request : {by_quality(4), by_hierarchy(4), by_hierarchy(4, true)}) {
+            const Hierarchical<D> m(points, audited(request, lists, false));
+            REQUIRE(m.status == Status::ok);
+            const LocationCounts& location = m.result.location;
+            const bool cages = request.method == MeshMethod::hierarchy;
+            std::uint64_t split = 0, shells = 2 * D * m.result.hierarchy.cages_made;
+            for (std::uint32_t v = n; v < m.state.vertex_count; ++v)
+                split += m.store.vertex(VertexId(v)).marker == Marker::steiner;
+            if (request.finish) split -= shells;
+            // Nearest inputs for the separation, of the frame's vertices, and around each Steiner point: by SVR for
+            // all of them, besides f_P of some; with cages as long as inputs are missing.
+            std::uint64_t least = n * n + 2 * D * n, most = n * n + 2 * D * (n + 1);
+            if (cages) {
+                most += (split + n) * n + n * n * 700;
+                if (request.finish) least += (split + shells) * (n + 1);
+                if (request.finish) most += (2 * D + split + shells) * (n + 1);
+            } else {
+                least += split * (n + 1);
+                most += (split + n) * 2 * n;
+            }
+            INFO("lists " << lists << " cages " << cages << " finish " << request.finish << " least " << least
+                          << " tree " << location.tree << " most " << most);
+            CHECK(location.tree >= least);
+            CHECK(location.tree <= most);
+            CHECK((location.lists > 0) == lists);
+            if (lists) CHECK(location.lists > n * m.result.audit.location.tests_mean);
+            CHECK(location.passed >= n);
+            CHECK(location.touches() == location.tree + location.lists + location.passed);
+        }
+}
+TEST_CASE_TEMPLATE_APPLY(touches, Dimensions<2, 4>);
+
 TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls", T, missed) {
     constexpr int D = T::value;
     constexpr std::uint32_t n = D < 4 ? 200 : D < 6 ? 60 : 80, half = n / 2;

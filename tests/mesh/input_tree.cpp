@@ -45,7 +45,77 @@ template <int D> std::vector<std::pair<double, std::uint32_t>> by_distance(const
     return all;
 }
 
+// A nearest input as a tree with this layout finds it, and how many inputs that takes.
+template <int D> struct Tally {
+    const Planted<D>& p;
+    const double* x;
+    double best2 = HUGE_VAL;
+    std::uint64_t looks = 0;
+
+    void look(std::uint32_t v) {
+        ++looks;
+        best2 = std::min(best2, distance2<D>(x, p.store.point(v)));
+    }
+    void search(TreeRange range, const std::vector<double>& beyond) {
+        double least2 = 0;
+        for (const double d : beyond) least2 += d * d;
+        if (least2 > best2) return;
+        if (range.is_leaf()) {
+            for (std::uint32_t i = range.begin; i < range.end; ++i) look(p.tree.item(i));
+            return;
+        }
+        const std::uint32_t middle = range.middle(), item = p.tree.item(middle);
+        look(item);
+        const int axis = p.tree.axis(middle);
+        const double offset = x[axis] - p.store.point(item)[axis];
+        search(offset < 0 ? range.below() : range.above(), beyond);
+        std::vector<double> farther = beyond;
+        farther[static_cast<std::size_t>(axis)] = offset;
+        search(offset < 0 ? range.above() : range.below(), farther);
+    }
+};
+
 }  // namespace
+
+TEST_CASE_TEMPLATE_DEFINE("each look at an input is counted", T, counted) {
+    constexpr int D = T::value;
+    double d2;
+    Neighbour nearest[8];
+    // A tree of one leaf has no choice.
+    for (const bool rings : {true, false})
+        for (std::uint32_t n = 2; n <= TreeRange::leaf; ++n) {
+            Planted<D> p(inputs::uniform(D, n), rings);
+            REQUIRE(p.status == Status::ok);
+            CHECK(p.tree.touches() == 0);
+            const double* const x = p.store.point(0);
+            std::uint64_t looks = 0;
+            CHECK(p.tree.nearest(x, none, none, &d2) == 0);
+            CHECK(p.tree.touches() == (looks += n));
+            CHECK(p.tree.nearest(x, 1, 0, &d2) != 0);
+            CHECK(p.tree.touches() == (looks += 1 + (n - 1)));
+            CHECK(p.tree.nearest_within(x, 1e-30, &d2) == 0);
+            CHECK(p.tree.touches() == (looks += n));
+            p.tree.nearest_k(x, n, nearest);
+            CHECK(p.tree.touches() == (looks += n));
+            if (rings) CHECK(p.tree.farthest_in_ring(x, 0, 10, &d2) != none);
+            CHECK(p.tree.touches() == (looks += rings ? n : 0));
+        }
+    Planted<D> p(inputs::clusters(D, 500), false);
+    REQUIRE(p.status == Status::ok);
+    inputs::Random random(3);
+    std::uint64_t looks = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        double x[D];
+        for (int k = 0; k < D; ++k) x[k] = random.uniform();
+        Tally<D> tally{p, x};
+        tally.search(p.tree.root(), std::vector<double>(D, 0.0));
+        p.tree.nearest(x, none, none, &d2);
+        CHECK(d2 == tally.best2);
+        CHECK(p.tree.touches() == (looks += tally.looks));
+    }
+    CHECK(looks < 300 * 500);
+}
+TEST_CASE_TEMPLATE_APPLY(counted, Dimensions<>);
 
 TEST_CASE_TEMPLATE_DEFINE("searches find what looking at all inputs finds", T, searches) {
     constexpr int D = T::value;

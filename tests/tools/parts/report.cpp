@@ -126,6 +126,7 @@ TEST_CASE("report: what has to be asked for is left out or there as a whole") {
     run.engine->mesh.is_mesh = 1;
     run.engine->mesh.method = NETMESH_METHOD_HIERARCHY;
     run.engine->mesh.hierarchy.cages = 4;
+    run.engine->mesh.touches = 9;
     run.engine->mesh.certificate.ratio = 2;
     run.engine->mesh.audit.what = NETMESH_AUDIT_LOCATION;
     run.engine->mesh.audit.rounds = 2;
@@ -133,7 +134,7 @@ TEST_CASE("report: what has to be asked for is left out or there as a whole") {
     CHECK(mesh_of(json_report(run)) ==
           "\"mesh\": {\n    \"vertices\": 0,\n    \"steiner\": 0,\n    \"boundary\": 0,\n    \"cells\": 0,\n"
           "    \"aspect_ratio_max\": 0,\n    \"tau\": null,\n    \"ratio\": 2,\n    \"domain\": [0, 0, 0],\n"
-          "    \"cages\": 4,\n    \"cages_made\": 0,\n    \"touches\": 0,\n    \"audit\": {\n"
+          "    \"cages\": 4,\n    \"cages_made\": 0,\n    \"touches\": 9,\n    \"audit\": {\n"
           "      \"location\": {\n        \"load\": [7, 0],\n        \"nets\": 0,\n        \"nets_max\": 0,\n"
           "        \"ply_max\": 0,\n        \"ply_mean\": 0,\n        \"touches_max\": 0,\n"
           "        \"touches_mean\": 0,\n        \"tests_mean\": 0\n      }\n    }\n  },\n  ");
