@@ -117,8 +117,8 @@ Outcome check_together(const Options& options) {
     const bool hierarchical = options.method == NETMESH_METHOD_HIERARCHY;
     const Outcome audited = check_audit(options);
     if (!audited.good()) return audited;
-    if (options.eps > 0 && hierarchical) return usage_error("--eps does not go with --method netmesh");
-    if (options.size_at_inputs > 0 && hierarchical) return usage_error("--cell-size does not go with --method netmesh");
+    if (hierarchical && !options.finish && (options.eps > 0 || options.size_at_inputs > 0))
+        return usage_error("--eps and --cell-size go with --method netmesh only where --finish removes the cages");
     if (options.domain_factor > 0 && options.method == NETMESH_METHOD_REFINE)
         return usage_error("--domain does not go with --method refine, which has the domain of 3.5");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");

@@ -28,7 +28,7 @@ public:
     Boxes(const Store<D>& store, const InputTree<D>& tree, const IntegralRequest& request)
         : store_(store), tree_(tree), centre_(request.centre), radius_(request.radius), balls_(request.balls) {}
 
-    Status open(Arena& arena, std::uint32_t inputs);
+    Status open(Arena& arena);
     Status run(double eta, Monitor& monitor, FeatureIntegral* integral);
 
 private:
@@ -37,6 +37,7 @@ private:
     Share share(const double* x, double half, double radius) const;
     bool settle(const double* x, double half, double eta, bool finest, FeatureIntegral* integral);
     void enter_root();
+    bool fits_root(double reach);
     bool is_finest() const;
     bool enter_child();
     void leave() {
@@ -57,14 +58,14 @@ private:
     std::uint32_t first_ = none, second_ = none;
 };
 
-template <int D> Status Boxes<D>::open(Arena& arena, std::uint32_t inputs) {
+template <int D> Status Boxes<D>::open(Arena& arena) {
     centres_ = arena.take_high<double>(std::size_t{levels_max} * D);
     child_ = arena.take_high<std::uint8_t>(levels_max);
     if (centres_ == nullptr || child_ == nullptr) return Status::out_of_memory;
     double least2 = infinity;
-    for (std::uint32_t v = 0; v < inputs; ++v) {
+    for (std::uint32_t i = 0; i < tree_.root().end; ++i) {
         double d2;
-        tree_.nearest(store_.point(v), v > 0 ? v - 1 : 1, v, &d2);
+        tree_.nearest(store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
         if (d2 < least2) least2 = d2;
     }
     feature_least_ = 0.5 * square_root(least2) * (1 - rounding);
@@ -129,14 +130,23 @@ template <int D> void Boxes<D>::enter_root() {
     half_ = 1;
     while (half_ < 2 * reach) half_ *= 2;
     while (half_ >= 4 * reach) half_ *= 0.5;
+    while (!fits_root(reach)) half_ *= 2;
+    level_ = 0;
+}
+
+// Does the box with sides of twice half_ contain the ball? Far from the origin its corner, which is known up to two
+// roundings, may be too near to that of the ball.
+template <int D> bool Boxes<D>::fits_root(double reach) {
+    bool fits = true;
     for (int k = 0; k < D; ++k) {
-        const double corner = (centre_[k] - reach) / half_;
+        const double corner = (centre_[k] - reach) / half_, doubt = absolute(corner) * 0x1p-51;
         const bool aligned = absolute(corner) < 0x1p51;
         double whole = aligned ? static_cast<double>(static_cast<std::int64_t>(corner)) : corner;
         if (whole > corner) whole -= 1;
         at(0)[k] = whole * half_ + half_;
+        fits = fits && whole <= corner - doubt && corner + doubt + 2 * reach / half_ <= whole + 2;
     }
-    level_ = 0;
+    return fits;
 }
 
 // Is there no smaller box, for want of levels or of digits?
@@ -179,11 +189,11 @@ template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureInteg
 }  // namespace
 
 template <int D>
-Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs,
-                        const IntegralRequest& request, const Work& work, FeatureIntegral* integral) {
+Status feature_integral(const Store<D>& store, const InputTree<D>& tree, const IntegralRequest& request,
+                        const Work& work, FeatureIntegral* integral) {
     ArenaScope scope(work.arena);
     Boxes<D> boxes(store, tree, request);
-    Status status = boxes.open(work.arena, inputs);
+    Status status = boxes.open(work.arena);
     if (status == Status::ok) status = boxes.run(coarsest<D>, work.monitor, integral);
     if (status != Status::ok) return status;
     // The number of boxes grows by 2^(D/2) a step.
@@ -198,8 +208,8 @@ Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::ui
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const IntegralRequest&,   \
-                                        const Work&, FeatureIntegral*);
+    template Status feature_integral<D>(const Store<D>&, const InputTree<D>&, const IntegralRequest&, const Work&,     \
+                                        FeatureIntegral*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

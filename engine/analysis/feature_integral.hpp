@@ -28,11 +28,11 @@ struct IntegralRequest {
 // is 1-Lipschitz, the value in a box is then known within a factor, which eta is chosen for; what a box that crosses a
 // sphere has inside counts as one half or less, or more, as its centre says. The bounds are certain, with room for
 // rounding; upper / lower - 1 is at most about `tolerance` (boundary aside) if boxes_max boxes do; with less it is what
-// they allow, eta being 0.7 at most. Vertices 0..inputs-1, two at least, are the inputs. Deterministic. Cost: about
+// they allow, eta being 0.7 at most. The tree's points, two at least, are P. Deterministic. Cost: about
 // (D^1.5 / (2 eta))^D times the integral, in nearest-neighbour searches. Scratch: 8 D + 1 bytes for each level of
 // boxes, some 2,200 levels. out_of_memory, cancelled.
 template <int D>
-Status feature_integral(const Store<D>& store, const InputTree<D>& tree, std::uint32_t inputs,
-                        const IntegralRequest& request, const Work& work, FeatureIntegral* integral);
+Status feature_integral(const Store<D>& store, const InputTree<D>& tree, const IntegralRequest& request,
+                        const Work& work, FeatureIntegral* integral);
 
 }  // namespace netmesh

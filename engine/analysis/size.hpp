@@ -4,6 +4,7 @@
 
 #include "analysis/feature_integral.hpp"
 #include "memory/work.hpp"
+#include "mesh/cage.hpp"
 #include "mesh/sizing.hpp"
 
 namespace netmesh {
@@ -13,23 +14,26 @@ struct SizeOptions {
     SizeRule rule;     // that the mesh was refined to as well
     double tolerance;  // of the integrals, see feature_integral.hpp
     std::uint64_t boxes_max;
+    Cage* cages = nullptr;  // of a mesh with cages; parents and nearest distances are found anew
+    std::uint32_t cage_count = 0;
 };
 
 // Balls about the domain's centre that integrals are taken over.
 enum SizeBall { ball_domain = 0, ball_vertices = 1, ball_wide = 2 };
 
 struct SizeAnalysis {
-    std::uint64_t size;         // inserted vertices that are not exempt: |M|
+    std::uint64_t size;         // inserted vertices that are not exempt: |M|; with cages also their shells
     double theta, theta_limit;  // least theta_i of the farthest-first ordering, and what no ordering that begins with a
                                 // diameter exceeds (pacing.hpp); 1 below three inputs
     double theta_log_sum;       // sum over i >= 3 of ln(1 / theta_i)
     double radius[FeatureIntegral::balls_max];  // the domain; all vertices' in-balls as well; 7 enclosing radii or more
     FeatureIntegral integral;
     double pace_lower, pace_upper;  // of the wide integral by the theta_i: 3.8.7 and 3.8.5
-    double feature_ratio;           // largest f_P(v) / f_M(v) over vertices that are not exempt
-    double feature_ratio_bound;     // what 3.3.2 with yielding and 3.7.1 allow; +infinity where they say nothing
-    double size_lower;              // of every mesh of aspect ratio tau on this domain: 3.4.2
-    double size_upper;              // of every mesh of this feature_ratio: 3.4.1
+    double feature_ratio;        // largest f_P(v) / f_M(v) over vertices that are not exempt; with cages P is that of
+                                 // v's domain, see hierarchy_size.hpp
+    double feature_ratio_bound;  // what 3.3.2 with yielding and 3.7.1 allow; +infinity where they say nothing
+    double size_lower;           // of every mesh of aspect ratio tau on this domain: 3.4.2; with cages by domains
+    double size_upper;           // of every mesh of this feature_ratio: 3.4.1; with cages by domains
 };
 
 // 3.3.2 for refinement that yields: if inputs are inserted first when nearer than gamma times the empty radius,
@@ -43,7 +47,7 @@ double feature_ratio_bound(double tau, const SizeRule& rule);
 // that of pacing.hpp and feature_integral.hpp, and O(cells). Scratch: 8 bytes a vertex, 33 an input. out_of_memory,
 // cancelled.
 template <int D>
-Status analyse_size(const Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const SizeOptions& options,
+Status analyse_size(Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const SizeOptions& options,
                     const Work& work, SizeAnalysis* analysis);
 
 // The bound that does not hold, null when all do. Room for the rounding of the analysis itself.

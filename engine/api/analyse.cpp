@@ -31,6 +31,7 @@ void give_size(const SizeAnalysis& from, netmesh_size_analysis* to) {
     to->pace_lower = from.pace_lower;
     to->pace_upper = from.pace_upper;
     to->boxes = from.integral.boxes;
+    to->upper_over_lower = from.size_lower > 0 ? from.size_upper / from.size_lower : infinity;
 }
 
 void give_boundary(const StructureAnalysis& from, netmesh_boundary_analysis* to) {
@@ -91,19 +92,20 @@ void give_all_cells(const FatnessAnalysis& from, netmesh_all_cells_analysis* to)
 }
 
 template <int D>
-Status analyse_sizes(const Context& context, const Store<D>& store, const Promises& promises, double tolerance,
-                     const Work& work, netmesh_size_analysis* to) {
+Status analyse_sizes(Context& context, Store<D>& store, const Promises& promises, double tolerance, const Work& work,
+                     netmesh_size_analysis* to) {
     SizeAnalysis size;
     const double wanted = tolerance > 0 ? tolerance : figures<D>.integral_tolerance;
-    const Status status = analyse_size<D>(store, domain_of<D>(context.mesh), context.input.distinct,
-                                          {promises.tau, promises.sizes, wanted, boxes_max}, work, &size);
+    const Status status = analyse_size<D>(
+        store, domain_of<D>(context.mesh), context.input.distinct,
+        {promises.tau, promises.sizes, wanted, boxes_max, cages_of(context), cage_count_of(context)}, work, &size);
     if (status != Status::ok) return status;
-    if (cage_count_of(context) > 0 || context.mesh.goal.ratio > 0) {
-        // Cells are of quality in their own domains alone, or none is promised, which is what lets a mesh be smaller.
+    if (context.mesh.goal.ratio > 0) {  // no quality is promised, which is what lets a mesh be smaller
         size.size_lower = 0;
         size.size_upper = size.feature_ratio_bound = infinity;
     }
     give_size(size, to);
+    to->domains = std::uint64_t{cage_count_of(context)} + 1;
     return status;
 }
 

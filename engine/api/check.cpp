@@ -111,17 +111,17 @@ Status check_promises(Context& context, Store<D>& store, const Promises& promise
                                      : check_ratio<D>(context, store, promises.goal, monitor, why);
 }
 
-// What chapters 3 (of meshes without cages, which may be smaller than its lower bound) and 5 say about sizes and
-// degrees.
+// What chapters 3, 4.9 and 5 say about sizes and degrees.
 template <int D>
 Status check_bounds(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
     const Work work = {context.arena, monitor};
     monitor.begin(NETMESH_STAGE_ANALYSE, 0);
     Status status = Status::ok;
-    if (context.mesh.is_mesh && cage_count_of(context) == 0 && context.mesh.tau > 0) {
+    if (context.mesh.is_mesh && context.mesh.tau > 0) {
         SizeAnalysis size;
         status = analyse_size<D>(store, domain_of<D>(context.mesh), context.input.distinct,
-                                 {promises.tau, promises.sizes, infinity, 0}, work, &size);
+                                 {promises.tau, promises.sizes, infinity, 0, cages_of(context), cage_count_of(context)},
+                                 work, &size);
         if (status == Status::ok) why->violation = violated_size_bound(size);
     }
     if (status != Status::ok || why->violation != nullptr) return status;

@@ -181,6 +181,8 @@ template <> struct Figures_of<netmesh_analysis> {
         ONE("size.vertices", uint64, size.vertices, size, 0, 2),
         ONE("size.lower", real, size.lower, size, 0, 11),
         ONE("size.upper", real, size.upper, size, 0, 12),
+        ONE("size.upper_over_lower", real, size.upper_over_lower, size, 0, 0),
+        ONE("size.domains", uint64, size.domains, size, 0, 0),
         ONE("size.feature_ratio", real, size.feature_ratio, size, 0, 13),
         ONE("size.feature_ratio_bound", real, size.feature_ratio_bound, size, 0, 14),
         ONE("size.theta", real, size.theta, size, 0, 15),

@@ -55,8 +55,8 @@ Complaint complaint_about_numbers(const netmesh_mesh_request& request) {
 Complaint complaint_about_method(const netmesh_mesh_request& request) {
     if (has_cages(request) && request.purpose != NETMESH_PURPOSE_MESH && request.finish == 0)
         return {NETMESH_FIELD_PURPOSE, "a mesh with cages is not for persistence; finish it"};
-    if (has_cages(request) && sizes_of(request).asks())
-        return {NETMESH_FIELD_SIZES, "the method with cages does not over-refine"};
+    if (has_cages(request) && sizes_of(request).asks() && request.finish == 0)
+        return {NETMESH_FIELD_SIZES, "a mesh with cages is not over-refined; finish it"};
     return complaint_about_audit(request);
 }
 

@@ -332,7 +332,7 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* request);
  * single point. PURPOSE_PERSIST refines (SVR alone) a shell around the domain as well, as far as a certified ratio of
  * sqrt(2 + tau) needs it. PURPOSE_TIGHT over-refines to e = tight_eps / (3 (1 + tight_eps)) times f_P (7.5) in a
  * domain of at least 3.1 + 4 e enclosing radii: hundreds (D = 2) to tens of thousands (D = 3) of vertices a point.
- * Meshes with cages are not for persistence, and METHOD_HIERARCHY does not over-refine.
+ * Meshes with cages are neither for persistence nor over-refined; finished ones are.
  * With certificate.ratio the mesh has about half of the vertices for the same certified ratio. No aspect ratio is
  * promised then; the report's tau is 0. For a ratio below 2 distances must be 64 / (ratio^2 / 2 - 1) units, and with
  * scales of interest focus_from must be 64 / k units, k = focus_ratio^2 / 2 - 1, or
@@ -1057,13 +1057,16 @@ void netmesh_analyse_request_init(netmesh_analyse_request* request, size_t reque
  * nearest, in the ordering of netmesh_well_paced_order. */
 typedef struct netmesh_size_analysis {
     uint32_t present;
-    uint64_t vertices; /* |M|: those that are not exempt */
-    /* With cages, or refined by the certificate, lower and upper say nothing (0, infinity), nor does
-     * feature_ratio_bound (infinity): quality is that of domains, or none is promised. */
+    uint64_t vertices; /* |M|: those that are not exempt; with cages also their shells */
+    /* Refined by the certificate, which promises no quality, lower and upper say nothing (0, infinity), nor does
+     * feature_ratio_bound (infinity). With cages lower and upper are sums over domains (4.9.4): lower of every mesh of
+     * hierarchical quality tau with these cages, upper of every one with this feature_ratio in each domain. */
     double lower;               /* every mesh of aspect ratio tau on this domain has more vertices (3.4.2) */
     double upper;               /* every mesh of this feature_ratio has fewer (3.4.1) */
-    double feature_ratio;       /* largest f_P(v) / f_M(v), distances to the second nearest input and vertex */
-    double feature_ratio_bound; /* by 3.3.2, where inputs are yielded to, and 3.7.1; infinite where they say nothing */
+    double feature_ratio;       /* largest f_P(v) / f_M(v), distances to the second nearest input and vertex; with
+                                   cages P are the inputs of v's domain and the centres of the cages in it */
+    double feature_ratio_bound; /* by 3.3.2, where inputs are yielded to, and 3.7.1; infinite where they say nothing,
+                                   as with cages */
     double theta;               /* the least theta_i */
     double theta_limit;         /* no ordering that begins with a diameter has a least theta_i above it */
     double theta_log_sum;       /* sum of ln(1 / theta_i), i >= 3: the mesh size up to constants and O(n) (3.8.1) */
@@ -1072,7 +1075,8 @@ typedef struct netmesh_size_analysis {
     double radii[3], integral_lower[3], integral_upper[3];
     double pace_lower, pace_upper; /* what 3.8.7 and 3.8.5 say about the last */
     uint64_t boxes;                /* where f_P was evaluated */
-    uint64_t reserved[2];
+    double upper_over_lower;       /* infinite where one of them says nothing */
+    uint64_t domains;              /* 1 more than there are cages */
 } netmesh_size_analysis;
 
 /* Structure (4.8.1, 4.11). Maxima of ply and of intersections are taken over a sample: ply at barycentres of cells and
@@ -1144,7 +1148,8 @@ typedef struct netmesh_analysis {
     netmesh_all_cells_analysis all_cells; /* with FATNESS */
 } netmesh_analysis;
 
-/* Analyses what the context holds. analysis->struct_bytes must be set. Scratch: 8 to 40 bytes a vertex.
+/* Analyses what the context holds. analysis->struct_bytes must be set. Scratch: 8 to 60 bytes a vertex,
+ * with cages 8 a cell.
  * INVALID_ARGUMENT, NO_RESULT (no triangulation; SIZE without a mesh), OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_analyse(netmesh_context* context, const netmesh_analyse_request* request,
                                netmesh_analysis* analysis);

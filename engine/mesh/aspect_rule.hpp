@@ -45,6 +45,11 @@ protected:
 
     // The squared distance that a corner must be beyond to be bad.
     double least_bad2(const Vertex<D>& vertex) const { return 0.25 * tau_ * tau_ * vertex.nearest2; }
+    // The same where sizes are asked for, at most.
+    double least_beyond2(const Vertex<D>& vertex) const {
+        const double bad2 = least_bad2(vertex), sized2 = this->sizes_.bound2(vertex);
+        return sized2 < bad2 ? sized2 : bad2;
+    }
 
     // Positions of those vertices of a new cell whose cells its corner can make bad, as bits.
     unsigned positions_of_bad(const Cell<D>& cell) const {
@@ -91,6 +96,15 @@ protected:
         found->distance2 = bound2;
         offer_poles<D>(this->store_, ball, v, star, count, found);
         if (!(found->distance2 > bound2)) found->distance2 = -1;
+    }
+    // The same beyond what v's cell may have by tau or by the size asked for.
+    void find_sized_beyond(const Domain<D>& ball, VertexId v, std::uint32_t count, Corner<D>* found) const {
+        const Vertex<D>& vertex = this->store_.vertex(v);
+        const double bad2 = least_bad2(vertex), sized2 = this->sizes_.bound2(vertex);
+        find_beyond(ball, v, sized2 < bad2 ? sized2 : bad2, count, found);
+        if (found->distance2 < 0 || !(sized2 < bad2)) return;
+        const double limit2 = this->sizes_.limit2(v);
+        find_beyond(ball, v, limit2 < bad2 ? limit2 : bad2, count, found);
     }
 
     // The corner is outside of the ball: which of its edges cross the sphere too far from these vertices? A crossing

@@ -40,12 +40,13 @@ template <int D> class HierarchyRule : public AspectRule<D, HierarchyRule<D>> {
     using Base::observers_;
     using Base::passed_;
     using Base::queue_;
+    using Base::sizes_;
     using Base::store_;
     using Base::tau_;
     using Base::tree_;
 
 public:
-    static constexpr bool searches_rings = true, notes_nearest_inputs = false, makes_shells = true;
+    static constexpr bool searches_rings = true, notes_nearest_inputs = false, makes_shells = true, heeds_sizes = true;
 
     HierarchyRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result) {}
@@ -57,7 +58,9 @@ public:
     void update_distances(const Cavity& cavity, VertexId v);
     void queue_bad(CellId c);
     void queue_new(const Cavity& cavity, VertexId v);
-    bool may_be_bad(double corner2, const Vertex<D>& vertex) const { return is_bad(corner2, vertex.nearest2); }
+    bool may_be_bad(double corner2, const Vertex<D>& vertex) const {
+        return is_bad(corner2, vertex.nearest2) || corner2 > sizes_.bound2(vertex);
+    }
     // A cage waits in the place of its first shell vertex.
     Verdict judge(VertexId v, Split<D>* split) {
         return store_.vertex(v).marker == Marker::exempt ? judge_cage(hierarchy_.of(v), split) : judge_vertex(v, split);
@@ -247,11 +250,13 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::release_cage(std::uint32
     return Status::ok;
 }
 
-// A Steiner point's nearest input is not looked for here: the one that the split comes from serves as well.
+// A Steiner point's nearest input is looked for where sizes are asked for, which depend on it; otherwise the one that
+// the split comes from serves as well.
 template <int D> VertexId HierarchyRule<D>::yields_to(const Split<D>& split, NearestInput* nearest) const {
-    nearest->input = split.input;
-    if (inserted_ == inputs_) return none;
     double input2;
+    nearest->input = split.input;
+    if (sizes_.have_started()) nearest->input = VertexId(tree_.nearest(split.x, split.input, none, &input2));
+    if (inserted_ == inputs_) return none;
     const std::uint32_t input = tree_.nearest_within(split.x, yield_radius * yield_radius * split.empty2, &input2);
     return input != none && store_.vertex(input).cell == none ? VertexId(input) : VertexId(none);
 }
@@ -353,7 +358,7 @@ template <int D> void HierarchyRule<D>::requeue(VertexId v) {
 // By the farthest corner of v's cell clipped to the ball of its domain.
 template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* split) {
     const double* const p = store_.point(v);
-    const double nearest2 = store_.vertex(v).nearest2, least2 = this->least_bad2(store_.vertex(v));
+    const double nearest2 = store_.vertex(v).nearest2, least2 = this->least_beyond2(store_.vertex(v));
     const Domain<D> ball = ball_of(hierarchy_.of(v));
     Corner<D> corner;
     std::uint32_t cells = 0;
@@ -371,9 +376,9 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
         }
     });
     if (!fits) return Verdict::out_of_memory;
-    if (!is_bad(corner.distance2, nearest2)) {
+    if (!is_bad(corner.distance2, nearest2) && !sizes_.are_exceeded(v, corner.distance2)) {
         corner.distance2 = -1;
-        if (leaves_ball) this->find_beyond(ball, v, least2, cells, &corner);
+        if (leaves_ball) this->find_sized_beyond(ball, v, cells, &corner);
         if (corner.distance2 < 0) return Verdict::good;
     }
     this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), pull_back<D>), split);
@@ -425,10 +430,12 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
         const Status status = release_cage(d);
         if (status != Status::ok) return status;
     }
-    return sweep();
+    const Status finished = sweep();
+    if (finished == Status::ok && sizes_.are_asked()) find_nearest_inputs();
+    return finished;
 }
 
-// What filters ask of a mesh without cages: the nearest input of each vertex.
+// What filters and sizes ask of a mesh without cages: the nearest input of each vertex.
 template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
     for (std::uint32_t v = inputs_; v < store_.state.vertex_count; ++v) {
         double d2;
@@ -440,7 +447,7 @@ template <int D> std::size_t HierarchyRule<D>::keep_results(std::size_t) {
     const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live();
     this->result_.cages = hierarchy_.cages();
     this->result_.hierarchy = {kept, made, made - kept};
-    if (kept == 0 && store_.state.cell_slots > 0) find_nearest_inputs();
+    if (kept == 0 && store_.state.cell_slots > 0 && !sizes_.have_started()) find_nearest_inputs();
     return store_.arena.offset_of(hierarchy_.cages() + kept);
 }
 

@@ -39,7 +39,8 @@ namespace netmesh {
 // that a Steiner point yields to is inserted without going back to others: it is medial as it stands.
 //
 // FinishMesh releases all cages and cleans. Steiner points are pulled back towards their vertices, so the layers that
-// grow out of a shell are those that growing the cage step by step would give.
+// grow out of a shell are those that growing the cage step by step would give. What it leaves is a mesh as that of
+// SVR, and so is over-refined as one (quality_rule.hpp) where sizes are asked for.
 template <int D>
 Status mesh_by_hierarchy(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
                          const Work& work, MeshResult<D>* result);

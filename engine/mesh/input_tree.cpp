@@ -72,7 +72,9 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
     }
 }
 
-template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings) {
+template <int D>
+Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings,
+                           const std::uint32_t* chosen) {
     [[maybe_unused]] const std::size_t low = arena.low_mark();
     items_ = arena.take_low<std::uint32_t>(count);
     axis_ = arena.take_low<std::uint8_t>(count);
@@ -82,7 +84,7 @@ template <int D> Status InputTree<D>::build(const Store<D>& store, Arena& arena,
     store_ = &store;
     count_ = count;
     touches_ = 0;
-    for (std::uint32_t i = 0; i < count; ++i) items_[i] = i;
+    for (std::uint32_t i = 0; i < count; ++i) items_[i] = chosen != nullptr ? chosen[i] : i;
     Range stack[40];
     int depth = 0;
     stack[depth++] = {0, count};

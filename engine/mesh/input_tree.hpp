@@ -31,9 +31,10 @@ public:
     static constexpr std::size_t input_bytes = sizeof(std::uint32_t) + sizeof(std::uint8_t);
     static constexpr std::size_t ring_bytes = sizeof(double);
 
-    // Over vertices 0..count-1, at the arena's low end; `rings`: to be asked for farthest_in_ring too. O(n log n).
-    // out_of_memory.
-    Status build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings = false);
+    // Over vertices 0..count-1, or those listed in chosen[count], at the arena's low end; `rings`: to be asked for
+    // farthest_in_ring too. O(n log n). out_of_memory.
+    Status build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings = false,
+                 const std::uint32_t* chosen = nullptr);
 
     // The input nearest to x that is not `except`, smallest index among equals, in terms of the squared distance as
     // computed. `start` is any input other than `except`, best one near x. Expected O(log n).

@@ -31,7 +31,8 @@ struct MeshRequest {
     double tau = 0;               // > 2: the bound on clipped aspect ratios; not for the method certificate
     double domain_factor = 1;     // domain radius over that of the smallest enclosing ball, >= 1; quality, hierarchy
     bool certify_filter = false;  // quality: also bring the certified ratio of the complete filter below sqrt(2 + tau)
-    SizeRule size = {};           // quality, reference: bring the out-radius of clipped cells down to what it asks for
+    SizeRule size = {};           // bring the out-radius of clipped cells down to what it asks for; not for the method
+                                  // certificate nor where cages are left
     RatioGoal goal = {};          // certificate
     bool finish = false;          // hierarchy: FinishMesh (4.7.6), release all cages and refine what they kept apart
     bool audit_location = false;  // quality, hierarchy: see observers.hpp

@@ -60,7 +60,6 @@ private:
     bool may_spoil_certificate(VertexId v, const double* x) const;
     bool view_cell(VertexId v, double least2, CellView* view);
     bool spoils_certificate(VertexId v, const CellView& view) const;
-    void find_beyond(VertexId v, std::uint32_t cells, Corner<D>* beyond);
 
     bool is_surely_medial(VertexId p, VertexId u) const;
     Verdict judge_medial(VertexId p, VertexId u, Split<D>* split);
@@ -220,24 +219,14 @@ template <int D> bool QualityRule<D>::spoils_certificate(VertexId v, const CellV
     return hi > (2 + tau_) * lo || hi > tau_ * d;
 }
 
-// A point of the sphere that is too far from v although no corner is.
-template <int D> void QualityRule<D>::find_beyond(VertexId v, std::uint32_t cells, Corner<D>* beyond) {
-    const double least2 = this->least_bad2(store_.vertex(v)), sized2 = sizes_.bound2(store_.vertex(v));
-    Base::find_beyond(domain_, v, sized2 < least2 ? sized2 : least2, cells, beyond);
-    if (beyond->distance2 < 0 || !(sized2 < least2)) return;
-    const double limit2 = sizes_.limit2(v);
-    Base::find_beyond(domain_, v, limit2 < least2 ? limit2 : least2, cells, beyond);
-}
-
 template <int D> Verdict QualityRule<D>::judge(VertexId v, Split<D>* split) {
     CellView view;
-    const double least2 = this->least_bad2(store_.vertex(v)), sized2 = sizes_.bound2(store_.vertex(v));
-    if (!view_cell(v, sized2 < least2 ? sized2 : least2, &view)) return Verdict::out_of_memory;
+    if (!view_cell(v, this->least_beyond2(store_.vertex(v)), &view)) return Verdict::out_of_memory;
     const double nearest2 = store_.vertex(v).nearest2, clipped2 = view.clipped.distance2;
     const Corner<D>* corner = &view.clipped;
     Corner<D> beyond;
     if (!is_bad(clipped2, nearest2) && !sizes_.are_exceeded(v, clipped2)) {
-        if (view.leaves_domain) find_beyond(v, view.cells, &beyond);
+        if (view.leaves_domain) this->find_sized_beyond(domain_, v, view.cells, &beyond);
         corner = &beyond;
         if (beyond.distance2 < 0) {
             if (!certify_ || !spoils_certificate(v, view)) return Verdict::good;

@@ -19,6 +19,8 @@ template <int D> struct Held {
             netmesh::mesh_points<D>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &mesh);
         input = mesh.input;
         domain = mesh.domain;
+        cages = mesh.cages;
+        cage_count = mesh.hierarchy.cages;
         return status;
     }
     netmesh::Status triangulate(const inputs::Points& points) {
@@ -32,6 +34,8 @@ template <int D> struct Held {
     netmesh::Monitor monitor;
     netmesh::InputReport input = {};
     netmesh::Domain<D> domain = {};
+    netmesh::Cage* cages = nullptr;
+    std::uint32_t cage_count = 0;
 };
 
 inline double distance(const double* a, const double* b, int dim) {

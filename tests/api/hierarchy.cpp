@@ -195,20 +195,33 @@ TEST_CASE("an audit of quality is for every purpose, and of the mesh that is mad
     }
 }
 
-TEST_CASE("bounds on the size are not claimed for a mesh with cages") {
+TEST_CASE("bounds on the size of a mesh with cages are sums over its domains, and check holds it to them") {
     Session session(2);
     session.request.method = NETMESH_METHOD_HIERARCHY;
     REQUIRE(session.mesh(inputs::geometric(2, 1e3, 8)) == NETMESH_OK);
-    REQUIRE(session.report().mesh.hierarchy.cages > 0);
+    const netmesh_mesh_report mesh = session.report().mesh;
+    REQUIRE(mesh.hierarchy.cages > 0);
     netmesh_analysis a;
     REQUIRE(session.analyse(&a, NETMESH_ANALYSE_SIZE, 0.5) == NETMESH_OK);
-    CHECK(a.size.lower == 0);
-    CHECK(std::isinf(a.size.upper));
+    CHECK(a.size.domains == mesh.hierarchy.cages + 1);
+    CHECK(a.size.vertices == mesh.vertices - 4);  // all but the frame
+    CHECK(a.size.lower > 4.0 * static_cast<double>(mesh.hierarchy.cages));
+    CHECK(a.size.lower <= static_cast<double>(a.size.vertices));
+    CHECK(static_cast<double>(a.size.vertices) <= a.size.upper);
+    CHECK(a.size.upper_over_lower == doctest::Approx(a.size.upper / a.size.lower));
     CHECK(std::isinf(a.size.feature_ratio_bound));
     CHECK(a.size.integral_lower[0] > 0);
+    netmesh_figure figure = netmesh::sized<netmesh_figure>();
+    bool reported = false;
+    for (std::uint32_t i = 0; netmesh_get_analysis_figure(&a, i, &figure) == NETMESH_OK; ++i)
+        if (std::strcmp(figure.path, "size.upper_over_lower") == 0)
+            reported = figure.applies != 0 && *static_cast<const double*>(figure.values) == a.size.upper_over_lower;
+    CHECK(reported);
+    CHECK(session.check() == NETMESH_OK);
     session.request.finish = 1;
     REQUIRE(session.mesh(inputs::geometric(2, 1e3, 8)) == NETMESH_OK);
     REQUIRE(session.analyse(&a, NETMESH_ANALYSE_SIZE, 0.5) == NETMESH_OK);
+    CHECK(a.size.domains == 1);
     CHECK(a.size.upper > static_cast<double>(a.size.vertices));
     CHECK(a.size.upper < 1e12);
 }

@@ -164,6 +164,65 @@ TEST_CASE("meshes over-refined to eps f_P") {
     }
 }
 
+TEST_CASE("finished meshes that had cages are over-refined as those of SVR") {
+    for (const int dim : dimensions(2, 4)) {
+        const double eps = by_dimension<double>(dim, {0.3, 0.6, 0.9});
+        const std::size_t n = by_dimension<std::size_t>(dim, {8, 4, 2});
+        for (const inputs::Points& points : {inputs::geometric(dim, 40, n), inputs::close_pairs(dim, n, 1e-3)}) {
+            INFO("D = " << dim);
+            Session session(dim);
+            session.request.sizes.eps = eps;
+            REQUIRE(session.mesh(points) == NETMESH_OK);
+            const std::uint64_t direct = session.report().mesh.vertices;
+            session.request.sizes.eps = 0;
+            session.request.method = NETMESH_METHOD_HIERARCHY;
+            session.request.finish = 1;
+            REQUIRE(session.mesh(points) == NETMESH_OK);
+            const std::uint64_t before = session.report().mesh.vertices;
+            const auto promised = [&](const double* x) { return eps * feature_size_by_scan(points, dim, x); };
+            CHECK(worst_by_corners(session, promised) > 1);
+            session.request.sizes.eps = eps;
+            REQUIRE(session.mesh(points) == NETMESH_OK);
+            const netmesh_report r = session.report();
+            CHECK(r.mesh.hierarchy.cages_made > 0);
+            CHECK(r.mesh.hierarchy.cages == 0);
+            CHECK(r.mesh.vertices > before);
+            CHECK(r.mesh.aspect_ratio_max <= r.mesh.tau);
+            CHECK(r.mesh.sizes.ratio_max <= 1);
+            CHECK(r.mesh.sizes.ratio_max > 0.5);
+            CHECK(worst_by_corners(session, promised) <= 1 + 1e-9);
+            CHECK(static_cast<double>(r.mesh.vertices) < 1.5 * static_cast<double>(direct));
+            CHECK(session.check() == NETMESH_OK);
+            session.request.sizes.eps = eps / 2;
+            CHECK(session.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
+            session.request.finish = 0;
+            CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+            CHECK(session.detail().field == NETMESH_FIELD_SIZES);
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE_DEFINE("vertices of finished meshes know their nearest inputs, over-refined or not", T, origins) {
+    constexpr int D = T::value;
+    for (const double eps : {0.0, 0.5}) {
+        MeshRequest request = by_hierarchy(3, true);
+        request.size.eps = eps;
+        Meshed<D> m(inputs::geometric(D, 40, 5), request);
+        REQUIRE(m.status == Status::ok);
+        CHECK(m.result.hierarchy.cages_made > 0);
+        const std::uint32_t inputs = static_cast<std::uint32_t>(m.result.input.rows);
+        std::uint32_t wrong = 0;
+        for (VertexId v(inputs); v < m.state.vertex_count; ++v) {
+            const double* const x = m.store.point(v);
+            double least = infinity;
+            for (VertexId p(0); p < inputs; ++p) least = std::min(least, distance(m.store.point(p), x, D));
+            wrong += distance(m.store.point(VertexId(m.store.vertex(v).origin)), x, D) > least * (1 + 1e-12);
+        }
+        CHECK(wrong == 0);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(origins, Dimensions<2, 3>);
+
 TEST_CASE("meshes follow a sizing function, alone and together with eps") {
     for (const int dim : dimensions(2, 4)) {
         INFO("D = " << dim);
@@ -206,9 +265,11 @@ TEST_CASE("no point of the domain is farther from its vertex than asked for, by 
             INFO("D = " << dim << ", " << n << " points");
             Funnel funnel{dim, dim == 2 ? 0.05 : dim == 3 ? 0.15 : 0.4, 0.2};
             Session session(dim);
+            session.request.method = n == 3 ? NETMESH_METHOD_HIERARCHY : NETMESH_METHOD_SVR;
+            session.request.finish = n == 3;
             session.request.sizes.size = Funnel::size;
             session.request.sizes.user = &funnel;
-            REQUIRE(session.mesh(inputs::uniform(dim, n)) == NETMESH_OK);
+            REQUIRE(session.mesh(n == 3 ? inputs::geometric(dim, 40, 3) : inputs::uniform(dim, n)) == NETMESH_OK);
             CHECK(session.check() == NETMESH_OK);
             CHECK(worst_by_sampling(session, [&](const double* x) { return Funnel::size(&funnel, x); }) <= 1 + 1e-9);
         }

@@ -18,7 +18,7 @@ const std::vector<Method>& methods() {
         {"delaunay", {"delaunay"}, false, false, false},
         {"svr", {"mesh", "--method", "svr"}, true, false, true},
         {"netmesh", {"mesh", "--method", "netmesh"}, true, true, false},
-        {"netmesh finished", {"mesh", "--method", "netmesh", "--finish"}, true, false, false},
+        {"netmesh finished", {"mesh", "--method", "netmesh", "--finish"}, true, false, true},
         {"refine", {"mesh", "--method", "refine"}, true, false, false},
         {"persist", {"persist", "--max-degree", "0"}, true, false, false},
     };

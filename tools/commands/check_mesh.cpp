@@ -127,7 +127,7 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netm
         checked->push_back("cells reach " + rounded_text(report.sizes.ratio_max, 6) + " of the size asked for (" +
                            asked + ")");
     }
-    checked->push_back(is_mesh && ratio == 0 ? "size and degrees within the bounds of chapters 3 and 5"
+    checked->push_back(is_mesh && ratio == 0 ? "size and degrees within the bounds of chapters 3 to 5"
                                              : "degrees within the bounds of fat cells (chapter 5)");
 }
 

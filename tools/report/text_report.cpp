@@ -71,9 +71,11 @@ std::string mesh_lines(const netmesh_mesh_report& mesh) {
 
 std::string range_text(double from, double to) { return rounded_text(from, 4) + " and " + rounded_text(to, 4); }
 
-std::string size_lines(const netmesh_size_analysis& size, bool caged) {
-    std::string text = "bounds   " + grouped_text(size.vertices) + " vertices";
-    text += caged ? "; size bounds are for meshes without cages" : ", between " + range_text(size.lower, size.upper);
+std::string size_lines(const netmesh_size_analysis& size) {
+    const bool caged = size.domains > 1;
+    std::string text = "bounds   " + grouped_text(size.vertices) + " vertices, between " +
+                       range_text(size.lower, size.upper) + ", " + rounded_text(size.upper_over_lower, 4) + " apart";
+    if (caged) text += ", summed over " + grouped_text(size.domains) + " domains";
     text += "; feature size ratio " + rounded_text(size.feature_ratio, 4) +
             (caged ? "\n" : " (at most " + rounded_text(size.feature_ratio_bound, 4) + ")\n");
     return text + "pace     theta " + rounded_text(size.theta, 4) + " (at most " + rounded_text(size.theta_limit, 4) +
@@ -86,8 +88,8 @@ std::string sampled_text(const netmesh_structure_analysis& s) {
     return s.balls_stride > 1 ? " at one ball of " + grouped_text(s.balls_stride) : "";
 }
 
-std::string analysis_lines(const netmesh_analysis& a, bool caged) {
-    std::string text = a.size.present != 0 ? size_lines(a.size, caged) : "";
+std::string analysis_lines(const netmesh_analysis& a) {
+    std::string text = a.size.present != 0 ? size_lines(a.size) : "";
     const netmesh_structure_analysis& s = a.structure;
     text += "stars    " + rounded_text(s.degree_mean, 4) + " neighbours (at most " + grouped_text(s.degree_max) +
             "), " + rounded_text(s.star_mean, 4) + " cells (" + grouped_text(s.star_max) + ")\n";
@@ -204,7 +206,7 @@ std::string text_report(const RunReport& run) {
     if (run.engine) {
         const netmesh_report& engine = *run.engine;
         text += input_line(engine) + mesh_or_scales_lines(engine);
-        if (run.analysis) text += analysis_lines(*run.analysis, engine.mesh.hierarchy.cages > 0);
+        if (run.analysis) text += analysis_lines(*run.analysis);
         if (engine.diagram.present != 0) text += diagram_lines(engine);
         if (engine.vineyard.present != 0) text += vineyard_lines(engine.vineyard);
     }

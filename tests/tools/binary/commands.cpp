@@ -165,7 +165,7 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     const Result unresolved = folder.run("mesh p.txt -o none.node --cell-size 1e-18");
     CHECK(unresolved.exit == 3);
     CHECK(unresolved.err.find("--cell-size 1e-18: ") != std::string::npos);
-    CHECK(check.out.find("within the bounds of chapters 3 and 5") != std::string::npos);
+    CHECK(check.out.find("within the bounds of chapters 3 to 5") != std::string::npos);
     const Result analysed = folder.run("mesh p.txt -o m.node --analyse --json");
     CHECK(analysed.exit == 0);
     for (const char* key :

@@ -107,11 +107,13 @@ TEST_CASE("methods, filters and values that this version has not") {
     good({"mesh", "p", "--method", "netmesh", "--finish"});
     CHECK(names(fault({"mesh", "p", "--finish"}), "--finish goes with --method netmesh"));
     CHECK(names(fault({"persist", "p", "--method", "netmesh"}), "--finish"));
-    CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--cell-size", "1"}),
-                "--cell-size does not go with --method netmesh"));
+    for (const char* const size : {"--eps", "--cell-size"}) {
+        CHECK(names(fault({"mesh", "p", "--method", "netmesh", size, ".4"}),
+                    "--eps and --cell-size go with --method netmesh only where --finish removes the cages"));
+        good({"mesh", "p", "--method", "netmesh", "--finish", size, ".4"});
+    }
     CHECK(names(fault({"mesh", "p", "--method", "refine", "--domain", "2"}),
                 "--domain does not go with --method refine"));
-    CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--eps", ".4"}), "--eps does not go with --method netmesh"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
     for (const char* filter : {"frob", "cechs"}) {
         CHECK(names(fault({"persist", "p", "--filter", filter}), "complete, basic, alpha"));
