@@ -99,11 +99,7 @@ protected:
     }
     // The same beyond what v's cell may have by tau or by the size asked for.
     void find_sized_beyond(const Domain<D>& ball, VertexId v, std::uint32_t count, Corner<D>* found) const {
-        const Vertex<D>& vertex = this->store_.vertex(v);
-        const double bad2 = least_bad2(vertex), sized2 = this->sizes_.bound2(vertex);
-        find_beyond(ball, v, sized2 < bad2 ? sized2 : bad2, count, found);
-        if (found->distance2 < 0 || !(sized2 < bad2)) return;
-        const double limit2 = this->sizes_.limit2(v);
+        const double bad2 = least_bad2(this->store_.vertex(v)), limit2 = this->sizes_.limit2(v);
         find_beyond(ball, v, limit2 < bad2 ? limit2 : bad2, count, found);
     }
 
