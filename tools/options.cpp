@@ -121,6 +121,9 @@ Outcome check_together(const Options& options) {
     if (options.size_at_inputs > 0 && hierarchical) return usage_error("--cell-size does not go with --method netmesh");
     if (options.domain_factor > 0 && options.method == NETMESH_METHOD_REFINE)
         return usage_error("--domain does not go with --method refine, which has the domain of 3.5");
+    const bool thesis = options.cages == NETMESH_CAGES_THESIS;
+    if (options.cages && !hierarchical) return usage_error("--cages goes with --method netmesh");
+    if (thesis && options.audit != 0) return usage_error("--audit does not go with --cages thesis");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

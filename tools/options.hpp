@@ -33,6 +33,7 @@ struct Options {
     double focus = 0, from = 0, to = 0;    // ratio at scales of interest, and the scales; 0: not given
     bool fit = false;                      // the best ratio that the memory holds
     bool finish = false;                   // a hierarchical mesh
+    std::optional<netmesh_cage_kind> cages;  // of a hierarchical mesh
     std::uint32_t audit = 0;               // netmesh_audit_what
     double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
     double theta = 0;  // scales; 0: not given

@@ -42,13 +42,17 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     if (limit2 == nullptr || ratios == nullptr || domains == nullptr) return Status::out_of_memory;
     if (cages > 0) {
         HierarchyQuality quality;
-        const HierarchyRequest<D> request = {cages_of(context), cages, domain, ratios, domains};
+        HierarchyRequest<D> request = hierarchy_of<D>(context);
+        request.ratios = ratios;
+        request.domains = domains;
         const Status status = measure_hierarchy<D>(store, request, arena, &quality);
         if (status != Status::ok) return status;
         *why = quality.encroached;
         if (why->violation == nullptr && !(quality.worst <= promises.tau * (1 + ratio_tolerance)))
             *why = {aspect_violation, quality.vertex};
     }
+    if (context.mesh.cage_kind == CageKind::thesis && cages > 0)
+        return why->violation == nullptr ? Status::ok : Status::check_failed;
     if (why->violation == nullptr)
         *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete);
     if (why->violation != nullptr) return Status::check_failed;

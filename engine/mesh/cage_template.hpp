@@ -6,14 +6,33 @@
 
 namespace netmesh {
 
-// covering_sine, covering_cosine: of the largest angle between a point of the sphere and the template; a template that
-// is the set of corners of a polytope around the origin covers worst where the normal of a facet meets the sphere, so
-// the cosine is the least distance of a facet. packing: least distance of two points.
+constexpr int thesis_dim_max = 4;
+// Below this the invariants of 4.9 have no constants, see "Cages of the thesis" in engine/DESIGN.md.
+constexpr double thesis_tau_min = 3.4;
+
+// Of a cage of radius r as the thesis has it; what the constants must satisfy stands in the same place.
+struct ThesisCage {
+    // No input between epsilon r and r, no vertex between r and 2 r / epsilon.
+    static constexpr double epsilon = 0.3;
+    static constexpr double clearance = 2 / epsilon;
+    // The sphere of the shell has this radius times r.
+    static constexpr double shell_factor = 0.64;
+    // A shell vertex is within this times the radius of that sphere of a point of the template: it is moved by at most
+    // jitter in each coordinate, or it is an input that it has yielded to.
+    static constexpr double gamma = 0x1p-4;
+    static constexpr double jitter = 0x1p-10;
+    // A new cage is larger by this than what the thesis asks for, so that inputs about as far away as the one that it
+    // is made for do not make it grow at once.
+    static constexpr double slack = 1.125;
+};
+
+// A template that is the set of corners of a polytope around the origin covers worst where the normal of a facet meets
+// the sphere.
 //
-//   D   points                                                      facets        covering angle     packing
-//   2   12, a regular polygon                                       edges         15 degrees         .5176
-//   3   32, the corners of an icosahedron and a dodecahedron        triangles     22.69 degrees      .6408
-//   4   120, the corners of the 600-cell                            tetrahedra    22.24 degrees      .6180
+//   D   points                                                    covering angle   packing
+//   2   16, a regular polygon                                     11.25 degrees    .3902
+//   3   42, the corners of an icosahedron and of its edges' middles    20.91 degrees    .5465
+//   4   120, the corners of the 600-cell                          22.24 degrees    .6180
 template <int D> struct CageTemplate;
 
 template <> struct CageTemplate<2> {
@@ -69,11 +88,7 @@ template <> struct CageTemplate<4> {
 // grid^(D - 1) squares on each facet of a cube, seen from its centre. Along a facet no point is farther than
 // sqrt(D - 1) / grid from one of them, and the way to the sphere makes distances no larger.
 template <int D> struct RootTemplate {
-#ifdef X_GRID
-    static constexpr std::uint32_t grid = X_GRID;
-#else
-    static constexpr std::uint32_t grid = D == 2 ? 6 : D == 3 ? 6 : 5;
-#endif
+    static constexpr std::uint32_t grid = D == 4 ? 5 : 6;
     static constexpr std::uint32_t facet = D == 2 ? grid : D == 3 ? grid * grid : grid * grid * grid;
     static constexpr std::uint32_t size = 2 * D * facet;
     static void point(std::uint32_t k, double* x) {

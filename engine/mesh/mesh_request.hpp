@@ -34,6 +34,7 @@ struct MeshRequest {
     SizeRule size = {};           // quality, reference: bring the out-radius of clipped cells down to what it asks for
     RatioGoal goal = {};          // certificate
     bool finish = false;          // hierarchy: FinishMesh (4.7.6), release all cages and refine what they kept apart
+    CageKind cages = CageKind::compact;  // hierarchy
     bool audit_location = false;  // quality, hierarchy: see observers.hpp
     bool audit_quality = false;   // all but reference
     std::uint64_t seed = 0;

@@ -8,30 +8,6 @@
 
 namespace netmesh {
 
-// Of a cage of radius r, see "Cages of the thesis" in engine/DESIGN.md for what they must satisfy.
-struct ThesisCage {
-    // No input between epsilon r and r, no vertex between r and 2 r / epsilon.
-#ifdef X_EPS
-    static constexpr double epsilon = X_EPS;
-#else
-    static constexpr double epsilon = 0.3;
-#endif
-    static constexpr double clearance = 2 / epsilon;
-    // The sphere of the shell has this radius times r.
-    static constexpr double shell_factor = 0.64;
-    // A shell vertex is within this times the radius of that sphere of a point of the template: it is moved by at most
-    // jitter in each coordinate, or it is an input that it has yielded to.
-    static constexpr double gamma = 0x1p-4;
-    static constexpr double jitter = 0x1p-10;
-    // A new cage is larger by this than what the thesis asks for, so that inputs about as far away as the one that it is
-    // made for do not make it grow at once.
-#ifdef X_SLACK
-    static constexpr double slack = X_SLACK;
-#else
-    static constexpr double slack = 1.125;
-#endif
-};
-
 template <int D, class Rule> class ThesisCages : public AspectRule<D, Rule> {
     using Base = AspectRule<D, Rule>;
     using Template = CageTemplate<D>;
@@ -449,5 +425,9 @@ template <int D, class Rule> std::size_t ThesisCages<D, Rule>::keep_results(std:
     this->result_.hierarchy = {kept, made, made - kept, tree_.touches() + kernel_.steps() + passed_};
     return store_.arena.offset_of(hierarchy_.cages() + kept);
 }
+
+template <int D>
+Status mesh_by_thesis_cages(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
+                            const Work& work, MeshResult<D>* result);
 
 }  // namespace netmesh

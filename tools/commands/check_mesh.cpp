@@ -95,6 +95,7 @@ Outcome compare_inputs(const MeshFiles& files, const PointCloud& points) {
 // What the mesh is checked against: the options, and the file where they say nothing.
 void set_promises(const Options& options, const NodeFile& node, requests::Mesh* mesh) {
     if (!options.tau && node.tau > 0) mesh->tau = node.tau;
+    mesh->cage_kind = node.cage_kind;
     if (options.eps == 0 || promises_accuracy(options)) mesh->sizes.eps = node.eps;
     mesh->size_at_inputs = options.size_at_inputs > 0 ? options.size_at_inputs : node.size_at_inputs;
     mesh->size_growth = options.size_at_inputs > 0 ? options.size_growth : node.size_growth;
