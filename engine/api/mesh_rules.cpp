@@ -34,8 +34,7 @@ Complaint complaint_about_cages(const netmesh_mesh_request& request) {
     if (request.method != NETMESH_METHOD_HIERARCHY)
         return {NETMESH_FIELD_CAGES, "only the method with cages has cages of the thesis"};
     if (request.dim > thesis_dim_max) return {NETMESH_FIELD_CAGES, "there are cages of the thesis up to D = 4"};
-    if (!(request.tau >= thesis_tau_min))
-        return {NETMESH_FIELD_TAU, "cages of the thesis need a tau of at least 3.4"};
+    if (!(request.tau >= thesis_tau_min)) return {NETMESH_FIELD_TAU, "cages of the thesis need a tau of at least 3.4"};
     if (request.purpose != NETMESH_PURPOSE_MESH)
         return {NETMESH_FIELD_PURPOSE, "a mesh with cages of the thesis is not for persistence"};
     if (request.audit != 0) return {NETMESH_FIELD_AUDIT, "audits are not for cages of the thesis"};

@@ -54,8 +54,15 @@ template <> struct CageTemplate<3> {
         // (0, +-1, +-golden) / |.|, +-1 on an axis, (+-golden, +-1, +-1 / golden) / 2, and their cyclic permutations.
         constexpr double icosahedron = 0.52573111211913360603;  // 1 / sqrt(1 + golden^2)
         const std::uint32_t turn = k % 3, signs = k < 12 ? k / 3 : k < 18 ? (k - 12) / 3 : (k - 18) / 3;
-        const double part[] = {k < 12 ? 0 : k < 18 ? 1 : 0.5 * golden, k < 12 ? icosahedron : k < 18 ? 0 : 0.5,
-                               k < 12 ? icosahedron * golden : k < 18 ? 0 : 0.5 * (golden - 1)};
+        const double part[] = {k < 12   ? 0
+                               : k < 18 ? 1
+                                        : 0.5 * golden,
+                               k < 12   ? icosahedron
+                               : k < 18 ? 0
+                                        : 0.5,
+                               k < 12   ? icosahedron * golden
+                               : k < 18 ? 0
+                                        : 0.5 * (golden - 1)};
         const std::uint32_t flips = k < 12 ? signs << 1 : signs;
         for (std::uint32_t i = 0; i < 3; ++i) x[(i + turn) % 3] = (flips >> i & 1u) != 0 ? -part[i] : part[i];
     }
@@ -75,10 +82,10 @@ template <> struct CageTemplate<4> {
         // Even permutations of (+-golden, +-1, +-1 / golden, 0) / 2: by where 0 is, and which comes next to it.
         const std::uint32_t even = (k - 24) / 8;
         const double values[] = {0.5 * golden, 0.5, 0.5 * (golden - 1)};
-        constexpr std::uint8_t places[12][4] = {
-            // where golden, 1, 1 / golden and 0 go
-            {0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {1, 0, 3, 2}, {0, 3, 1, 2}, {3, 1, 0, 2},
-            {0, 2, 3, 1}, {2, 3, 0, 1}, {3, 0, 2, 1}, {2, 1, 3, 0}, {1, 3, 2, 0}, {3, 2, 1, 0}};
+        constexpr std::uint8_t places[12][4] = {// where golden, 1, 1 / golden and 0 go
+                                                {0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {1, 0, 3, 2},
+                                                {0, 3, 1, 2}, {3, 1, 0, 2}, {0, 2, 3, 1}, {2, 3, 0, 1},
+                                                {3, 0, 2, 1}, {2, 1, 3, 0}, {1, 3, 2, 0}, {3, 2, 1, 0}};
         for (int i = 0; i < 3; ++i) x[places[even][i]] = (k >> i & 1u) != 0 ? values[i] : -values[i];
         x[places[even][3]] = 0;
     }

@@ -35,7 +35,7 @@ template <int D> class Measurement {
 public:
     Measurement(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena)
         : store_(store), cages_(request.cages), count_(request.count), outermost_(request.outermost), arena_(arena),
-          whole_(request.kind == CageKind::thesis) {}
+          kind_(request.kind) {}
 
     Status open();
     CheckResult find_domains();
@@ -58,22 +58,24 @@ private:
     bool counts(std::uint32_t v) const {
         return store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt && !has_yielded(v);
     }
+    // Cells are not clipped then.
+    bool is_thesis() const { return D <= thesis_dim_max && kind_ == CageKind::thesis; }
     // Is v an input in the place of a shell vertex? With cages of the thesis alone.
     bool has_yielded(std::uint32_t v) const {
-        if (!whole_ || domain_[v] == none || store_.vertex(v).marker != Marker::input) return false;
+        if (!is_thesis() || domain_[v] == none || store_.vertex(v).marker != Marker::input) return false;
         const Cage& cage = cages_[domain_[v]];
         const double least = ThesisCage::shell_factor * (1 - ThesisCage::gamma) * cage.radius;
         return distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least;
     }
-    bool is_outermost(std::uint32_t d) const { return whole_ && cages_[d].parent == none; }
+    bool is_outermost(std::uint32_t d) const { return is_thesis() && cages_[d].parent == none; }
     // The ball that cells of a domain are clipped to.
     Domain<D> ball_of(std::uint32_t domain) const {
-        Domain<D> ball = domain_ball<D>(store_, cages_, whole_ ? none : domain, outermost_);
-        if (whole_) ball.radius = infinity;
+        Domain<D> ball = domain_ball<D>(store_, cages_, is_thesis() ? none : domain, outermost_);
+        if (is_thesis()) ball.radius = infinity;
         return ball;
     }
     double in_radius_of(const Cage& cage) const {
-        return whole_ ? 0.5 * square_root(cage.nearest2) : in_radius<D>(cage);
+        return is_thesis() ? 0.5 * square_root(cage.nearest2) : in_radius<D>(cage);
     }
     CheckResult find_thesis_shells();
     double ratio(std::uint32_t v) const { return counts(v) ? 2 * square_root(out2_[v] / nearest2_[v]) : 0; }
@@ -86,7 +88,7 @@ private:
     std::uint32_t count_;
     const Domain<D>& outermost_;
     Arena& arena_;
-    const bool whole_;  // cages of the thesis: cells are not clipped
+    const CageKind kind_;
     std::uint32_t *order_, *domain_, *list_, *mark_;
     std::uint32_t stamp_ = 0;
     double *nearest2_, *out2_, *cage_out2_;
@@ -175,7 +177,8 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
 
 // Exempt vertices of a cage's domain are its shell: near its sphere, and as many as a cross-polytope has.
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
-    if (whole_) return find_thesis_shells();
+    if constexpr (D <= thesis_dim_max)
+        if (is_thesis()) return find_thesis_shells();
     CheckResult result = {nullptr, none};
     for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
@@ -220,8 +223,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
     }
     CheckResult result = {nullptr, none};
     for (std::uint32_t d = 0; d < count_; ++d) {
-        std::uint32_t size = 0;
-        if constexpr (D <= thesis_dim_max) size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
+        const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
         if (cages_[d].next != size) result = {"a cage lacks its shell", cages_[d].centre};
         cages_[d].next = none;
     }
@@ -231,18 +233,19 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_encroached() {
     for (std::uint32_t d = 0; d < count_; ++d) {
         Cage& cage = cages_[d];
-        const double inside = whole_ ? ThesisCage::epsilon : cage_epsilon;
+        const double inside = is_thesis() ? ThesisCage::epsilon : cage_epsilon;
         const double r2 = cage.radius * cage.radius, e2 = inside * inside * r2;
         bool inner = false, outer = false;
-        visit_ball(cage.centre, (whole_ ? ThesisCage::clearance : cage_clearance) * cage.radius, [&](std::uint32_t v, double d2) {
-            const Marker marker = store_.vertex(v).marker;
-            if (d2 < r2)
-                inner |= marker == Marker::input && d2 > e2 && !(domain_[v] == d && has_yielded(v));
-            else if (d2 > r2)
-                outer |=
-                    whole_ || marker == Marker::input || domain_[v] == none ||
-                    (marker == Marker::steiner && is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
-        });
+        visit_ball(cage.centre, (is_thesis() ? ThesisCage::clearance : cage_clearance) * cage.radius,
+                   [&](std::uint32_t v, double d2) {
+                       const Marker marker = store_.vertex(v).marker;
+                       if (d2 < r2)
+                           inner |= marker == Marker::input && d2 > e2 && !(domain_[v] == d && has_yielded(v));
+                       else if (d2 > r2)
+                           outer |= is_thesis() || marker == Marker::input || domain_[v] == none ||
+                                    (marker == Marker::steiner &&
+                                     is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
+                   });
         if (inner) return {"an input encroaches on a cage from inside", cage.centre};
         if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};
     }
@@ -363,7 +366,7 @@ template <int D> void Measurement<D>::measure_cells() {
 
 // What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
 template <int D> [[gnu::cold]] Status Measurement<D>::measure_poles() {
-    if (whole_) return Status::ok;
+    if (is_thesis()) return Status::ok;
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
         if (!leaves_ball_[v] || !(out2_[v] < infinity) || !counts(v)) continue;
         const Domain<D> ball = domain_ball<D>(store_, cages_, domain_[v], outermost_);

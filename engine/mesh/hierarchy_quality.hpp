@@ -30,8 +30,8 @@ template <int D> struct HierarchyRequest {
     CageKind kind = CageKind::compact;
 };
 
-// Of cages of the thesis cells are not clipped and nobody is excused; inputs that a shell has yielded to are exempt too,
-// and the outermost cage has no cell.
+// Of cages of the thesis cells are not clipped and nobody is excused; inputs that a shell has yielded to are exempt
+// too, and the outermost cage has no cell.
 //
 // Finds parent and nearest2 of each cage anew, from centres and radii: the balls of cages must be nested or disjoint.
 // Encroached is a cage with an input between e r and r of its centre, with an input, or a vertex that is neither in

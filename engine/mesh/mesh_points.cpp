@@ -15,8 +15,7 @@ Status mesh_points(Store<D>& store, const double* points, std::size_t n, const M
     case MeshMethod::quality:
     case MeshMethod::reference: return mesh_by_quality<D>(store, points, n, request, work, result);
     case MeshMethod::hierarchy:
-        if (request.cages == CageKind::compact)
-            return mesh_by_hierarchy<D>(store, points, n, request, work, result);
+        if (request.cages == CageKind::compact) return mesh_by_hierarchy<D>(store, points, n, request, work, result);
         return mesh_by_thesis_cages<D>(store, points, n, request, work, result);
     case MeshMethod::certificate: return mesh_by_certificate<D>(store, points, n, request, work, result);
     }

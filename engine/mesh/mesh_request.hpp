@@ -35,8 +35,8 @@ struct MeshRequest {
     RatioGoal goal = {};          // certificate
     bool finish = false;          // hierarchy: FinishMesh (4.7.6), release all cages and refine what they kept apart
     CageKind cages = CageKind::compact;  // hierarchy
-    bool audit_location = false;  // quality, hierarchy: see observers.hpp
-    bool audit_quality = false;   // all but reference
+    bool audit_location = false;         // quality, hierarchy: see observers.hpp
+    bool audit_quality = false;          // all but reference
     std::uint64_t seed = 0;
 };
 

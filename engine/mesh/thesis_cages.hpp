@@ -1,4 +1,22 @@
-// NetMesh with the cages of thesis 4.5 and the operations of 4.7.3 to the letter; D = 2, 3 and 4.
+// NetMesh with the cages of thesis 4.5 and the operations of 4.7.3; D = 2, 3 and 4.
+//
+// Afterwards the mesh is hierarchical and of quality tau as definition 4.5 says, without clipping: the whole cell of
+// each vertex that is of no shell and of each cage but the outermost has aspect ratio at most tau, and no cage is
+// encroached, whatever kind of vertex is in its annuli. The ratio of a cage is taken over half of the distance from its
+// centre to the nearest vertex outside, which is at most its in-radius. "Cages of the thesis" in engine/DESIGN.md has
+// the constants.
+//
+// InsertInput. NewCage about the nearest neighbour u in M_Omega, an input, when no vertex is within its clearance: that
+// is the trigger mediality <= e^2 / (2 slack), with the thesis's e a cage would be born encroached. An input that a
+// Steiner point yields to is medial by its distance from other vertices and only makes cages grow. NewCage inserts the
+// template, each point of which yields to an input within gamma. GrowCage makes a cage larger in its place, or where
+// there is no room releases it. What an insertion encroaches on from outside is released after it.
+//
+// FinishMesh grows cages one after another, each followed by Clean, until only the outermost is left.
+//
+// Corners of cells in a cage could lie outside of it: inserted there they encroach on it and release it. Nothing can be
+// done about those outside of the outermost cage; its shell is denser, and none were seen. Such a cell would be left as
+// it is, and `check` would tell.
 #pragma once
 #include "mesh/aspect_rule.hpp"
 #include "mesh/cage_corner.hpp"
@@ -84,8 +102,6 @@ protected:
     std::uint32_t encroached_ = none;  // list of cages through Cage::next
     bool has_yielded_ = false;         // a shell vertex has, in the step at hand
     std::uint64_t passed_ = 0;         // domains passed in finding the domain of an input
-public:
-    std::uint32_t grown_ = 0, released_ = 0, beyond_ = 0, yielded_ = 0;
 };
 
 template <int D, class Rule> Status ThesisCages<D, Rule>::reserve(std::size_t n) {
@@ -122,8 +138,8 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_input(VertexId 
     locate_domain(p, cavity);
     Status status = Status::ok;
     if (!cleaning && store_.vertex(near_).marker == Marker::input) {
-        const double radius = square_root(distance2<D>(store_.point(p), store_.point(near_))) / ThesisCage::epsilon *
-                              ThesisCage::slack;
+        const double radius =
+            square_root(distance2<D>(store_.point(p), store_.point(near_))) / ThesisCage::epsilon * ThesisCage::slack;
         const double clear = ThesisCage::clearance * radius * (1 + tau_margin);
         std::uint32_t made;
         if (near_nearest2_ >= clear * clear) {
@@ -197,7 +213,6 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_shell(std::uint
         if (yields) {
             hierarchy_.set(v, d);
             has_yielded_ = true;
-            ++yielded_;
         }
         const Status status = this->insert(v, store_.vertex(cage.centre).cell);
         // A cage without its whole shell is given up; the shell vertices that are in the mesh stay there, exempt.
@@ -213,8 +228,8 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_shell(std::uint
     return Status::ok;
 }
 
-template <int D, class Rule> void ThesisCages<D, Rule>::place(const Cage& cage, const double* unit, std::uint32_t k,
-                                 double* x) const {
+template <int D, class Rule>
+void ThesisCages<D, Rule>::place(const Cage& cage, const double* unit, std::uint32_t k, double* x) const {
     std::uint64_t random = mix64(std::uint64_t{cage.centre} << 32 | k);
     for (int i = 0; i < D; ++i) {
         random = mix64(random);
@@ -233,13 +248,10 @@ void ThesisCages<D, Rule>::visit_shell(const Cage& cage, Visit&& visit) const {
         double unit[D], x[D], d2;
         Template::point(k, unit);
         place(cage, unit, k, x);
-        if (own >= inputs_ && own < store_.state.vertex_count && distance2<D>(x, store_.point(own)) == 0)
-            {
-                visit(own);
-                ++own;
-            }
-        else
-            visit(VertexId(tree_.nearest_within(x, reach * reach, &d2)));
+        const bool is_own =
+            own >= inputs_ && own < store_.state.vertex_count && distance2<D>(x, store_.point(own)) == 0;
+        visit(is_own ? own : VertexId(tree_.nearest_within(x, reach * reach, &d2)));
+        if (is_own) ++own;
     }
 }
 
@@ -258,7 +270,6 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_cage(std::uint32_
     if (!store_.has_room(0, Template::size, 0)) return Status::out_of_memory;
     const Cage old = cage;
     cage.radius = radius;
-    ++grown_;
     const Status status = insert_shell(d);
     if (status == Status::ok) return demote(old);
     cage = old;
@@ -266,7 +277,6 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_cage(std::uint32_
 }
 
 template <int D, class Rule> Status ThesisCages<D, Rule>::release_cage(std::uint32_t d) {
-    ++released_;
     const Cage old = hierarchy_.cage(d);
     hierarchy_.release(d);
     return demote(old);
@@ -376,11 +386,7 @@ template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge_vertex(VertexId
     const double nearest2 = store_.vertex(v).nearest2;
     if (!is_bad(corner.distance2, nearest2)) return Verdict::good;
     this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), pull_back<D>), split);
-    if (!hierarchy_.contains(root, split->x)) {
-        ++beyond_;
-        return Verdict::good;
-    }
-    return Verdict::bad;
+    return hierarchy_.contains(root, split->x) ? Verdict::bad : Verdict::good;
 }
 
 // By the farthest corner of the cage's whole cell, as seen from its centre. Its in-radius is at least half of the way
@@ -399,11 +405,7 @@ template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge_cage(std::uint3
     this->split_towards(VertexId(cage.centre), corner, wanted, split);
     const double empty = square_root(split->empty2) - cage.radius;
     split->empty2 = empty * empty;
-    if (!hierarchy_.contains(root, split->x)) {
-        ++beyond_;
-        return Verdict::good;
-    }
-    return Verdict::bad;
+    return hierarchy_.contains(root, split->x) ? Verdict::bad : Verdict::good;
 }
 
 template <int D, class Rule> Status ThesisCages<D, Rule>::finish_mesh() {

@@ -61,12 +61,12 @@ struct Table {
 
 // Constants of the cages, in the words of engine/DESIGN.md; written down here a second time.
 template <int D> struct Constants {
-    double epsilon = 0.3;            // inputs within epsilon r, vertices beyond 2 r / epsilon
-    double sphere = 0.64;            // the shell's sphere, in r
-    double gamma = 1.0 / 16;         // how far a shell vertex is from its place, in radii of that sphere
-    double yields = 0.9;             // a Steiner point yields within this of its empty ball
-    double slack = 1.125;            // a new cage over what the thesis asks for
-    double annulus = 1.125;          // 4.11.8 from this times epsilon r on, where the thesis has 2
+    double epsilon = 0.3;     // inputs within epsilon r, vertices beyond 2 r / epsilon
+    double sphere = 0.64;     // the shell's sphere, in r
+    double gamma = 1.0 / 16;  // how far a shell vertex is from its place, in radii of that sphere
+    double yields = 0.9;      // a Steiner point yields within this of its empty ball
+    double slack = 1.125;     // a new cage over what the thesis asks for
+    double annulus = 1.125;   // 4.11.8 from this times epsilon r on, where the thesis has 2
     double covering = D == 2 ? 0.19604 : D == 3 ? 0.36284 : 0.38574;  // chords, of the template alone
     double packing = D == 2 ? 0.39018 : D == 3 ? 0.54653 : 0.61803;
     double inner = D == 2 ? 0.50 : D == 3 ? 0.40 : 0.38;  // B' of 4.11.1, in r
@@ -150,7 +150,9 @@ public:
         const double input = two_nearest(domain_[v], point(v), true).second;
         if (!(input < endless)) return;
         const bool shell = is_of_shell(v);
-        const char* const what = shell ? "4.9 K' of shells" : is_input(v) ? "4.9 K' of inputs" : "4.9 K' of Steiner points";
+        const char* const what = shell         ? "4.9 K' of shells"
+                                 : is_input(v) ? "4.9 K' of inputs"
+                                               : "4.9 K' of Steiner points";
         table_.offer(what, input, (shell ? is_.k_cage : is_input(v) ? is_.k_input : is_.k_steiner) * lambda);
     }
 
@@ -393,8 +395,7 @@ private:
         for (std::size_t a = 0; a < weight.size(); ++a)
             for (std::size_t b = 0; b < weight.size() && weight[a] > 0; ++b)
                 if (a != b)
-                    premise = std::max(premise,
-                                       weight[a] / (away(members_[d][a], point(members_[d][b])) - weight[b]));
+                    premise = std::max(premise, weight[a] / (away(members_[d][a], point(members_[d][b])) - weight[b]));
         table_.offer("4.6.1 premise: weights at most epsilon", premise, is_.epsilon);
         for (std::size_t a = 0; a < weight.size(); ++a) {
             const std::uint32_t v = members_[d][a];

@@ -2,13 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 
+#include "cage_lemmas.hpp"
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
-#include "cage_lemmas.hpp"
 #include "hierarchical.hpp"
 
 using namespace netmesh;
@@ -53,7 +54,8 @@ private:
         if (table == nullptr || ++steps_ % every != 0) return;
         std::vector<lemmas::Ball> cages;
         for (std::uint32_t d = 0; d < this->hierarchy_.made(); ++d)
-            if (this->hierarchy_.is_live(d)) cages.push_back({this->hierarchy_.cage(d).centre, this->hierarchy_.cage(d).radius});
+            if (this->hierarchy_.is_live(d))
+                cages.push_back({this->hierarchy_.cage(d).centre, this->hierarchy_.cage(d).radius});
         lemmas::Judge<D> judge(this->store_, cages, this->request_.tau, clean, table);
         judge.judge();
         for (const std::uint32_t v : fresh) judge.judge_insertion(v);
@@ -108,21 +110,24 @@ template <int D> inputs::Points input(std::uint64_t i) {
     }
 }
 
-void print(int dim, const lemmas::Table& table) {
+void print(int dim, std::uint64_t inputs, const lemmas::Table& table) {
+    std::printf("D%d after %" PRIu64 " inputs: lemma, checks, worst value over bound, violations\n", dim, inputs);
     for (const auto& [name, row] : table.rows)
         std::printf("D%d  %-56s %10llu  %.6f  %llu\n", dim, name.c_str(), (unsigned long long)row.checked, row.worst,
                     (unsigned long long)row.violations);
     for (const auto& [name, value] : table.largest) std::printf("D%d  %-56s %g\n", dim, name.c_str(), value);
+    std::fflush(stdout);
 }
 
 }  // namespace
 
 TEST_CASE_TEMPLATE_DEFINE("every lemma of cages holds on every mesh", T, every_lemma) {
     constexpr int D = T::value;
-    const char* const asked = std::getenv("NETMESH_LEMMA_INPUTS");
-    const std::uint64_t count = asked != nullptr ? std::strtoull(asked, nullptr, 10) : D == 2 ? 60 : D == 3 ? 12 : 2;
+    const char* const asked = std::getenv("NETMESH_LEMMA_INPUTS");  // FIRST..END, and the table after every 20th
+    std::uint64_t first = 0, end = D == 2 ? 30 : D == 3 ? 6 : 1;
+    if (asked != nullptr) REQUIRE(std::sscanf(asked, "%" SCNu64 "..%" SCNu64, &first, &end) == 2);
     lemmas::Table all;
-    for (std::uint64_t i = 0; i < count; ++i) {
+    for (std::uint64_t i = first; i < end; ++i) {
         const double tau = i % 3 == 0 ? 4 : i % 3 == 1 ? 6 : 7;
         for (const bool finish : {false, true}) {
             lemmas::Table table;
@@ -131,8 +136,127 @@ TEST_CASE_TEMPLATE_DEFINE("every lemma of cages holds on every mesh", T, every_l
             CHECK_MESSAGE(table.violated() == "", "input ", i, " finish ", finish);
             all.join(table);
         }
+        if (asked != nullptr && (i % 20 == 19 || i + 1 == end)) print(D, i + 1 - first, all);
     }
-    if (asked != nullptr) print(D, all);
     CHECK(all.violations() == 0);
 }
 TEST_CASE_TEMPLATE_APPLY(every_lemma, Dimensions<2, 4>);
+
+TEST_CASE_TEMPLATE_DEFINE("sizes with cages of the thesis do not depend on gaps", T, thesis_gaps) {
+    constexpr int D = T::value;
+    double low = lemmas::endless, high = 0;
+    for (const double gap : {10.0, 30.0, 1e2, 1e3, 1e4, 1e6, 1e9}) {
+        ThesisMesh<D> mesh(inputs::geometric(D, gap, 60), 7, false, nullptr, 1);
+        REQUIRE(mesh.status == Status::ok);
+        const double each = double(mesh.state.vertex_count) / double(mesh.result.input.rows);
+        if (std::getenv("NETMESH_LEMMA_INPUTS") != nullptr) std::printf("D%d gap %g: %.2f an input\n", D, gap, each);
+        low = std::min(low, each);
+        high = std::max(high, each);
+    }
+    CHECK(high < 1.3 * low);
+}
+TEST_CASE_TEMPLATE_APPLY(thesis_gaps, Dimensions<2, 3>);
+
+namespace {
+
+// Pairs, so that each has a cage, and what the judge and the engine say of them once something is changed.
+struct Planted : ThesisMesh<2> {
+    Planted() : ThesisMesh<2>(inputs::close_pairs(2, 5, 1e-4), 6, false, nullptr, 1) {
+        REQUIRE(status == Status::ok);
+        REQUIRE(result.hierarchy.cages == 6);
+    }
+    // Names of what does not hold.
+    std::string judged() {
+        lemmas::Table table;
+        std::vector<lemmas::Ball> cages;
+        for (std::uint32_t d = 0; d < result.hierarchy.cages; ++d)
+            cages.push_back({result.cages[d].centre, result.cages[d].radius});
+        lemmas::Judge<2> judge(store, cages, tau, true, &table);
+        judge.judge();
+        judge.judge_gaps(10);
+        return table.violated();
+    }
+    bool is_judged(const char* lemma) { return judged().find(lemma) != std::string::npos; }
+    std::string measured() {
+        HierarchyRequest<2> request = {result.cages, result.hierarchy.cages, result.domain};
+        request.kind = CageKind::thesis;
+        HierarchyQuality quality;
+        REQUIRE(measure_hierarchy<2>(store, request, block.arena, &quality) == Status::ok);
+        return quality.encroached.violation != nullptr ? quality.encroached.violation
+               : quality.worst > tau * (1 + 1e-9)      ? "ratio"
+                                                       : "";
+    }
+    // A vertex of the shell of cage d, or a Steiner point.
+    std::uint32_t shell(std::uint32_t d) const { return result.cages[d].shell; }
+    std::uint32_t steiner() const {
+        std::uint32_t v = 0;
+        while (store.vertex(v).marker != Marker::steiner) ++v;
+        return v;
+    }
+    double tau = 6;
+};
+
+}  // namespace
+
+TEST_CASE("planted faults of cages of the thesis") {
+    Planted mesh;
+    CHECK(mesh.judged() == "");
+    CHECK(mesh.measured() == "");
+    Cage& cage = mesh.result.cages[1];
+    const double radius = cage.radius;
+    SUBCASE("a lower tau") {
+        mesh.tau = 2.3;
+        CHECK(mesh.is_judged("4.5 quality of vertices"));
+        CHECK(mesh.measured() == "ratio");
+    }
+    SUBCASE("a cage is larger: D-balls of its inner ball leave it") {
+        cage.radius = 1.5 * radius;
+        CHECK(mesh.is_judged("4.5 nearness"));
+        CHECK(mesh.is_judged("4.11.1"));
+        CHECK(mesh.measured() == "an exempt vertex within a cage is not of its shell");
+    }
+    SUBCASE("a cage is smaller: an input encroaches on it, and is not where a shell vertex could be") {
+        cage.radius = 0.7 * radius;
+        CHECK(mesh.is_judged("4.5 nearness"));
+        CHECK(mesh.measured() != "");
+    }
+    SUBCASE("a cage is missing") {
+        cage = mesh.result.cages[5];
+        mesh.result.hierarchy.cages = 5;
+        CHECK(mesh.is_judged("4.9.3"));
+        CHECK(mesh.measured() == "an exempt vertex within a cage is not of its shell");
+    }
+    SUBCASE("a cage about a Steiner point") {
+        cage.centre = mesh.steiner();
+        CHECK(mesh.is_judged("4.5 the centre is an input"));
+        CHECK(mesh.measured() == "a cage's centre is not an input, or its radius not positive");
+    }
+    SUBCASE("a shell lacks three vertices") {
+        for (std::uint32_t k = 0; k < 3; ++k) mesh.store.vertex(mesh.shell(1) + k).marker = Marker::steiner;
+        CHECK(mesh.is_judged("4.5 covering"));
+        CHECK(mesh.measured() == "a cage lacks its shell");
+    }
+    SUBCASE("two vertices of a shell are one") {
+        for (int k = 0; k < 2; ++k)
+            mesh.store.vertex(mesh.shell(1)).x[k] = mesh.store.vertex(mesh.shell(1) + 1).x[k] * (1 + 1e-9);
+        CHECK(mesh.is_judged("4.5 packing"));
+    }
+    SUBCASE("a Steiner point passes as exempt") {
+        mesh.store.vertex(mesh.steiner()).marker = Marker::exempt;
+        CHECK(mesh.is_judged("4.5 nearness"));
+        CHECK(mesh.measured() == "an exempt vertex within a cage is not of its shell");
+    }
+    SUBCASE("a vertex next to a cage") {
+        double* const x = mesh.store.vertex(mesh.steiner()).x;
+        x[0] = mesh.store.point(cage.centre)[0] + 3 * radius;
+        x[1] = mesh.store.point(cage.centre)[1];
+        CHECK(mesh.is_judged("4.5 not encroached from outside"));
+        CHECK(mesh.is_judged("4.6.1"));
+    }
+    SUBCASE("a Steiner point next to an input") {
+        double* const x = mesh.store.vertex(mesh.steiner()).x;
+        x[0] = mesh.store.point(cage.centre)[0] + 1e-6 * radius;
+        x[1] = mesh.store.point(cage.centre)[1];
+        CHECK(mesh.is_judged("4.8 feature size invariant"));
+    }
+}
