@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE_DEFINE("every lemma of cages holds on every mesh", T, every_l
         const double tau = i % 3 == 0 ? 4 : i % 3 == 1 ? 6 : 7;
         for (const bool finish : {false, true}) {
             lemmas::Table table;
-            ThesisMesh<D> mesh(input<D>(i), tau, finish && D < 4, &table, D == 2 ? 7 : 23);
+            ThesisMesh<D> mesh(input<D>(i), tau, finish && D < 4, &table, (D == 2 ? 11 : 37) * (finish ? 17 : 1));
             REQUIRE(mesh.status == Status::ok);
             CHECK_MESSAGE(table.violated() == "", "input ", i, " finish ", finish);
             all.join(table);
