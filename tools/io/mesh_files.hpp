@@ -29,8 +29,8 @@ public:
     bool has_values = false;                     // vertices carry filter values
     std::vector<netmesh_cage> cages;             // of a hierarchical mesh
     netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;
-    std::vector<double> ratios;                  // of vertices' clipped cells, where they have been measured
-    std::vector<std::uint32_t> domains;          // innermost cages of vertices, with the ratios
+    std::vector<double> ratios;          // of vertices' clipped cells, where they have been measured
+    std::vector<std::uint32_t> domains;  // innermost cages of vertices, with the ratios
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
