@@ -365,6 +365,7 @@ const char* option_name(netmesh_field field) {
     } table[] = {{NETMESH_FIELD_TAU, "--tau"},
                  {NETMESH_FIELD_SIZES, "--eps"},
                  {NETMESH_FIELD_SIZE_AT_INPUTS, "--cell-size"},
+                 {NETMESH_FIELD_CAGE_KIND, "--cages"},
                  {NETMESH_FIELD_SIZE_GROWTH, "--cell-size"},
                  {NETMESH_FIELD_DOMAIN_FACTOR, "--domain"},
                  {NETMESH_FIELD_TIGHT_EPS, "--eps"},

@@ -32,12 +32,11 @@ Complaint complaint_about_ratios(const netmesh_certificate_goal& goal) {
 Complaint complaint_about_cages(const netmesh_mesh_request& request) {
     if (request.cage_kind != NETMESH_CAGES_THESIS) return {};
     if (request.method != NETMESH_METHOD_HIERARCHY)
-        return {NETMESH_FIELD_CAGES, "only the method with cages has cages of the thesis"};
-    if (request.dim > thesis_dim_max) return {NETMESH_FIELD_CAGES, "there are cages of the thesis up to D = 4"};
+        return {NETMESH_FIELD_CAGE_KIND, "only the method with cages has cages of the thesis"};
     if (!(request.tau >= thesis_tau_min)) return {NETMESH_FIELD_TAU, "cages of the thesis need a tau of at least 3.4"};
     if (request.purpose != NETMESH_PURPOSE_MESH)
         return {NETMESH_FIELD_PURPOSE, "a mesh with cages of the thesis is not for persistence"};
-    if (request.audit != 0) return {NETMESH_FIELD_AUDIT, "audits are not for cages of the thesis"};
+    if (request.audit != 0) return {NETMESH_FIELD_AUDIT, "audits are of clipped cells, and those of cages of the thesis are whole"};
     return {};
 }
 
@@ -49,7 +48,9 @@ Complaint complaint_about_numbers(const netmesh_mesh_request& request) {
     if (!in_range(request.method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE))
         return {NETMESH_FIELD_METHOD, "unknown method"};
     if (!in_range(request.cage_kind, NETMESH_CAGES_COMPACT, NETMESH_CAGES_THESIS))
-        return {NETMESH_FIELD_CAGES, "unknown kind of cages"};
+        return {NETMESH_FIELD_CAGE_KIND, "unknown kind of cages"};
+    if (request.cage_kind == NETMESH_CAGES_THESIS && request.dim > thesis_dim_max)
+        return {NETMESH_FIELD_CAGE_KIND, "there are cages of the thesis up to D = 4"};
     if (!is_valid_tau(tau_of(request.dim, request.tau)))
         return {NETMESH_FIELD_TAU, "tau is not a finite number above 2"};
     if (!(request.sizes.eps >= 0) || !is_finite(request.sizes.eps))

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "numerics/vector.hpp"
+#include "mesh/cage.hpp"
 
 namespace netmesh {
 
@@ -21,10 +21,25 @@ struct ThesisCage {
     // jitter in each coordinate, or it is an input that it has yielded to.
     static constexpr double gamma = 0x1p-4;
     static constexpr double jitter = 0x1p-10;
+    // How far from its place, moved as it is, a shell vertex yields: jitter^2 D is at most (2 jitter)^2.
+    static constexpr double yields = gamma - 2 * jitter;
     // A new cage is larger by this than what the thesis asks for, so that inputs about as far away as the one that it
     // is made for do not make it grow at once.
     static constexpr double slack = 1.125;
 };
+
+// Is v about as far from the cage's centre as its shell?
+template <int D> inline bool is_by_shell(const Store<D>& store, const Cage& cage, std::uint32_t v) {
+    constexpr double off = ThesisCage::shell_factor * 2 * ThesisCage::gamma;
+    const double d2 = distance2<D>(store.point(v), store.point(cage.centre)) / (cage.radius * cage.radius);
+    constexpr double least = ThesisCage::shell_factor - off, most = ThesisCage::shell_factor + off;
+    return d2 >= least * least && d2 <= most * most;
+}
+
+// Does input v, in the domain of cage d, stand in the place of a vertex of its shell, which has yielded to it?
+template <int D> inline bool has_yielded_to(const Store<D>& store, const Cage* cages, std::uint32_t d, std::uint32_t v) {
+    return d != none && store.vertex(v).marker == Marker::input && is_by_shell<D>(store, cages[d], v);
+}
 
 // A template that is the set of corners of a polytope around the origin covers worst where the normal of a facet meets
 // the sphere.

@@ -62,10 +62,7 @@ private:
     bool is_thesis() const { return D <= thesis_dim_max && kind_ == CageKind::thesis; }
     // Is v an input in the place of a shell vertex? With cages of the thesis alone.
     bool has_yielded(std::uint32_t v) const {
-        if (!is_thesis() || domain_[v] == none || store_.vertex(v).marker != Marker::input) return false;
-        const Cage& cage = cages_[domain_[v]];
-        const double least = ThesisCage::shell_factor * (1 - ThesisCage::gamma) * cage.radius;
-        return distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least;
+        return is_thesis() && has_yielded_to<D>(store_, cages_, domain_[v], v);
     }
     bool is_outermost(std::uint32_t d) const { return is_thesis() && cages_[d].parent == none; }
     // The ball that cells of a domain are clipped to.
@@ -78,6 +75,7 @@ private:
         return is_thesis() ? 0.5 * square_root(cage.nearest2) : in_radius<D>(cage);
     }
     CheckResult find_thesis_shells();
+    bool is_template_covered(std::uint32_t d);
     double ratio(std::uint32_t v) const { return counts(v) ? 2 * square_root(out2_[v] / nearest2_[v]) : 0; }
     void raise_vertices(std::uint32_t c, const Cell<D>& corner);
     void raise_cages(std::uint32_t c, const Cell<D>& corner);
@@ -197,8 +195,33 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
     return result;
 }
 
-// As many vertices near the sphere as the template has points, of which inputs may be some; the other exempt vertices
-// are on the hull.
+// Has each point of the template a vertex of the shell near it? Points of a template are farther apart than twice what
+// a vertex may be off, so it has one and no other where there are as many as points.
+template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uint32_t d) {
+    const Cage& cage = cages_[d];
+    const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
+    const double radius = ThesisCage::shell_factor * cage.radius;
+    double off = ThesisCage::gamma * radius * (1 + 0x1p-30);
+    // Places are a few roundings of the coordinates off.
+    for (int i = 0; i < D; ++i) off += 0x1p-51 * (absolute(store_.point(cage.centre)[i]) + cage.radius);
+    std::uint64_t seen[(RootTemplate<D>::size + 63) / 64] = {};
+    visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double d2) {
+        if (domain_[v] != d || !(d2 > 0.25 * radius * radius)) return;
+        if (store_.vertex(v).marker != Marker::exempt && !has_yielded(v)) return;
+        for (std::uint32_t k = 0; k < size; ++k) {
+            double place[D];
+            is_outermost(d) ? RootTemplate<D>::point(k, place) : CageTemplate<D>::point(k, place);
+            for (int i = 0; i < D; ++i) place[i] = store_.point(cage.centre)[i] + radius * place[i];
+            if (distance2<D>(place, store_.point(v)) <= off * off) seen[k / 64] |= std::uint64_t{1} << k % 64;
+        }
+    });
+    std::uint32_t covered = 0;
+    for (std::uint32_t k = 0; k < size; ++k) covered += seen[k / 64] >> k % 64 & 1u;
+    return covered == size;
+}
+
+// As many vertices near the sphere as the template has points, of which inputs may be some, and one at each; the other
+// exempt vertices are on the hull.
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() {
     for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
     const std::uint32_t cells = store_.state.cell_slots;
@@ -215,16 +238,18 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
             continue;
         }
         Cage& cage = cages_[domain_[v]];
-        const double away = square_root(distance2<D>(store_.point(v), store_.point(cage.centre)));
-        const double off = away / (ThesisCage::shell_factor * cage.radius) - 1;
-        if (exempt && !(off <= ThesisCage::gamma && off >= -ThesisCage::gamma))
-            return {"an exempt vertex within a cage is not of its shell", v};
+        if (exempt && !is_by_shell<D>(store_, cage, v)) return {"an exempt vertex within a cage is not of its shell", v};
         if (exempt || has_yielded(v)) ++cage.next;
     }
     CheckResult result = {nullptr, none};
+    std::uint32_t outermost = 0;
     for (std::uint32_t d = 0; d < count_; ++d) {
+        if (is_outermost(d) && ++outermost > 1) return {"there are two outermost cages", cages_[d].centre};
         const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
-        if (cages_[d].next != size) result = {"a cage lacks its shell", cages_[d].centre};
+        if (cages_[d].next != size)
+            result = {"a cage lacks its shell", cages_[d].centre};
+        else if (!is_template_covered(d))
+            result = {"a shell has a hole", cages_[d].centre};
         cages_[d].next = none;
     }
     return result;

@@ -79,6 +79,17 @@ protected:
     template <class Visit> void visit_shell(const Cage& cage, Visit&& visit) const;
     // Is v of a shell: a vertex of its own, or an input that such a vertex has yielded to?
     bool is_of_shell(VertexId v);
+    // Annuli are kept free with a margin of 2^-20, and radii of cages and ratios of cells end that much before their
+    // bounds. A squared distance as computed is within (D + 2) 2^-52 of the true one, as the difference of two
+    // coordinates is within 2^-53 and all terms are positive; a product of three such numbers and constants is off by
+    // less than 2^-48. The corner of a cell is within corner_error_max times its distance R from the cell's vertices
+    // (delaunay/sphere.hpp), and R is at most its distance from any other vertex, the centre of a cage among them: so
+    // seen from there, too, it is known as well as tau_margin needs it.
+    static constexpr double inner = ThesisCage::epsilon * (1 - tau_margin);
+    static double clear2(double radius) {
+        const double clear = ThesisCage::clearance * radius * (1 + tau_margin);
+        return clear * clear;
+    }
     bool is_beyond(std::uint32_t d, double factor, const double* x) {
         const double far = factor * hierarchy_.cage(d).radius;
         return distance2<D>(x, store_.point(hierarchy_.cage(d).centre)) > far * far;
@@ -127,7 +138,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::begin() {
         if (p2 > far2) far2 = p2;
     }
     std::uint32_t made;
-    return new_cage(centre, square_root(far2) / ThesisCage::epsilon * (1 + tau_margin), infinity, none, &made);
+    return new_cage(centre, square_root(far2) / inner * (1 + tau_margin), infinity, none, &made);
 }
 
 template <int D, class Rule> Status ThesisCages<D, Rule>::insert_input(VertexId p, CellId from, bool cleaning) {
@@ -140,9 +151,8 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_input(VertexId 
     if (!cleaning && store_.vertex(near_).marker == Marker::input) {
         const double radius =
             square_root(distance2<D>(store_.point(p), store_.point(near_))) / ThesisCage::epsilon * ThesisCage::slack;
-        const double clear = ThesisCage::clearance * radius * (1 + tau_margin);
         std::uint32_t made;
-        if (near_nearest2_ >= clear * clear) {
+        if (near_nearest2_ >= clear2(radius)) {
             status = new_cage(near_, radius, near_nearest2_, hierarchy_.of_input(p), &made);
             if (status == Status::ok) hierarchy_.set(p, made);
         }
@@ -174,7 +184,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_encroached(Vertex
     std::uint32_t d = hierarchy_.of_input(p);
     if (is_member) d = hierarchy_.parent(d);
     for (; d != none; d = hierarchy_.parent(d)) {
-        if (d == root || !hierarchy_.is_live(d) || !is_beyond(d, ThesisCage::epsilon, x)) continue;
+        if (d == root || !hierarchy_.is_live(d) || !is_beyond(d, inner, x)) continue;
         const Status status = grow_cage(d);
         if (status != Status::ok) return status;
     }
@@ -184,7 +194,8 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_encroached(Vertex
 template <int D, class Rule>
 Status ThesisCages<D, Rule>::new_cage(VertexId centre, double radius, double nearest2, std::uint32_t parent,
                                       std::uint32_t* made) {
-    if (!store_.has_room(0, RootTemplate<D>::size, 0)) return Status::out_of_memory;
+    const std::uint32_t size = parent == none ? RootTemplate<D>::size : Template::size;
+    if (!store_.has_room(0, size, 0)) return Status::out_of_memory;
     const std::uint32_t d = *made = hierarchy_.make(centre, radius, nearest2, parent, store_.state.vertex_count);
     if (near_cage_ != none)
         hierarchy_.cage(near_cage_).parent = d;
@@ -201,7 +212,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_shell(std::uint
     cage.shell = store_.state.vertex_count;
     making_ = d;
     VertexId first = none;
-    const double reach = ThesisCage::gamma * ThesisCage::shell_factor * cage.radius;
+    const double reach = ThesisCage::yields * ThesisCage::shell_factor * cage.radius;
     const std::uint32_t size = d == root ? RootTemplate<D>::size : Template::size;
     for (std::uint32_t k = 0; k < size; ++k) {
         double unit[D], x[D], d2;
@@ -242,7 +253,7 @@ void ThesisCages<D, Rule>::place(const Cage& cage, const double* unit, std::uint
 template <int D, class Rule>
 template <class Visit>
 void ThesisCages<D, Rule>::visit_shell(const Cage& cage, Visit&& visit) const {
-    const double reach = ThesisCage::gamma * ThesisCage::shell_factor * cage.radius;
+    const double reach = ThesisCage::yields * ThesisCage::shell_factor * cage.radius;
     VertexId own(cage.shell);
     for (std::uint32_t k = 0; k < Template::size; ++k) {
         double unit[D], x[D], d2;
@@ -265,8 +276,8 @@ template <int D, class Rule> bool ThesisCages<D, Rule>::is_of_shell(VertexId v) 
 // Once a larger cage is there, or not, the smaller one is released.
 template <int D, class Rule> Status ThesisCages<D, Rule>::grow_cage(std::uint32_t d) {
     Cage& cage = hierarchy_.cage(d);
-    const double radius = cage.radius / ThesisCage::epsilon, clear = ThesisCage::clearance * radius;
-    if (!(cage.nearest2 >= clear * clear)) return release_cage(d);
+    const double radius = cage.radius / inner;
+    if (!(cage.nearest2 >= clear2(radius))) return release_cage(d);
     if (!store_.has_room(0, Template::size, 0)) return Status::out_of_memory;
     const Cage old = cage;
     cage.radius = radius;
@@ -336,12 +347,12 @@ template <int D, class Rule> void ThesisCages<D, Rule>::update_distances(const C
 template <int D, class Rule> void ThesisCages<D, Rule>::update_cages(VertexId w, const Vertex<D>& fresh) {
     for (std::uint32_t d = hierarchy_.of(w); d != none && !hierarchy_.contains(d, fresh.x); d = hierarchy_.parent(d)) {
         Cage& cage = hierarchy_.cage(d);
-        const double d2 = distance2<D>(fresh.x, store_.point(cage.centre)), clear = ThesisCage::clearance * cage.radius;
+        const double d2 = distance2<D>(fresh.x, store_.point(cage.centre));
         if (d2 < cage.nearest2) {
             cage.nearest2 = d2;
             if (d != making_) queue_cage(d);
         }
-        if (!(d2 < clear * clear) || cage.next != none) continue;
+        if (!(d2 < clear2(cage.radius)) || cage.next != none) continue;
         cage.next = encroached_ == none ? d : encroached_;  // the last one points at itself
         encroached_ = d;
     }

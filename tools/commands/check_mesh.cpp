@@ -117,7 +117,8 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netm
     }
     if (!files.node.cages.empty()) {
         checked->push_back(grouped_text(files.node.cages.size()) +
-                           " cages nested about inputs, none encroached; their cells and all others in their domains");
+                           " cages nested about inputs, none encroached; their cells and all others " +
+                           (mesh.cage_kind == NETMESH_CAGES_THESIS ? "whole" : "in their domains"));
     }
     if (report.sizes.ratio_max > 0) {
         std::string asked;
@@ -143,6 +144,8 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
         if (outcome.good()) outcome = compare_inputs(files, points);
     }
     if (!outcome.good()) return outcome;
+    if (node.cage_kind == NETMESH_CAGES_THESIS && node.cloud.dim > 4)
+        return data_error(node.cloud.name + ": there are cages of the thesis in dimensions 2, 3 and 4 only");
     set_promises(options, node, &session.mesh());
     const std::size_t plan = plan_diagram(options, NETMESH_FILTER_COMPLETE, node.cloud.dim, node.cloud.rows());
     outcome = session.run(plan, node.cloud, [&](Session& s) {
