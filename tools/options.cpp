@@ -126,8 +126,7 @@ Outcome check_together(const Options& options) {
     if (thesis && options.audit != 0)
         return usage_error(
             "--audit does not go with --cages thesis: its figures are of clipped cells, and those are whole");
-    if (thesis && options.tau && *options.tau < 3.4)
-        return usage_error("--cages thesis needs a --tau of at least 3.4");
+    if (thesis && options.tau && *options.tau < 3.4) return usage_error("--cages thesis needs a --tau of at least 3.4");
     if (thesis && options.dim > 4) return usage_error("--cages thesis is for D = 2, 3 and 4");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)

@@ -36,7 +36,8 @@ Complaint complaint_about_cages(const netmesh_mesh_request& request) {
     if (!(request.tau >= thesis_tau_min)) return {NETMESH_FIELD_TAU, "cages of the thesis need a tau of at least 3.4"};
     if (request.purpose != NETMESH_PURPOSE_MESH)
         return {NETMESH_FIELD_PURPOSE, "a mesh with cages of the thesis is not for persistence"};
-    if (request.audit != 0) return {NETMESH_FIELD_AUDIT, "audits are of clipped cells, and those of cages of the thesis are whole"};
+    if (request.audit != 0)
+        return {NETMESH_FIELD_AUDIT, "audits are of clipped cells, and those of cages of the thesis are whole"};
     return {};
 }
 

@@ -37,7 +37,8 @@ template <int D> inline bool is_by_shell(const Store<D>& store, const Cage& cage
 }
 
 // Does input v, in the domain of cage d, stand in the place of a vertex of its shell, which has yielded to it?
-template <int D> inline bool has_yielded_to(const Store<D>& store, const Cage* cages, std::uint32_t d, std::uint32_t v) {
+template <int D>
+inline bool has_yielded_to(const Store<D>& store, const Cage* cages, std::uint32_t d, std::uint32_t v) {
     return d != none && store.vertex(v).marker == Marker::input && is_by_shell<D>(store, cages[d], v);
 }
 

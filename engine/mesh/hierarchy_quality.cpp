@@ -61,9 +61,7 @@ private:
     // Cells are not clipped then.
     bool is_thesis() const { return D <= thesis_dim_max && kind_ == CageKind::thesis; }
     // Is v an input in the place of a shell vertex? With cages of the thesis alone.
-    bool has_yielded(std::uint32_t v) const {
-        return is_thesis() && has_yielded_to<D>(store_, cages_, domain_[v], v);
-    }
+    bool has_yielded(std::uint32_t v) const { return is_thesis() && has_yielded_to<D>(store_, cages_, domain_[v], v); }
     bool is_outermost(std::uint32_t d) const { return is_thesis() && cages_[d].parent == none; }
     // The ball that cells of a domain are clipped to.
     Domain<D> ball_of(std::uint32_t domain) const {
@@ -238,7 +236,8 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
             continue;
         }
         Cage& cage = cages_[domain_[v]];
-        if (exempt && !is_by_shell<D>(store_, cage, v)) return {"an exempt vertex within a cage is not of its shell", v};
+        if (exempt && !is_by_shell<D>(store_, cage, v))
+            return {"an exempt vertex within a cage is not of its shell", v};
         if (exempt || has_yielded(v)) ++cage.next;
     }
     CheckResult result = {nullptr, none};

@@ -93,6 +93,15 @@ netmesh_status finished(Run& run) {
     run.request.finish = 1;
     return hierarchy(run);
 }
+netmesh_status thesis_cages(Run& run) {
+    run.request.cage_kind = NETMESH_CAGES_THESIS;
+    run.request.tau = 7;
+    return hierarchy(run);
+}
+netmesh_status thesis_finished(Run& run) {
+    run.request.finish = 1;
+    return thesis_cages(run);
+}
 netmesh_status audited(Run& run) {
     run.request.method = NETMESH_METHOD_HIERARCHY;
     run.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
@@ -198,6 +207,10 @@ const Job low_dimensions[] = {
     Job{"finished", 2, 4, finished}.tries(100),
     Job{"finished", 3, 4, finished}.large().tries(50),
     Job{"finished", 4, 3, finished}.large().tries(25),
+    Job{"thesis-cages", 2, 4, thesis_cages}.tries(100),
+    Job{"thesis-cages", 3, 3, thesis_cages}.large().tries(25),
+    Job{"thesis-cages", 4, 2, thesis_cages}.large().tries(10),
+    Job{"thesis-finished", 2, 4, thesis_finished}.large().tries(25),
     {"cages", 2, 8, load_cages},
     {"cages", 3, 6, load_cages},
     Job{"cages", 4, 4, load_cages}.large().tries(50),
