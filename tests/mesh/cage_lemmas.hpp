@@ -142,6 +142,43 @@ public:
         judge_balls();
     }
 
+    // Figures of which the thesis says no more than that they are bounded: of all vertices but those of the frame the
+    // degree (4.11.7) and the cells that they are in (4.11.6), of D-balls within the outermost cage how many contain
+    // the centre of one (4.11.5) and how many meet one (4.11.9). Of large meshes a sample of the balls is looked at.
+    void count() {
+        std::vector<Sphere> spheres;
+        std::vector<std::uint32_t> cells(store_.state.vertex_count, 0);
+        for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
+            if (!is_finite(c)) continue;
+            for (const std::uint32_t v : store_.cell(c).vertex) ++cells[v];
+            const Sphere sphere = sphere_of(c, store_.cell(c).vertex[0]);
+            double centre[D];
+            for (int k = 0; k < D; ++k) centre[k] = double(sphere.centre[k] + point(sphere.base)[k]);
+            if (sphere.known && innermost(centre, 0) >= 0) spheres.push_back(sphere);
+        }
+        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+            if (!in_mesh_[v] || domain_[v] < 0) continue;
+            table_.note("4.11.6 cells at a vertex", cells[v]);
+            table_.note("4.11.7 degree", double(degree_[v].size()));
+        }
+        for (std::size_t a = 0; a < spheres.size(); a += 1 + spheres.size() / 300) {
+            std::uint32_t containing = 0, meeting = 0;
+            for (const Sphere& other : spheres) {
+                long double apart2 = 0;
+                for (int k = 0; k < D; ++k) {
+                    const long double d = ((long double)(point(spheres[a].base)[k]) - point(other.base)[k]) +
+                                          (spheres[a].centre[k] - other.centre[k]);
+                    apart2 += d * d;
+                }
+                const double apart = double(std::sqrt(apart2));
+                containing += apart < other.radius;
+                meeting += apart < other.radius + spheres[a].radius;
+            }
+            table_.note("4.11.5 balls at a point", containing);
+            table_.note("4.11.9 balls that meet one", meeting);
+        }
+    }
+
     // K' of 4.9: v has just been inserted.
     void judge_insertion(std::uint32_t v) {
         if (!in_mesh_[v] || domain_[v] < 0) return;
