@@ -306,7 +306,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"--finish", mesh | persist | size | check, nullptr, apply_switch<&Options::finish>,
          "go on from a hierarchical mesh to one of quality tau without cages"},
         {"--cages", mesh | size, "KIND", apply_cages,
-         "of --method netmesh: compact (default); thesis: those of its 4.5, grown and released, D = 2, 3, 4 (--tau 6)"},
+         "of --method netmesh: compact (default); thesis: those of its 4.5, grown and released, D = 2, 3, 4 (--tau 7)"},
         {"--audit", mesh | persist | size, "WHAT", apply_audit,
          "location: points stored in all D-balls, inserted in rounds of range nets (not for persist); quality: aspect\n"
          "                    ratios, degrees and invariants after each insertion; or all. Figures go to the report"},

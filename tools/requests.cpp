@@ -14,7 +14,7 @@ void set_diagram(const Options& options, const DiagramRequest& diagram, std::uin
     request->keep_zero_pairs = diagram.keep_zero_pairs ? 1 : 0;
 }
 
-constexpr double thesis_tau = 6;  // of meshes with cages of the thesis, unless --tau says
+constexpr double thesis_tau = 7;  // of meshes with cages of the thesis, unless --tau says
 
 }  // namespace
 

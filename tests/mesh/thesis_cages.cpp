@@ -165,16 +165,21 @@ TEST_CASE_TEMPLATE_APPLY(every_lemma, Dimensions<2, 4>);
 
 TEST_CASE_TEMPLATE_DEFINE("sizes with cages of the thesis do not depend on gaps", T, thesis_gaps) {
     constexpr int D = T::value;
-    double low = lemmas::endless, high = 0;
-    for (const double gap : {10.0, 30.0, 1e2, 1e3, 1e4, 1e6, 1e9}) {
-        ThesisMesh<D> mesh(inputs::geometric(D, gap, 60), 7, false, nullptr, 1);
-        REQUIRE(mesh.status == Status::ok);
-        const double each = double(mesh.state.vertex_count) / double(mesh.result.input.rows);
-        if (std::getenv("NETMESH_LEMMA_INPUTS") != nullptr) std::printf("D%d gap %g: %.2f an input\n", D, gap, each);
-        low = std::min(low, each);
-        high = std::max(high, each);
-    }
-    CHECK(high < 1.3 * low);
+    for (const double tau : {6.0, 7.0})
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            double low = lemmas::endless, high = 0;
+            for (const double gap : {10.0, 30.0, 1e2, 1e3, 1e4, 1e6, 1e9}) {
+                ThesisMesh<D> mesh(inputs::geometric(D, gap, 60, seed), tau, false, nullptr, 1);
+                REQUIRE(mesh.status == Status::ok);
+                const double each = double(mesh.state.vertex_count) / double(mesh.result.input.rows);
+                low = std::min(low, each);
+                high = std::max(high, each);
+            }
+            if (std::getenv("NETMESH_LEMMA_INPUTS") != nullptr)
+                std::printf("D%d tau %g, seed %d: %.2f to %.2f vertices an input, ratio %.3f\n", D, tau, int(seed), low,
+                            high, high / low);
+            CHECK(high < (tau == 7 ? 1.3 : 1.5) * low);
+        }
 }
 TEST_CASE_TEMPLATE_APPLY(thesis_gaps, Dimensions<2, 3>);
 
@@ -203,6 +208,7 @@ TEST_CASE_TEMPLATE_APPLY(thesis_degrees, Dimensions<2, 3>);
 
 // A cage that cannot grow has a vertex within 2 r / e^2, and its cell, of ratio tau before, reaches no farther than
 // tau r / e^2. It is released then: vertices of its shell, (p - 2 g) s r apart, share that cell until it is cleaned.
+// (No other vertex is near a shell here, as there are cages about two inputs alone.)
 TEST_CASE("finishing keeps meshes with cages of the thesis of bounded quality") {
     const lemmas::Constants<2> is(6);
     const double apart = (is.packing - 2 * is.gamma) * is.sphere;

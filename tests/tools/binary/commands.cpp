@@ -206,7 +206,7 @@ TEST_CASE("mesh --cages thesis: the kind written, checked from the files, tamper
     CHECK(result.exit == 0);
     CHECK(text_in(result.out, "cage_kind") == "thesis");
     CHECK(number_in(result.out, "cages") == 5);
-    CHECK(number_in(result.out, "tau") == 6);
+    CHECK(number_in(result.out, "tau") == 7);
     const std::string nodes = folder.read("m.node");
     const std::size_t kind = nodes.find("# cages thesis\n"), line = nodes.find("# cage ", kind + 8);
     REQUIRE(kind != std::string::npos);
@@ -223,7 +223,7 @@ TEST_CASE("mesh --cages thesis: the kind written, checked from the files, tamper
     CHECK(is_refused(nodes.substr(0, kind) + nodes.substr(kind + 15)));  // of another kind
     CHECK(is_refused(nodes.substr(0, line) + nodes.substr(end + 1)));    // a cage is missing
     CHECK(is_refused(nodes.substr(0, radius) + " 0.3" + nodes.substr(end)));
-    CHECK(is_refused(nodes.substr(0, nodes.find("# tau 6")) + "# tau 3.5" + nodes.substr(nodes.find("# tau 6") + 7)));
+    CHECK(is_refused(nodes.substr(0, nodes.find("# tau 7")) + "# tau 3.5" + nodes.substr(nodes.find("# tau 7") + 7)));
     const std::size_t last = nodes.rfind(" 1\n"), exempt = nodes.find(" 2\n");
     REQUIRE(last != std::string::npos);
     REQUIRE(exempt != std::string::npos);
