@@ -54,6 +54,7 @@ struct Choices {
     bool sets_bytes = false;
     double tau = 0, domain_factor = 0, eps = 0, theta = 0;
     std::uint32_t k = 0, finish = 0, audit = 0;
+    netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;
     std::uint64_t seed = 1;
     netmesh_sizes sizes = {0, nullptr, nullptr};
     netmesh_certificate_goal certificate = {0, 0, 0, 0};
@@ -72,6 +73,7 @@ struct Choices {
         r.sizes = sizes;
         r.certificate = certificate;
         r.finish = finish;
+        r.cage_kind = cage_kind;
         r.audit = audit;
         return r;
     }
@@ -105,7 +107,13 @@ inline Choices Choices::read(Tape& tape, std::uint32_t* dim, int* polls_left, We
     case 6: c.theta = tape.number(); break;
     case 7: c.k = tape.byte(); break;
     case 8: *polls_left = 0; break;
-    case 9: c.finish = tape.below(3); break;
+    case 9: {
+        const std::uint32_t choice = tape.below(9);
+        c.finish = choice % 3;
+        c.cage_kind = static_cast<netmesh_cage_kind>(choice / 3);
+        if (c.cage_kind == NETMESH_CAGES_THESIS) c.tau = 6;
+        break;
+    }
     case 10: c.sizes.eps = tape.number(); break;
     case 11:
         c.sizes.size = size_of;

@@ -115,6 +115,12 @@ std::string apply_method(Options& options, const std::string& text) {
     return "there are svr, netmesh and refine";
 }
 
+std::string apply_cages(Options& options, const std::string& text) {
+    if (text != "compact" && text != "thesis") return "there are compact and thesis";
+    options.cages = text == "thesis" ? NETMESH_CAGES_THESIS : NETMESH_CAGES_COMPACT;
+    return {};
+}
+
 std::string apply_filter(Options& options, const std::string& text) {
     for (const netmesh_filter_info& info : filters()) {
         if (text != info.name) continue;
@@ -299,6 +305,8 @@ const std::vector<OptionEntry>& option_entries() {
          "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
         {"--finish", mesh | persist | size | check, nullptr, apply_switch<&Options::finish>,
          "go on from a hierarchical mesh to one of quality tau without cages"},
+        {"--cages", mesh | size, "KIND", apply_cages,
+         "of --method netmesh: compact (default); thesis: those of its 4.5, grown and released, D = 2, 3, 4 (--tau 7)"},
         {"--audit", mesh | persist | size, "WHAT", apply_audit,
          "location: points stored in all D-balls, inserted in rounds of range nets (not for persist); quality: aspect\n"
          "                    ratios, degrees and invariants after each insertion; or all. Figures go to the report"},
@@ -357,6 +365,7 @@ const char* option_name(netmesh_field field) {
     } table[] = {{NETMESH_FIELD_TAU, "--tau"},
                  {NETMESH_FIELD_SIZES, "--eps"},
                  {NETMESH_FIELD_SIZE_AT_INPUTS, "--cell-size"},
+                 {NETMESH_FIELD_CAGE_KIND, "--cages"},
                  {NETMESH_FIELD_SIZE_GROWTH, "--cell-size"},
                  {NETMESH_FIELD_DOMAIN_FACTOR, "--domain"},
                  {NETMESH_FIELD_TIGHT_EPS, "--eps"},

@@ -121,6 +121,15 @@ Outcome check_together(const Options& options) {
         return usage_error("--eps and --cell-size go with --method netmesh only where --finish removes the cages");
     if (options.domain_factor > 0 && options.method == NETMESH_METHOD_REFINE)
         return usage_error("--domain does not go with --method refine, which has the domain of 3.5");
+    const bool thesis = options.cages == NETMESH_CAGES_THESIS;
+    if (thesis && (options.eps > 0 || options.size_at_inputs > 0))
+        return usage_error("--eps and --cell-size do not go with --cages thesis");
+    if (options.cages && !hierarchical) return usage_error("--cages goes with --method netmesh");
+    if (thesis && options.audit != 0)
+        return usage_error(
+            "--audit does not go with --cages thesis: its figures are of clipped cells, and those are whole");
+    if (thesis && options.tau && *options.tau < 3.4) return usage_error("--cages thesis needs a --tau of at least 3.4");
+    if (thesis && options.dim > 4) return usage_error("--cages thesis is for D = 2, 3 and 4");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

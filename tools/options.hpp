@@ -28,12 +28,13 @@ struct Options {
     bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false, log = false;
 
     std::optional<double> tau;
-    std::optional<netmesh_method> method;  // persist: a quality mesh, in place of refinement by the certificate
-    std::optional<double> ratio;           // asked of the certificate
-    double focus = 0, from = 0, to = 0;    // ratio at scales of interest, and the scales; 0: not given
-    bool fit = false;                      // the best ratio that the memory holds
-    bool finish = false;                   // a hierarchical mesh
-    std::uint32_t audit = 0;               // netmesh_audit_what
+    std::optional<netmesh_method> method;    // persist: a quality mesh, in place of refinement by the certificate
+    std::optional<double> ratio;             // asked of the certificate
+    double focus = 0, from = 0, to = 0;      // ratio at scales of interest, and the scales; 0: not given
+    bool fit = false;                        // the best ratio that the memory holds
+    bool finish = false;                     // a hierarchical mesh
+    std::optional<netmesh_cage_kind> cages;  // of a hierarchical mesh
+    std::uint32_t audit = 0;                 // netmesh_audit_what
     double eps = 0;    // over-refinement, or what the filters tight and scales promise; 0: not given
     double theta = 0;  // scales; 0: not given
     double size_at_inputs = 0, size_growth = 0;  // over-refinement by the distance to the inputs; 0: not given

@@ -14,6 +14,8 @@ void set_diagram(const Options& options, const DiagramRequest& diagram, std::uin
     request->keep_zero_pairs = diagram.keep_zero_pairs ? 1 : 0;
 }
 
+constexpr double thesis_tau = 7;  // of meshes with cages of the thesis, unless --tau says
+
 }  // namespace
 
 double default_ratio(const netmesh_mesh_request& mesh) { return std::sqrt(2 + tau(mesh)); }
@@ -27,7 +29,8 @@ requests::Mesh mesh_request(const Options& options, std::uint32_t dim) {
     mesh.seed = options.seed;
     if (options.command != Command::mesh) mesh.purpose = about(filter_of(options)).purpose;
     mesh.method = options.method.value_or(NETMESH_METHOD_SVR);
-    mesh.tau = options.tau.value_or(0);
+    mesh.cage_kind = options.cages.value_or(NETMESH_CAGES_COMPACT);
+    mesh.tau = options.tau.value_or(mesh.cage_kind == NETMESH_CAGES_THESIS ? thesis_tau : 0);
     (promises_accuracy(options) ? mesh.tight_eps : mesh.sizes.eps) = options.eps;
     mesh.size_at_inputs = options.size_at_inputs;
     mesh.size_growth = options.size_growth;

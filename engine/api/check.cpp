@@ -5,6 +5,7 @@
 #include "api/measure.hpp"
 #include "api/requests.hpp"
 #include "filtration/filters.hpp"
+#include "mesh/cage_template.hpp"
 #include "mesh/check_domain.hpp"
 #include "mesh/check_reach.hpp"
 #include "mesh/sizing.hpp"
@@ -14,7 +15,12 @@ namespace {
 
 // Room for the rounding of a ratio, when the mesh was made elsewhere.
 constexpr double ratio_tolerance = 0x1p-40;
-constexpr const char* aspect_violation = "a clipped Voronoi cell has an aspect ratio above tau";
+// Cells are clipped but with cages of the thesis.
+const char* aspect_violation_of(const Context& context) {
+    return cage_count_of(context) > 0 && context.mesh.cage_kind == CageKind::thesis
+               ? "a Voronoi cell has an aspect ratio above tau"
+               : "a clipped Voronoi cell has an aspect ratio above tau";
+}
 
 // The squared size that each cell may have, by a search of its own for the two inputs nearest to each vertex; what
 // refinement takes them from is kept with the vertices.
@@ -41,6 +47,22 @@ Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& 
     return Status::ok;
 }
 
+// Cells with cages of the thesis are not clipped: the ball is one that no cell within its limit, `most` nearest
+// distances, can leave. All vertices but exempt ones are in the outermost cage, of radius r: their nearest neighbours
+// are less than 2 r away. What a shell has yielded to has no limit.
+template <int D>
+[[gnu::cold]] ReachRequest<D> whole_cells(const Store<D>& store, const ReachRequest<D>& reach, double most,
+                                          double* limit2) {
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v)
+        if (has_yielded_to<D>(store, reach.cages, reach.domains[v], v)) limit2[v] = infinity;
+    const Cage* outermost = reach.cages;
+    while (outermost->parent != none) outermost = reach.cages + outermost->parent;
+    Domain<D> ball = reach.outermost;
+    for (int k = 0; k < D; ++k) ball.centre[k] = store.point(outermost->centre)[k];
+    ball.radius = 4 * (1 + most) * outermost->radius;
+    return {ball, limit2};
+}
+
 // Quality by definition 4.5 where there are cages, of each clipped cell and its size where there are none.
 template <int D> Status check_quality(Context& context, Store<D>& store, const Promises& promises, CheckResult* why) {
     const Domain<D> domain = domain_of<D>(context.mesh);
@@ -53,12 +75,14 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     if (limit2 == nullptr || ratios == nullptr || domains == nullptr) return Status::out_of_memory;
     if (cages > 0) {
         HierarchyQuality quality;
-        const HierarchyRequest<D> request = {cages_of(context), cages, domain, ratios, domains};
+        HierarchyRequest<D> request = hierarchy_of<D>(context);
+        request.ratios = ratios;
+        request.domains = domains;
         const Status status = measure_hierarchy<D>(store, request, arena, &quality);
         if (status != Status::ok) return status;
         *why = quality.encroached;
         if (why->violation == nullptr && !(quality.worst <= promises.tau * (1 + ratio_tolerance)))
-            *why = {aspect_violation, quality.vertex};
+            *why = {aspect_violation_of(context), quality.vertex};
     }
     if (why->violation == nullptr)
         *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete);
@@ -68,9 +92,11 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     for (std::uint32_t v = 0; v < vertices; ++v)
         limit2[v] = store.vertex(v).marker == Marker::exempt || store.vertex(v).cell == none ? infinity
                                                                                              : most * most * limit2[v];
+    ReachRequest<D> reach = {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains};
+    if (cages > 0 && context.mesh.cage_kind == CageKind::thesis) reach = whole_cells<D>(store, reach, most, limit2);
     std::uint32_t beyond;
-    Status status = check_reach<D>(store, {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains}, &beyond);
-    if (status == Status::ok && beyond != none) *why = {aspect_violation, beyond};
+    Status status = check_reach<D>(store, reach, &beyond);
+    if (status == Status::ok && beyond != none) *why = {aspect_violation_of(context), beyond};
     if (status == Status::ok && why->violation == nullptr && cages == 0 && promises.sizes.asks()) {
         status = find_limits<D>(store, context.input.distinct, promises.sizes, arena, limit2);
         if (status == Status::ok) status = check_reach<D>(store, {domain, limit2}, &beyond);

@@ -58,6 +58,7 @@ struct KeptMesh {
     RatioGoal goal = {};  // ratio 0: the mesh is not refined by the certificate
     double size_eps = 0, size_ratio_max = 0;
     Slice<Cage> cages;
+    CageKind cage_kind = CageKind::compact;
     HierarchyCounts hierarchy = {};
     std::uint64_t touches = 0;  // LocationCounts
     std::uint32_t audited = 0;  // a union of netmesh_audit_what

@@ -140,6 +140,7 @@ netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request
         mesh.tau = promises.goal.ratio > 0 ? 0 : promises.tau;
         mesh.goal = promises.goal;
         mesh.size_eps = promises.sizes.eps;
+        mesh.cage_kind = promises.cages;
         if (mesh.is_mesh) status = measure_domain<D>(context, store, request.domain, promises.sizes);
         return status == Status::ok ? finish(context, status) : fail_and_clear(context, Status::out_of_memory);
     });
@@ -167,7 +168,9 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
         Store<D> store(context->arena, mesh.store);
         HierarchyQuality quality = {};
         const auto count = static_cast<std::uint32_t>(request.cage_count);
-        Status status = measure_hierarchy<D>(store, {kept, count, domain_of<D>(mesh)}, context->arena, &quality);
+        HierarchyRequest<D> asked = {kept, count, domain_of<D>(mesh)};
+        asked.kind = mesh.cage_kind;
+        Status status = measure_hierarchy<D>(store, asked, context->arena, &quality);
         if (status != Status::ok || !quality.is_hierarchy) {
             context->arena.release_low(mesh.low_end);
             if (status != Status::ok) return finish(context, status);

@@ -14,14 +14,20 @@ inline std::uint32_t cage_count_of(const Context& context) {
     return static_cast<std::uint32_t>(context.mesh.cages.count);
 }
 
+// The cages, for measure_hierarchy.
+template <int D> HierarchyRequest<D> hierarchy_of(Context& context) {
+    HierarchyRequest<D> request = {cages_of(context), cage_count_of(context), domain_of<D>(context.mesh)};
+    request.kind = context.mesh.cage_kind;
+    return request;
+}
+
 // Aspect ratio, and what is wrong with the cages where there are any. out_of_memory.
 template <int D> Status measure_quality(Context& context, Store<D>& store, HierarchyQuality* quality) {
     const Domain<D> domain = domain_of<D>(context.mesh);
     *quality = HierarchyQuality{};
     return cage_count_of(context) == 0
                ? worst_aspect_ratio<D>(store, domain, context.arena, &quality->worst, &quality->vertex)
-               : measure_hierarchy<D>(store, {cages_of(context), cage_count_of(context), domain}, context.arena,
-                                      quality);
+               : measure_hierarchy<D>(store, hierarchy_of<D>(context), context.arena, quality);
 }
 
 // The largest size of a cell over the one asked for. out_of_memory.

@@ -111,10 +111,10 @@ netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, u
         if (!context->mesh.is_mesh) return finish(context, measure_whole_cells<D>(*context, ratios, domains));
         Store<D> store(context->arena, context->mesh.store);
         HierarchyQuality quality;
-        const Status status = measure_hierarchy<D>(
-            store, {cages_of(*context), cage_count_of(*context), domain_of<D>(context->mesh), ratios, domains},
-            context->arena, &quality);
-        return finish(context, status);
+        HierarchyRequest<D> asked = hierarchy_of<D>(*context);
+        asked.ratios = ratios;
+        asked.domains = domains;
+        return finish(context, measure_hierarchy<D>(store, asked, context->arena, &quality));
     });
 }
 

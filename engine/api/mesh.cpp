@@ -49,6 +49,7 @@ template <int D> void keep_mesh(netmesh_context* context, const MeshRequest& req
     mesh.goal = request.goal;
     mesh.size_eps = request.size.eps;
     if (result.cages != nullptr) mesh.cages = Slice<Cage>::of(context->arena, result.cages, result.hierarchy.cages);
+    mesh.cage_kind = request.cages;
     mesh.hierarchy = result.hierarchy;
     mesh.touches = result.location.touches();
     mesh.audit = result.audit;

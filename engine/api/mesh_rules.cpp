@@ -1,6 +1,7 @@
 #include "api/mesh_rules.hpp"
 
 #include "filtration/tight_filter.hpp"
+#include "mesh/cage_template.hpp"
 
 namespace netmesh {
 namespace {
@@ -28,6 +29,20 @@ Complaint complaint_about_ratios(const netmesh_certificate_goal& goal) {
     return complaint_about_focus(goal.focus_from, goal.focus_to);
 }
 
+Complaint complaint_about_cages(const netmesh_mesh_request& request) {
+    if (request.cage_kind != NETMESH_CAGES_THESIS) return {};
+    if (request.method != NETMESH_METHOD_HIERARCHY)
+        return {NETMESH_FIELD_CAGE_KIND, "only the method with cages has cages of the thesis"};
+    if (!(request.tau >= thesis_tau_min)) return {NETMESH_FIELD_TAU, "cages of the thesis need a tau of at least 3.4"};
+    if (request.purpose != NETMESH_PURPOSE_MESH)
+        return {NETMESH_FIELD_PURPOSE, "a mesh with cages of the thesis is not for persistence"};
+    if (sizes_of(request).asks())
+        return {NETMESH_FIELD_SIZES, "a mesh with cages of the thesis is not over-refined, nor when it is finished"};
+    if (request.audit != 0)
+        return {NETMESH_FIELD_AUDIT, "audits are of clipped cells, and those of cages of the thesis are whole"};
+    return {};
+}
+
 }  // namespace
 
 Complaint complaint_about_numbers(const netmesh_mesh_request& request) {
@@ -35,6 +50,10 @@ Complaint complaint_about_numbers(const netmesh_mesh_request& request) {
         return {NETMESH_FIELD_PURPOSE, "the purpose is neither a mesh nor persistence"};
     if (!in_range(request.method, NETMESH_METHOD_SVR, NETMESH_METHOD_REFINE))
         return {NETMESH_FIELD_METHOD, "unknown method"};
+    if (!in_range(request.cage_kind, NETMESH_CAGES_COMPACT, NETMESH_CAGES_THESIS))
+        return {NETMESH_FIELD_CAGE_KIND, "unknown kind of cages"};
+    if (request.cage_kind == NETMESH_CAGES_THESIS && request.dim > thesis_dim_max)
+        return {NETMESH_FIELD_CAGE_KIND, "there are cages of the thesis up to D = 4"};
     if (!is_valid_tau(tau_of(request.dim, request.tau)))
         return {NETMESH_FIELD_TAU, "tau is not a finite number above 2"};
     if (!(request.sizes.eps >= 0) || !is_finite(request.sizes.eps))
@@ -57,7 +76,8 @@ Complaint complaint_about_method(const netmesh_mesh_request& request) {
         return {NETMESH_FIELD_PURPOSE, "a mesh with cages is not for persistence; finish it"};
     if (has_cages(request) && sizes_of(request).asks() && request.finish == 0)
         return {NETMESH_FIELD_SIZES, "a mesh with cages is not over-refined; finish it"};
-    return complaint_about_audit(request);
+    const Complaint complaint = complaint_about_cages(request);
+    return complaint.text != nullptr ? complaint : complaint_about_audit(request);
 }
 
 Complaint complaint_about_goal(const netmesh_mesh_request& request) {
@@ -100,6 +120,7 @@ MeshRequest mesh_request_of(const netmesh_mesh_request& request) {
     asked.size = sizes_of(request);
     asked.goal = goal_of(request.certificate);
     asked.finish = request.finish != 0;
+    asked.cages = request.cage_kind == NETMESH_CAGES_THESIS ? CageKind::thesis : CageKind::compact;
     asked.audit_location = (request.audit & NETMESH_AUDIT_LOCATION) != 0;
     asked.audit_quality = (request.audit & NETMESH_AUDIT_QUALITY) != 0;
     asked.seed = request.seed;

@@ -9,6 +9,7 @@
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
 #include "mesh/ball_lists.hpp"
+#include "mesh/cage_template.hpp"
 #include "mesh/hierarchy.hpp"
 #include "mesh/quality_audit.hpp"
 
@@ -58,6 +59,16 @@ template <int D> Amounts mesh_amounts(double points, double tau, double eps, dou
     for (int k = 0; k < D && eps > 0; ++k) fine /= eps;
     if (fine > vertices) vertices = fine;
     return {points, vertices, vertices * figures<D>.mesh_cells_per_vertex};
+}
+
+// Shells of cages of the thesis, one a point, each of them grown once.
+template <int D> Amounts with_thesis_shells(Amounts amounts) {
+    if constexpr (D <= thesis_dim_max) {
+        const double shells = 2 * amounts.points * CageTemplate<D>::size + RootTemplate<D>::size;
+        amounts.vertices += shells;
+        amounts.cells += shells * figures<D>.mesh_cells_per_vertex;
+    }
+    return amounts;
 }
 
 template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
@@ -137,7 +148,9 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
         constexpr int D = decltype(dimension)::value;
         const double points = static_cast<double>(request.point_count);
         const double surroundings = tight ? figures<D>.tight_surroundings : 0;
-        return block_bytes<D>(mesh_amounts<D>(points, tau, sizes_of(request).eps, surroundings), planned);
+        Amounts amounts = mesh_amounts<D>(points, tau, sizes_of(request).eps, surroundings);
+        if (request.cage_kind == NETMESH_CAGES_THESIS) amounts = with_thesis_shells<D>(amounts);
+        return block_bytes<D>(amounts, planned);
     }));
 }
 

@@ -79,6 +79,7 @@ Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Pro
     promises->tau = tau_of(dim, request.tau);
     promises->sizes = size_rule_of(request);
     promises->goal = goal_of(request.certificate);
+    promises->cages = request.cage_kind == NETMESH_CAGES_THESIS ? CageKind::thesis : CageKind::compact;
     return {};
 }
 

@@ -46,6 +46,7 @@ struct Promises {
     double tau = 0;
     SizeRule sizes = {};
     RatioGoal goal = {};  // ratio 0: none
+    CageKind cages = CageKind::compact;
 };
 
 // Reads the promises of `mesh`, or the dimension's when it is null.

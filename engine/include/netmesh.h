@@ -142,6 +142,7 @@ typedef enum netmesh_field {
     NETMESH_FIELD_SCRATCH,
     NETMESH_FIELD_SIZE_AT_INPUTS,
     NETMESH_FIELD_SIZE_GROWTH,
+    NETMESH_FIELD_CAGE_KIND,
     NETMESH_FIELD_COUNT
 } netmesh_field;
 
@@ -256,6 +257,14 @@ typedef enum netmesh_method {
     NETMESH_METHOD_REFINE = 2     /* VoronoiRefine (3.2), in the bounding domain and with the boundary net of 3.5 */
 } netmesh_method;
 
+/* Of METHOD_HIERARCHY. */
+typedef enum netmesh_cage_kind {
+    NETMESH_CAGES_COMPACT = 0, /* shells of 2 D vertices; cells are clipped to the balls of their domains */
+    NETMESH_CAGES_THESIS = 1   /* those of 4.5 with the operations of 4.7.3, D = 2, 3, 4: shells of 16, 42, 120 vertices
+                                  (or inputs that they yield to), grown and released as inputs enter; whole cells are of
+                                  quality tau. An outermost cage is there too, also in a finished mesh */
+} netmesh_cage_kind;
+
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone
  * (results are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre,
  * positive, and nowhere below 64 units in the last place of the coordinates: other values end the job with
@@ -289,7 +298,7 @@ typedef struct netmesh_certificate_goal {
 typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
 
 /* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes,
- * certificate, size_at_inputs and size_growth of it. */
+ * certificate, size_at_inputs, size_growth and cage_kind of it. */
 typedef struct netmesh_mesh_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
@@ -313,6 +322,7 @@ typedef struct netmesh_mesh_request {
     /* Over-refinement by the distance to the nearest input, d_P: no clipped cell reaches farther than
      * size_at_inputs + size_growth * d_P(v). Finite, >= 0; size_at_inputs 0: not asked for, nor growth then. */
     double size_at_inputs, size_growth;
+    netmesh_cage_kind cage_kind; /* THESIS: D at most 4, tau given and at least 3.4, PURPOSE_MESH without audits */
 } netmesh_mesh_request;
 
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim);

@@ -31,6 +31,11 @@ template <int D> constexpr std::uint32_t shell_size = 2 * D;
 // Shell vertices are moved by at most this times the radius of their sphere in each coordinate.
 constexpr double shell_jitter = 0x1p-5;
 
+enum class CageKind {
+    compact,  // those of this file
+    thesis,   // cage_template.hpp
+};
+
 // Domains are named by the index of their cage, the outermost one by `none`.
 struct Cage {
     std::uint32_t centre;  // an input

@@ -2,6 +2,7 @@
 
 #include "delaunay/sphere.hpp"
 #include "mesh/cage_corner.hpp"
+#include "mesh/cage_template.hpp"
 #include "mesh/clipped_cell.hpp"
 #include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
@@ -33,7 +34,8 @@ template <int D> struct Clipped {
 template <int D> class Measurement {
 public:
     Measurement(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena)
-        : store_(store), cages_(request.cages), count_(request.count), outermost_(request.outermost), arena_(arena) {}
+        : store_(store), cages_(request.cages), count_(request.count), outermost_(request.outermost), arena_(arena),
+          kind_(request.kind) {}
 
     Status open();
     CheckResult find_domains();
@@ -54,8 +56,24 @@ private:
     }
     bool corner(std::uint32_t c, Cell<D>* scratch) const;
     bool counts(std::uint32_t v) const {
-        return store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt;
+        return store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt && !has_yielded(v);
     }
+    // Cells are not clipped then.
+    bool is_thesis() const { return D <= thesis_dim_max && kind_ == CageKind::thesis; }
+    // Is v an input in the place of a shell vertex? With cages of the thesis alone.
+    bool has_yielded(std::uint32_t v) const { return is_thesis() && has_yielded_to<D>(store_, cages_, domain_[v], v); }
+    bool is_outermost(std::uint32_t d) const { return is_thesis() && cages_[d].parent == none; }
+    // The ball that cells of a domain are clipped to.
+    Domain<D> ball_of(std::uint32_t domain) const {
+        Domain<D> ball = domain_ball<D>(store_, cages_, is_thesis() ? none : domain, outermost_);
+        if (is_thesis()) ball.radius = infinity;
+        return ball;
+    }
+    double in_radius_of(const Cage& cage) const {
+        return is_thesis() ? 0.5 * square_root(cage.nearest2) : in_radius<D>(cage);
+    }
+    CheckResult find_thesis_shells();
+    bool is_template_covered(std::uint32_t d);
     double ratio(std::uint32_t v) const { return counts(v) ? 2 * square_root(out2_[v] / nearest2_[v]) : 0; }
     void raise_vertices(std::uint32_t c, const Cell<D>& corner);
     void raise_cages(std::uint32_t c, const Cell<D>& corner);
@@ -66,6 +84,7 @@ private:
     std::uint32_t count_;
     const Domain<D>& outermost_;
     Arena& arena_;
+    const CageKind kind_;
     std::uint32_t *order_, *domain_, *list_, *mark_;
     std::uint32_t stamp_ = 0;
     double *nearest2_, *out2_, *cage_out2_;
@@ -125,7 +144,10 @@ void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& vis
 
 // From the largest cage to the smallest: each takes its vertices from the one around it.
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) domain_[v] = none;
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        domain_[v] = none;
+        out2_[v] = 0;
+    }
     for (std::uint32_t d = 0; d < count_; ++d) {
         order_[d] = d;
         const Cage& cage = cages_[d];
@@ -151,6 +173,8 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
 
 // Exempt vertices of a cage's domain are its shell: near its sphere, and as many as a cross-polytope has.
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
+    if constexpr (D <= thesis_dim_max)
+        if (is_thesis()) return find_thesis_shells();
     CheckResult result = {nullptr, none};
     for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
@@ -169,20 +193,83 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
     return result;
 }
 
+// Has each point of the template a vertex of the shell near it? Points of a template are farther apart than twice what
+// a vertex may be off, so it has one and no other where there are as many as points.
+template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uint32_t d) {
+    const Cage& cage = cages_[d];
+    const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
+    const double radius = ThesisCage::shell_factor * cage.radius;
+    double off = ThesisCage::gamma * radius * (1 + 0x1p-30);
+    // Places are a few roundings of the coordinates off.
+    for (int i = 0; i < D; ++i) off += 0x1p-51 * (absolute(store_.point(cage.centre)[i]) + cage.radius);
+    std::uint64_t seen[(RootTemplate<D>::size + 63) / 64] = {};
+    visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double d2) {
+        if (domain_[v] != d || !(d2 > 0.25 * radius * radius)) return;
+        if (store_.vertex(v).marker != Marker::exempt && !has_yielded(v)) return;
+        for (std::uint32_t k = 0; k < size; ++k) {
+            double place[D];
+            is_outermost(d) ? RootTemplate<D>::point(k, place) : CageTemplate<D>::point(k, place);
+            for (int i = 0; i < D; ++i) place[i] = store_.point(cage.centre)[i] + radius * place[i];
+            if (distance2<D>(place, store_.point(v)) <= off * off) seen[k / 64] |= std::uint64_t{1} << k % 64;
+        }
+    });
+    std::uint32_t covered = 0;
+    for (std::uint32_t k = 0; k < size; ++k) covered += seen[k / 64] >> k % 64 & 1u;
+    return covered == size;
+}
+
+// As many vertices near the sphere as the template has points, of which inputs may be some, and one at each; the other
+// exempt vertices are on the hull.
+template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() {
+    for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
+    const std::uint32_t cells = store_.state.cell_slots;
+    for (std::uint32_t c = 0; c < cells; ++c)
+        for (int i = 0; i <= D && is_finite(c); ++i)
+            for (int k = 0; k <= D && neighbour(c, i) == none; ++k)
+                if (k != i) out2_[store_.cell(c).vertex[k]] = infinity;
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        if (store_.vertex(v).cell == none) continue;
+        const bool exempt = store_.vertex(v).marker == Marker::exempt;
+        if (domain_[v] == none) {
+            if (!exempt) return {"a vertex is outside of the outermost cage", v};
+            if (out2_[v] < infinity) return {"an exempt vertex is of no shell and not on the hull", v};
+            continue;
+        }
+        Cage& cage = cages_[domain_[v]];
+        if (exempt && !is_by_shell<D>(store_, cage, v))
+            return {"an exempt vertex within a cage is not of its shell", v};
+        if (exempt || has_yielded(v)) ++cage.next;
+    }
+    CheckResult result = {nullptr, none};
+    std::uint32_t outermost = 0;
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        if (is_outermost(d) && ++outermost > 1) return {"there are two outermost cages", cages_[d].centre};
+        const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
+        if (cages_[d].next != size)
+            result = {"a cage lacks its shell", cages_[d].centre};
+        else if (!is_template_covered(d))
+            result = {"a shell has a hole", cages_[d].centre};
+        cages_[d].next = none;
+    }
+    return result;
+}
+
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_encroached() {
     for (std::uint32_t d = 0; d < count_; ++d) {
         Cage& cage = cages_[d];
-        const double r2 = cage.radius * cage.radius, e2 = cage_epsilon * cage_epsilon * r2;
+        const double inside = is_thesis() ? ThesisCage::epsilon : cage_epsilon;
+        const double r2 = cage.radius * cage.radius, e2 = inside * inside * r2;
         bool inner = false, outer = false;
-        visit_ball(cage.centre, cage_clearance * cage.radius, [&](std::uint32_t v, double d2) {
-            const Marker marker = store_.vertex(v).marker;
-            if (d2 < r2)
-                inner |= marker == Marker::input && d2 > e2;
-            else if (d2 > r2)
-                outer |=
-                    marker == Marker::input || domain_[v] == none ||
-                    (marker == Marker::steiner && is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
-        });
+        visit_ball(cage.centre, (is_thesis() ? ThesisCage::clearance : cage_clearance) * cage.radius,
+                   [&](std::uint32_t v, double d2) {
+                       const Marker marker = store_.vertex(v).marker;
+                       if (d2 < r2)
+                           inner |= marker == Marker::input && d2 > e2 && !(domain_[v] == d && has_yielded(v));
+                       else if (d2 > r2)
+                           outer |= is_thesis() || marker == Marker::input || domain_[v] == none ||
+                                    (marker == Marker::steiner &&
+                                     is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
+                   });
         if (inner) return {"an input encroaches on a cage from inside", cage.centre};
         if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};
     }
@@ -224,7 +311,7 @@ template <int D> void Measurement<D>::raise_vertices(std::uint32_t c, const Cell
             if (domain_[cell.vertex[i]] == d) equal |= 1u << i;
         left &= ~equal;
         Clipped<D> points;
-        const Domain<D> ball = domain_ball<D>(store_, cages_, d, outermost_);
+        const Domain<D> ball = ball_of(d);
         for (int i = first; i <= D && !ball.contains(here.centre); ++i)
             if (equal >> i & 1u) leaves_ball_[cell.vertex[i]] = true;
         clip(ball, c, here, &points);
@@ -250,7 +337,7 @@ template <int D> [[gnu::cold]] void Measurement<D>::raise_cages(std::uint32_t c,
                     if (d2 < cages_[d].nearest2) cages_[d].nearest2 = d2;
                 }
             Clipped<D> points;
-            const Domain<D> ball = domain_ball<D>(store_, cages_, cages_[d].parent, outermost_);
+            const Domain<D> ball = ball_of(cages_[d].parent);
             if (!ball.contains(here.centre)) cage_leaves_ball_[d] = true;
             clip(ball, c, here, &points);
             for (int k = 0; k < points.count; ++k) {
@@ -303,6 +390,7 @@ template <int D> void Measurement<D>::measure_cells() {
 
 // What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
 template <int D> [[gnu::cold]] Status Measurement<D>::measure_poles() {
+    if (is_thesis()) return Status::ok;
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
         if (!leaves_ball_[v] || !(out2_[v] < infinity) || !counts(v)) continue;
         const Domain<D> ball = domain_ball<D>(store_, cages_, domain_[v], outermost_);
@@ -327,7 +415,7 @@ template <int D> [[gnu::cold]] void Measurement<D>::worst(HierarchyQuality* qual
     };
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) offer(ratio(v), v);
     for (std::uint32_t d = 0; d < count_; ++d)
-        offer(square_root(cage_out2_[d]) / in_radius<D>(cages_[d]), cages_[d].centre);
+        if (!is_outermost(d)) offer(square_root(cage_out2_[d]) / in_radius_of(cages_[d]), cages_[d].centre);
 }
 
 template <int D> [[gnu::cold]] void Measurement<D>::copy(double* ratios, std::uint32_t* domains) const {

@@ -27,8 +27,12 @@ template <int D> struct HierarchyRequest {
     Domain<D> outermost;
     double* ratios = nullptr;  // [vertex_count], with domains or neither
     std::uint32_t* domains = nullptr;
+    CageKind kind = CageKind::compact;
 };
 
+// Of cages of the thesis cells are not clipped and nobody is excused; inputs that a shell has yielded to are exempt
+// too, and the outermost cage has no cell.
+//
 // Finds parent and nearest2 of each cage anew, from centres and radii: the balls of cages must be nested or disjoint.
 // Encroached is a cage with an input between e r and r of its centre, with an input, or a vertex that is neither in
 // nor of the shell of a cage beside it, between r and 2 r / e, without a shell, with a centre that is not an input, or

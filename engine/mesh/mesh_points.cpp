@@ -3,6 +3,7 @@
 #include "mesh/certificate_rule.hpp"
 #include "mesh/hierarchy_rule.hpp"
 #include "mesh/quality_rule.hpp"
+#include "mesh/thesis_cages.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -13,7 +14,9 @@ Status mesh_points(Store<D>& store, const double* points, std::size_t n, const M
     switch (request.method) {
     case MeshMethod::quality:
     case MeshMethod::reference: return mesh_by_quality<D>(store, points, n, request, work, result);
-    case MeshMethod::hierarchy: return mesh_by_hierarchy<D>(store, points, n, request, work, result);
+    case MeshMethod::hierarchy:
+        if (request.cages == CageKind::compact) return mesh_by_hierarchy<D>(store, points, n, request, work, result);
+        return mesh_by_thesis_cages<D>(store, points, n, request, work, result);
     case MeshMethod::certificate: return mesh_by_certificate<D>(store, points, n, request, work, result);
     }
     return Status::internal;

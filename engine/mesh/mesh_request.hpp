@@ -35,8 +35,9 @@ struct MeshRequest {
                                   // certificate nor where cages are left
     RatioGoal goal = {};          // certificate
     bool finish = false;          // hierarchy: FinishMesh (4.7.6), release all cages and refine what they kept apart
-    bool audit_location = false;  // quality, hierarchy: see observers.hpp
-    bool audit_quality = false;   // all but reference
+    CageKind cages = CageKind::compact;  // hierarchy
+    bool audit_location = false;         // quality, hierarchy: see observers.hpp
+    bool audit_quality = false;          // all but reference
     std::uint64_t seed = 0;
 };
 

@@ -263,6 +263,21 @@ TEST_CASE("points and what is asked of meshes") {
         refused([=](auto& r) { with_cages(r), r.sizes.eps = 0.5; }, NETMESH_FIELD_SIZES);
         refused([=](auto& r) { with_cages(r), r.size_at_inputs = 0.5; }, NETMESH_FIELD_SIZES);
         refused([](auto& r) { r.audit = 4; }, NETMESH_FIELD_AUDIT);
+        for (const int kind : {-1, 2})
+            refused([=](auto& r) { with_cages(r), r.cage_kind = static_cast<netmesh_cage_kind>(kind); },
+                    NETMESH_FIELD_CAGE_KIND);
+        const auto of_thesis = [=](auto& r) { with_cages(r), r.cage_kind = NETMESH_CAGES_THESIS, r.tau = 6; };
+        if (dim > 4) refused(of_thesis, NETMESH_FIELD_CAGE_KIND);
+        if (dim <= 4) {
+            refused([=](auto& r) { of_thesis(r), r.method = NETMESH_METHOD_SVR; }, NETMESH_FIELD_CAGE_KIND);
+            for (const double tau : {0.0, 3.39})
+                refused([=](auto& r) { of_thesis(r), r.tau = tau; }, NETMESH_FIELD_TAU);
+            refused([=](auto& r) { of_thesis(r), r.finish = 1, r.purpose = NETMESH_PURPOSE_PERSIST; },
+                    NETMESH_FIELD_PURPOSE);
+            refused([=](auto& r) { of_thesis(r), r.finish = 1, r.sizes.eps = 0.5; }, NETMESH_FIELD_SIZES);
+            for (const std::uint32_t audit : {NETMESH_AUDIT_LOCATION, NETMESH_AUDIT_QUALITY})
+                refused([=](auto& r) { of_thesis(r), r.audit = audit; }, NETMESH_FIELD_AUDIT);
+        }
         const auto by_ratio = [](auto& r) { r.certificate.ratio = 3, r.purpose = NETMESH_PURPOSE_PERSIST; };
         refused([=](auto& r) { by_ratio(r), r.certificate.ratio = 1.4; }, NETMESH_FIELD_RATIO);
         refused([=](auto& r) { by_ratio(r), r.certificate.ratio = 0, r.certificate.focus_from = 1; },

@@ -92,6 +92,54 @@ TEST_CASE("planted violations of a hierarchy fail the check") {
     }
 }
 
+TEST_CASE("cages of the thesis are loaded elsewhere and found good there, and no other kind of cages is") {
+    for (const int dim : dimensions({2, 3, 4})) {
+        Session session(dim), other(dim);
+        session.request.tau = other.request.tau = 6;
+        session.request.method = NETMESH_METHOD_HIERARCHY;
+        session.request.cage_kind = other.request.cage_kind = NETMESH_CAGES_THESIS;
+        REQUIRE(session.mesh(inputs::close_pairs(dim, dim == 4 ? 2 : 4, 1e-4)) == NETMESH_OK);
+        CHECK(session.check() == NETMESH_OK);
+        const netmesh_report report = session.report();
+        CHECK(report.mesh.aspect_ratio_max <= 6);
+        Copied copied(session);
+        CHECK(copied.cages.size() == (dim == 4 ? 3 : 5));
+        other.reserve(std::size_t(1) << 23);
+        REQUIRE(copied.load(other) == NETMESH_OK);
+        CHECK(other.check() == NETMESH_OK);
+        CHECK(other.report().mesh.aspect_ratio_max == doctest::Approx(report.mesh.aspect_ratio_max).epsilon(1e-9));
+        const auto complaint = [&](const Copied& bad) {
+            REQUIRE(bad.load(other) == NETMESH_OK);
+            CHECK(other.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
+            return std::string(other.detail().message);
+        };
+        Copied bad = copied;
+        const std::size_t cage = copied.cages[0].parent == NETMESH_NONE ? 1 : 0;
+        bad.cages[cage].radius *= 1.3;
+        CHECK(complaint(bad) == "an exempt vertex within a cage is not of its shell");
+        bad = copied;
+        const double* const centre = &copied.vertices[copied.cages[cage].centre * dim];
+        std::size_t shell = 0;  // a vertex of that cage
+        const auto offset = [&](std::size_t v, int k) { return copied.vertices[v * dim + k] - centre[k]; };
+        const auto is_far = [&](std::size_t v) {
+            double sum = 0;
+            for (int k = 0; k < dim; ++k) sum += offset(v, k) * offset(v, k);
+            return copied.markers[v] != 2 || std::sqrt(sum) > copied.cages[cage].radius;
+        };
+        while (is_far(shell)) ++shell;
+        bad.markers[shell] = 1;
+        CHECK(complaint(bad) == "a cage lacks its shell");
+        bad = copied;
+        for (int k = 0; k < dim; ++k) bad.vertices[shell * dim + k] = centre[k] + 0.9 * offset(shell, k);
+        CHECK(complaint(bad) == "a shell has a hole");
+        other.request.cage_kind = NETMESH_CAGES_COMPACT;
+        complaint(copied);
+        other.request.cage_kind = NETMESH_CAGES_THESIS;
+        other.request.tau = 3.5;
+        CHECK(complaint(copied) == "a Voronoi cell has an aspect ratio above tau");
+    }
+}
+
 TEST_CASE("methods, finishing and what goes with them") {
     const inputs::Points points = inputs::geometric(2, 100, 6);
     Session session(2);

@@ -109,6 +109,11 @@ TEST_CASE("the plan of a mesh suffices, whatever it is for") {
             r.finish = 1;
         });
         if (dim > 4) continue;
+        expect_mesh(dim, count(dim, {300, 40, 4}), "netmesh, cages of the thesis", 0.02, [](auto& r) {
+            r.method = NETMESH_METHOD_HIERARCHY;
+            r.cage_kind = NETMESH_CAGES_THESIS;
+            r.tau = 6;
+        });
         expect_mesh(dim, count(dim, {300, 80, 8}), "netmesh, audited", 0.1, [](auto& r) {
             r.method = NETMESH_METHOD_HIERARCHY;
             r.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;

@@ -5,6 +5,7 @@
   write.py size BUILD       code and constants by folder and dimension                 -> tests/CHECKS.md
   write.py bare LOG         what `platform/cortexm/run` printed                        -> tests/CHECKS.md
   write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
+  write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed (CHECKS.md)    -> tests/CHECKS.md
 
 Nothing between the marks is written by hand. Exit code 1: the marks or the figures are missing."""
 import os
@@ -84,8 +85,36 @@ def coverage(log):
         sys.exit("%s has no two tables" % log)
 
 
+def lemmas(log):
+    """The last table of each dimension."""
+    rows, titles, largest = {}, {}, {}
+    with open(log, encoding="utf-8") as f:
+        for line in f:
+            title = re.match(r"D(\d) after (\d+) inputs", line)
+            row = re.match(r"D(\d)  (.*\S)\s+(\d+)  ([\d.]+)  (\d+)$", line)
+            most = re.match(r"D(\d)  (.*\S)\s+(\S+)$", line)
+            if title:
+                titles[title[1]] = int(title[2])
+                rows[title[1]], largest[title[1]] = {}, {}
+            elif row:
+                rows[row[1]][row[2]] = row.groups()[2:]
+            elif most:
+                largest[most[1]][most[2]] = most[3]
+    dims = sorted(titles)
+    text = []
+    for name in sorted({n for d in dims for n in rows[d]}):
+        cells = [rows[d].get(name, ("", "", "0")) for d in dims]
+        text.append([name] + ["{:,}".format(int(c[0])) if c[0] else "" for c in cells] + [c[1] for c in cells] +
+                    [str(sum(int(c[2]) for c in cells))])
+    head = ["lemma"] + ["checks, D = " + d for d in dims] + ["worst, D = " + d for d in dims] + ["violations"]
+    more = [[name] + [largest[d].get(name, "") for d in dims] for name in sorted({n for d in dims for n in largest[d]})]
+    put(CHECKS, "lemmas", ["Inputs: " + ", ".join("{:,} in {}D".format(titles[d], d) for d in dims) + ".", ""] +
+        table(head, text) + ["", "Largest values of what has no bound with a number:", ""] +
+        table(["largest"] + ["D = " + d for d in dims], more))
+
+
 def main():
-    writers = {"stack": stack, "size": size, "bare": bare, "coverage": coverage}
+    writers = {"stack": stack, "size": size, "bare": bare, "coverage": coverage, "lemmas": lemmas}
     if len(sys.argv) != 3 or sys.argv[1] not in writers:
         sys.exit(__doc__)
     writers[sys.argv[1]](sys.argv[2])

@@ -135,28 +135,58 @@ bool shell_to_a_side(Mesh* mesh, const Planter& p) {
     return p.tool.triangulate(mesh);
 }
 
+// As far from the centre as before, by a sixth of a radius.
+bool shell_sideways(Mesh* mesh, const Planter& p) {
+    CageLine cage;
+    const std::uint32_t v = any_shell(*mesh, p, &cage);
+    if (v == outside) return false;
+    const Point centre = mesh->vertices[cage.centre], d = p.random.direction(mesh->dim);
+    Point& x = mesh->vertices[v];
+    const double length = distance(centre, x, mesh->dim);
+    double along = 0, across = 0;
+    for (int k = 0; k < mesh->dim; k++) along += d[k] * (x[k] - centre[k]) / length;
+    Point side = {};
+    for (int k = 0; k < mesh->dim; k++) {
+        side[k] = d[k] - along * (x[k] - centre[k]) / length;
+        across += side[k] * side[k];
+    }
+    if (across < 0.1) return false;
+    for (int k = 0; k < mesh->dim; k++)
+        x[k] = centre[k] + (x[k] - centre[k]) * std::cos(1.0 / 6) +
+               side[k] / std::sqrt(across) * length * std::sin(1.0 / 6);
+    return p.tool.triangulate(mesh);
+}
+
+bool other_kind(Mesh* mesh, const Planter&) {
+    mesh->thesis_cages = !mesh->thesis_cages;
+    return true;
+}
+
 }  // namespace
 
 const std::vector<Plant>& cage_plants() {
     static const std::vector<Plant> all = {
-        {"a cage is missing", caged, true, false, cage_missing},
-        {"all cages are missing", caged, true, false, all_cages_missing},
-        {"a cage too many", caged, true, false, cage_too_many},
-        {"a cage is larger", caged, false, false, larger_cage},
-        {"a cage is smaller", caged, false, false, smaller_cage},
-        {"a cage has another input as centre", caged, true, false, cage_of_another_input},
-        {"a cage has a Steiner point as centre", caged, true, false, cage_of_steiner},
-        {"a cage stands there twice", caged, true, false, cage_twice},
-        {"a cage crosses another", caged, false, false, crossing_cage},
-        {"a shell vertex passes as a Steiner point", caged, true, false, shell_as_steiner},
-        {"a shell vertex is missing", caged, true, false, shell_vertex_missing},
-        {"a shell vertex is moved inwards", caged, true, false, shell_inwards},
-        {"a shell vertex is moved outwards", caged, true, false, shell_outwards},
-        {"a Steiner point around a cage", caged, false, false, steiner_around},
-        {"a shell vertex too many", caged, true, false, shell_too_many},
-        {"an exempt vertex inside a cage", caged, false, false, exempt_inside},
-        {"an exempt vertex around a cage", caged, false, false, exempt_around},
-        {"a shell on one side", caged, false, false, shell_to_a_side},
+        {"a cage is missing", caged | thesis, true, false, cage_missing},
+        {"all cages are missing", caged | thesis, true, false, all_cages_missing},
+        {"a cage too many", caged | thesis, true, false, cage_too_many},
+        {"a cage is larger", caged | thesis, false, false, larger_cage},
+        {"a cage is smaller", caged | thesis, false, false, smaller_cage},
+        {"a cage has another input as centre", caged | thesis, true, false, cage_of_another_input},
+        {"a cage has a Steiner point as centre", caged | thesis, true, false, cage_of_steiner},
+        {"a cage stands there twice", caged | thesis, true, false, cage_twice},
+        {"a cage crosses another", caged | thesis, false, false, crossing_cage},
+        {"a shell vertex passes as a Steiner point", caged | thesis, true, false, shell_as_steiner},
+        {"a shell vertex is missing", caged | thesis, true, false, shell_vertex_missing},
+        {"a shell vertex is moved inwards", caged | thesis, true, false, shell_inwards},
+        {"a shell vertex is moved outwards", caged | thesis, true, false, shell_outwards},
+        {"a Steiner point around a cage", caged | thesis, false, false, steiner_around},
+        {"a shell vertex too many", caged | thesis, true, false, shell_too_many},
+        {"an exempt vertex inside a cage", caged | thesis, false, false, exempt_inside},
+        {"an exempt vertex around a cage", caged | thesis, false, false, exempt_around},
+        {"a shell on one side", caged | thesis, false, false, shell_to_a_side},
+        {"a shell vertex is moved along its sphere", thesis, true, false, shell_sideways},
+        {"cages of the thesis pass as compact ones", thesis, true, false, other_kind},
+        {"compact cages pass as those of the thesis", caged, true, false, other_kind},
     };
     return all;
 }

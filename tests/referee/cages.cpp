@@ -1,5 +1,7 @@
 #include "cages.hpp"
 
+#include "templates.hpp"
+
 namespace referee {
 namespace {
 
@@ -36,7 +38,58 @@ bool judge_lines(const Mesh& mesh, Verdict* verdict) {
     return true;
 }
 
+// Sees that each point of the template has one vertex of the shell.
+void judge_shell(const Mesh& mesh, int cage, bool is_outermost, const std::vector<std::uint32_t>& shell,
+                 const std::string& name, Verdict* verdict) {
+    const CageLine& line = line_of(mesh, cage);
+    const Point& centre = mesh.vertices[line.centre];
+    const double radius = thesis_sphere * line.radius;
+    double room = thesis_off * radius;
+    for (int k = 0; k < mesh.dim; k++) room += 0x1p-50 * (std::fabs(centre[k]) + radius);
+    std::vector<int> used(shell.size(), 0);
+    for (const Point& unit : is_outermost ? outer_template(mesh.dim) : cage_template(mesh.dim)) {
+        Point place = centre;
+        for (int k = 0; k < mesh.dim; k++) place[k] += radius * unit[k];
+        int there = 0;
+        for (std::size_t s = 0; s < shell.size(); s++)
+            if (distance(mesh.vertices[shell[s]], place, mesh.dim) <= room) {
+                there++;
+                used[s]++;
+            }
+        if (there != 1) return verdict->add("cages", name + " has a place with " + count_text(there) + " vertices");
+    }
+    for (std::size_t s = 0; s < shell.size(); s++)
+        if (used[s] != 1) verdict->add("cages", "vertex " + count_text(shell[s]) + " has no place in " + name);
+}
+
+void judge_thesis_cage(const Mesh& mesh, const Hierarchy& hierarchy, int cage, Verdict* verdict) {
+    const CageLine& line = line_of(mesh, cage);
+    const std::string name = "the cage about " + count_text(line.centre);
+    const int parent = hierarchy.parent[static_cast<std::size_t>(cage)];
+    std::vector<std::uint32_t> shell;
+    for (std::uint32_t v = 0; v < mesh.count(); v++) {
+        const Point& x = mesh.vertices[v];
+        if (!is_in_cage(mesh, cage, v)) {
+            if (compare(mesh, cage, x, thesis_outer) < 0)
+                verdict->add("cages", "vertex " + count_text(v) + " is in the gap around " + name);
+            continue;
+        }
+        const bool own = hierarchy.domain[v] == cage, is_input = mesh.markers[v] == input_marker;
+        const bool gap = is_input && compare(mesh, cage, x, thesis_inner) > 0;
+        if (own && (gap || mesh.markers[v] == exempt_marker))
+            shell.push_back(v);
+        else if (gap)
+            verdict->add("cages", "input " + count_text(v) + " is in the gap inside " + name);
+    }
+    judge_shell(mesh, cage, parent == no_cage, shell, name, verdict);
+    if (parent == no_cage) return;
+    const CageLine& around = line_of(mesh, parent);
+    if (distance(mesh.vertices[around.centre], mesh.vertices[line.centre], mesh.dim) + line.radius > around.radius)
+        verdict->add("cages", name + " sticks out of the one around it");
+}
+
 void judge_cage(const Mesh& mesh, const Hierarchy& hierarchy, int cage, Verdict* verdict) {
+    if (mesh.thesis_cages) return judge_thesis_cage(mesh, hierarchy, cage, verdict);
     const CageLine& line = line_of(mesh, cage);
     const std::string name = "the cage about " + count_text(line.centre);
     int shell = 0;
@@ -69,7 +122,14 @@ bool is_in_cage(const Mesh& mesh, int cage, std::uint32_t v) { return compare(me
 
 bool is_shell(const Mesh& mesh, const Hierarchy& hierarchy, std::uint32_t v) {
     const int cage = hierarchy.domain[v];
-    return mesh.markers[v] == exempt_marker && cage != no_cage && compare(mesh, cage, mesh.vertices[v], cage_inner) > 0;
+    const double inner = mesh.thesis_cages ? thesis_inner : cage_inner;
+    return mesh.markers[v] == exempt_marker && cage != no_cage && compare(mesh, cage, mesh.vertices[v], inner) > 0;
+}
+
+bool stands_in_shell(const Mesh& mesh, const Hierarchy& hierarchy, std::uint32_t v) {
+    const int cage = hierarchy.domain[v];
+    return mesh.thesis_cages && mesh.markers[v] == input_marker && cage != no_cage &&
+           compare(mesh, cage, mesh.vertices[v], thesis_inner) > 0;
 }
 
 Hierarchy judge_cages(const Mesh& mesh, Verdict* verdict) {
@@ -91,6 +151,13 @@ Hierarchy judge_cages(const Mesh& mesh, Verdict* verdict) {
     for (int c = 0; c < count; c++)
         hierarchy.parent[static_cast<std::size_t>(c)] = innermost(line_of(mesh, c).centre, line_of(mesh, c).radius);
     for (int c = 0; c < count; c++) judge_cage(mesh, hierarchy, c, verdict);
+    if (!mesh.thesis_cages) return hierarchy;
+    int outermost = 0;
+    for (const int parent : hierarchy.parent) outermost += parent == no_cage;
+    if (outermost != 1) verdict->add("cages", "there are " + count_text(outermost) + " outermost cages");
+    for (std::uint32_t v = 0; v < mesh.count(); v++)
+        if (hierarchy.domain[v] == no_cage && mesh.markers[v] != exempt_marker)
+            verdict->add("cages", "vertex " + count_text(v) + " is outside of the outermost cage");
     return hierarchy;
 }
 

@@ -30,6 +30,10 @@ std::string keep_remark(const std::string& line, Mesh* mesh, std::vector<double>
     words >> name;
     std::getline(words, rest);
     std::vector<double> numbers;
+    if (name == "cages") {
+        mesh->thesis_cages = true;
+        return rest == " thesis" ? "" : "cages of an unknown kind: " + line;
+    }
     if (name != "domain" && name != "tau" && name != "ratio" && name != "eps" && name != "cell-size" && name != "cage")
         return {};
     if (!numbers_of(rest, &numbers) || numbers.empty()) return "a remark without numbers: " + line;
@@ -161,6 +165,7 @@ void write_mesh(const std::string& stem, const Mesh& mesh) {
         if (mesh.ratio > 0) out << "# ratio " << mesh.ratio << '\n';
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
         if (mesh.least_size > 0) out << "# cell-size " << mesh.least_size << ' ' << mesh.growth << '\n';
+        if (mesh.thesis_cages) out << "# cages thesis\n";
         for (const CageLine& cage : mesh.cages) out << "# cage " << cage.centre << ' ' << cage.radius << '\n';
     }
     const bool valued = !mesh.values.empty();

@@ -30,6 +30,7 @@ struct Mesh {
     double tau = 0, ratio = 0, eps = 0;  // 0: the file does not say
     double least_size = 0, growth = 0;   // of `# cell-size`
     std::vector<CageLine> cages;
+    bool thesis_cages = false;  // of which kind they are
 
     std::size_t count() const { return vertices.size(); }
 };

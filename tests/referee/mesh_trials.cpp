@@ -18,6 +18,7 @@ const std::vector<Method>& methods() {
         {"delaunay", {"delaunay"}, false, false, false},
         {"svr", {"mesh", "--method", "svr"}, true, false, true},
         {"netmesh", {"mesh", "--method", "netmesh"}, true, true, false},
+        {"netmesh with cages of the thesis", {"mesh", "--method", "netmesh", "--cages", "thesis"}, true, true, false},
         {"netmesh finished", {"mesh", "--method", "netmesh", "--finish"}, true, false, true},
         {"refine", {"mesh", "--method", "refine"}, true, false, false},
         {"persist", {"persist", "--max-degree", "0"}, true, false, false},
@@ -163,9 +164,11 @@ void try_family(const Tool& tool, const Settings& settings, int dim, std::size_t
     // Its net alone has thousands of vertices from D = 3 on.
     const bool is_refine = methods()[pick].arguments.back() == "refine";
     if (is_refine && (dim > 3 || (dim == 3 && wanted.points.size() > settings.refined))) pick = 1;
+    if (dim > 3 && methods()[pick].arguments.back() == "thesis") pick = 2;
     const Method& method = methods()[pick];
+    const bool has_thesis_cages = method.arguments.back() == "thesis";
     if (method.is_mesh && random.below(2) == 0)
-        wanted.tau = std::round(100 * random.between(dim > 3 ? 3 : 2.3, 6)) / 100;
+        wanted.tau = std::round(100 * random.between(has_thesis_cages ? 3.4 : dim > 3 ? 3 : 2.3, 6)) / 100;
     if (method.takes_eps && is_small && random.below(2) == 0) wanted.eps = dim > 3 ? 1 : 0.5;
     if (method.takes_eps && wanted.eps == 0 && random.below(3) == 0) {
         double width = 0;

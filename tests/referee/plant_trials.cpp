@@ -34,6 +34,8 @@ std::vector<GroundKind> ground_kinds(int dim) {
         {sized, "cell-size", {"mesh", "--tau", tau, "--cell-size", choose(dim, "0.2,0.3", "0.6,0.3", "1.2,0.3")}},
         {certified, "ratio", {"persist", "--max-degree", "0"}},
     };
+    // Their shells have 120 and 1,000 vertices in R^4.
+    if (dim < 4) all.push_back({thesis, "cages of the thesis", {"mesh", "--method", "netmesh", "--cages", "thesis"}});
     if (dim < 4) all.push_back({netted, "net", {"mesh", "--method", "refine", "--tau", tau}});
     return all;
 }
@@ -41,7 +43,7 @@ std::vector<GroundKind> ground_kinds(int dim) {
 Points ground_points(unsigned ground, int dim, Random& random) {
     Points points;
     const std::size_t count = dim == 2 ? 14 : dim == 3 ? 10 : 7;
-    if (ground == caged) {  // clusters far apart for their width
+    if (ground == caged || ground == thesis) {  // clusters far apart for their width
         const std::size_t centres = 3;
         for (std::size_t i = 0; i < 3 * centres; i++) {
             Point x = random.direction(dim);
@@ -69,7 +71,7 @@ std::vector<GoodMesh> good_mesh(const Tool& tool, const Settings& settings, cons
         made.wanted.points = ground_points(kind.ground, dim, random);
         made.wanted.dim = dim;
         made.wanted.is_mesh = kind.ground != triangulation;
-        made.wanted.has_cages = kind.ground == caged;
+        made.wanted.has_cages = kind.ground == caged || kind.ground == thesis;
         made.wanted.samples = 2000;
         write_points(tool.path("ground.txt"), made.wanted.points, dim);
         std::vector<std::string> arguments = kind.arguments;
@@ -79,7 +81,7 @@ std::vector<GoodMesh> good_mesh(const Tool& tool, const Settings& settings, cons
         if (kind.ground == certified) arguments.insert(arguments.end(), {"-o", tool.path("ground.pers")});
         if (tool.run(arguments, settings.seconds).exit != done) continue;
         if (!read_mesh(tool.path("ground"), &made.mesh).empty()) continue;
-        if (kind.ground == caged && made.mesh.cages.size() < 2) continue;
+        if (made.wanted.has_cages && made.mesh.cages.size() < 2) continue;
         const Verdict verdict = judge(made.mesh, made.wanted, random);
         if (!verdict.good() || tool.check(made.mesh, &made.wanted.points).exit != done) continue;
         made.worst = verdict.worst_ratio;

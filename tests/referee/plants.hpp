@@ -15,7 +15,8 @@ enum Ground : unsigned {
     netted = 8,         // --method refine, with a boundary net
     sized = 16,         // with --eps
     certified = 32,     // the mesh of `persist`, with a ratio and values
-    meshes = plain | caged | netted | sized | certified,
+    thesis = 64,        // --method netmesh --cages thesis
+    meshes = plain | caged | netted | sized | certified | thesis,
     all_grounds = triangulation | meshes
 };
 

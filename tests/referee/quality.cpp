@@ -86,6 +86,7 @@ public:
     }
     const std::vector<std::uint32_t>& members() const { return members_; }
     double in_radius(const Hierarchy& hierarchy) const {
+        if (mesh_.thesis_cages) return outside_ / 2;
         const Point& u = mesh_.vertices[mesh_.cages[static_cast<std::size_t>(cage_)].centre];
         double shell = INFINITY;
         for (const std::uint32_t v : members_)
@@ -107,6 +108,7 @@ void judge_cage_cells(const Mesh& mesh, const Diagram& diagram, const Hierarchy&
         const double inner = cell.in_radius(hierarchy);
         if (!std::isfinite(inner)) continue;  // without a shell, which is another fault
         const int parent = hierarchy.parent[static_cast<std::size_t>(cage)];
+        if (mesh.thesis_cages && parent == no_cage) continue;  // the outermost has no cell
         const std::uint32_t centre = mesh.cages[static_cast<std::size_t>(cage)].centre;
         const Clip clip = {clip_centre(mesh, parent), clip_radius(mesh, parent), mesh.vertices[centre],
                            limit2(2 * promised_tau(mesh), square(exact(inner)))};
@@ -191,6 +193,7 @@ void judge_quality(const Mesh& mesh, const Diagram& diagram, const Hierarchy& hi
     for (std::uint32_t v = 0; v < mesh.count(); v++) {
         if (effort.first_fault && !verdict->good()) return;
         if (mesh.markers[v] == exempt_marker || (share < 1 && effort.random.unit() >= share)) continue;
+        if (stands_in_shell(mesh, hierarchy, v)) continue;
         const int domain = hierarchy.domain[v];
         Clip clip = {clip_centre(mesh, domain), clip_radius(mesh, domain), mesh.vertices[v],
                      limit2(tau, diagram.nearest2(v))};

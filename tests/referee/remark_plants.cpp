@@ -100,8 +100,9 @@ bool domain_of_triangulation(Mesh* mesh, const Planter&) {
 
 const std::vector<Plant>& remark_plants() {
     static const std::vector<Plant> all = {
-        {"tau is less than a cell's ratio", plain | caged | netted | sized, false, false, less_tau},
-        {"tau is gone, and a cell's ratio above the default", plain | caged | netted | sized, false, false, no_tau},
+        {"tau is less than a cell's ratio", plain | caged | netted | sized | thesis, false, false, less_tau},
+        {"tau is gone, and a cell's ratio above the default", plain | caged | netted | sized | thesis, false, false,
+         no_tau},
         {"eps is less than a cell's", sized, false, false, less_eps},
         {"eps in a mesh that was not refined to it", plain | netted, false, false, eps_of_none},
         {"cell-size is less than a cell's", sized, false, false, less_size},
@@ -110,8 +111,9 @@ const std::vector<Plant>& remark_plants() {
         {"tau in place of the ratio", certified, false, false, ratio_becomes_tau},
         {"the domain is larger", plain | caged | sized, false, false, larger_domain},
         {"the domain reaches beyond the hull", meshes, true, false, domain_beyond_hull},
-        {"the domain is a third", plain | caged | sized | certified, true, false, smaller_domain},
-        {"the domain leaves out an input", plain | caged | sized | certified, true, false, domain_a_little_smaller},
+        {"the domain is a third", plain | caged | sized | certified | thesis, true, false, smaller_domain},
+        {"the domain leaves out an input", plain | caged | sized | certified | thesis, true, false,
+         domain_a_little_smaller},
         {"the domain is a dot", meshes, true, false, domain_is_a_dot},
         {"the domain is beside the inputs", meshes, true, false, domain_beside},
         {"the domain is gone", meshes, true, false, no_domain},

@@ -24,7 +24,8 @@ public:
                 v = u;
             }
         }
-        if (mesh_.markers[v] != exempt_marker && hierarchy_.domain[v] == domain) compare(v, std::sqrt(least));
+        if (mesh_.markers[v] == exempt_marker || stands_in_shell(mesh_, hierarchy_, v)) return;
+        if (hierarchy_.domain[v] == domain || mesh_.thesis_cages) compare(v, std::sqrt(least));
     }
 
     // From v to where the ray leaves its clipped cell.
@@ -90,7 +91,7 @@ void sample_quality(const Mesh& mesh, const Hierarchy& hierarchy, std::size_t sa
     Sampler sampler(mesh, hierarchy, verdict);
     std::vector<std::uint32_t> asked;
     for (std::uint32_t v = 0; v < mesh.count(); v++)
-        if (mesh.markers[v] != exempt_marker) asked.push_back(v);
+        if (mesh.markers[v] != exempt_marker && !stands_in_shell(mesh, hierarchy, v)) asked.push_back(v);
     for (std::size_t s = 0; s < samples && !asked.empty(); s++) {
         const Point direction = random.direction(mesh.dim);
         if (s % 2 == 0) {
@@ -98,7 +99,9 @@ void sample_quality(const Mesh& mesh, const Hierarchy& hierarchy, std::size_t sa
             continue;
         }
         const int domain = static_cast<int>(random.below(mesh.cages.size() + 1)) - 1;
-        const double length = clip_radius(mesh, domain) * std::pow(random.unit(), 1.0 / mesh.dim);
+        const bool whole = mesh.thesis_cages && domain != no_cage;
+        const double radius = whole ? mesh.cages[static_cast<std::size_t>(domain)].radius : clip_radius(mesh, domain);
+        const double length = radius * std::pow(random.unit(), 1.0 / mesh.dim);
         Point x = clip_centre(mesh, domain);
         for (int k = 0; k < mesh.dim; k++) x[k] += length * direction[k];
         sampler.look_at(x, domain);

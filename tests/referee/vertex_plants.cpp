@@ -270,7 +270,7 @@ bool values_exchanged(Mesh* mesh, const Planter&) {
 }  // namespace
 
 const std::vector<Plant>& vertex_plants() {
-    constexpr unsigned qualities = plain | caged | netted | sized;
+    constexpr unsigned qualities = plain | caged | netted | sized | thesis;
     static const std::vector<Plant> all = {
         {"an input is moved by an ulp", all_grounds, true, false, input_moved_by_an_ulp},
         {"two inputs are exchanged", all_grounds, true, false, inputs_exchanged},

@@ -37,6 +37,7 @@ inputs::Points narrow_pairs(const Job& job) {
     const std::uint64_t seed = by_dimension<std::uint64_t>(job.dim, {1, 572, 641, 185, 795});
     return inputs::close_pairs(job.dim, job.points / 2, gap, seed);
 }
+inputs::Points far_pairs(const Job& job) { return inputs::close_pairs(job.dim, job.points / 2, 1e-3, 2); }
 inputs::Points close_pairs(const Job& job) { return inputs::close_pairs(job.dim, job.points / 2, 0.02, 2); }
 
 netmesh_status delaunay(Run& run) { return run.delaunay_in_block(run.points()); }
@@ -92,6 +93,16 @@ netmesh_status hierarchy(Run& run) {
 netmesh_status finished(Run& run) {
     run.request.finish = 1;
     return hierarchy(run);
+}
+netmesh_status thesis_cages(Run& run) {
+    run.request.cage_kind = NETMESH_CAGES_THESIS;
+    run.request.tau = 7;
+    run.request.method = NETMESH_METHOD_HIERARCHY;
+    return run.mesh_in_block(made<far_pairs>(run.job));
+}
+netmesh_status thesis_finished(Run& run) {
+    run.request.finish = 1;
+    return thesis_cages(run);
 }
 netmesh_status audited(Run& run) {
     run.request.method = NETMESH_METHOD_HIERARCHY;
@@ -198,6 +209,10 @@ const Job low_dimensions[] = {
     Job{"finished", 2, 4, finished}.tries(100),
     Job{"finished", 3, 4, finished}.large().tries(50),
     Job{"finished", 4, 3, finished}.large().tries(25),
+    Job{"thesis-cages", 2, 4, thesis_cages}.tries(100),
+    Job{"thesis-cages", 3, 4, thesis_cages}.large().tries(25),
+    Job{"thesis-cages", 4, 2, thesis_cages}.large().tries(10),
+    Job{"thesis-finished", 2, 4, thesis_finished}.large().tries(25),
     {"cages", 2, 8, load_cages},
     {"cages", 3, 6, load_cages},
     Job{"cages", 4, 4, load_cages}.large().tries(50),

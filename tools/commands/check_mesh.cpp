@@ -95,6 +95,7 @@ Outcome compare_inputs(const MeshFiles& files, const PointCloud& points) {
 // What the mesh is checked against: the options, and the file where they say nothing.
 void set_promises(const Options& options, const NodeFile& node, requests::Mesh* mesh) {
     if (!options.tau && node.tau > 0) mesh->tau = node.tau;
+    mesh->cage_kind = node.cage_kind;
     if (options.eps == 0 || promises_accuracy(options)) mesh->sizes.eps = node.eps;
     mesh->size_at_inputs = options.size_at_inputs > 0 ? options.size_at_inputs : node.size_at_inputs;
     mesh->size_growth = options.size_at_inputs > 0 ? options.size_growth : node.size_growth;
@@ -116,7 +117,8 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netm
     }
     if (!files.node.cages.empty()) {
         checked->push_back(grouped_text(files.node.cages.size()) +
-                           " cages nested about inputs, none encroached; their cells and all others in their domains");
+                           " cages nested about inputs, none encroached; their cells and all others " +
+                           (mesh.cage_kind == NETMESH_CAGES_THESIS ? "whole" : "in their domains"));
     }
     if (report.sizes.ratio_max > 0) {
         std::string asked;
@@ -142,6 +144,8 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
         if (outcome.good()) outcome = compare_inputs(files, points);
     }
     if (!outcome.good()) return outcome;
+    if (node.cage_kind == NETMESH_CAGES_THESIS && node.cloud.dim > 4)
+        return data_error(node.cloud.name + ": there are cages of the thesis in dimensions 2, 3 and 4 only");
     set_promises(options, node, &session.mesh());
     const std::size_t plan = plan_diagram(options, NETMESH_FILTER_COMPLETE, node.cloud.dim, node.cloud.rows());
     outcome = session.run(plan, node.cloud, [&](Session& s) {

@@ -190,6 +190,7 @@ Outcome run_engine_command(const Options& options) {
     if (options.check) run.checked = std::vector<std::string>{checked_text(options, complex)};
 
     Result result{EngineMesh(session.engine()), {}, {}};
+    result.mesh.cage_kind = session.mesh().cage_kind;
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
     result.mesh.size_at_inputs = options.size_at_inputs;
     result.mesh.size_growth = options.size_growth;

@@ -28,13 +28,15 @@ public:
     double domain[NETMESH_DIM_MAX + 1] = {};     // centre, radius at index dim; radius 0 for a Delaunay triangulation
     bool has_values = false;                     // vertices carry filter values
     std::vector<netmesh_cage> cages;             // of a hierarchical mesh
-    std::vector<double> ratios;                  // of vertices' clipped cells, where they have been measured
-    std::vector<std::uint32_t> domains;          // innermost cages of vertices, with the ratios
+    netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;
+    std::vector<double> ratios;          // of vertices' clipped cells, where they have been measured
+    std::vector<std::uint32_t> domains;  // innermost cages of vertices, with the ratios
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
 // `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` and `# cell-size A B` for an over-refined
-// one, `# cage V R` for each cage: its centre's id and its radius.
+// one, `# cage V R` for each cage: its centre's id and its radius; before the first of them `# cages thesis` where they
+// are of that kind.
 void write_node(const MeshSource& mesh, TextWriter& out);
 void write_ele(const MeshSource& mesh, TextWriter& out);
 // -1 outside; neighbour i is opposite vertex i.
@@ -57,6 +59,7 @@ struct NodeFile {
     double tau = 0, ratio = 0, eps = 0;  // 0 when the file does not say
     double size_at_inputs = 0, size_growth = 0;
     std::vector<netmesh_cage> cages;  // centres counted from 0; no parents
+    netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;
 };
 
 // Every fault is Exit::data with file and line. node->cloud.name is used for messages.

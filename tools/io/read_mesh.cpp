@@ -31,10 +31,15 @@ Complaint keep_size(const std::vector<double>& numbers, NodeFile* node) {
     return {};
 }
 
-// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E`, `# cell-size A B` and `# cage V R`; other comments say
-// nothing.
+// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E`, `# cell-size A B`, `# cages thesis` and `# cage V R`; other
+// comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
+    if (!words.empty() && words[0] == "cages") {
+        node->cage_kind = NETMESH_CAGES_THESIS;
+        if (words.size() == 2 && words[1] == "thesis") return {};
+        return "cages of a kind that is not known: " + std::string(raw);
+    }
     static constexpr std::string_view known[] = {"domain", "tau", "ratio", "eps", "cell-size", "cage"};
     if (words.empty() || std::find(std::begin(known), std::end(known), words[0]) == std::end(known)) return {};
     std::vector<double> numbers;

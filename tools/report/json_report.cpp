@@ -37,6 +37,8 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
     write_known(json, "domain_factor", options.domain_factor > 0, options.domain_factor);
     write_known(json, "method", mesh.is_mesh != 0,
                 mesh.certificate.ratio > 0 ? "certificate" : method_name(mesh.method));
+    write_known(json, "cage_kind", options.cages.has_value(),
+                options.cages == NETMESH_CAGES_THESIS ? "thesis" : "compact");
     json.entry("finish", options.finish);
     write_known(json, "filter", choice.filter != nullptr, choice.filter);
     write_known(json, "values", choice.values != nullptr, choice.values);

@@ -199,6 +199,53 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(folder.run("check m.node --quiet").exit == 0);
 }
 
+TEST_CASE("mesh --cages thesis: the kind written, checked from the files, tampering found") {
+    const Folder folder;
+    folder.write("p.txt", "0 0\n1 0\n1e-4 1e-4\n1 1e-4\n0.3 .8\n0.30002 .80003\n.2 .1\n.2003 .1001\n");
+    const Result result = folder.run("mesh p.txt -o m.node --method netmesh --cages thesis --check --json");
+    CHECK(result.exit == 0);
+    CHECK(text_in(result.out, "cage_kind") == "thesis");
+    CHECK(number_in(result.out, "cages") == 5);
+    CHECK(number_in(result.out, "tau") == 7);
+    const std::string nodes = folder.read("m.node");
+    const std::size_t kind = nodes.find("# cages thesis\n"), line = nodes.find("# cage ", kind + 8);
+    REQUIRE(kind != std::string::npos);
+    REQUIRE(line != std::string::npos);
+    const Result check = folder.run("check m.node --points p.txt");
+    CHECK(check.exit == 0);
+    CHECK(check.out.find("5 cages nested about inputs, none encroached; their cells and all others whole") !=
+          std::string::npos);
+    const auto is_refused = [&](const std::string& changed) {
+        folder.write("m.node", changed);
+        return folder.run("check m.node").exit == 7;
+    };
+    const std::size_t end = nodes.find('\n', line), radius = nodes.find(' ', line + 7);
+    CHECK(is_refused(nodes.substr(0, kind) + nodes.substr(kind + 15)));  // of another kind
+    CHECK(is_refused(nodes.substr(0, line) + nodes.substr(end + 1)));    // a cage is missing
+    CHECK(is_refused(nodes.substr(0, radius) + " 0.3" + nodes.substr(end)));
+    CHECK(is_refused(nodes.substr(0, nodes.find("# tau 7")) + "# tau 3.5" + nodes.substr(nodes.find("# tau 7") + 7)));
+    const std::size_t last = nodes.rfind(" 1\n"), exempt = nodes.find(" 2\n");
+    REQUIRE(last != std::string::npos);
+    REQUIRE(exempt != std::string::npos);
+    CHECK(is_refused(nodes.substr(0, last) + " 2" + nodes.substr(last + 2)));
+    CHECK(is_refused(nodes.substr(0, exempt) + " 1" + nodes.substr(exempt + 2)));
+    CHECK(folder.run("check m.node --tau 3.5").exit == 7);
+    folder.write("m.node", nodes.substr(0, kind) + "# cages large" + nodes.substr(kind + 14));
+    CHECK(folder.run("check m.node").exit == 3);
+    CHECK(folder.run("mesh p.txt -o f.node --method netmesh --cages thesis --finish --quiet").exit == 0);
+    CHECK(folder.run("check f.node --points p.txt").out.find("\n1 cages nested") != std::string::npos);
+    CHECK(folder.run("mesh p.txt -o f.node --method netmesh --cages thesis --tau 3").exit == 2);
+    folder.write("five.txt", "0 0 0 0 0\n1 0 0 0 0\n0 1 0 0 0\n");
+    const Result five = folder.run("mesh five.txt -o f.node --method netmesh --cages thesis");
+    const bool is_there = folder.run("mesh five.txt -o f.node").exit == 0;  // has the tool been built for D = 5?
+    CHECK(five.exit == (is_there ? 2 : 3));
+    if (is_there) CHECK(five.err.find("--cages: there are cages of the thesis up to D = 4") != std::string::npos);
+    folder.write("v.node", "# domain 0 0 0 0 0 1\n# cages thesis\n1 5 0 1\n0 0 0 0 0 0 0\n");
+    folder.write("v.ele", "0 6 0\n");
+    folder.write("v.neigh", "0 6\n");
+    CHECK(folder.run("check v.node").exit == 3);
+}
+
 TEST_CASE("mesh --method netmesh: cages written, drawn and checked from the files, tampering found") {
     const Folder folder;
     folder.write("p.txt", "0 0\n1 0\n-1e-3 1e-3\n1e-6 1e-6\n0 -1e-9\n1e-12 0\n");

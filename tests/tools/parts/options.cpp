@@ -112,6 +112,24 @@ TEST_CASE("methods, filters and values that this version has not") {
                     "--eps and --cell-size go with --method netmesh only where --finish removes the cages"));
         good({"mesh", "p", "--method", "netmesh", "--finish", size, ".4"});
     }
+    CHECK(!good({"mesh", "p", "--method", "netmesh"}).cages);
+    CHECK(good({"mesh", "p", "--method", "netmesh", "--cages", "compact"}).cages == NETMESH_CAGES_COMPACT);
+    CHECK(good({"mesh", "p", "--method", "netmesh", "--cages", "thesis", "--tau", "3.4", "--finish"}).cages ==
+          NETMESH_CAGES_THESIS);
+    good({"size", "--dim", "4", "--points", "5", "--method", "netmesh", "--cages", "thesis"});
+    const auto thesis_fault = [](std::vector<std::string> more) {
+        more.insert(more.begin(), {"mesh", "p", "--method", "netmesh", "--cages", "thesis"});
+        return fault(more);
+    };
+    CHECK(names(thesis_fault({"--tau", "3.3"}), "--cages thesis needs a --tau of at least 3.4"));
+    CHECK(names(thesis_fault({"--audit", "quality"}), "--audit does not go with --cages thesis"));
+    CHECK(names(thesis_fault({"--audit", "location"}), "--audit does not go with --cages thesis"));
+    CHECK(names(thesis_fault({"--finish", "--eps", ".4"}), "do not go with --cages thesis"));
+    CHECK(names(fault({"mesh", "p", "--cages", "thesis"}), "--cages goes with --method netmesh"));
+    CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--cages", "large"}), "there are compact and thesis"));
+    CHECK(names(fault({"persist", "p", "--method", "netmesh", "--finish", "--cages", "thesis"}), "--cages"));
+    CHECK(names(fault({"size", "--dim", "5", "--points", "5", "--method", "netmesh", "--cages", "thesis"}),
+                "--cages thesis is for D = 2, 3 and 4"));
     CHECK(names(fault({"mesh", "p", "--method", "refine", "--domain", "2"}),
                 "--domain does not go with --method refine"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
