@@ -84,6 +84,12 @@ std::string apply_domain_factor(Options& options, const std::string& text) {
     return good ? "" : "must be a number from 1 to 8";
 }
 
+std::string apply_net(Options& options, const std::string& text) {
+    const bool good =
+        parse_finite(text, &options.net_spacing) && options.net_spacing >= 1.0 / 64 && options.net_spacing <= 8;
+    return good ? "" : "must be a number from 1/64 = 0.015625 to 8";
+}
+
 std::string apply_theta(Options& options, const std::string& text) {
     const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
     return good ? "" : "must be a number above 0 and at most 1/9";
@@ -280,6 +286,8 @@ const std::vector<OptionEntry>& option_entries() {
          "also refine until no cell reaches farther than A plus B times its vertex's distance to the nearest input"},
         {"--domain", mesh | size, "F", apply_domain_factor,
          "radius of the ball that is meshed over that of the smallest one that holds the points, 1 to 8 (1)"},
+        {"--net", mesh | size | check, "S", apply_net,
+         "spacing of the boundary net of refine over the diameter of the smallest ball around the points (1)"},
         {"--eps", persist, "E", apply_eps,
          "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
         {"--theta", persist | size | check, "T", apply_theta,
@@ -359,6 +367,7 @@ const char* option_name(netmesh_field field) {
                  {NETMESH_FIELD_SIZE_AT_INPUTS, "--cell-size"},
                  {NETMESH_FIELD_SIZE_GROWTH, "--cell-size"},
                  {NETMESH_FIELD_DOMAIN_FACTOR, "--domain"},
+                 {NETMESH_FIELD_NET_SPACING, "--net"},
                  {NETMESH_FIELD_TIGHT_EPS, "--eps"},
                  {NETMESH_FIELD_EPS, "--eps"},
                  {NETMESH_FIELD_THETA, "--theta"},

@@ -121,6 +121,8 @@ Outcome check_together(const Options& options) {
     if (options.size_at_inputs > 0 && hierarchical) return usage_error("--cell-size does not go with --method netmesh");
     if (options.domain_factor > 0 && options.method == NETMESH_METHOD_REFINE)
         return usage_error("--domain does not go with --method refine, which has the domain of 3.5");
+    if (options.net_spacing > 0 && options.method != NETMESH_METHOD_REFINE && options.command != Command::check)
+        return usage_error("--net goes with --method refine, which has a boundary net");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

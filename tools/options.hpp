@@ -38,6 +38,7 @@ struct Options {
     double theta = 0;  // scales; 0: not given
     double size_at_inputs = 0, size_growth = 0;  // over-refinement by the distance to the inputs; 0: not given
     double domain_factor = 0;                    // 0: not given
+    double net_spacing = 0;                      // 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;

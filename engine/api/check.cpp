@@ -50,7 +50,7 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
             *why = {aspect_violation, quality.vertex};
     }
     if (why->violation == nullptr)
-        *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete);
+        *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete, promises.net);
     if (why->violation != nullptr) return Status::check_failed;
     recomputed_nearest2<D>(store, limit2);
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
@@ -95,7 +95,7 @@ template <int D>
 Status check_promises(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
     const bool by_certificate = promises.goal.ratio > 0 && cage_count_of(context) == 0;
     if (!by_certificate) return check_quality<D>(context, store, promises, why);
-    *why = check_domain<D>(store, domain_of<D>(context.mesh), nullptr, context.complete);
+    *why = check_domain<D>(store, domain_of<D>(context.mesh), nullptr, context.complete, promises.net);
     return why->violation != nullptr ? Status::check_failed
                                      : check_ratio<D>(context, store, promises.goal, monitor, why);
 }

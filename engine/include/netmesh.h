@@ -142,6 +142,7 @@ typedef enum netmesh_field {
     NETMESH_FIELD_SCRATCH,
     NETMESH_FIELD_SIZE_AT_INPUTS,
     NETMESH_FIELD_SIZE_GROWTH,
+    NETMESH_FIELD_NET_SPACING,
     NETMESH_FIELD_COUNT
 } netmesh_field;
 
@@ -289,7 +290,7 @@ typedef struct netmesh_certificate_goal {
 typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
 
 /* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes,
- * certificate, size_at_inputs and size_growth of it. */
+ * certificate, size_at_inputs, size_growth and net_spacing of it. */
 typedef struct netmesh_mesh_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
@@ -313,6 +314,11 @@ typedef struct netmesh_mesh_request {
     /* Over-refinement by the distance to the nearest input, d_P: no clipped cell reaches farther than
      * size_at_inputs + size_growth * d_P(v). Finite, >= 0; size_at_inputs 0: not asked for, nor growth then. */
     double size_at_inputs, size_growth;
+    /* Of METHOD_REFINE: how far apart the vertices of its boundary net are (3.5), over twice the radius rho of the
+     * smallest enclosing ball, in [1/64, 8]; 0: 1. The domain's radius follows as the larger of 3 rho and
+     * 2 rho ((K sqrt 2 + 1) net_spacing + 1), K = 2 tau / (tau - 2), with which all corners stay in it: smaller nets
+     * have a smaller domain and more vertices on its sphere. */
+    double net_spacing;
 } netmesh_mesh_request;
 
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim);

@@ -245,6 +245,11 @@ TEST_CASE("points and what is asked of meshes") {
         refused([](auto& r) { r.size_growth = 0.5; }, NETMESH_FIELD_SIZE_GROWTH);
         for (const double factor : {0.5, 9.0, not_a_number})
             refused([=](auto& r) { r.domain_factor = factor; }, NETMESH_FIELD_DOMAIN_FACTOR);
+        for (const double spacing : {-1.0, 0.015, 8.5, not_a_number, infinite}) {
+            const auto by_refine = [=](auto& r) { r.method = NETMESH_METHOD_REFINE, r.net_spacing = spacing; };
+            refused(by_refine, NETMESH_FIELD_NET_SPACING);
+        }
+        refused([](auto& r) { r.net_spacing = 1; }, NETMESH_FIELD_NET_SPACING);
         for (const double eps : {-1.0, 0.75, not_a_number}) {
             const auto tight = [=](auto& r) {
                 r.purpose = NETMESH_PURPOSE_TIGHT;

@@ -30,7 +30,8 @@ std::string keep_remark(const std::string& line, Mesh* mesh, std::vector<double>
     words >> name;
     std::getline(words, rest);
     std::vector<double> numbers;
-    if (name != "domain" && name != "tau" && name != "ratio" && name != "eps" && name != "cell-size" && name != "cage")
+    if (name != "domain" && name != "tau" && name != "ratio" && name != "eps" && name != "cell-size" &&
+        name != "cage" && name != "boundary-net")
         return {};
     if (!numbers_of(rest, &numbers) || numbers.empty()) return "a remark without numbers: " + line;
     if (name == "domain") {
@@ -43,7 +44,10 @@ std::string keep_remark(const std::string& line, Mesh* mesh, std::vector<double>
         mesh->least_size = numbers[0];
         mesh->growth = numbers[1];
     } else {
-        (name == "tau" ? mesh->tau : name == "ratio" ? mesh->ratio : mesh->eps) = numbers[0];
+        (name == "tau"     ? mesh->tau
+         : name == "ratio" ? mesh->ratio
+         : name == "eps"   ? mesh->eps
+                           : mesh->net) = numbers[0];
     }
     return {};
 }
@@ -161,6 +165,7 @@ void write_mesh(const std::string& stem, const Mesh& mesh) {
         if (mesh.ratio > 0) out << "# ratio " << mesh.ratio << '\n';
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
         if (mesh.least_size > 0) out << "# cell-size " << mesh.least_size << ' ' << mesh.growth << '\n';
+        if (mesh.net > 0) out << "# boundary-net " << mesh.net << '\n';
         for (const CageLine& cage : mesh.cages) out << "# cage " << cage.centre << ' ' << cage.radius << '\n';
     }
     const bool valued = !mesh.values.empty();

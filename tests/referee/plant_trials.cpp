@@ -34,7 +34,10 @@ std::vector<GroundKind> ground_kinds(int dim) {
         {sized, "cell-size", {"mesh", "--tau", tau, "--cell-size", choose(dim, "0.2,0.3", "0.6,0.3", "1.2,0.3")}},
         {certified, "ratio", {"persist", "--max-degree", "0"}},
     };
-    if (dim < 4) all.push_back({netted, "net", {"mesh", "--method", "refine", "--tau", tau}});
+    if (dim < 4) {
+        all.push_back({netted, "net", {"mesh", "--method", "refine", "--tau", tau}});
+        all.push_back({netted, "fine net", {"mesh", "--method", "refine", "--tau", tau, "--net", "0.3"}});
+    }
     return all;
 }
 

@@ -39,11 +39,14 @@ double height(const Mesh& mesh, const Entries& cell, int opposite, const Point& 
     return std::sqrt(norm2<Rational>(rest, mesh.dim).get_d());
 }
 
-// delta of 3.5: the radius is (K sqrt 2 + 2) delta, K = 2 tau / (tau - 2).
-double net_spacing(const Mesh& mesh) {
-    const double tau = promised_tau(mesh), k = 2 * tau / (tau - 2);
-    return mesh.radius / (k * std::sqrt(2) + 2);
+// The inputs are in a ball of this diameter, as the domain's radius is the larger of 3/2 of it and ((K sqrt 2 + 1) S +
+// 1) times it, S the spacing of the net (3.5) and K = 2 tau / (tau - 2).
+double net_width(const Mesh& mesh) {
+    const double tau = promised_tau(mesh), k = 2 * tau / (tau - 2), spacing = mesh.net > 0 ? mesh.net : 1;
+    return mesh.radius / std::max(1.5, (k * std::sqrt(2) + 1) * spacing + 1);
 }
+
+double net_spacing(const Mesh& mesh) { return (mesh.net > 0 ? mesh.net : 1) * net_width(mesh); }
 
 bool is_on_sphere(const Mesh& mesh, std::uint32_t v) {
     return std::fabs(distance(mesh.vertices[v], mesh.centre, mesh.dim) - mesh.radius) <= 0x1p-15 * mesh.radius;
@@ -156,6 +159,11 @@ void judge_domain(const Mesh& mesh, const Hull& hull, Verdict* verdict) {
             compare_distance(mesh.vertices[v], mesh.centre, mesh.dim, mesh.radius * room) > 0)
             verdict->add("domain", "input " + count_text(v) + " is outside");
     const bool netted = has_net(mesh, hull);
+    if (mesh.net > 0 && !netted) verdict->add("domain", "it has no boundary net");
+    for (std::size_t v = 0; v < mesh.count() && netted; v++)
+        if (mesh.markers[v] == input_marker &&
+            compare_distance(mesh.vertices[v], mesh.centre, mesh.dim, net_width(mesh) / 2 * (1 + 0x1p-15)) > 0)
+            return verdict->add("domain", "it is too small for its boundary net about input " + count_text(v));
     for (const auto& [c, i] : hull.facets) {
         if (orientation(mesh, mesh.cells[c], i, mesh.centre) <= 0) return verdict->add("domain", "it is outside");
         const double above = height(mesh, mesh.cells[c], i, mesh.centre);

@@ -193,6 +193,7 @@ Outcome run_engine_command(const Options& options) {
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
     result.mesh.size_at_inputs = options.size_at_inputs;
     result.mesh.size_growth = options.size_growth;
+    result.mesh.net_spacing = options.net_spacing;
     if (run.engine->mesh.is_mesh != 0 && ending_of(mesh_path) == ".vtu") result.mesh.measure();
     if (!persists(options)) return finish_run(mesh_jobs(options, result.mesh), start, &run);
 

@@ -162,6 +162,10 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(folder.run("mesh p.txt -o sized.node --cell-size .05,.5 --domain 2 --check").exit == 0);
     CHECK(folder.run("check sized.node").out.find("(cell-size 0.05,0.5)") != std::string::npos);
     CHECK(folder.run("check sized.node --cell-size .05").exit == 7);
+    CHECK(folder.run("mesh p.txt -o netted.node --method refine --net .25 --check").exit == 0);
+    CHECK(folder.run("check netted.node").out.find("a boundary net of spacing 0.25") != std::string::npos);
+    CHECK(folder.run("check netted.node --net .5").exit == 7);
+    CHECK(folder.run("check sized.node --net 1").exit == 7);
     const Result unresolved = folder.run("mesh p.txt -o none.node --cell-size 1e-18");
     CHECK(unresolved.exit == 3);
     CHECK(unresolved.err.find("--cell-size 1e-18: ") != std::string::npos);

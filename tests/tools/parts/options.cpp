@@ -107,6 +107,9 @@ TEST_CASE("methods, filters and values that this version has not") {
     good({"mesh", "p", "--method", "netmesh", "--finish"});
     CHECK(names(fault({"mesh", "p", "--finish"}), "--finish goes with --method netmesh"));
     CHECK(names(fault({"persist", "p", "--method", "netmesh"}), "--finish"));
+    for (const char* spacing : {"0", "0.015", "8.1", "nan", "x", ""})
+        CHECK(names(fault({"mesh", "p", "--method", "refine", "--net", spacing}), "--net"));
+    CHECK(names(fault({"mesh", "p", "--net", "1"}), "--net goes with --method refine"));
     CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--cell-size", "1"}),
                 "--cell-size does not go with --method netmesh"));
     CHECK(names(fault({"mesh", "p", "--method", "refine", "--domain", "2"}),
