@@ -95,6 +95,11 @@ std::string apply_theta(Options& options, const std::string& text) {
     return good ? "" : "must be a number above 0 and at most 1/9";
 }
 
+std::string apply_pace_theta(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.pace_theta) && options.pace_theta > 0 && options.pace_theta <= 1;
+    return good ? "" : "must be a number above 0 and at most 1";
+}
+
 std::string apply_ratio(Options& options, const std::string& text) {
     double ratio;
     if (!parse_finite(text, &ratio) || !(ratio * ratio > 2)) return "must be a finite number above the root of 2";
@@ -290,6 +295,13 @@ const std::vector<OptionEntry>& option_entries() {
          "spacing of the boundary net of refine over the diameter of the smallest ball around the points (1)"},
         {"--eps", persist, "E", apply_eps,
          "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
+        {"--pace", mesh | delaunay, "FILE", apply_path<&Options::pace_path>,
+         "the inputs in an order that begins far apart, each farthest from those before, and its theta: distance to\n"
+         "                    the nearest of those over that to the second (3.8)"},
+        {"--theta", mesh | delaunay, "T", apply_pace_theta,
+         "with --pace: only inputs that are not T-medial, T above 0 and at most 1"},
+        {"--weighted-cells", mesh, "FILE", apply_path<&Options::weighted_path>,
+         "each cage's weight, in-radius, feature size and epsilon as an additively weighted cell (4.6)"},
         {"--theta", persist | size | check, "T", apply_theta,
          "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
         {"--ratio", persist | check, "C", apply_ratio,

@@ -123,6 +123,9 @@ Outcome check_together(const Options& options) {
         return usage_error("--domain does not go with --method refine, which has the domain of 3.5");
     if (options.net_spacing > 0 && options.method != NETMESH_METHOD_REFINE && options.command != Command::check)
         return usage_error("--net goes with --method refine, which has a boundary net");
+    if (options.pace_theta > 0 && options.pace_path.empty()) return usage_error("--theta goes with --pace");
+    if (!options.weighted_path.empty() && (!hierarchical || options.finish))
+        return usage_error("--weighted-cells goes with --method netmesh, without --finish, which removes cages");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

@@ -7,6 +7,7 @@
 #include "filtration/filters.hpp"
 #include "mesh/check_domain.hpp"
 #include "mesh/check_reach.hpp"
+#include "mesh/check_weighted_cells.hpp"
 #include "mesh/sizing.hpp"
 
 namespace netmesh {
@@ -48,6 +49,10 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
         *why = quality.encroached;
         if (why->violation == nullptr && !(quality.worst <= promises.tau * (1 + ratio_tolerance)))
             *why = {aspect_violation, quality.vertex};
+        CageFigures* const figures = arena.take_low<CageFigures>(cages);
+        if (figures == nullptr) return Status::out_of_memory;
+        if (why->violation == nullptr)
+            *why = check_weighted_cells(hierarchy_view<D>(store, cages_of(context), cages, domains), figures);
     }
     if (why->violation == nullptr)
         *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete, promises.net);

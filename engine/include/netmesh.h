@@ -461,13 +461,34 @@ typedef struct netmesh_ball {
 netmesh_status netmesh_measure_voronoi(netmesh_context* context, netmesh_voronoi* cells);
 netmesh_status netmesh_measure_balls(netmesh_context* context, netmesh_ball* balls);
 
+/* A cage as an additively weighted point of the domain around it (4.6), whose other points u are the vertices of that
+ * domain, of weight 0, and the centres of the cages directly inside it. */
+typedef struct netmesh_weighted_cell {
+    uint32_t struct_bytes;
+    double weight;       /* w: distance from the centre c to the farthest vertex of the shell */
+    double in_radius;    /* r of the cell {x: |x - c| - w <= |x - u| - w_u for all u}: least (|c - u| - w_u + w) / 2 */
+    double feature_size; /* f: distance to the nearest u */
+    double epsilon;      /* least e with w <= e (|c - u| - w_u) and w_u <= e (|c - u| - w) for all u: by 4.6.1
+                            2 r (1 - e) / (1 + e) <= f <= 2 r / (1 - e) when it is below 1. NETMESH_CHECK_QUALITY
+                            holds meshes to 1/3, so to r <= f <= 3 r (4.6.2) */
+    double cage_in_radius; /* of the cage's cell, which stands for that one: half of the distance from c to the */
+    double
+        cage_out_radius; /* nearest vertex outside, measured from the shell; its farthest point in the domain's ball */
+} netmesh_weighted_cell;
+
+/* cells[cages], in the order of netmesh_get_cage; none of a mesh without cages. cells[0].struct_bytes is set by the
+ * caller, as for netmesh_measure_voronoi. Scratch in the block. O(cages * vertices). INVALID_ARGUMENT, NO_RESULT,
+ * OUT_OF_MEMORY. */
+netmesh_status netmesh_weighted_cells(netmesh_context* context, netmesh_weighted_cell* cells);
+
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
     NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
     NETMESH_CHECK_QUALITY = 8,       /* of meshes: clipped aspect ratios recomputed, at most tau, and sizes; with a
                                         certificate.ratio what it asks for instead; with cages the ratios of the
-                                        hierarchy, and that no cage is encroached (4.5) */
+                                        hierarchy, that no cage is encroached (4.5), and 4.6.1 and
+                                        4.6.2 of neighbours */
     NETMESH_CHECK_BOUNDS = 16,       /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes) and 5 */
     NETMESH_CHECK_ALL = 31
 } netmesh_check_what;

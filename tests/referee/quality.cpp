@@ -97,6 +97,16 @@ public:
         return (outside_ + shell) / 2;
     }
 
+    // Of 4.6: the distance from the centre to the farthest of the shell.
+    double weight(const Hierarchy& hierarchy) const {
+        double shell = 0;
+        for (const std::uint32_t v : members_)
+            if (hierarchy.domain[v] == cage_ && is_shell(mesh_, hierarchy, v))
+                shell = std::max(shell, distance(mesh_.vertices[v], centre(), mesh_.dim));
+        return shell;
+    }
+    const Point& centre() const { return mesh_.vertices[mesh_.cages[static_cast<std::size_t>(cage_)].centre]; }
+
 private:
     const Mesh& mesh_;
     int cage_;
@@ -120,6 +130,36 @@ void judge_cage_cells(const Mesh& mesh, const Diagram& diagram, const Hierarchy&
                 verdict->add("quality", "the cell of the cage about " + count_text(centre) + " has the ratio " +
                                             number_text(reach.farthest / inner));
         }
+    }
+}
+
+// 4.6.1, its premise with epsilon 1/3, and 4.6.2: a cage among the vertices and cages of the domain around it, all of
+// them.
+void judge_weights(const Mesh& mesh, const Hierarchy& hierarchy, Verdict* verdict) {
+    std::vector<double> weights;
+    for (int cage = 0; cage < static_cast<int>(mesh.cages.size()); cage++)
+        weights.push_back(CageCell(mesh, cage).weight(hierarchy));
+    for (std::size_t a = 0; a < mesh.cages.size(); a++) {
+        const CageCell cell(mesh, static_cast<int>(a));
+        double nearest = INFINITY, additive = INFINITY;
+        bool apart = true;
+        const auto meet = [&](const Point& x, double weight) {
+            const double d = distance(x, cell.centre(), mesh.dim);
+            nearest = std::min(nearest, d);
+            additive = std::min(additive, d - weight - weights[a]);
+            apart = apart && 3 * weights[a] <= (d - weight) * (1 + 0x1p-20) &&
+                    3 * weight <= (d - weights[a]) * (1 + 0x1p-20);
+        };
+        for (std::uint32_t v = 0; v < mesh.count(); v++)
+            if (hierarchy.domain[v] == hierarchy.parent[a]) meet(mesh.vertices[v], 0);
+        for (std::size_t b = 0; b < mesh.cages.size(); b++)
+            if (b != a && hierarchy.parent[b] == hierarchy.parent[a])
+                meet(mesh.vertices[mesh.cages[b].centre], weights[b]);
+        const std::string name = "the cage about " + count_text(mesh.cages[a].centre);
+        if (!apart) verdict->add("weights", name + " is too near to another point of its domain for 4.6.1");
+        for (const double r : {additive / 2 + weights[a], cell.in_radius(hierarchy)})
+            if (std::isfinite(r) && !(r <= nearest * (1 + 0x1p-20) && nearest <= 3 * r * (1 + 0x1p-20)))
+                verdict->add("weights", name + " has another feature size than 4.6.2 admits");
     }
 }
 
@@ -217,6 +257,7 @@ void judge_quality(const Mesh& mesh, const Diagram& diagram, const Hierarchy& hi
                                      number_text(reach.farthest / size) + " times as far as its size admits");
     }
     judge_cage_cells(mesh, diagram, hierarchy, verdict);
+    judge_weights(mesh, hierarchy, verdict);
 }
 
 }  // namespace referee

@@ -116,8 +116,10 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netm
                            rounded_text(tau(mesh), 6) + ")");
     }
     if (!files.node.cages.empty()) {
-        checked->push_back(grouped_text(files.node.cages.size()) +
-                           " cages nested about inputs, none encroached; their cells and all others in their domains");
+        checked->push_back(
+            grouped_text(files.node.cages.size()) +
+            " cages nested about inputs, none encroached; their cells and all others in their domains; in-radii and "
+            "feature sizes as in 4.6");
     }
     if (mesh.net_spacing > 0)
         checked->push_back("a boundary net of spacing " + number_text(mesh.net_spacing) +
