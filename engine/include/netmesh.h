@@ -317,7 +317,8 @@ typedef struct netmesh_mesh_request {
     /* Of METHOD_REFINE: how far apart the vertices of its boundary net are (3.5), over twice the radius rho of the
      * smallest enclosing ball, in [1/64, 8]; 0: 1. The domain's radius follows as the larger of 3 rho and
      * 2 rho ((K sqrt 2 + 1) net_spacing + 1), K = 2 tau / (tau - 2), with which all corners stay in it: smaller nets
-     * have a smaller domain and more vertices on its sphere. */
+     * have a smaller domain and more vertices on its sphere. Coordinates there must resolve the net: INVALID_ARGUMENT
+     * (NET_SPACING, or TAU where that is 0 and tau too near 2) when it is below 16 units in their last place. */
     double net_spacing;
 } netmesh_mesh_request;
 

@@ -36,6 +36,7 @@ public:
 
     double choose_domain();
     double promised_radius() const { return reference_ ? domain_.radius : Base::promised_radius(); }
+    Status check_goal();
     Status begin() { return reference_ ? insert_boundary_net() : Status::ok; }
     Status take_turn(VertexId p);
     Status finish_mesh();
@@ -75,6 +76,13 @@ private:
 template <int D> double QualityRule<D>::choose_domain() {
     if (!reference_) return Base::choose_domain();
     return domain_.radius = reference_radius(this->request_.tau, this->request_.net_spacing, domain_.enclosing_radius);
+}
+
+// With a net that coordinates on its sphere do not resolve the same place would be missing again and again.
+template <int D> [[gnu::cold]] Status QualityRule<D>::check_goal() {
+    if (!reference_ || has_resolved_net<D>(domain_, this->request_.net_spacing)) return Status::ok;
+    this->result_.input.row_a = none;
+    return Status::invalid_argument;
 }
 
 // Cells that were good enough while an input was waiting are looked at again.

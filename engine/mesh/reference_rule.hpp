@@ -27,6 +27,14 @@ inline double reference_radius(double tau, double spacing, double enclosing_radi
     return radius > 1.5 * width ? radius : 1.5 * width;
 }
 
+// Do coordinates resolve the net, and do squares of the domain's radius fit a double?
+template <int D> inline bool has_resolved_net(const Domain<D>& domain, double spacing) {
+    double most = domain.radius;
+    for (int k = 0; k < D; ++k)
+        if (absolute(domain.centre[k]) > most) most = absolute(domain.centre[k]);
+    return 2 * spacing * domain.enclosing_radius >= 0x1p-48 * most && domain.radius <= 0x1p508;
+}
+
 // A point of the boundary net that is missing because of cell c, one of whose vertices is input `inside`; false when
 // none is. With an input inside, each cell joins it to a facet of the net's hull, and the point of the sphere farthest
 // from the facet's vertices, which is where the line from the centre through the cell's corner meets the sphere, is

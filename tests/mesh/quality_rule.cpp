@@ -139,6 +139,21 @@ TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 
 }
 TEST_CASE_TEMPLATE_APPLY(reference, Dimensions<2, 3>);
 
+TEST_CASE("a boundary net that coordinates on its sphere do not resolve is refused at once") {
+    const auto made = [](double tau, double spacing, double far, double scale) {
+        inputs::Points points = {0, 0, 1, 0, 0, 1};
+        for (double& x : points) x = scale * (far + x);
+        MeshRequest request = by_reference(tau);
+        request.net_spacing = spacing;
+        return Meshed<2>(points, request, std::size_t{1} << 20).status;
+    };
+    CHECK(made(2.000000000000001, 1, 0, 1) == Status::invalid_argument);
+    CHECK(made(3, 1.0 / 64, 1e13, 1) == Status::invalid_argument);
+    CHECK(made(3, 1.0 / 64, 1e12, 1) == Status::ok);
+    CHECK(made(3, 1, 0, 1e150) == Status::ok);
+    CHECK(made(2.001, 8, 0, 1e150) == Status::invalid_argument);
+}
+
 TEST_CASE("a mesh without a boundary net is none with a spacing") {
     Meshed<2> m(inputs::uniform(2, 30), by_quality(3));
     REQUIRE(m.status == Status::ok);
