@@ -115,6 +115,7 @@ private:
         const std::vector<double> x = make_points(c.dim);
         netmesh_mesh_request request = on_points(c.mesh_request(), c, x);
         request.method = method;
+        if (method == NETMESH_METHOD_REFINE && tape_.rarely()) request.net_spacing = tape_.byte() / 25.0;
         request.purpose = purpose_of(tape_.rarely() ? tape_.byte() : 2 + tape_.below(4));
         if (tape_.rarely()) request.points = nullptr;
         ended(netmesh_mesh(context_, maybe(request, c)));

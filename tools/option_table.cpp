@@ -84,9 +84,20 @@ std::string apply_domain_factor(Options& options, const std::string& text) {
     return good ? "" : "must be a number from 1 to 8";
 }
 
+std::string apply_net(Options& options, const std::string& text) {
+    const bool good =
+        parse_finite(text, &options.net_spacing) && options.net_spacing >= 1.0 / 64 && options.net_spacing <= 8;
+    return good ? "" : "must be a number from 1/64 = 0.015625 to 8";
+}
+
 std::string apply_theta(Options& options, const std::string& text) {
     const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
     return good ? "" : "must be a number above 0 and at most 1/9";
+}
+
+std::string apply_pace_theta(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.pace_theta) && options.pace_theta > 0 && options.pace_theta <= 1;
+    return good ? "" : "must be a number above 0 and at most 1";
 }
 
 std::string apply_ratio(Options& options, const std::string& text) {
@@ -286,8 +297,17 @@ const std::vector<OptionEntry>& option_entries() {
          "also refine until no cell reaches farther than A plus B times its vertex's distance to the nearest input"},
         {"--domain", mesh | size, "F", apply_domain_factor,
          "radius of the ball that is meshed over that of the smallest one that holds the points, 1 to 8 (1)"},
+        {"--net", mesh | size | check, "S", apply_net,
+         "spacing of the boundary net of refine over the diameter of the smallest ball around the points (1)"},
         {"--eps", persist, "E", apply_eps,
          "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
+        {"--pace", mesh | delaunay, "FILE", apply_path<&Options::pace_path>,
+         "the inputs in an order that begins far apart, each farthest from those before, and its theta: distance to\n"
+         "                    the nearest of those over that to the second (3.8)"},
+        {"--theta", mesh | delaunay, "T", apply_pace_theta,
+         "with --pace: only inputs that are not T-medial, T above 0 and at most 1"},
+        {"--weighted-cells", mesh, "FILE", apply_path<&Options::weighted_path>,
+         "each cage's weight, in-radius, feature size and epsilon as an additively weighted cell (4.6)"},
         {"--theta", persist | size | check, "T", apply_theta,
          "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
         {"--ratio", persist | check, "C", apply_ratio,
@@ -368,6 +388,7 @@ const char* option_name(netmesh_field field) {
                  {NETMESH_FIELD_CAGE_KIND, "--cages"},
                  {NETMESH_FIELD_SIZE_GROWTH, "--cell-size"},
                  {NETMESH_FIELD_DOMAIN_FACTOR, "--domain"},
+                 {NETMESH_FIELD_NET_SPACING, "--net"},
                  {NETMESH_FIELD_TIGHT_EPS, "--eps"},
                  {NETMESH_FIELD_EPS, "--eps"},
                  {NETMESH_FIELD_THETA, "--theta"},

@@ -130,6 +130,11 @@ Outcome check_together(const Options& options) {
             "--audit does not go with --cages thesis: its figures are of clipped cells, and those are whole");
     if (thesis && options.tau && *options.tau < 3.4) return usage_error("--cages thesis needs a --tau of at least 3.4");
     if (thesis && options.dim > 4) return usage_error("--cages thesis is for D = 2, 3 and 4");
+    if (options.net_spacing > 0 && options.method != NETMESH_METHOD_REFINE && options.command != Command::check)
+        return usage_error("--net goes with --method refine, which has a boundary net");
+    if (options.pace_theta > 0 && options.pace_path.empty()) return usage_error("--theta goes with --pace");
+    if (!options.weighted_path.empty() && (!hierarchical || options.finish))
+        return usage_error("--weighted-cells goes with --method netmesh, without --finish, which removes cages");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

@@ -25,6 +25,8 @@ struct Options {
     std::string svg;
     std::string mesh_out;         // persist: where the filtered mesh goes
     std::string representatives;  // where the cycles go
+    std::string pace_path;        // where the order of the inputs goes
+    std::string weighted_path;    // where the weighted cells of cages go
     bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false, log = false;
 
     std::optional<double> tau;
@@ -39,6 +41,8 @@ struct Options {
     double theta = 0;  // scales; 0: not given
     double size_at_inputs = 0, size_growth = 0;  // over-refinement by the distance to the inputs; 0: not given
     double domain_factor = 0;                    // 0: not given
+    double net_spacing = 0;                      // 0: not given
+    double pace_theta = 0;                       // of --pace; 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
     std::optional<std::uint32_t> max_degree;

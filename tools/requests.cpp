@@ -35,6 +35,7 @@ requests::Mesh mesh_request(const Options& options, std::uint32_t dim) {
     mesh.size_at_inputs = options.size_at_inputs;
     mesh.size_growth = options.size_growth;
     mesh.domain_factor = options.domain_factor;
+    mesh.net_spacing = options.net_spacing;
     mesh.finish = options.finish ? 1 : 0;
     mesh.audit = options.audit;
     if (refines_by_certificate(options))

@@ -92,6 +92,8 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
     case NETMESH_FIELD_DIM:  // of a library built without it: the tool itself takes 2..6 only
         return data_error(cloud.name + ": dimension " + std::to_string(mesh_.dim) + ": " + said);
     case NETMESH_FIELD_POINT_COUNT: return data_error(cloud.name + ": " + said);
+    case NETMESH_FIELD_NET_SPACING:
+    case NETMESH_FIELD_TAU:
     case NETMESH_FIELD_K:
     case NETMESH_FIELD_K_FIRST:
     case NETMESH_FIELD_K_LAST: return data_error(cloud.name + ": " + option + ": " + said);

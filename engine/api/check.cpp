@@ -8,6 +8,7 @@
 #include "mesh/cage_template.hpp"
 #include "mesh/check_domain.hpp"
 #include "mesh/check_reach.hpp"
+#include "mesh/check_weighted_cells.hpp"
 #include "mesh/sizing.hpp"
 
 namespace netmesh {
@@ -83,9 +84,13 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
         *why = quality.encroached;
         if (why->violation == nullptr && !(quality.worst <= promises.tau * (1 + ratio_tolerance)))
             *why = {aspect_violation_of(context), quality.vertex};
+        CageFigures* const figures = arena.take_low<CageFigures>(cages);
+        if (figures == nullptr) return Status::out_of_memory;
+        if (why->violation == nullptr)
+            *why = check_weighted_cells(hierarchy_view<D>(store, cages_of(context), cages, domains), figures);
     }
     if (why->violation == nullptr)
-        *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete);
+        *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete, promises.net);
     if (why->violation != nullptr) return Status::check_failed;
     recomputed_nearest2<D>(store, limit2);
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
@@ -132,7 +137,7 @@ template <int D>
 Status check_promises(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
     const bool by_certificate = promises.goal.ratio > 0 && cage_count_of(context) == 0;
     if (!by_certificate) return check_quality<D>(context, store, promises, why);
-    *why = check_domain<D>(store, domain_of<D>(context.mesh), nullptr, context.complete);
+    *why = check_domain<D>(store, domain_of<D>(context.mesh), nullptr, context.complete, promises.net);
     return why->violation != nullptr ? Status::check_failed
                                      : check_ratio<D>(context, store, promises.goal, monitor, why);
 }

@@ -3,6 +3,7 @@
 #include "analysis/structure.hpp"
 #include "api/measure.hpp"
 #include "delaunay/load.hpp"
+#include "mesh/weighted_cells.hpp"
 
 namespace netmesh {
 namespace {
@@ -82,6 +83,37 @@ template <int D> [[gnu::cold]] Status measure_balls(Context& context, std::uint3
     return Status::ok;
 }
 
+// The domain of a vertex that is in none.
+constexpr std::uint32_t not_inserted = none - 1;
+
+template <int D>
+[[gnu::cold]] Status measure_weighted(Context& context, std::uint32_t bytes, netmesh_weighted_cell* array) {
+    Arena& arena = context.arena;
+    const ArenaScope scope(arena);
+    Store<D> store(arena, context.mesh.store);
+    const std::uint32_t cages = cage_count_of(context), vertices = store.state.vertex_count;
+    if (cages == 0) return Status::ok;
+    double* const ratios = arena.take_low<double>(vertices);
+    std::uint32_t* const domains = arena.take_low<std::uint32_t>(vertices);
+    double* const radii = arena.take_low<double>(2 * cages);
+    WeightedCell* const cells = arena.take_low<WeightedCell>(cages);
+    if (ratios == nullptr || domains == nullptr || radii == nullptr || cells == nullptr) return Status::out_of_memory;
+    HierarchyQuality quality;
+    const HierarchyRequest<D> request = {cages_of(context), cages, domain_of<D>(context.mesh), ratios, domains, radii};
+    const Status status = measure_hierarchy<D>(store, request, arena, &quality);
+    if (status != Status::ok || !quality.is_hierarchy) return status == Status::ok ? Status::no_result : status;
+    for (std::uint32_t v = 0; v < vertices; ++v)
+        if (store.vertex(v).cell == none) domains[v] = not_inserted;
+    measure_weighted_cells(hierarchy_view<D>(store, cages_of(context), cages, domains), cells);
+    for (std::uint32_t d = 0; d < cages; ++d) {
+        const WeightedCell& cell = cells[d];
+        const netmesh_weighted_cell found = {
+            0, cell.weight, cell.in_radius, cell.feature_size, cell.epsilon, radii[2 * d], radii[2 * d + 1]};
+        give_element(found, d, bytes, array);
+    }
+    return Status::ok;
+}
+
 // Calls measure(D, bytes an element has) when there is room for a result and something to measure.
 template <class Item, class Measure>
 netmesh_status fill(netmesh_context* context, const Item* array, Measure&& measure) {
@@ -121,6 +153,12 @@ netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, u
 netmesh_status netmesh_measure_voronoi(netmesh_context* context, netmesh_voronoi* cells) {
     return fill(context, cells, [=](auto dimension, std::uint32_t bytes) {
         return measure_voronoi<decltype(dimension)::value>(*context, bytes, cells);
+    });
+}
+
+netmesh_status netmesh_weighted_cells(netmesh_context* context, netmesh_weighted_cell* cells) {
+    return fill(context, cells, [=](auto dimension, std::uint32_t bytes) {
+        return measure_weighted<decltype(dimension)::value>(*context, bytes, cells);
     });
 }
 

@@ -71,6 +71,10 @@ netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_reque
     clear(context);
     if (asked.method == MeshMethod::certificate)
         return refuse(context, NETMESH_FIELD_FOCUS_FROM, "focus_from is below what coordinates resolve at focus_ratio");
+    if (asked.method == MeshMethod::reference && result.input.row_a == none)
+        return refuse(context, request.net_spacing != 0 ? NETMESH_FIELD_NET_SPACING : NETMESH_FIELD_TAU,
+                      "the boundary net on the sphere of the domain is finer than coordinates there, or the sphere out "
+                      "of range");
     const bool by_distance = asked.size.eps == 0 && asked.size.function == nullptr;
     return refuse(context,
                   {by_distance ? NETMESH_FIELD_SIZE_AT_INPUTS : NETMESH_FIELD_SIZES,

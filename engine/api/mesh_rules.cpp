@@ -66,6 +66,8 @@ Complaint complaint_about_numbers(const netmesh_mesh_request& request) {
         return {NETMESH_FIELD_SIZE_GROWTH, "size_growth without size_at_inputs asks for cells of no size at inputs"};
     if (request.domain_factor != 0 && !(request.domain_factor >= 1 && request.domain_factor <= 8))
         return {NETMESH_FIELD_DOMAIN_FACTOR, "domain_factor is not between 1 and 8"};
+    if (request.net_spacing != 0 && !(request.net_spacing >= 1.0 / 64 && request.net_spacing <= 8))
+        return {NETMESH_FIELD_NET_SPACING, "net_spacing is not between 1/64 and 8"};
     if (request.purpose == NETMESH_PURPOSE_TIGHT && !is_valid_eps(eps_of(request.tight_eps)))
         return {NETMESH_FIELD_TIGHT_EPS, "tight_eps is not in (0, 1/2]"};
     return {};
@@ -76,6 +78,8 @@ Complaint complaint_about_method(const netmesh_mesh_request& request) {
         return {NETMESH_FIELD_PURPOSE, "a mesh with cages is not for persistence; finish it"};
     if (has_cages(request) && sizes_of(request).asks() && request.finish == 0)
         return {NETMESH_FIELD_SIZES, "a mesh with cages is not over-refined; finish it"};
+    if (request.net_spacing != 0 && request.method != NETMESH_METHOD_REFINE)
+        return {NETMESH_FIELD_NET_SPACING, "only the method refine has a boundary net"};
     const Complaint complaint = complaint_about_cages(request);
     return complaint.text != nullptr ? complaint : complaint_about_audit(request);
 }
@@ -112,6 +116,7 @@ MeshRequest mesh_request_of(const netmesh_mesh_request& request) {
                                                                 : MeshMethod::quality;
     asked.tau = tau_of(request.dim, request.tau);
     asked.domain_factor = request.domain_factor != 0 ? request.domain_factor : 1;
+    if (request.net_spacing != 0) asked.net_spacing = request.net_spacing;
     if (request.purpose == NETMESH_PURPOSE_TIGHT) {
         const double least = tight_domain_factor(eps_of(request.tight_eps));
         if (asked.domain_factor < least) asked.domain_factor = least;

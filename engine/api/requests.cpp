@@ -68,7 +68,7 @@ const char* missing_result(const netmesh_context* context, const Filter& filter)
 
 Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Promises* promises) {
     *promises = {};
-    promises->tau = tau_of(dim, 0);
+    promises->tau = promises->net.tau = tau_of(dim, 0);
     if (mesh == nullptr) return {};
     netmesh_mesh_request request;
     const netmesh_field fault = read_struct(mesh, &request, sizeof request);
@@ -76,7 +76,8 @@ Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Pro
     if (request.dim != dim) return {NETMESH_FIELD_MESH, "the mesh request is of another dimension"};
     const Complaint complaint = complaint_about_promises(request);
     if (complaint.text != nullptr) return complaint;
-    promises->tau = tau_of(dim, request.tau);
+    promises->tau = promises->net.tau = tau_of(dim, request.tau);
+    promises->net.spacing = request.net_spacing;
     promises->sizes = size_rule_of(request);
     promises->goal = goal_of(request.certificate);
     promises->cages = request.cage_kind == NETMESH_CAGES_THESIS ? CageKind::thesis : CageKind::compact;

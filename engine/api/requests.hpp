@@ -3,6 +3,7 @@
 #include "api/call.hpp"
 #include "certificate/certificate.hpp"
 #include "filtration/filter.hpp"
+#include "mesh/check_domain.hpp"
 #include "mesh/mesh_request.hpp"
 #include "mesh/sizing.hpp"
 
@@ -46,6 +47,7 @@ struct Promises {
     double tau = 0;
     SizeRule sizes = {};
     RatioGoal goal = {};  // ratio 0: none
+    NetPromise net = {};
     CageKind cages = CageKind::compact;
 };
 

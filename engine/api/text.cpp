@@ -91,6 +91,7 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_SCRATCH: return "scratch";
     case NETMESH_FIELD_SIZE_AT_INPUTS: return "size_at_inputs";
     case NETMESH_FIELD_SIZE_GROWTH: return "size_growth";
+    case NETMESH_FIELD_NET_SPACING: return "net_spacing";
     case NETMESH_FIELD_CAGE_KIND: return "cage_kind";
     case NETMESH_FIELD_COUNT: break;
     }

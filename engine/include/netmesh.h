@@ -142,6 +142,7 @@ typedef enum netmesh_field {
     NETMESH_FIELD_SCRATCH,
     NETMESH_FIELD_SIZE_AT_INPUTS,
     NETMESH_FIELD_SIZE_GROWTH,
+    NETMESH_FIELD_NET_SPACING,
     NETMESH_FIELD_CAGE_KIND,
     NETMESH_FIELD_COUNT
 } netmesh_field;
@@ -298,7 +299,7 @@ typedef struct netmesh_certificate_goal {
 typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
 
 /* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes,
- * certificate, size_at_inputs, size_growth and cage_kind of it. */
+ * certificate, size_at_inputs, size_growth, net_spacing and cage_kind of it. */
 typedef struct netmesh_mesh_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
@@ -322,6 +323,12 @@ typedef struct netmesh_mesh_request {
     /* Over-refinement by the distance to the nearest input, d_P: no clipped cell reaches farther than
      * size_at_inputs + size_growth * d_P(v). Finite, >= 0; size_at_inputs 0: not asked for, nor growth then. */
     double size_at_inputs, size_growth;
+    /* Of METHOD_REFINE: how far apart the vertices of its boundary net are (3.5), over twice the radius rho of the
+     * smallest enclosing ball, in [1/64, 8]; 0: 1. The domain's radius follows as the larger of 3 rho and
+     * 2 rho ((K sqrt 2 + 1) net_spacing + 1), K = 2 tau / (tau - 2), with which all corners stay in it: smaller nets
+     * have a smaller domain and more vertices on its sphere. Coordinates there must resolve the net: INVALID_ARGUMENT
+     * (NET_SPACING, or TAU where that is 0 and tau too near 2) when it is below 16 units in their last place. */
+    double net_spacing;
     netmesh_cage_kind cage_kind; /* THESIS: D at most 4, tau given and at least 3.4, PURPOSE_MESH without audits */
 } netmesh_mesh_request;
 
@@ -465,13 +472,34 @@ typedef struct netmesh_ball {
 netmesh_status netmesh_measure_voronoi(netmesh_context* context, netmesh_voronoi* cells);
 netmesh_status netmesh_measure_balls(netmesh_context* context, netmesh_ball* balls);
 
+/* A cage as an additively weighted point of the domain around it (4.6), whose other points u are the vertices of that
+ * domain, of weight 0, and the centres of the cages directly inside it. */
+typedef struct netmesh_weighted_cell {
+    uint32_t struct_bytes;
+    double weight;       /* w: distance from the centre c to the farthest vertex of the shell */
+    double in_radius;    /* r of the cell {x: |x - c| - w <= |x - u| - w_u for all u}: least (|c - u| - w_u + w) / 2 */
+    double feature_size; /* f: distance to the nearest u */
+    double epsilon;      /* least e with w <= e (|c - u| - w_u) and w_u <= e (|c - u| - w) for all u: by 4.6.1
+                            2 r (1 - e) / (1 + e) <= f <= 2 r / (1 - e) when it is below 1. NETMESH_CHECK_QUALITY
+                            holds meshes to 1/3, so to r <= f <= 3 r (4.6.2) */
+    double cage_in_radius; /* of the cage's cell, which stands for that one: half of the distance from c to the */
+    double
+        cage_out_radius; /* nearest vertex outside, measured from the shell; its farthest point in the domain's ball */
+} netmesh_weighted_cell;
+
+/* cells[cages], in the order of netmesh_get_cage; none of a mesh without cages. cells[0].struct_bytes is set by the
+ * caller, as for netmesh_measure_voronoi. Scratch in the block. O(cages * vertices). INVALID_ARGUMENT, NO_RESULT,
+ * OUT_OF_MEMORY. */
+netmesh_status netmesh_weighted_cells(netmesh_context* context, netmesh_weighted_cell* cells);
+
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
     NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
     NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
     NETMESH_CHECK_QUALITY = 8,       /* of meshes: clipped aspect ratios recomputed, at most tau, and sizes; with a
                                         certificate.ratio what it asks for instead; with cages the ratios of the
-                                        hierarchy, and that no cage is encroached (4.5) */
+                                        hierarchy, that no cage is encroached (4.5), and 4.6.1 and
+                                        4.6.2 of neighbours */
     NETMESH_CHECK_BOUNDS = 16,       /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes) and 5 */
     NETMESH_CHECK_ALL = 31
 } netmesh_check_what;

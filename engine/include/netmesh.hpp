@@ -176,6 +176,10 @@ public:
     netmesh_status measure_voronoi(netmesh_voronoi* cells) {
         return status_ = netmesh_measure_voronoi(context_, cells);
     }
+    // Of all cages, in their order.
+    netmesh_status weighted_cells(netmesh_weighted_cell* cells) {
+        return status_ = netmesh_weighted_cells(context_, cells);
+    }
     netmesh_status measure_balls(netmesh_ball* balls) { return status_ = netmesh_measure_balls(context_, balls); }
     // order[inputs], theta[inputs].
     netmesh_status well_paced_order(std::uint32_t* order, double* theta) {

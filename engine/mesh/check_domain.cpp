@@ -12,8 +12,8 @@ constexpr double slack_of_radius = 0x1p-30, slack_of_places = 0x1p-48;
 
 template <int D> class DomainCheck {
 public:
-    DomainCheck(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains)
-        : store_(store), domain_(domain), domains_(domains), slack_(domain.radius * slack_of_radius) {
+    DomainCheck(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains, const NetPromise& net)
+        : store_(store), domain_(domain), domains_(domains), net_(net), slack_(domain.radius * slack_of_radius) {
         double most = 0;
         for (int k = 0; k < D; ++k)
             if (absolute(domain.centre[k]) > most) most = absolute(domain.centre[k]);
@@ -24,6 +24,8 @@ public:
         mark();
         CheckResult result = find_inputs(whole);
         if (result.violation == nullptr) result = has_net() ? find_net() : find_frame();
+        if (result.violation == nullptr && net_.spacing > 0 && !has_net())
+            result = {"there is no boundary net, although its spacing was asked for", none};
         for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) store_.vertex(v).queued = 0;
         return result;
     }
@@ -54,7 +56,7 @@ private:
         return true;
     }
     CheckResult find_inputs(bool whole);
-    CheckResult find_net() const;
+    CheckResult find_net();
     CheckResult find_frame() const;
     double* normal_of(std::uint32_t c, int i, double* inner, double* centre) const;
     bool reaches_beyond(std::uint32_t c, int i) const;
@@ -63,8 +65,10 @@ private:
     const Store<D>& store_;
     const Domain<D>& domain_;
     const std::uint32_t* const domains_;
-    double slack_;     // of lengths
-    double far2_ = 0;  // of the input farthest from the domain's centre
+    const NetPromise& net_;
+    double delta_ = 0;  // spacing of the net
+    double slack_;      // of lengths
+    double far2_ = 0;   // of the input farthest from the domain's centre
 };
 
 template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_inputs(bool whole) {
@@ -81,13 +85,18 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_inputs(bool whol
     return {nullptr, none};
 }
 
-template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_net() const {
-    const double delta = 2 * square_root(far2_) > slack_ ? 2 * square_root(far2_) - slack_ : 0;
+template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_net() {
+    const double rho = square_root(far2_);
+    delta_ = 2 * rho * (net_.spacing > 0 ? net_.spacing : 1);
+    const double k = 2 * net_.tau / (net_.tau - 2), least = delta_ * (k * square_root(2) + 1) + rho;
+    if (domain_.radius + slack_ < (least > 3 * rho ? least : 3 * rho))
+        return {"the domain is too small for its boundary net and tau", none};
+    const double apart = delta_ > slack_ ? delta_ - slack_ : 0;
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         if (!stands_free(v)) continue;
         if (!is_on_sphere(v)) return {"an exempt vertex is not on the domain's sphere, where the boundary net is", v};
         for (std::uint32_t w = 0; w < v; ++w)
-            if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < delta * delta)
+            if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < apart * apart)
                 return {"two vertices of the boundary net are too near", v};
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
@@ -156,18 +165,20 @@ template <int D> [[gnu::cold]] bool DomainCheck<D>::leaves_hole(std::uint32_t c,
     const double length = square_root(dot<D>(inner, inner));
     for (int k = 0; k < D; ++k) top[k] = domain_.centre[k] - domain_.radius / length * inner[k];
     const double* const p = store_.point(store_.cell(c).vertex[i == 0 ? 1 : 0]);
-    return far2_ > 0 && !(square_root(distance2<D>(top, p)) <= 2 * square_root(far2_) + slack_);
+    return far2_ > 0 && !(square_root(distance2<D>(top, p)) <= delta_ + slack_);
 }
 
 }  // namespace
 
 template <int D>
-CheckResult check_domain(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains, bool whole) {
-    return DomainCheck<D>(store, domain, domains).run(whole);
+CheckResult check_domain(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains, bool whole,
+                         const NetPromise& net) {
+    return DomainCheck<D>(store, domain, domains, net).run(whole);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template CheckResult check_domain<D>(const Store<D>&, const Domain<D>&, const std::uint32_t*, bool);
+    template CheckResult check_domain<D>(const Store<D>&, const Domain<D>&, const std::uint32_t*, bool,                \
+                                         const NetPromise&);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

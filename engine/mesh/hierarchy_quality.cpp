@@ -44,7 +44,7 @@ public:
     void measure_cells();
     Status measure_poles();
     void worst(HierarchyQuality* quality) const;
-    void copy(double* ratios, std::uint32_t* domains) const;
+    void copy(const HierarchyRequest<D>& request) const;
 
 private:
     template <class Visit> void visit_ball(std::uint32_t centre, double radius, Visit&& visit);
@@ -418,10 +418,14 @@ template <int D> [[gnu::cold]] void Measurement<D>::worst(HierarchyQuality* qual
         if (!is_outermost(d)) offer(square_root(cage_out2_[d]) / in_radius_of(cages_[d]), cages_[d].centre);
 }
 
-template <int D> [[gnu::cold]] void Measurement<D>::copy(double* ratios, std::uint32_t* domains) const {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        ratios[v] = ratio(v);
-        domains[v] = domain_[v];
+template <int D> [[gnu::cold]] void Measurement<D>::copy(const HierarchyRequest<D>& request) const {
+    for (std::uint32_t v = 0; v < store_.state.vertex_count && request.ratios != nullptr; ++v) {
+        request.ratios[v] = ratio(v);
+        request.domains[v] = domain_[v];
+    }
+    for (std::uint32_t d = 0; d < count_ && request.cage_radii != nullptr; ++d) {
+        request.cage_radii[2 * d] = in_radius<D>(cages_[d]);
+        request.cage_radii[2 * d + 1] = square_root(cage_out2_[d]);
     }
 }
 
@@ -441,7 +445,7 @@ Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Ar
     measurement.measure_cells();
     if (measurement.measure_poles() != Status::ok) return Status::out_of_memory;
     measurement.worst(quality);
-    if (request.ratios != nullptr) measurement.copy(request.ratios, request.domains);
+    measurement.copy(request);
     return Status::ok;
 }
 

@@ -27,6 +27,7 @@ template <int D> struct HierarchyRequest {
     Domain<D> outermost;
     double* ratios = nullptr;  // [vertex_count], with domains or neither
     std::uint32_t* domains = nullptr;
+    double* cage_radii = nullptr;  // [2 * count], with ratios or not
     CageKind kind = CageKind::compact;
 };
 
@@ -38,8 +39,9 @@ template <int D> struct HierarchyRequest {
 // nor of the shell of a cage beside it, between r and 2 r / e, without a shell, with a centre that is not an input, or
 // with a sphere that sticks out of its parent. Ratios are as cage.hpp describes, corners solved for anew, nearest
 // distances recomputed. Where ratios is not null: ratios[v] := that of v's clipped cell, 0 for exempt vertices;
-// domains[v] := its innermost cage or none. The store may be in use: ghosts and free slots
-// are passed over. O(depth of the hierarchy * cells); scratch: HierarchyScratch. out_of_memory.
+// domains[v] := its innermost cage or none; cage_radii: in-radius and out-radius of each cage's cell. The store may be
+// in use: ghosts and free slots are passed over. O(depth of the hierarchy * cells); scratch: HierarchyScratch.
+// out_of_memory.
 template <int D>
 Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena, HierarchyQuality* quality);
 

@@ -14,8 +14,8 @@ namespace netmesh {
 // ok, out_of_memory, cancelled (both: a Delaunay mesh of what was inserted, the quality is not promised), out_of_range
 // and too_close (rows in result->input), invalid_argument (the size asked for at some vertex, row_a the nearest input,
 // is not positive or not resolved by its coordinates: below 64 units in the last place; or what the goal of the
-// certificate asks for is not resolved), internal (an audit finds an input in other D-balls than it is stored in, or
-// an encroached cage), and what take_input says.
+// certificate or the boundary net of the reference asks for is not resolved, the latter with row_a none), internal (an
+// audit finds an input in other D-balls than it is stored in, or an encroached cage), and what take_input says.
 template <int D>
 Status mesh_points(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request, const Work& work,
                    MeshResult<D>* result);

@@ -30,6 +30,7 @@ struct MeshRequest {
     MeshMethod method = MeshMethod::quality;
     double tau = 0;               // > 2: the bound on clipped aspect ratios; not for the method certificate
     double domain_factor = 1;     // domain radius over that of the smallest enclosing ball, >= 1; quality, hierarchy
+    double net_spacing = 1;       // reference: of the boundary net over the enclosing ball's diameter, > 0
     bool certify_filter = false;  // quality: also bring the certified ratio of the complete filter below sqrt(2 + tau)
     SizeRule size = {};           // bring the out-radius of clipped cells down to what it asks for; not for the method
                                   // certificate nor where cages are left

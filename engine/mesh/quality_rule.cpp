@@ -36,6 +36,7 @@ public:
 
     double choose_domain();
     double promised_radius() const { return reference_ ? domain_.radius : Base::promised_radius(); }
+    Status check_goal();
     Status begin() { return reference_ ? insert_boundary_net() : Status::ok; }
     Status take_turn(VertexId p);
     Status finish_mesh();
@@ -73,7 +74,14 @@ private:
 
 template <int D> double QualityRule<D>::choose_domain() {
     if (!reference_) return Base::choose_domain();
-    return domain_.radius = reference_radius(this->request_.tau, domain_.enclosing_radius);
+    return domain_.radius = reference_radius(this->request_.tau, this->request_.net_spacing, domain_.enclosing_radius);
+}
+
+// With a net that coordinates on its sphere do not resolve the same place would be missing again and again.
+template <int D> [[gnu::cold]] Status QualityRule<D>::check_goal() {
+    if (!reference_ || has_resolved_net<D>(domain_, this->request_.net_spacing)) return Status::ok;
+    this->result_.input.row_a = none;
+    return Status::invalid_argument;
 }
 
 // Cells that were good enough while an input was waiting are looked at again.
@@ -140,12 +148,13 @@ template <int D> [[gnu::cold]] Verdict QualityRule<D>::judge_medial(VertexId p, 
 
 template <int D> Status QualityRule<D>::insert_boundary_net() {
     const VertexId inside(0);
+    const double delta = this->request_.net_spacing * 2 * domain_.enclosing_radius;
     Status status = this->insert(inside, store_.state.last_cell);
     for (bool covered = false; !covered && status == Status::ok;) {
         covered = true;
         for (CellId c(0); c < store_.state.cell_slots && status == Status::ok; ++c) {
             double z[D], d2;
-            if (!lacks_net_vertex<D>(store_, domain_, c, inside, z)) continue;
+            if (!lacks_net_vertex<D>(store_, domain_, delta, c, inside, z)) continue;
             if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
             const VertexId v = make_vertex<D>(store_, z, tree_.nearest(z, 0, none, &d2), Marker::exempt);
             status = this->insert(v, c);

@@ -55,7 +55,7 @@ public:
     Status reserve(std::size_t) { return Status::ok; }
     // Least distance of inputs over their coordinates.
     double finest() const { return resolution; }
-    // Can what is asked for be resolved? The inputs and their tree are there. invalid_argument.
+    // Can what is asked for be resolved? The inputs, their tree and the domain are there. invalid_argument.
     Status check_goal() { return Status::ok; }
     // What stands in the mesh before the first input has its turn.
     Status begin() { return Status::ok; }
@@ -169,10 +169,11 @@ template <int D, class Rule> Status Refinement<D, Rule>::open() {
     inputs_ = store_.state.vertex_count;
     Status status = tree_.build(store_, store_.arena, inputs_, Rule::searches_rings);
     if (status == Status::ok) status = check_separation<D>(store_, tree_, rule().finest(), &result_.input);
-    if (status == Status::ok) status = rule().check_goal();
     if (status != Status::ok) return status;
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     const double reach = rule().choose_domain();
+    status = rule().check_goal();
+    if (status != Status::ok) return status;
     // Squared distances are measured down from that of the frame.
     if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
     if (observers_.open(store_, inputs_) != Status::ok) return Status::out_of_memory;

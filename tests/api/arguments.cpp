@@ -156,6 +156,8 @@ TEST_CASE("blocks and contexts that are none") {
         auto ball = netmesh::sized<netmesh_ball>();
         CHECK(netmesh_measure_voronoi(c, &voronoi) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_measure_balls(c, &ball) == NETMESH_INVALID_ARGUMENT);
+        auto weighted = netmesh::sized<netmesh_weighted_cell>();
+        CHECK(netmesh_weighted_cells(c, &weighted) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_well_paced_order(c, order, number) == NETMESH_INVALID_ARGUMENT);
         CHECK(netmesh_pace(c, index, number) == NETMESH_INVALID_ARGUMENT);
         auto report = netmesh::sized<netmesh_report>();
@@ -199,6 +201,8 @@ TEST_CASE("a context that holds nothing") {
     netmesh_persist_request by_function = persist_by(NETMESH_FILTER_FUNCTION);
     by_function.function = &f;
     CHECK(netmesh_measure_cells(s.context, number, order) == NETMESH_NO_RESULT);
+    auto weighted = netmesh::sized<netmesh_weighted_cell>();
+    CHECK(netmesh_weighted_cells(s.context, &weighted) == NETMESH_NO_RESULT);
     CHECK(cages.load_cages(s) == NETMESH_NO_RESULT);
     CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_NO_RESULT);
     CHECK(s.persist(by_function) == NETMESH_NO_RESULT);
@@ -245,6 +249,11 @@ TEST_CASE("points and what is asked of meshes") {
         refused([](auto& r) { r.size_growth = 0.5; }, NETMESH_FIELD_SIZE_GROWTH);
         for (const double factor : {0.5, 9.0, not_a_number})
             refused([=](auto& r) { r.domain_factor = factor; }, NETMESH_FIELD_DOMAIN_FACTOR);
+        for (const double spacing : {-1.0, 0.015, 8.5, not_a_number, infinite}) {
+            const auto by_refine = [=](auto& r) { r.method = NETMESH_METHOD_REFINE, r.net_spacing = spacing; };
+            refused(by_refine, NETMESH_FIELD_NET_SPACING);
+        }
+        refused([](auto& r) { r.net_spacing = 1; }, NETMESH_FIELD_NET_SPACING);
         for (const double eps : {-1.0, 0.75, not_a_number}) {
             const auto tight = [=](auto& r) {
                 r.purpose = NETMESH_PURPOSE_TIGHT;
@@ -626,6 +635,12 @@ TEST_CASE("checks, analyses and cages after a mesh") {
         std::vector<std::uint32_t> index(s.report().mesh.vertices);
         f.refused(netmesh_measure_cells(f.c, nullptr, index.data()), NETMESH_FIELD_RESULT);
         f.refused(netmesh_measure_cells(f.c, number.data(), nullptr), NETMESH_FIELD_RESULT);
+        f.refused(netmesh_weighted_cells(f.c, nullptr), NETMESH_FIELD_RESULT);
+        netmesh_weighted_cell weighted = {};
+        f.refused(netmesh_weighted_cells(f.c, &weighted), NETMESH_FIELD_RESULT);
+        weighted = netmesh::sized<netmesh_weighted_cell>();
+        CHECK(netmesh_weighted_cells(f.c, &weighted) == NETMESH_OK);  // there are no cages
+        CHECK(weighted.weight == 0);
         f.refused(netmesh_well_paced_order(f.c, nullptr, number.data()), NETMESH_FIELD_ORDER);
         f.refused(netmesh_pace(f.c, nullptr, number.data()), NETMESH_FIELD_ORDER);
         f.refused(netmesh_pace(f.c, index.data(), nullptr), NETMESH_FIELD_THETAS);

@@ -81,6 +81,8 @@ TEST_CASE("the C++ layer: what is measured of a mesh, vines, functions, loading"
     CHECK(engine.measure_voronoi(voronoi.data()) == NETMESH_OK);
     CHECK(engine.measure_balls(balls.data()) == NETMESH_OK);
     CHECK(voronoi.back().beta > 1);
+    netmesh_weighted_cell weighted = {};
+    CHECK(engine.weighted_cells(&weighted) == NETMESH_INVALID_ARGUMENT);
     CHECK(balls.back().ply > 0);
     REQUIRE(engine.well_paced_order(order.data(), theta.data()) == NETMESH_OK);
     CHECK(engine.pace(order.data(), theta.data()) == NETMESH_OK);

@@ -88,36 +88,78 @@ TEST_CASE_TEMPLATE_APPLY(waited, Dimensions<2, 3>);
 TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 and covers its sphere", T, reference) {
     constexpr int D = T::value;
     const inputs::Points points = inputs::uniform(D, D == 2 ? 100 : 20);
-    Meshed<D> m(points, by_reference(3), std::size_t{1} << 25);
-    REQUIRE(m.status == Status::ok);
-    const Store<D>& store = m.store;
-    const Domain<D>& domain = m.result.domain;
-    CHECK(delaunay_violation<D>(store) == "");
-    const double delta = 2 * domain.enclosing_radius;
-    CHECK(domain.radius >= (6 * std::sqrt(2) + 2) * delta * (1 - 1e-9));
-    int outside = 0;
-    for (std::uint32_t c = 0; c < m.state.cell_slots; ++c) outside += !domain.contains(store.cell(c).centre);
-    CHECK(outside == 0);
-    std::vector<const double*> net;
-    for (std::uint32_t v = 0; v < m.state.vertex_count; ++v)
-        if (store.vertex(v).marker == Marker::exempt) net.push_back(store.point(v));
-    inputs::Random random(3);
-    for (int sample = 0; sample < 2000; ++sample) {
-        double x[D], length2 = 0;
-        for (double& c : x) {
-            c = 2 * random.uniform() - 1;
-            length2 += c * c;
+    for (const double spacing : {1.0, D == 2 ? 1.0 / 64 : 0.1, 0.35, 4.0}) {
+        CAPTURE(spacing);
+        MeshRequest request = by_reference(3);
+        request.net_spacing = spacing;
+        Meshed<D> m(points, request, std::size_t{1} << 25);
+        REQUIRE(m.status == Status::ok);
+        const Store<D>& store = m.store;
+        const Domain<D>& domain = m.result.domain;
+        CHECK(delaunay_violation<D>(store) == "");
+        const double width = 2 * domain.enclosing_radius, delta = spacing * width;
+        CHECK(domain.radius >= ((6 * std::sqrt(2) + 1) * delta + width / 2) * (1 - 1e-9));
+        if (spacing == 1) CHECK(domain.radius == doctest::Approx((6 * std::sqrt(2) + 2) * delta).epsilon(1e-14));
+        int outside = 0;
+        for (std::uint32_t c = 0; c < m.state.cell_slots; ++c) outside += !domain.contains(store.cell(c).centre);
+        CHECK(outside == 0);
+        std::vector<const double*> net;
+        for (std::uint32_t v = 0; v < m.state.vertex_count; ++v)
+            if (store.vertex(v).marker == Marker::exempt) net.push_back(store.point(v));
+        inputs::Random random(3);
+        for (int sample = 0; sample < 2000; ++sample) {
+            double x[D], length2 = 0;
+            for (double& c : x) {
+                c = 2 * random.uniform() - 1;
+                length2 += c * c;
+            }
+            for (int k = 0; k < D; ++k) x[k] = domain.centre[k] + domain.radius / std::sqrt(length2) * x[k];
+            double nearest2 = infinity;
+            for (const double* p : net) nearest2 = std::min(nearest2, distance2<D>(x, p));
+            CHECK(nearest2 <= delta * delta * (1 + 1e-9));
         }
-        for (int k = 0; k < D; ++k) x[k] = domain.centre[k] + domain.radius / std::sqrt(length2) * x[k];
-        double nearest2 = infinity;
-        for (const double* p : net) nearest2 = std::min(nearest2, distance2<D>(x, p));
-        CHECK(nearest2 <= delta * delta * (1 + 1e-9));
+        for (std::size_t i = 0; i < net.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) REQUIRE(distance2<D>(net[i], net[j]) >= delta * delta * (1 - 1e-9));
+            for (std::uint32_t p = 0; p < points.size() / D; ++p)
+                REQUIRE(distance2<D>(net[i], store.point(p)) >= width * width * (1 - 1e-9));
+        }
+        CHECK(worst_of(m) <= 3);
+        // The checker knows the spacing, and no other one or smaller domain passes.
+        Domain<D> smaller = domain;
+        smaller.radius *= 0.9;
+        const auto passes = [&](const Domain<D>& ball, double tau, double s) {
+            return check_domain<D>(store, ball, nullptr, true, {tau, s}).violation == nullptr;
+        };
+        CHECK(passes(domain, 3, spacing));
+        CHECK(!passes(domain, 3, spacing / 2));
+        CHECK(!passes(domain, 3, 2 * spacing));
+        CHECK(!passes(smaller, 3, spacing));
+        if (spacing > 0.1) CHECK(!passes(domain, 2.7, spacing));
     }
-    for (std::size_t i = 0; i < net.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) REQUIRE(distance2<D>(net[i], net[j]) >= delta * delta * (1 - 1e-9));
-    CHECK(worst_of(m) <= 3);
 }
 TEST_CASE_TEMPLATE_APPLY(reference, Dimensions<2, 3>);
+
+TEST_CASE("a boundary net that coordinates on its sphere do not resolve is refused at once") {
+    const auto made = [](double tau, double spacing, double far, double scale) {
+        inputs::Points points = {0, 0, 1, 0, 0, 1};
+        for (double& x : points) x = scale * (far + x);
+        MeshRequest request = by_reference(tau);
+        request.net_spacing = spacing;
+        return Meshed<2>(points, request, std::size_t{1} << 20).status;
+    };
+    CHECK(made(2.000000000000001, 1, 0, 1) == Status::invalid_argument);
+    CHECK(made(3, 1.0 / 64, 1e13, 1) == Status::invalid_argument);
+    CHECK(made(3, 1.0 / 64, 1e12, 1) == Status::ok);
+    CHECK(made(3, 1, 0, 1e150) == Status::ok);
+    CHECK(made(2.001, 8, 0, 1e150) == Status::invalid_argument);
+}
+
+TEST_CASE("a mesh without a boundary net is none with a spacing") {
+    Meshed<2> m(inputs::uniform(2, 30), by_quality(3));
+    REQUIRE(m.status == Status::ok);
+    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true, {3, 0}).violation == nullptr);
+    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true, {3, 1}).violation != nullptr);
+}
 
 TEST_CASE("the domain and net of points close together and far from the origin are those that the checker wants") {
     // A unit in the last place of the coordinates is a part of 1e-5 of the domain's radius.
@@ -125,12 +167,13 @@ TEST_CASE("the domain and net of points close together and far from the origin a
     for (double& x : points) x = 0.53 + 1e-12 * x;
     Meshed<2> m(points, by_reference(3.98));
     REQUIRE(m.status == Status::ok);
-    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true).violation == nullptr);
+    const NetPromise promise = {3.98, 1};
+    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true, promise).violation == nullptr);
     std::uint32_t net = 0;
     while (m.store.vertex(net).marker != Marker::exempt) ++net;
     double* const x = m.store.vertex(net).x;
     for (int k = 0; k < 2; ++k) x[k] += 0.01 * (x[k] - m.result.domain.centre[k]);
-    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true).violation != nullptr);
+    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true, promise).violation != nullptr);
 }
 
 TEST_CASE_TEMPLATE_DEFINE("the reference in arenas of any size, in 4D up to one that it fits", T, reference_arenas) {

@@ -7,9 +7,11 @@
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "mesh/check_weighted_cells.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/mesh_points.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/weighted_cells.hpp"
 
 using namespace netmesh;
 
@@ -211,3 +213,162 @@ TEST_CASE("lemma 4.6.2 fails for a cage that is encroached") {
     cage.radius = 30 * f;
     CHECK(in_radius<2>(cage) > f);
 }
+
+namespace {
+
+// Points of any dimension as the engine's functions take them: the inputs, then a shell of two for each cage.
+struct ByHand {
+    struct Vertex {
+        double x[4];
+        unsigned char marker;
+    };
+    std::vector<Vertex> vertices;
+    std::vector<Cage> cages;
+    std::vector<std::uint32_t> domains;
+    std::vector<std::uint32_t> cells;
+
+    ByHand(const std::vector<std::vector<double>>& points, std::uint32_t dimensions) : dim(dimensions) {
+        for (const std::vector<double>& x : points) add(x, 0, none);
+    }
+    void add(const std::vector<double>& x, unsigned char marker, std::uint32_t domain) {
+        Vertex v = {{}, marker};
+        std::copy(x.begin(), x.end(), v.x);
+        vertices.push_back(v);
+        domains.push_back(domain);
+    }
+    void cage_about(std::uint32_t centre, double weight) {
+        const auto d = static_cast<std::uint32_t>(cages.size());
+        cages.push_back({centre, none, none, none, weight / 0.9, 0});
+        domains[centre] = d;
+        for (const double side : {weight, -0.9 * weight}) {
+            std::vector<double> x(vertices[centre].x, vertices[centre].x + dim);
+            x[dim - 1] += side;
+            add(x, 2, d);
+        }
+    }
+    // One cell of any vertices, as far as the check goes.
+    HierarchyView view() {
+        cells.clear();
+        for (std::uint32_t v = 0; v < vertices.size(); ++v)
+            for (std::uint32_t w = 0; w < v; ++w) {
+                cells.push_back(v);
+                cells.insert(cells.end(), dim, w);
+            }
+        const auto* const first = reinterpret_cast<const unsigned char*>(vertices.data());
+        return {first,
+                first + offsetof(Vertex, marker),
+                reinterpret_cast<const unsigned char*>(cells.data()),
+                sizeof(Vertex),
+                4 * (dim + 1),
+                dim,
+                static_cast<std::uint32_t>(vertices.size()),
+                static_cast<std::uint32_t>(cells.size() / (dim + 1)),
+                static_cast<std::uint32_t>(cages.size()),
+                cages.data(),
+                domains.data()};
+    }
+    std::vector<WeightedCell> measured() {
+        std::vector<WeightedCell> found(cages.size());
+        measure_weighted_cells(view(), found.data());
+        return found;
+    }
+    bool passes() {
+        std::vector<CageFigures> figures(cages.size());
+        return check_weighted_cells(view(), figures.data()).violation == nullptr;
+    }
+    std::uint32_t dim;
+};
+
+}  // namespace
+
+TEST_CASE("weighted cells by hand: a square, a polygon, three points in four dimensions") {
+    ByHand square({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 2);
+    square.cage_about(0, 0.25);
+    WeightedCell cell = square.measured()[0];
+    CHECK(cell.weight == 0.25);
+    CHECK(cell.in_radius == 1.125);
+    CHECK(cell.feature_size == 2);
+    CHECK(cell.epsilon == 0.125);
+    CHECK(square.passes());
+
+    // The hexagon of side 1: neighbours of weight 1/4 and 0, then of 1/4 on both sides.
+    std::vector<std::vector<double>> corners;
+    for (int k = 0; k < 6; ++k) corners.push_back({std::cos(k * std::acos(0.5)), std::sin(k * std::acos(0.5))});
+    ByHand hexagon(corners, 2);
+    hexagon.cage_about(0, 0.25);
+    hexagon.cage_about(1, 0.25);
+    for (const WeightedCell& each : hexagon.measured()) {
+        CHECK(each.in_radius == doctest::Approx(0.5));
+        CHECK(each.feature_size == doctest::Approx(1));
+        CHECK(each.epsilon == doctest::Approx(1.0 / 3));
+    }
+
+    ByHand three({{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 2, 0}}, 4);
+    three.cage_about(0, 0.125);
+    three.cage_about(1, 0.25);
+    const std::vector<WeightedCell> cells = three.measured();
+    CHECK(cells[0].in_radius == 0.4375);
+    CHECK(cells[1].in_radius == 0.5625);
+    CHECK(cells[0].feature_size == 1);
+    CHECK(cells[1].feature_size == 1);
+    CHECK(cells[0].epsilon == doctest::Approx(0.25 / 0.875));
+    CHECK(cells[1].epsilon == cells[0].epsilon);
+    CHECK(three.passes());
+
+    // The origin's cage reaches the other's: no epsilon will do.
+    three.cages.clear();
+    three.cage_about(0, 0.5);
+    three.cage_about(1, 0.75);
+    CHECK(three.measured()[0].epsilon > 1);
+    CHECK(!three.passes());
+}
+
+TEST_CASE("weights that are too large are refused, by a third and by little more") {
+    for (const double share : {0.33, 0.34}) {
+        ByHand alone({{0, 0}, {1, 0}, {0, 2}}, 2);  // a cage and vertices
+        alone.cage_about(0, share);
+        CHECK(alone.passes() == (share < 1.0 / 3));
+        ByHand pair({{0, 0}, {1, 0}, {0, 2}}, 2);  // two cages: w <= (1 - w / 2) / 3 for w = 2 / 7
+        pair.cage_about(0, share * 6 / 7);
+        pair.cage_about(1, share * 3 / 7);
+        CHECK(pair.passes() == (share < 1.0 / 3));
+        CHECK((pair.measured()[0].epsilon < 1.0 / 3) == (share < 1.0 / 3));
+    }
+}
+
+TEST_CASE("a cage whose in-radius is out of proportion is refused") {
+    // The nearest vertex outside is one of another cage's shell, far from its centre for that cage's weight.
+    ByHand cages({{0, 0}, {8, 0}, {0, 9}}, 2);
+    cages.cage_about(0, 0.5);
+    cages.cage_about(1, 1);
+    CHECK(cages.passes());
+    cages.add({0.9, 0}, 1, 1);  // said to be in the other cage
+    CHECK(!cages.passes());
+}
+
+TEST_CASE_TEMPLATE_DEFINE("weighted cells of meshes pass, and shells that are moved out do not", T, checked_weights) {
+    constexpr int D = T::value;
+    for (const inputs::Points& points : {inputs::nested(D, 3, 6, 1e3), inputs::geometric(D, 20, 8)}) {
+        Hierarchical<D> m(points);
+        const HierarchyView view = hierarchy_view<D>(m.store, m.cages, m.report.cages, m.domains.data());
+        std::vector<CageFigures> figures(m.report.cages);
+        std::vector<WeightedCell> cells(m.report.cages);
+        CHECK(check_weighted_cells(view, figures.data()).violation == nullptr);
+        measure_weighted_cells(view, cells.data());
+        for (std::uint32_t d = 0; d < m.report.cages; ++d) {
+            const double* const c = m.store.point(m.cages[d].centre);
+            CHECK(cells[d].weight > 0.8 * m.cages[d].radius);
+            CHECK(cells[d].weight < m.cages[d].radius);
+            CHECK(cells[d].feature_size == doctest::Approx(m.feature_size(c, m.cages[d].parent)).epsilon(1e-12));
+            std::uint32_t shell = 0;
+            while (m.domains[shell] != d || m.store.vertex(shell).marker != Marker::exempt) ++shell;
+            double* const x = m.store.vertex(shell).x;
+            const double kept = x[0], away = x[0] > c[0] ? 1 : -1;
+            x[0] = c[0] + away * 0.4 * cells[d].feature_size;
+            CHECK(check_weighted_cells(view, figures.data()).violation != nullptr);
+            x[0] = kept;
+        }
+        CHECK(check_weighted_cells(view, figures.data()).violation == nullptr);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(checked_weights, Dimensions<2, 4>);

@@ -26,6 +26,7 @@ void judge_remarks(const Mesh& mesh, const Case& wanted, Verdict* verdict) {
     if (wanted.eps > 0 && mesh.eps != wanted.eps) verdict->add("remarks", "another eps was asked for");
     if (wanted.least_size > 0 && (wanted.least_size != mesh.least_size || wanted.growth != mesh.growth))
         verdict->add("remarks", "another cell-size was asked for");
+    if (wanted.net > 0 && wanted.net != mesh.net) verdict->add("remarks", "another boundary net was asked for");
     if (!wanted.has_cages && !mesh.cages.empty()) verdict->add("remarks", "cages that were not asked for");
 }
 

@@ -10,6 +10,7 @@ struct Case {
     int dim = 0;
     double tau = 0, eps = 0;            // 0: not asked for
     double least_size = 0, growth = 0;  // of --cell-size
+    double net = 0;                     // of --net
     bool is_mesh = true;                // else a Delaunay triangulation of the points
     bool has_cages = false;             // there may be some
     std::size_t samples = 20000;

@@ -34,7 +34,8 @@ std::string keep_remark(const std::string& line, Mesh* mesh, std::vector<double>
         mesh->thesis_cages = true;
         return rest == " thesis" ? "" : "cages of an unknown kind: " + line;
     }
-    if (name != "domain" && name != "tau" && name != "ratio" && name != "eps" && name != "cell-size" && name != "cage")
+    if (name != "domain" && name != "tau" && name != "ratio" && name != "eps" && name != "cell-size" &&
+        name != "cage" && name != "boundary-net")
         return {};
     if (!numbers_of(rest, &numbers) || numbers.empty()) return "a remark without numbers: " + line;
     if (name == "domain") {
@@ -47,7 +48,10 @@ std::string keep_remark(const std::string& line, Mesh* mesh, std::vector<double>
         mesh->least_size = numbers[0];
         mesh->growth = numbers[1];
     } else {
-        (name == "tau" ? mesh->tau : name == "ratio" ? mesh->ratio : mesh->eps) = numbers[0];
+        (name == "tau"     ? mesh->tau
+         : name == "ratio" ? mesh->ratio
+         : name == "eps"   ? mesh->eps
+                           : mesh->net) = numbers[0];
     }
     return {};
 }
@@ -165,6 +169,7 @@ void write_mesh(const std::string& stem, const Mesh& mesh) {
         if (mesh.ratio > 0) out << "# ratio " << mesh.ratio << '\n';
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
         if (mesh.least_size > 0) out << "# cell-size " << mesh.least_size << ' ' << mesh.growth << '\n';
+        if (mesh.net > 0) out << "# boundary-net " << mesh.net << '\n';
         if (mesh.thesis_cages) out << "# cages thesis\n";
         for (const CageLine& cage : mesh.cages) out << "# cage " << cage.centre << ' ' << cage.radius << '\n';
     }

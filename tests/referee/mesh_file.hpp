@@ -29,6 +29,7 @@ struct Mesh {
     double radius = 0;
     double tau = 0, ratio = 0, eps = 0;  // 0: the file does not say
     double least_size = 0, growth = 0;   // of `# cell-size`
+    double net = 0;                      // of `# boundary-net`
     std::vector<CageLine> cages;
     bool thesis_cages = false;  // of which kind they are
 

@@ -121,6 +121,7 @@ void run_trial(const Tool& tool, const Settings& settings, const Method& method,
         arguments.insert(arguments.end(),
                          {"--cell-size", number_text(wanted.least_size) + "," + number_text(wanted.growth)});
     if (is_persist) wanted.tau = 0;  // the file says a ratio instead
+    if (wanted.net > 0) arguments.insert(arguments.end(), {"--net", number_text(wanted.net)});
     const Outcome outcome = tool.run(arguments, settings.seconds);
     if (outcome.exit == out_of_time || outcome.exit == memory_exit) {
         account->too_large++;
@@ -176,12 +177,15 @@ void try_family(const Tool& tool, const Settings& settings, int dim, std::size_t
         wanted.least_size = std::stod(number_text((dim == 2 ? 0.1 : dim == 3 ? 0.4 : 1) * width));
         wanted.growth = random.below(2) == 0 ? 0 : 0.3;
     }
+    if (method.arguments.back() == "refine" && random.below(2) == 0)
+        wanted.net = std::round(100 * random.between(0.1, 3)) / 100;
     const std::string replay = count_text(dim) + ":" + count_text(family) + ":" + count_text(seed);
     std::string title = "D = " + count_text(dim) + ", " + made.name + ", " + count_text(wanted.points.size()) +
                         " points, " + method.name;
     if (wanted.tau > 0) title += ", tau " + number_text(wanted.tau);
     if (wanted.least_size > 0)
         title += ", cell-size " + number_text(wanted.least_size) + "," + number_text(wanted.growth);
+    if (wanted.net > 0) title += ", net " + number_text(wanted.net);
     if (wanted.eps > 0) title += ", eps " + number_text(wanted.eps);
     run_trial(tool, settings, method, wanted, title + "  (--trial " + replay + ")", random, account);
 }

@@ -35,8 +35,11 @@ std::vector<GroundKind> ground_kinds(int dim) {
         {certified, "ratio", {"persist", "--max-degree", "0"}},
     };
     // Their shells have 120 and 1,000 vertices in R^4.
-    if (dim < 4) all.push_back({thesis, "cages of the thesis", {"mesh", "--method", "netmesh", "--cages", "thesis"}});
-    if (dim < 4) all.push_back({netted, "net", {"mesh", "--method", "refine", "--tau", tau}});
+    if (dim < 4) {
+        all.push_back({thesis, "cages of the thesis", {"mesh", "--method", "netmesh", "--cages", "thesis"}});
+        all.push_back({netted, "net", {"mesh", "--method", "refine", "--tau", tau}});
+        all.push_back({netted, "fine net", {"mesh", "--method", "refine", "--tau", tau, "--net", "0.3"}});
+    }
     return all;
 }
 

@@ -39,11 +39,14 @@ double height(const Mesh& mesh, const Entries& cell, int opposite, const Point& 
     return std::sqrt(norm2<Rational>(rest, mesh.dim).get_d());
 }
 
-// delta of 3.5: the radius is (K sqrt 2 + 2) delta, K = 2 tau / (tau - 2).
-double net_spacing(const Mesh& mesh) {
-    const double tau = promised_tau(mesh), k = 2 * tau / (tau - 2);
-    return mesh.radius / (k * std::sqrt(2) + 2);
+// The inputs are in a ball of this diameter, as the domain's radius is the larger of 3/2 of it and ((K sqrt 2 + 1) S +
+// 1) times it, S the spacing of the net (3.5) and K = 2 tau / (tau - 2).
+double net_width(const Mesh& mesh) {
+    const double tau = promised_tau(mesh), k = 2 * tau / (tau - 2), spacing = mesh.net > 0 ? mesh.net : 1;
+    return mesh.radius / std::max(1.5, (k * std::sqrt(2) + 1) * spacing + 1);
 }
+
+double net_spacing(const Mesh& mesh) { return (mesh.net > 0 ? mesh.net : 1) * net_width(mesh); }
 
 bool is_on_sphere(const Mesh& mesh, std::uint32_t v) {
     return std::fabs(distance(mesh.vertices[v], mesh.centre, mesh.dim) - mesh.radius) <= 0x1p-15 * mesh.radius;
@@ -95,6 +98,16 @@ public:
         return (outside_ + shell) / 2;
     }
 
+    // Of 4.6: the distance from the centre to the farthest of the shell.
+    double weight(const Hierarchy& hierarchy) const {
+        double shell = 0;
+        for (const std::uint32_t v : members_)
+            if (hierarchy.domain[v] == cage_ && is_shell(mesh_, hierarchy, v))
+                shell = std::max(shell, distance(mesh_.vertices[v], centre(), mesh_.dim));
+        return shell;
+    }
+    const Point& centre() const { return mesh_.vertices[mesh_.cages[static_cast<std::size_t>(cage_)].centre]; }
+
 private:
     const Mesh& mesh_;
     int cage_;
@@ -119,6 +132,36 @@ void judge_cage_cells(const Mesh& mesh, const Diagram& diagram, const Hierarchy&
                 verdict->add("quality", "the cell of the cage about " + count_text(centre) + " has the ratio " +
                                             number_text(reach.farthest / inner));
         }
+    }
+}
+
+// 4.6.1, its premise with epsilon 1/3, and 4.6.2: a cage among the vertices and cages of the domain around it, all of
+// them.
+void judge_weights(const Mesh& mesh, const Hierarchy& hierarchy, Verdict* verdict) {
+    std::vector<double> weights;
+    for (int cage = 0; cage < static_cast<int>(mesh.cages.size()); cage++)
+        weights.push_back(CageCell(mesh, cage).weight(hierarchy));
+    for (std::size_t a = 0; a < mesh.cages.size(); a++) {
+        const CageCell cell(mesh, static_cast<int>(a));
+        double nearest = INFINITY, additive = INFINITY;
+        bool apart = true;
+        const auto meet = [&](const Point& x, double weight) {
+            const double d = distance(x, cell.centre(), mesh.dim);
+            nearest = std::min(nearest, d);
+            additive = std::min(additive, d - weight - weights[a]);
+            apart = apart && 3 * weights[a] <= (d - weight) * (1 + 0x1p-20) &&
+                    3 * weight <= (d - weights[a]) * (1 + 0x1p-20);
+        };
+        for (std::uint32_t v = 0; v < mesh.count(); v++)
+            if (hierarchy.domain[v] == hierarchy.parent[a]) meet(mesh.vertices[v], 0);
+        for (std::size_t b = 0; b < mesh.cages.size(); b++)
+            if (b != a && hierarchy.parent[b] == hierarchy.parent[a])
+                meet(mesh.vertices[mesh.cages[b].centre], weights[b]);
+        const std::string name = "the cage about " + count_text(mesh.cages[a].centre);
+        if (!apart) verdict->add("weights", name + " is too near to another point of its domain for 4.6.1");
+        for (const double r : {additive / 2 + weights[a], cell.in_radius(hierarchy)})
+            if (std::isfinite(r) && !(r <= nearest * (1 + 0x1p-20) && nearest <= 3 * r * (1 + 0x1p-20)))
+                verdict->add("weights", name + " has another feature size than 4.6.2 admits");
     }
 }
 
@@ -158,6 +201,11 @@ void judge_domain(const Mesh& mesh, const Hull& hull, Verdict* verdict) {
             compare_distance(mesh.vertices[v], mesh.centre, mesh.dim, mesh.radius * room) > 0)
             verdict->add("domain", "input " + count_text(v) + " is outside");
     const bool netted = has_net(mesh, hull);
+    if (mesh.net > 0 && !netted) verdict->add("domain", "it has no boundary net");
+    for (std::size_t v = 0; v < mesh.count() && netted; v++)
+        if (mesh.markers[v] == input_marker &&
+            compare_distance(mesh.vertices[v], mesh.centre, mesh.dim, net_width(mesh) / 2 * (1 + 0x1p-15)) > 0)
+            return verdict->add("domain", "it is too small for its boundary net about input " + count_text(v));
     for (const auto& [c, i] : hull.facets) {
         if (orientation(mesh, mesh.cells[c], i, mesh.centre) <= 0) return verdict->add("domain", "it is outside");
         const double above = height(mesh, mesh.cells[c], i, mesh.centre);
@@ -212,6 +260,7 @@ void judge_quality(const Mesh& mesh, const Diagram& diagram, const Hierarchy& hi
                                      number_text(reach.farthest / size) + " times as far as its size admits");
     }
     judge_cage_cells(mesh, diagram, hierarchy, verdict);
+    judge_weights(mesh, hierarchy, verdict);
 }
 
 }  // namespace referee

@@ -1,4 +1,4 @@
-// Violations of tau, eps, ratio and domain: the mesh is good, what is said of it is not.
+// Violations of tau, eps, ratio, domain and boundary net: the mesh is good, what is said of it is not.
 #include "plants.hpp"
 
 namespace referee {
@@ -33,6 +33,21 @@ bool size_of_none(Mesh* mesh, const Planter&) {
 
 bool eps_of_none(Mesh* mesh, const Planter&) {
     mesh->eps = 0.2;
+    return true;
+}
+
+bool less_net(Mesh* mesh, const Planter&) {
+    mesh->net = (mesh->net > 0 ? mesh->net : 1) / 2;
+    return true;
+}
+
+bool more_net(Mesh* mesh, const Planter&) {
+    mesh->net = (mesh->net > 0 ? mesh->net : 1) * 2;
+    return true;
+}
+
+bool net_of_none(Mesh* mesh, const Planter&) {
+    mesh->net = 1;
     return true;
 }
 
@@ -107,6 +122,9 @@ const std::vector<Plant>& remark_plants() {
         {"eps in a mesh that was not refined to it", plain | netted, false, false, eps_of_none},
         {"cell-size is less than a cell's", sized, false, false, less_size},
         {"a cell-size in a mesh that was not refined to it", plain | netted, false, false, size_of_none},
+        {"the boundary net is said to be finer", netted, false, false, less_net},
+        {"the boundary net is said to be coarser", netted, false, false, more_net},
+        {"a boundary net that is not there", plain | caged | sized | certified, false, false, net_of_none},
         {"the ratio is less than a cell's", certified, false, false, less_ratio},
         {"tau in place of the ratio", certified, false, false, ratio_becomes_tau},
         {"the domain is larger", plain | caged | sized, false, false, larger_domain},

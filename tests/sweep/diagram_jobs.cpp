@@ -195,6 +195,14 @@ netmesh_status measure(Run& run) {
     status = netmesh_measure_balls(run.context, balls.data());
     if (status != NETMESH_OK) return status;
     for (const netmesh_ball& ball : balls) add_figure(ball.meets);
+    if (const std::size_t cages = run.report().mesh.hierarchy.cages) {
+        std::vector<netmesh_weighted_cell> weighted(cages);
+        weighted[0].struct_bytes = sizeof(netmesh_weighted_cell);
+        status = netmesh_weighted_cells(run.context, weighted.data());
+        if (status != NETMESH_OK) return status;
+        for (const netmesh_weighted_cell& cell : weighted)
+            add_figure(static_cast<std::uint64_t>(cell.in_radius * 0x1p40));
+    }
     status = netmesh_well_paced_order(run.context, places.data(), numbers.data());
     if (status != NETMESH_OK) return status;
     add(inputs);

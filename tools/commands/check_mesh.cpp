@@ -99,6 +99,7 @@ void set_promises(const Options& options, const NodeFile& node, requests::Mesh* 
     if (options.eps == 0 || promises_accuracy(options)) mesh->sizes.eps = node.eps;
     mesh->size_at_inputs = options.size_at_inputs > 0 ? options.size_at_inputs : node.size_at_inputs;
     mesh->size_growth = options.size_at_inputs > 0 ? options.size_growth : node.size_growth;
+    mesh->net_spacing = options.net_spacing > 0 ? options.net_spacing : node.net_spacing;
     mesh->certificate = goal_of(options, options.ratio.value_or(node.ratio));
 }
 
@@ -118,8 +119,12 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netm
     if (!files.node.cages.empty()) {
         checked->push_back(grouped_text(files.node.cages.size()) +
                            " cages nested about inputs, none encroached; their cells and all others " +
-                           (mesh.cage_kind == NETMESH_CAGES_THESIS ? "whole" : "in their domains"));
+                           (mesh.cage_kind == NETMESH_CAGES_THESIS ? "whole" : "in their domains") +
+                           "; in-radii and feature sizes as in 4.6");
     }
+    if (mesh.net_spacing > 0)
+        checked->push_back("a boundary net of spacing " + number_text(mesh.net_spacing) +
+                           ", and the domain that it needs (3.5)");
     if (report.sizes.ratio_max > 0) {
         std::string asked;
         if (mesh.sizes.eps > 0) asked = "eps " + rounded_text(mesh.sizes.eps, 6);

@@ -51,7 +51,8 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         }
     }
     if (!outcome.good()) return outcome;
-    return check_writable({options.out, options.mesh_out, options.svg, options.representatives});
+    return check_writable({options.out, options.mesh_out, options.svg, options.representatives, options.pace_path,
+                           options.weighted_path});
 }
 
 // Everything that can be wrong before the work begins; reads the points in between.
@@ -77,6 +78,34 @@ std::size_t plan_of(const Options& options, const PointCloud& cloud) {
     return plan(delaunay);
 }
 
+// What is looked at besides the mesh and the diagram, as far as the options ask for it.
+struct Measured {
+    netmesh_analysis analysis = {};
+    std::vector<std::uint32_t> order;  // --pace
+    std::vector<double> theta;
+    std::vector<netmesh_weighted_cell> cells;  // --weighted-cells
+};
+
+netmesh_status measure(Session& session, const Options& options, Measured* measured) {
+    const Engine& engine = session.engine();
+    netmesh_status status = NETMESH_OK;
+    if (!options.pace_path.empty()) {
+        const std::size_t inputs = engine.report().mesh.inputs;
+        measured->order.resize(inputs);
+        measured->theta.resize(inputs);
+        status = session.call(NETMESH_STAGE_ANALYSE, [&] {
+            return session.engine().well_paced_order(measured->order.data(), measured->theta.data());
+        });
+    }
+    const std::size_t cages = engine.report().mesh.hierarchy.cages;
+    if (status == NETMESH_OK && !options.weighted_path.empty() && cages > 0) {
+        measured->cells.assign(cages, {sizeof(netmesh_weighted_cell), 0, 0, 0, 0, 0, 0});
+        status = session.call(NETMESH_STAGE_ANALYSE,
+                              [&] { return session.engine().weighted_cells(measured->cells.data()); });
+    }
+    return status;
+}
+
 netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis* analysis) {
     requests::Analyse request;
     request.mesh = &session.mesh();
@@ -85,7 +114,7 @@ netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis
                         [&] { return session.engine().analyse(analysis, session.watched(request)); });
 }
 
-netmesh_status work(Session& session, const Options& options, const PointCloud& cloud, netmesh_analysis* analysis) {
+netmesh_status work(Session& session, const Options& options, const PointCloud& cloud, Measured* measured) {
     const netmesh_source source = source_of(options);
     netmesh_status status;
     if (persists(options)) {
@@ -93,7 +122,8 @@ netmesh_status work(Session& session, const Options& options, const PointCloud& 
     } else {
         status =
             source == NETMESH_SOURCE_MESH ? make_mesh(session, cloud) : make_triangulation(session, options, cloud);
-        if (status == NETMESH_OK && options.analyse) status = analyse(session, source, analysis);
+        if (status == NETMESH_OK && options.analyse) status = analyse(session, source, &measured->analysis);
+        if (status == NETMESH_OK) status = measure(session, options, measured);
     }
     const bool has_cells = source == NETMESH_SOURCE_MESH || source == NETMESH_SOURCE_DELAUNAY;
     if (status == NETMESH_OK && options.check && has_cells) status = check_everything(session);
@@ -160,8 +190,28 @@ std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, 
     return jobs;
 }
 
-std::vector<FileJob> mesh_jobs(const Options& options, const EngineMesh& mesh) {
+// Inputs in the order in which each is farthest from all before it, with their theta; with --theta those below it.
+void write_pace(const Measured& measured, double theta, TextWriter& out) {
+    out << "# input theta\n";
+    for (std::size_t i = 0; i < measured.order.size(); i++)
+        if (theta == 0 || measured.theta[i] < theta) out << measured.order[i] << ' ' << measured.theta[i] << '\n';
+}
+
+void write_weighted_cells(const Measured& measured, const MeshSource& mesh, TextWriter& out) {
+    out << "# centre weight in_radius feature_size epsilon cage_in_radius cage_out_radius\n";
+    for (std::size_t i = 0; i < measured.cells.size(); i++) {
+        const netmesh_weighted_cell& cell = measured.cells[i];
+        out << mesh.cages[i].centre << ' ' << cell.weight << ' ' << cell.in_radius << ' ' << cell.feature_size << ' '
+            << cell.epsilon << ' ' << cell.cage_in_radius << ' ' << cell.cage_out_radius << '\n';
+    }
+}
+
+std::vector<FileJob> mesh_jobs(const Options& options, const Measured& measured, const EngineMesh& mesh) {
     std::vector<FileJob> jobs;
+    if (!options.pace_path.empty())
+        jobs.push_back({options.pace_path, [&](TextWriter& out) { write_pace(measured, options.pace_theta, out); }});
+    if (!options.weighted_path.empty())
+        jobs.push_back({options.weighted_path, [&](TextWriter& out) { write_weighted_cells(measured, mesh, out); }});
     if (!options.svg.empty()) jobs.push_back({options.svg, [&](TextWriter& out) { write_mesh_picture(mesh, out); }});
     if (!options.out.empty() || !options.json) add_mesh_files(mesh, options.out, &jobs);
     return jobs;
@@ -179,13 +229,13 @@ Outcome run_engine_command(const Options& options) {
     run.read_seconds = platform::seconds_now() - start;
 
     Session session(options, cloud.dim);
-    netmesh_analysis analysis = {};
-    const auto all_work = [&](Session& s) { return work(s, options, cloud, &analysis); };
+    Measured measured;
+    const auto all_work = [&](Session& s) { return work(s, options, cloud, &measured); };
     outcome = session.run(plan_of(options, cloud), cloud, all_work);
     if (!outcome.good()) return outcome;
     run.engine = session.engine().report();
     run.clock = session.clock();
-    if (options.analyse) run.analysis = analysis;
+    if (options.analyse) run.analysis = measured.analysis;
     const SimplexList complex = complex_of(options, session.engine(), cloud);
     if (options.check) run.checked = std::vector<std::string>{checked_text(options, complex)};
 
@@ -194,8 +244,9 @@ Outcome run_engine_command(const Options& options) {
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
     result.mesh.size_at_inputs = options.size_at_inputs;
     result.mesh.size_growth = options.size_growth;
+    result.mesh.net_spacing = options.net_spacing;
     if (run.engine->mesh.is_mesh != 0 && ending_of(mesh_path) == ".vtu") result.mesh.measure();
-    if (!persists(options)) return finish_run(mesh_jobs(options, result.mesh), start, &run);
+    if (!persists(options)) return finish_run(mesh_jobs(options, measured, result.mesh), start, &run);
 
     result.bars = bars_of(session.engine());
     result.bounds = bounds_of(session.engine());

@@ -25,6 +25,7 @@ public:
     double ratio = 0;                            // asked of the certificate instead; 0: not asked for
     double eps = 0;                              // of over-refinement; 0 when there was none
     double size_at_inputs = 0, size_growth = 0;  // the same by the distance to the inputs
+    double net_spacing = 0;                      // of the boundary net; 0: not chosen
     double domain[NETMESH_DIM_MAX + 1] = {};     // centre, radius at index dim; radius 0 for a Delaunay triangulation
     bool has_values = false;                     // vertices carry filter values
     std::vector<netmesh_cage> cages;             // of a hierarchical mesh
@@ -35,8 +36,8 @@ public:
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
 // `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` and `# cell-size A B` for an over-refined
-// one, `# cage V R` for each cage: its centre's id and its radius; before the first of them `# cages thesis` where they
-// are of that kind.
+// one, `# boundary-net S` where a boundary net's spacing was chosen, `# cage V R` for each cage: its centre's id and
+// its radius; before the first of them `# cages thesis` where they are of that kind.
 void write_node(const MeshSource& mesh, TextWriter& out);
 void write_ele(const MeshSource& mesh, TextWriter& out);
 // -1 outside; neighbour i is opposite vertex i.
@@ -57,7 +58,7 @@ struct NodeFile {
     std::uint64_t first_id = 0;          // 0 or 1
     std::vector<double> domain;          // dim + 1 numbers, or empty
     double tau = 0, ratio = 0, eps = 0;  // 0 when the file does not say
-    double size_at_inputs = 0, size_growth = 0;
+    double size_at_inputs = 0, size_growth = 0, net_spacing = 0;
     std::vector<netmesh_cage> cages;  // centres counted from 0; no parents
     netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;
 };

@@ -31,8 +31,8 @@ Complaint keep_size(const std::vector<double>& numbers, NodeFile* node) {
     return {};
 }
 
-// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E`, `# cell-size A B`, `# cages thesis` and `# cage V R`; other
-// comments say nothing.
+// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E`, `# cell-size A B`, `# boundary-net S`, `# cages thesis` and
+// `# cage V R`; other comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
     if (!words.empty() && words[0] == "cages") {
@@ -40,7 +40,7 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
         if (words.size() == 2 && words[1] == "thesis") return {};
         return "cages of a kind that is not known: " + std::string(raw);
     }
-    static constexpr std::string_view known[] = {"domain", "tau", "ratio", "eps", "cell-size", "cage"};
+    static constexpr std::string_view known[] = {"domain", "tau", "ratio", "eps", "cell-size", "boundary-net", "cage"};
     if (words.empty() || std::find(std::begin(known), std::end(known), words[0]) == std::end(known)) return {};
     std::vector<double> numbers;
     for (std::size_t i = 1; i < words.size(); i++) {
@@ -59,6 +59,10 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
     if (words[0] == "ratio") {
         node->ratio = number;
         return number * number > 2 ? "" : "ratio is one number above the root of 2";
+    }
+    if (words[0] == "boundary-net") {
+        node->net_spacing = number;
+        return number >= 1.0 / 64 && number <= 8 ? "" : "boundary-net is one number from 1/64 to 8";
     }
     node->eps = number;
     return number > 0 ? "" : "eps is one number above 0";

@@ -35,6 +35,7 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
     write_known(json, "size_at_inputs", options.size_at_inputs > 0, options.size_at_inputs);
     write_known(json, "size_growth", options.size_at_inputs > 0, options.size_growth);
     write_known(json, "domain_factor", options.domain_factor > 0, options.domain_factor);
+    write_known(json, "net_spacing", options.net_spacing > 0, options.net_spacing);
     write_known(json, "method", mesh.is_mesh != 0,
                 mesh.certificate.ratio > 0 ? "certificate" : method_name(mesh.method));
     write_known(json, "cage_kind", options.cages.has_value(),

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using Names = std::vector<std::string>;
@@ -162,6 +163,27 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(folder.run("mesh p.txt -o sized.node --cell-size .05,.5 --domain 2 --check").exit == 0);
     CHECK(folder.run("check sized.node").out.find("(cell-size 0.05,0.5)") != std::string::npos);
     CHECK(folder.run("check sized.node --cell-size .05").exit == 7);
+    CHECK(folder.run("mesh p.txt -o paced.node --pace order.txt").exit == 0);
+    CHECK(folder.run("mesh p.txt -o paced.node --pace few.txt --theta .5").exit == 0);
+    const std::string order = folder.read("order.txt"), few = folder.read("few.txt");
+    CHECK(order.find("# input theta\n") == 0);
+    CHECK(std::count(order.begin(), order.end(), '\n') == 1 + 60);
+    CHECK(few.size() < order.size());
+    CHECK(few.find(" 1\n") == std::string::npos);
+    CHECK(folder.run("sample clusters -n 60 -o c.txt").exit == 0);
+    CHECK(folder.run("mesh c.txt -o caged.node --method netmesh --weighted-cells cells.txt").exit == 0);
+    const std::string weighted = folder.read("cells.txt"), caged = folder.read("caged.node");
+    std::size_t remarks = 0;
+    for (std::size_t at = 0; (at = caged.find("# cage ", at)) != std::string::npos; ++at) ++remarks;
+    CHECK(remarks > 2);
+    CHECK(std::count(weighted.begin(), weighted.end(), '\n') == 1 + static_cast<std::ptrdiff_t>(remarks));
+    const std::string first = caged.substr(caged.find("# cage ") + 7);
+    CHECK(weighted.find("\n" + first.substr(0, first.find(' ') + 1)) == weighted.find('\n'));
+    CHECK(folder.run("check caged.node").out.find("in-radii and feature sizes as in 4.6") != std::string::npos);
+    CHECK(folder.run("mesh p.txt -o netted.node --method refine --net .25 --check").exit == 0);
+    CHECK(folder.run("check netted.node").out.find("a boundary net of spacing 0.25") != std::string::npos);
+    CHECK(folder.run("check netted.node --net .5").exit == 7);
+    CHECK(folder.run("check sized.node --net 1").exit == 7);
     const Result unresolved = folder.run("mesh p.txt -o none.node --cell-size 1e-18");
     CHECK(unresolved.exit == 3);
     CHECK(unresolved.err.find("--cell-size 1e-18: ") != std::string::npos);

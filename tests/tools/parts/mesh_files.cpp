@@ -60,10 +60,12 @@ TEST_CASE("node of a mesh: domain, tau and filter values") {
     square.tau = 2.5;
     square.eps = 0.25;
     square.size_at_inputs = 0.5;
+    square.net_spacing = 2;
     square.domain[0] = .5;
     square.domain[2] = 1;
     square.has_values = true;
     CHECK(text_of(write_node, square) == "# domain 0.5 0 1\n# tau 2.5\n# eps 0.25\n# cell-size 0.5 0\n"
+                                         "# boundary-net 2\n"
                                          "4 2 1 1\n0 0 0 0 0\n1 1 0 0.25 0\n2 1 0.1 0.5 0\n3 0 1e-17 0.75 1\n");
     NodeFile node;
     REQUIRE(parse_node(text_of(write_node, square), &node).good());
@@ -71,6 +73,7 @@ TEST_CASE("node of a mesh: domain, tau and filter values") {
     CHECK(node.eps == 0.25);
     CHECK(node.size_at_inputs == 0.5);
     CHECK(node.size_growth == 0);
+    CHECK(node.net_spacing == 2);
     CHECK(node.domain == std::vector<double>{.5, 0, 1});
     CHECK(node.attributes == std::vector<double>{0, .25, .5, .75});
     CHECK(node.markers == std::vector<std::uint8_t>{0, 0, 0, 1});
@@ -129,9 +132,9 @@ TEST_CASE("off and vtu") {
 }
 
 TEST_CASE("remarks that cannot be are faults with a line") {
-    for (const char* remark :
-         {"# domain 1 2", "# domain 1 2 0", "# domain 1 2 x", "# domain 1 2 3 4", "# tau 2", "# eps 0", "# eps 1 2",
-          "# cell-size 1", "# cell-size 0 1", "# cell-size 1 -1", "# cell-size 1 2 3"}) {
+    for (const char* remark : {"# domain 1 2", "# domain 1 2 0", "# domain 1 2 x", "# domain 1 2 3 4", "# tau 2",
+                               "# eps 0", "# eps 1 2", "# cell-size 1", "# cell-size 0 1", "# cell-size 1 -1",
+                               "# cell-size 1 2 3", "# boundary-net 0", "# boundary-net 9", "# boundary-net 1 1"}) {
         NodeFile node;
         node.cloud.name = "m.node";
         CAPTURE(remark);

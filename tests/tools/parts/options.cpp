@@ -130,6 +130,14 @@ TEST_CASE("methods, filters and values that this version has not") {
     CHECK(names(fault({"persist", "p", "--method", "netmesh", "--finish", "--cages", "thesis"}), "--cages"));
     CHECK(names(fault({"size", "--dim", "5", "--points", "5", "--method", "netmesh", "--cages", "thesis"}),
                 "--cages thesis is for D = 2, 3 and 4"));
+    for (const char* spacing : {"0", "0.015", "8.1", "nan", "x", ""})
+        CHECK(names(fault({"mesh", "p", "--method", "refine", "--net", spacing}), "--net"));
+    for (const char* theta : {"0", "1.1", "-1", "x", ""})
+        CHECK(names(fault({"mesh", "p", "--pace", "f", "--theta", theta}), "--theta"));
+    CHECK(names(fault({"delaunay", "p", "--theta", ".5"}), "--theta goes with --pace"));
+    CHECK(names(fault({"mesh", "p", "--weighted-cells", "f"}), "--weighted-cells goes with --method netmesh"));
+    CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--finish", "--weighted-cells", "f"}), "--weighted-cells"));
+    CHECK(names(fault({"mesh", "p", "--net", "1"}), "--net goes with --method refine"));
     CHECK(names(fault({"mesh", "p", "--method", "refine", "--domain", "2"}),
                 "--domain does not go with --method refine"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
