@@ -114,6 +114,10 @@ Status analyse_size(Store<D>& store, const Domain<D>& domain, std::uint32_t inpu
             {domain.centre, analysis->radius, FeatureIntegral::balls_max, options.tolerance, options.boxes_max}, work,
             &analysis->integral);
     if (status != Status::ok) return status;
+    if (options.cage_count > 0 && options.kind == CageKind::thesis) {
+        analysis->feature_ratio_bound = infinity;
+        return Status::ok;
+    }
     if (options.cage_count > 0) return sum_domains<D>(store, domain, inputs, options, work, analysis);
     const double volume = unit_ball_volume(D);
     analysis->size_lower = analysis->integral.lower[ball_domain] / (volume * power(options.tau, D)) * (1 - tolerance);

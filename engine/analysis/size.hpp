@@ -16,6 +16,7 @@ struct SizeOptions {
     std::uint64_t boxes_max;
     Cage* cages = nullptr;  // of a mesh with cages; parents and nearest distances are found anew
     std::uint32_t cage_count = 0;
+    CageKind kind = CageKind::compact;  // no bounds are proven of cages of the thesis, whose shells are of many sizes
 };
 
 // Balls about the domain's centre that integrals are taken over.

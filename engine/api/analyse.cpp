@@ -96,9 +96,10 @@ Status analyse_sizes(Context& context, Store<D>& store, const Promises& promises
                      netmesh_size_analysis* to) {
     SizeAnalysis size;
     const double wanted = tolerance > 0 ? tolerance : figures<D>.integral_tolerance;
-    const Status status = analyse_size<D>(
-        store, domain_of<D>(context.mesh), context.input.distinct,
-        {promises.tau, promises.sizes, wanted, boxes_max, cages_of(context), cage_count_of(context)}, work, &size);
+    const Status status = analyse_size<D>(store, domain_of<D>(context.mesh), context.input.distinct,
+                                          {promises.tau, promises.sizes, wanted, boxes_max, cages_of(context),
+                                           cage_count_of(context), context.mesh.cage_kind},
+                                          work, &size);
     if (status != Status::ok) return status;
     if (context.mesh.goal.ratio > 0) {  // no quality is promised, which is what lets a mesh be smaller
         size.size_lower = 0;

@@ -151,7 +151,8 @@ Status check_bounds(Context& context, Store<D>& store, const Promises& promises,
     if (context.mesh.is_mesh && context.mesh.tau > 0) {
         SizeAnalysis size;
         status = analyse_size<D>(store, domain_of<D>(context.mesh), context.input.distinct,
-                                 {promises.tau, promises.sizes, infinity, 0, cages_of(context), cage_count_of(context)},
+                                 {promises.tau, promises.sizes, infinity, 0, cages_of(context), cage_count_of(context),
+                                  context.mesh.cage_kind},
                                  work, &size);
         if (status == Status::ok) why->violation = violated_size_bound(size);
     }
