@@ -263,7 +263,11 @@ typedef enum netmesh_cage_kind {
     NETMESH_CAGES_COMPACT = 0, /* shells of 2 D vertices; cells are clipped to the balls of their domains */
     NETMESH_CAGES_THESIS = 1   /* those of 4.5 with the operations of 4.7.3, D = 2, 3, 4: shells of 16, 42, 120 vertices
                                   (or inputs that they yield to), grown and released as inputs enter; whole cells are of
-                                  quality tau. An outermost cage is there too, also in a finished mesh */
+                                  quality tau. An outermost cage is there too, also in a finished mesh. With e = .3 and
+                                  r a cage's radius: inputs within e r of its centre, a shell vertex within .04 r of
+                                  each place on the sphere of .64 r (a regular polygon; the corners of an icosahedron
+                                  and of its edges' middles; a 600-cell; of the outermost cage the middles of 6, 36, 125
+                                  squares on each side of a cube), nothing else from e r to 2 r / e */
 } netmesh_cage_kind;
 
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone
