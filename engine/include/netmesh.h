@@ -331,7 +331,8 @@ typedef struct netmesh_mesh_request {
      * smallest enclosing ball, in [1/64, 8]; 0: 1. The domain's radius follows as the larger of 3 rho and
      * 2 rho ((K sqrt 2 + 1) net_spacing + 1), K = 2 tau / (tau - 2), with which all corners stay in it: smaller nets
      * have a smaller domain and more vertices on its sphere. Coordinates there must resolve the net: INVALID_ARGUMENT
-     * (NET_SPACING, or TAU where that is 0 and tau too near 2) when it is below 16 units in their last place. */
+     * (NET_SPACING, or TAU where that is 0) when its square is below 2^-51 times the domain's radius times their
+     * magnitude, or the radius above 2^511. */
     double net_spacing;
     netmesh_cage_kind cage_kind; /* THESIS: D at most 4, tau given and at least 3.4, PURPOSE_MESH without audits */
 } netmesh_mesh_request;

@@ -17,7 +17,8 @@ public:
         double most = 0;
         for (int k = 0; k < D; ++k)
             if (absolute(domain.centre[k]) > most) most = absolute(domain.centre[k]);
-        slack_ += slack_of_places * (most + domain.radius);
+        place_ = slack_of_places * (most + domain.radius);
+        slack_ += place_;
     }
 
     CheckResult run(bool whole) {
@@ -67,6 +68,8 @@ private:
     const std::uint32_t* const domains_;
     const NetPromise& net_;
     double delta_ = 0;  // spacing of the net
+    double place_;      // slack of a vertex's place
+    double net_slack_;  // of the net: a facet's direction is known to its vertices' slack over delta
     double slack_;      // of lengths
     double far2_ = 0;   // of the input farthest from the domain's centre
 };
@@ -91,7 +94,8 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_net() {
     const double k = 2 * net_.tau / (net_.tau - 2), least = delta_ * (k * square_root(2) + 1) + rho;
     if (domain_.radius + slack_ < (least > 3 * rho ? least : 3 * rho))
         return {"the domain is too small for its boundary net and tau", none};
-    const double apart = delta_ > slack_ ? delta_ - slack_ : 0;
+    net_slack_ = slack_ + (delta_ > 0 ? place_ * domain_.radius / delta_ : 0);
+    const double apart = delta_ > net_slack_ ? delta_ - net_slack_ : 0;
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         if (!stands_free(v)) continue;
         if (!is_on_sphere(v)) return {"an exempt vertex is not on the domain's sphere, where the boundary net is", v};
@@ -165,7 +169,7 @@ template <int D> [[gnu::cold]] bool DomainCheck<D>::leaves_hole(std::uint32_t c,
     const double length = square_root(dot<D>(inner, inner));
     for (int k = 0; k < D; ++k) top[k] = domain_.centre[k] - domain_.radius / length * inner[k];
     const double* const p = store_.point(store_.cell(c).vertex[i == 0 ? 1 : 0]);
-    return far2_ > 0 && !(square_root(distance2<D>(top, p)) <= delta_ + slack_);
+    return far2_ > 0 && !(square_root(distance2<D>(top, p)) <= delta_ + net_slack_);
 }
 
 }  // namespace

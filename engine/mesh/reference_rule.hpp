@@ -27,12 +27,15 @@ inline double reference_radius(double tau, double spacing, double enclosing_radi
     return radius > 1.5 * width ? radius : 1.5 * width;
 }
 
-// Do coordinates resolve the net, and do squares of the domain's radius fit a double?
+// Do coordinates resolve the net, and do squares of the domain's radius fit a double? A place of the net is in the
+// direction of a facet delta wide, so off by the radius over delta times what its vertices are: by half of delta at
+// most, and no place is taken twice.
 template <int D> inline bool has_resolved_net(const Domain<D>& domain, double spacing) {
     double most = domain.radius;
     for (int k = 0; k < D; ++k)
         if (absolute(domain.centre[k]) > most) most = absolute(domain.centre[k]);
-    return 2 * spacing * domain.enclosing_radius >= 0x1p-48 * most && domain.radius <= 0x1p508;
+    const double delta = 2 * spacing * domain.enclosing_radius;
+    return domain.radius <= 0x1p511 && delta >= 0x1p-51 * most * (domain.radius / delta);
 }
 
 // A point of the boundary net that is missing because of cell c, one of whose vertices is input `inside`; false when

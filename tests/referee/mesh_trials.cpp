@@ -129,7 +129,7 @@ void run_trial(const Tool& tool, const Settings& settings, const Method& method,
     }
     if (outcome.exit != done) {
         account->refused++;
-        if (!may_refuse(outcome, method, wanted, wanted.eps > 0 || wanted.least_size > 0))
+        if (!may_refuse(outcome, method, wanted, wanted.eps > 0 || wanted.least_size > 0 || wanted.net > 0))
             fail("exit " + count_text(outcome.exit) + ": " + outcome.message);
         return;
     }

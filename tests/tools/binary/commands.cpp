@@ -183,6 +183,9 @@ TEST_CASE("mesh: every format, checked from its files, tampering found") {
     CHECK(folder.run("mesh p.txt -o netted.node --method refine --net .25 --check").exit == 0);
     CHECK(folder.run("check netted.node").out.find("a boundary net of spacing 0.25") != std::string::npos);
     CHECK(folder.run("check netted.node --net .5").exit == 7);
+    const Result unending = folder.run("mesh p.txt -o none.node --method refine --tau 2.000000000000001");
+    CHECK(unending.exit == 3);
+    CHECK(unending.err.find("--tau 2.000000000000001: ") != std::string::npos);
     CHECK(folder.run("check sized.node --net 1").exit == 7);
     const Result unresolved = folder.run("mesh p.txt -o none.node --cell-size 1e-18");
     CHECK(unresolved.exit == 3);
