@@ -338,12 +338,14 @@ TEST_CASE("weights that are too large are refused, by a third and by little more
 
 TEST_CASE("a cage whose in-radius is out of proportion is refused") {
     // The nearest vertex outside is one of another cage's shell, far from its centre for that cage's weight.
-    ByHand cages({{0, 0}, {8, 0}, {0, 9}}, 2);
-    cages.cage_about(0, 0.5);
-    cages.cage_about(1, 1);
-    CHECK(cages.passes());
-    cages.add({0.9, 0}, 1, 1);  // said to be in the other cage
-    CHECK(!cages.passes());
+    for (const double outside : {0.9, 2.5, 5.5}) {
+        ByHand cages({{0, 0}, {8, 0}, {0, 9}}, 2);
+        cages.cage_about(0, 0.5);
+        cages.cage_about(1, 1);
+        CHECK(cages.passes());
+        cages.add({outside, 0}, 1, 1);  // said to be in the other cage
+        CHECK(cages.passes() == (8 <= 3 * 0.5 * (outside + 0.45)));
+    }
 }
 
 TEST_CASE_TEMPLATE_DEFINE("weighted cells of meshes pass, and shells that are moved out do not", T, checked_weights) {
