@@ -36,6 +36,7 @@ protected:
     using Base::inserted_;
     using Base::is_bad;
     using Base::kernel_;
+    using Base::passed_;
     using Base::queue_;
     using Base::store_;
     using Base::tree_;
@@ -112,7 +113,6 @@ protected:
     std::uint32_t making_ = none;      // the cage whose shell is being inserted
     std::uint32_t encroached_ = none;  // list of cages through Cage::next
     bool has_yielded_ = false;         // a shell vertex has, in the step at hand
-    std::uint64_t passed_ = 0;         // domains passed in finding the domain of an input
 };
 
 template <int D, class Rule> Status ThesisCages<D, Rule>::reserve(std::size_t n) {
@@ -435,7 +435,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::finish_mesh() {
 template <int D, class Rule> std::size_t ThesisCages<D, Rule>::keep_results(std::size_t) {
     const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live();
     this->result_.cages = hierarchy_.cages();
-    this->result_.hierarchy = {kept, made, made - kept, tree_.touches() + kernel_.steps() + passed_};
+    this->result_.hierarchy = {kept, made, made - kept};
     return store_.arena.offset_of(hierarchy_.cages() + kept);
 }
 
