@@ -68,7 +68,7 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # What runs seldom is made small rather than fast, as single functions are that say [[gnu::cold]]: archive.size counts
 # the bytes of all that is built.
 set(seldom analysis/fatness analysis/hierarchy_size analysis/pacing analysis/size analysis/structure
-  api/analyse api/check api/load api/mesh_rules api/plan complex/listed_complex delaunay/check delaunay/load
+  api/analyse api/load api/mesh_rules api/plan complex/listed_complex delaunay/check delaunay/load
   filtration/circumsphere_exact filtration/scale_partition jobs/persist_scales mesh/ball_lists mesh/check_domain
   mesh/domain mesh/hierarchy_quality mesh/thesis_cages)
 list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
