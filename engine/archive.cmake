@@ -70,7 +70,7 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 set(seldom analysis/fatness analysis/hierarchy_size analysis/pacing analysis/size analysis/structure
   api/analyse api/load api/mesh_rules api/plan complex/listed_complex delaunay/check delaunay/load
   filtration/circumsphere_exact filtration/scale_partition jobs/persist_scales mesh/ball_lists mesh/check_domain
-  mesh/domain mesh/hierarchy_quality mesh/thesis_cages)
+  mesh/domain mesh/hierarchy_quality mesh/quality_audit mesh/thesis_cages)
 list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
 # -O3 unrolls these loops to two or three times the size.
