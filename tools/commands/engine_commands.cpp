@@ -97,13 +97,10 @@ netmesh_status measure(Session& session, const Options& options, Measured* measu
             return session.engine().well_paced_order(measured->order.data(), measured->theta.data());
         });
     }
-    const std::size_t cages = engine.report().mesh.hierarchy.cages;
-    if (status == NETMESH_OK && !options.weighted_path.empty() && cages > 0) {
-        measured->cells.assign(cages, {sizeof(netmesh_weighted_cell), 0, 0, 0, 0, 0, 0});
-        status = session.call(NETMESH_STAGE_ANALYSE,
-                              [&] { return session.engine().weighted_cells(measured->cells.data()); });
-    }
-    return status;
+    if (status != NETMESH_OK || options.weighted_path.empty()) return status;
+    measured->cells.assign(engine.report().mesh.hierarchy.cages, {sizeof(netmesh_weighted_cell), 0, 0, 0, 0, 0, 0});
+    if (measured->cells.empty()) return status;
+    return session.call(NETMESH_STAGE_ANALYSE, [&] { return session.engine().weighted_cells(measured->cells.data()); });
 }
 
 netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis* analysis) {
