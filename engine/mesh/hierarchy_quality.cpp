@@ -424,7 +424,7 @@ template <int D> [[gnu::cold]] void Measurement<D>::copy(const HierarchyRequest<
         request.domains[v] = domain_[v];
     }
     for (std::uint32_t d = 0; d < count_ && request.cage_radii != nullptr; ++d) {
-        request.cage_radii[2 * d] = in_radius<D>(cages_[d]);
+        request.cage_radii[2 * d] = in_radius_of(cages_[d]);
         request.cage_radii[2 * d + 1] = square_root(cage_out2_[d]);
     }
 }
