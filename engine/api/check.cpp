@@ -40,7 +40,7 @@ Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& 
             const double by_distance = sizes.at_inputs + sizes.growth * square_root(near[0].distance2);
             if (by_distance < size) size = by_distance;
         }
-        const double by_caller = sizes.function != nullptr ? sizes.function(sizes.user, store.point(v)) : infinity;
+        const double by_caller = sizes.by_caller(store.point(v));
         if (!(by_caller >= size)) size = by_caller;
         size *= 1 + ratio_tolerance;
         limit2[v] = size > 0 ? size * size : 0;

@@ -16,6 +16,8 @@ struct SizeRule {
     void* user = nullptr;
     double at_inputs = 0, growth = 0;
 
+    // What the caller's function says, +infinity without one.
+    double by_caller(const double* x) const { return function != nullptr ? function(user, x) : infinity; }
     bool asks() const { return eps > 0 || function != nullptr || at_inputs > 0; }
 };
 
@@ -32,10 +34,8 @@ template <int D> double feature_size(const Store<D>& store, const InputTree<D>& 
 template <int D>
 double wanted_size(const Store<D>& store, const InputTree<D>& tree, const SizeRule& rule, std::uint32_t v) {
     double size = rule.eps > 0 ? rule.eps * feature_size<D>(store, tree, v) : infinity;
-    if (rule.function != nullptr) {
-        const double asked = rule.function(rule.user, store.point(v));
-        if (!(asked >= size)) size = asked;
-    }
+    const double asked_by_caller = rule.by_caller(store.point(v));
+    if (!(asked_by_caller >= size)) size = asked_by_caller;
     if (rule.at_inputs > 0) {
         const double asked = rule.at_inputs + rule.growth * distance_to_inputs<D>(store, VertexId(v));
         if (asked < size) size = asked;

@@ -264,7 +264,8 @@ TEST_CASE("mesh --cages thesis: the kind written, checked from the files, tamper
     const Result five = folder.run("mesh five.txt -o f.node --method netmesh --cages thesis");
     const bool is_there = folder.run("mesh five.txt -o f.node").exit == 0;  // has the tool been built for D = 5?
     CHECK(five.exit == (is_there ? 2 : 3));
-    if (is_there) CHECK(five.err.find("--cages: there are cages of the thesis up to D = 4") != std::string::npos);
+    if (is_there)
+        CHECK(five.err.find("--cages thesis: there are cages of the thesis up to D = 4") != std::string::npos);
     folder.write("v.node", "# domain 0 0 0 0 0 1\n# cages thesis\n1 5 0 1\n0 0 0 0 0 0 0\n");
     folder.write("v.ele", "0 6 0\n");
     folder.write("v.neigh", "0 6\n");
