@@ -99,7 +99,10 @@ template <int D>
     WeightedCell* const cells = arena.take_low<WeightedCell>(cages);
     if (ratios == nullptr || domains == nullptr || radii == nullptr || cells == nullptr) return Status::out_of_memory;
     HierarchyQuality quality;
-    const HierarchyRequest<D> request = {cages_of(context), cages, domain_of<D>(context.mesh), ratios, domains, radii};
+    HierarchyRequest<D> request = hierarchy_of<D>(context);
+    request.ratios = ratios;
+    request.domains = domains;
+    request.cage_radii = radii;
     const Status status = measure_hierarchy<D>(store, request, arena, &quality);
     if (status != Status::ok || !quality.is_hierarchy) return status == Status::ok ? Status::no_result : status;
     for (std::uint32_t v = 0; v < vertices; ++v)
