@@ -6,6 +6,13 @@
 
 namespace netmesh {
 
+// Of an input p that is to be inserted, Omega being its domain.
+struct NearestInDomain {
+    VertexId vertex = none;     // its nearest neighbour u in M_Omega
+    double nearest2 = 0;        // squared distance from u to the nearest vertex of M_Omega
+    std::uint32_t cage = none;  // the cage in Omega that has u for its centre, if one does
+};
+
 // Nothing but inputs remembers its domain: that of any other vertex is found from its nearest input, whose domains
 // from the innermost outwards contain it from some one on.
 template <int D> class Hierarchy {
@@ -33,12 +40,14 @@ public:
     std::uint32_t live() const { return live_; }
     bool is_live(std::uint32_t d) const { return cages_[d].shell != none; }
 
-    // Each cage is made for the insertion of an input, so there is room for all.
-    std::uint32_t make(std::uint32_t centre, double radius, double nearest2, std::uint32_t parent,
-                       std::uint32_t shell) {
-        cages_[made_] = {centre, parent, shell, none, radius, nearest2};
+    // A cage about near.vertex and, if there is one, the cage that it is the centre of. Each cage is made for the
+    // insertion of an input, so there is room for all.
+    std::uint32_t make(const NearestInDomain& near, double radius, std::uint32_t parent, std::uint32_t shell) {
+        const std::uint32_t d = made_++;
+        cages_[d] = {near.vertex, parent, shell, none, radius, near.nearest2};
         ++live_;
-        return made_++;
+        (near.cage != none ? cages_[near.cage].parent : domain_[near.vertex]) = d;
+        return d;
     }
     void release(std::uint32_t d) {
         cages_[d].shell = none;
@@ -61,6 +70,15 @@ public:
         std::uint32_t d = near = present(near);
         while (!contains(d, vertex.x)) d = parent(d);
         return d;
+    }
+    // Sets the domain of input p, `nearest` being the vertex nearest to it. `passed` counts the cages on the way out.
+    NearestInDomain locate(VertexId p, VertexId nearest, std::uint64_t* passed) {
+        NearestInDomain near = {nearest, store_->vertex(nearest).nearest2, none};
+        std::uint32_t d = of(nearest);
+        for (; !contains(d, store_->point(p)); d = parent(d), ++*passed) near.cage = d;
+        domain_[p] = d;
+        if (near.cage == none) return near;
+        return {VertexId(cages_[near.cage].centre), cages_[near.cage].nearest2, near.cage};
     }
     // That of an input, inserted or not, as far as it is known.
     std::uint32_t of_input(std::uint32_t input) const { return present(domain_[input]); }

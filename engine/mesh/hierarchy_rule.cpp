@@ -83,7 +83,6 @@ public:
 #endif
 
 private:
-    void locate_domain(VertexId p, const Cavity& cavity);
     Status climb_to_cage(VertexId p, const Cavity& cavity, bool cleaning);
     Status new_cage(VertexId p, double reach);
     void make_shell(VertexId centre, std::uint32_t cage, double radius);
@@ -106,11 +105,7 @@ private:
 
     Hierarchy<D> hierarchy_;
     Path path_;
-    // Of the input p whose turn it is: its nearest neighbour u in M_Omega, Omega the domain of p, the nearest distance
-    // of u in M_Omega, and the cage in Omega that has u for its centre, if one does.
-    VertexId near_ = none;
-    std::uint32_t near_cage_ = none;
-    double near_nearest2_ = 0;
+    NearestInDomain near_;             // of the input whose turn it is
     std::uint32_t encroached_ = none;  // list of cages through Cage::next
 };
 
@@ -142,32 +137,18 @@ template <int D> Status HierarchyRule<D>::insert_input(VertexId p, CellId from, 
     Status status = climb_to_cage(p, cavity, cleaning);
     if (status != Status::ok || (!cleaning && path_.top() != p)) return status;
     const bool has_shell = before != store_.state.vertex_count;  // then the cavity is no more what it was
-    status = has_shell ? this->insert(p, store_.vertex(near_).cell) : this->fill(p, cavity);
+    status = has_shell ? this->insert(p, store_.vertex(near_.vertex).cell) : this->fill(p, cavity);
     return status == Status::ok ? this->finish_step(p, cleaning) : status;
-}
-
-// Finds the domain of p and its nearest neighbour in it from the nearest vertex.
-template <int D> void HierarchyRule<D>::locate_domain(VertexId p, const Cavity& cavity) {
-    const double* const x = store_.point(p);
-    near_ = this->nearest_in_conflict(p, cavity);
-    near_nearest2_ = store_.vertex(near_).nearest2;
-    near_cage_ = none;
-    std::uint32_t d = hierarchy_.of(near_);
-    for (; !hierarchy_.contains(d, x); d = hierarchy_.parent(d), ++passed_) near_cage_ = d;
-    hierarchy_.set(p, d);
-    if (near_cage_ == none) return;
-    near_ = VertexId(hierarchy_.cage(near_cage_).centre);
-    near_nearest2_ = hierarchy_.cage(near_cage_).nearest2;
 }
 
 // Climbs from p, which is not medial, through inputs farther and farther from its nearest neighbour, which are to be
 // inserted first, to the cage that contains them all, if there is room for one.
 template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity& cavity, bool cleaning) {
-    locate_domain(p, cavity);
-    if (store_.vertex(near_).marker != Marker::input) return Status::ok;
+    near_ = hierarchy_.locate(p, this->nearest_in_conflict(p, cavity), &passed_);
+    if (store_.vertex(near_.vertex).marker != Marker::input) return Status::ok;
     constexpr double clearance = cage_clearance / cage_epsilon * (1 + 2 * tau_margin);
-    const double* const u = store_.point(near_);
-    const double room = square_root(near_nearest2_);
+    const double* const u = store_.point(near_.vertex);
+    const double room = square_root(near_.nearest2);
     double reach = square_root(distance2<D>(store_.point(p), u));
     while (clearance * reach <= room) {
         double d2;
@@ -184,12 +165,8 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
 template <int D> [[gnu::cold]] Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
     if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
     const double radius = reach / cage_epsilon * (1 + tau_margin);
-    const VertexId u = near_, shell(store_.state.vertex_count);
-    const std::uint32_t d = hierarchy_.make(u, radius, near_nearest2_, hierarchy_.of_input(p), shell);
-    if (near_cage_ != none)
-        hierarchy_.cage(near_cage_).parent = d;
-    else
-        hierarchy_.set(u, d);
+    const VertexId u = near_.vertex, shell(store_.state.vertex_count);
+    const std::uint32_t d = hierarchy_.make(near_, radius, hierarchy_.of_input(p), shell);
     hierarchy_.set(p, d);
     make_shell(u, d, radius);
     for (VertexId v = shell; v < shell + shell_size<D>; ++v) {

@@ -68,8 +68,7 @@ public:
 #endif
 
 protected:
-    void locate_domain(VertexId p, const Cavity& cavity);
-    Status new_cage(VertexId centre, double radius, double nearest2, std::uint32_t parent, std::uint32_t* made);
+    Status new_cage(const NearestInDomain& near, double radius, std::uint32_t parent, std::uint32_t* made);
     Status grow_cage(std::uint32_t d);
     Status release_cage(std::uint32_t d);
     Status grow_encroached(VertexId p, bool is_member);
@@ -105,11 +104,7 @@ protected:
 
     static constexpr std::uint32_t root = 0;
     Hierarchy<D> hierarchy_;
-    // Of the input p whose turn it is: its nearest neighbour u in M_Omega, Omega the domain of p, the nearest distance
-    // of u in M_Omega, and the cage in Omega that has u for its centre, if one does.
-    VertexId near_ = none;
-    std::uint32_t near_cage_ = none;
-    double near_nearest2_ = 0;
+    NearestInDomain near_;             // of the input whose turn it is
     std::uint32_t making_ = none;      // the cage whose shell is being inserted
     std::uint32_t encroached_ = none;  // list of cages through Cage::next
     bool has_yielded_ = false;         // a shell vertex has, in the step at hand
@@ -138,7 +133,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::begin() {
         if (p2 > far2) far2 = p2;
     }
     std::uint32_t made;
-    return new_cage(centre, square_root(far2) / inner * (1 + tau_margin), infinity, none, &made);
+    return new_cage({centre, infinity, none}, square_root(far2) / inner * (1 + tau_margin), none, &made);
 }
 
 template <int D, class Rule> Status ThesisCages<D, Rule>::insert_input(VertexId p, CellId from, bool cleaning) {
@@ -146,36 +141,22 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_input(VertexId 
     Cavity cavity;
     if (!this->find_cavity(p, from, &cavity)) return Status::out_of_memory;
     const std::uint32_t before = store_.state.vertex_count;
-    locate_domain(p, cavity);
+    near_ = hierarchy_.locate(p, this->nearest_in_conflict(p, cavity), &passed_);
     Status status = Status::ok;
-    if (!cleaning && store_.vertex(near_).marker == Marker::input) {
-        const double radius =
-            square_root(distance2<D>(store_.point(p), store_.point(near_))) / ThesisCage::epsilon * ThesisCage::slack;
+    if (!cleaning && store_.vertex(near_.vertex).marker == Marker::input) {
+        const double radius = square_root(distance2<D>(store_.point(p), store_.point(near_.vertex))) /
+                              ThesisCage::epsilon * ThesisCage::slack;
         std::uint32_t made;
-        if (near_nearest2_ >= clear2(radius)) {
-            status = new_cage(near_, radius, near_nearest2_, hierarchy_.of_input(p), &made);
+        if (near_.nearest2 >= clear2(radius)) {
+            status = new_cage(near_, radius, hierarchy_.of_input(p), &made);
             if (status == Status::ok) hierarchy_.set(p, made);
         }
     }
     if (status == Status::ok) status = grow_encroached(p, false);
     if (status != Status::ok) return status;
     const bool has_shell = before != store_.state.vertex_count || has_yielded_;
-    status = has_shell ? this->insert(p, store_.vertex(near_).cell) : this->fill(p, cavity);
+    status = has_shell ? this->insert(p, store_.vertex(near_.vertex).cell) : this->fill(p, cavity);
     return status == Status::ok ? this->finish_step(p, cleaning) : status;
-}
-
-// Finds the domain of p and its nearest neighbour in it from the nearest vertex.
-template <int D, class Rule> void ThesisCages<D, Rule>::locate_domain(VertexId p, const Cavity& cavity) {
-    const double* const x = store_.point(p);
-    near_ = this->nearest_in_conflict(p, cavity);
-    near_nearest2_ = store_.vertex(near_).nearest2;
-    near_cage_ = none;
-    std::uint32_t d = hierarchy_.of(near_);
-    for (; !hierarchy_.contains(d, x); d = hierarchy_.parent(d), ++passed_) near_cage_ = d;
-    hierarchy_.set(p, d);
-    if (near_cage_ == none) return;
-    near_ = VertexId(hierarchy_.cage(near_cage_).centre);
-    near_nearest2_ = hierarchy_.cage(near_cage_).nearest2;
 }
 
 // GrowCage for all that p encroaches on from inside. An input of a shell does not encroach on that cage.
@@ -192,15 +173,11 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_encroached(Vertex
 }
 
 template <int D, class Rule>
-Status ThesisCages<D, Rule>::new_cage(VertexId centre, double radius, double nearest2, std::uint32_t parent,
+Status ThesisCages<D, Rule>::new_cage(const NearestInDomain& near, double radius, std::uint32_t parent,
                                       std::uint32_t* made) {
     const std::uint32_t size = parent == none ? RootTemplate<D>::size : Template::size;
     if (!store_.has_room(0, size, 0)) return Status::out_of_memory;
-    const std::uint32_t d = *made = hierarchy_.make(centre, radius, nearest2, parent, store_.state.vertex_count);
-    if (near_cage_ != none)
-        hierarchy_.cage(near_cage_).parent = d;
-    else
-        hierarchy_.set(centre, d);
+    const std::uint32_t d = *made = hierarchy_.make(near, radius, parent, store_.state.vertex_count);
     const Status status = insert_shell(d);
     if (status != Status::ok) hierarchy_.release(d);
     return status;

@@ -130,7 +130,7 @@ template <int D> struct ByHand {
     }
     std::uint32_t new_cage(std::uint32_t row, double radius, std::uint32_t parent, inputs::Random& random) {
         const std::uint32_t centre = by_row[row], shell = state.vertex_count;
-        const std::uint32_t d = hierarchy.make(centre, radius, 0, parent, shell);
+        const std::uint32_t d = hierarchy.make({VertexId(centre), 0, none}, radius, parent, shell);
         REQUIRE(store.has_room(0, shell_size<D>, 0));
         hierarchy.set(centre, d);
         for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
@@ -364,7 +364,7 @@ template <int D> struct Planted : Hierarchical<D> {
                                      this->block.arena, &quality) == Status::ok);
         for (std::uint32_t d = 0; d < count; ++d) {
             const Cage& cage = this->result.cages[d];
-            hierarchy.make(cage.centre, cage.radius, cage.nearest2, cage.parent, cage.shell);
+            hierarchy.make({VertexId(cage.centre), cage.nearest2, none}, cage.radius, cage.parent, cage.shell);
         }
         for (std::uint32_t p = 0; p < this->inputs(); ++p) hierarchy.set(p, domains[p]);
     }

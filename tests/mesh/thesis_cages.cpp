@@ -148,7 +148,7 @@ TEST_CASE_TEMPLATE_DEFINE("every lemma of cages holds on every mesh", T, every_l
         for (const bool finish : {false, true}) {
             if (finish && D == 4) continue;
             lemmas::Table table;
-            ThesisMesh<D> mesh(input<D>(i), tau, finish, &table, (D == 2 ? 11 : 37) * (finish ? 17 : 1));
+            ThesisMesh<D> mesh(input<D>(i), tau, finish, &table, (D == 2 ? 11 : D == 3 ? 37 : 300) * (finish ? 17 : 1));
             REQUIRE(mesh.status == Status::ok);
             CHECK_MESSAGE(table.violated() == "", "input ", i, " finish ", finish);
             CHECK(mesh.result.hierarchy.cages >= 1);

@@ -118,7 +118,7 @@ template <int D> struct WithCages : Hierarchical<D> {
         REQUIRE(hierarchy.open(this->store, this->block.arena, this->inputs()) == Status::ok);
         for (std::uint32_t d = 0; d < count; ++d) {
             const Cage& c = this->result.cages[d];
-            hierarchy.make(c.centre, c.radius, c.nearest2, c.parent, c.shell);
+            hierarchy.make({VertexId(c.centre), c.nearest2, none}, c.radius, c.parent, c.shell);
         }
         for (std::uint32_t v = 0; v < this->inputs(); ++v)
             hierarchy.set(v, innermost_cage<D>(this->store, hierarchy, this->store.point(v), 0));
