@@ -123,7 +123,7 @@ TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on ce
             REQUIRE(check_reach<D>(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
             CHECK(beyond == none);
             std::fill(limit2.begin(), limit2.end(), infinity);
-            for (std::uint32_t v = 0; v < n; ++v) {
+            for (std::uint32_t v = 0; v < n; v += D < 6 ? 1 : 3) {
                 limit2[v] = out2[v] * (1 - 1e-6);
                 REQUIRE(check_reach<D>(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
                 CHECK(beyond == v);

@@ -139,7 +139,7 @@ TEST_CASE("feature sizes are the distances to the second nearest input") {
 
 TEST_CASE("meshes over-refined to eps f_P") {
     for (const int dim : dimensions(2, 5)) {
-        const std::size_t n = by_dimension<std::size_t>(dim, {150, 60, 20, 16});
+        const std::size_t n = by_dimension<std::size_t>(dim, {150, 60, 20, 8});
         const double eps = by_dimension<double>(dim, {0.25, 0.5, 0.8, 0.9});
         for (const inputs::Points& points : {inputs::uniform(dim, n), inputs::clusters(dim, n / 2)}) {
             INFO("D = " << dim);
@@ -166,7 +166,7 @@ TEST_CASE("meshes over-refined to eps f_P") {
 
 TEST_CASE("finished meshes that had cages are over-refined as those of SVR") {
     for (const int dim : dimensions(2, 4)) {
-        const double eps = by_dimension<double>(dim, {0.3, 0.6, 0.9});
+        const double eps = by_dimension<double>(dim, {0.3, 0.6, 1.2});
         const std::size_t n = by_dimension<std::size_t>(dim, {8, 4, 2});
         for (const inputs::Points& points : {inputs::geometric(dim, 40, n), inputs::close_pairs(dim, n, 1e-3)}) {
             INFO("D = " << dim);
