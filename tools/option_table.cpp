@@ -300,7 +300,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"--net", mesh | size | check, "S", apply_net,
          "spacing of the boundary net of refine over the diameter of the smallest ball around the points (1)"},
         {"--eps", persist, "E", apply_eps,
-         "log distance that tight promises, above 0 and at most 1/2 (1/2); scales: 3 theta more"},
+         "log distance that tight promises, above 0 and at most 1/2 (1/2; D > 3: --ratio); scales: 3 theta more"},
         {"--pace", mesh | delaunay, "FILE", apply_path<&Options::pace_path>,
          "the inputs in an order that begins far apart, each farthest from those before, and its theta: distance to\n"
          "                    the nearest of those over that to the second (3.8)"},
@@ -311,7 +311,8 @@ const std::vector<OptionEntry>& option_entries() {
         {"--theta", persist | size | check, "T", apply_theta,
          "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
         {"--ratio", persist | check, "C", apply_ratio,
-         "refine by the certificate until this ratio is certified, above 1.4142 (sqrt(2 + tau)); complete filter only"},
+         "refine by the certificate until this ratio is certified, above 1.4142 (sqrt(2 + tau)): complete filter; in\n"
+         "                    place of --eps tight, and scales with both numbers 1 + 3 theta times as large"},
         {"--focus", persist | check, "C", apply_focus,
          "certify this ratio, above 1, of what matters to radii --from to --to"},
         {"--from", persist | check, "A", apply_from, "least radius of interest"},

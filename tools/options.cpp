@@ -186,7 +186,8 @@ bool refines_by_certificate(const Options& options) {
     const FilterChoice choice = choice_of(options);
     const netmesh_filter_info& filter = about(choice.filter);
     if (options.fit) return filter.source == NETMESH_SOURCE_MESH && filter.has_eps == 0;
-    return filter.has_goal != 0 && choice.values == NETMESH_VALUES_CERTIFIED;
+    return (filter.has_goal != 0 || (filter.has_eps != 0 && options.ratio)) &&
+           choice.values == NETMESH_VALUES_CERTIFIED;
 }
 
 Outcome check_ratio(const Options& options) {
@@ -195,8 +196,11 @@ Outcome check_ratio(const Options& options) {
         !refines_by_certificate(options)) {
         return usage_error(
             options.fit ? "--fit is for filters on a mesh but tight, without --method"
-                        : "--ratio and --focus are for the complete filter with certified values, without --method");
+                        : "--ratio and --focus are for the complete filter, and with --ratio for tight and scales; "
+                          "with certified values, without --method");
     }
+    if (focused && about(filter_of(options)).has_theta != 0)
+        return usage_error("--focus is of one mesh: not for scales");
     if (options.fit && options.memory_bytes == 0) return usage_error("--fit needs --memory, the size to fit in");
     if (options.fit && options.focus > 0) return usage_error("--focus is what --fit finds");
     if (options.fit && focused && !(options.from > 0 && options.to > options.from)) {
@@ -217,6 +221,8 @@ Outcome check_accuracy(const Options& options) {
     if (options.theta > 0 && about(filter_of(options)).has_theta == 0)
         return usage_error("--theta goes with --filter " + list_filters(has_theta, "or"));
     if (promises_accuracy(options)) {
+        if (options.eps > 0 && options.ratio && options.command == Command::persist)
+            return usage_error("--eps and --ratio both say what is asked of the diagram; leave one of them out");
         if (options.eps <= 0.5) return {};
         return usage_error("--eps must be at most 1/2 for " + list_filters(has_eps, "and"));
     }

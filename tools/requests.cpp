@@ -20,6 +20,16 @@ constexpr double thesis_tau = 7;  // of meshes with cages of the thesis, unless 
 
 double default_ratio(const netmesh_mesh_request& mesh) { return std::sqrt(2 + tau(mesh)); }
 
+Options suited(const Options& options, std::uint32_t dim) {
+    Options all = options;
+    const netmesh_filter_info& filter = about(filter_of(options));
+    const bool is_open = filter.has_eps != 0 && options.eps == 0 && !options.ratio && !options.fit && !options.method;
+    if (dim < 4 || !is_open || choice_of(options).values != NETMESH_VALUES_CERTIFIED) return all;
+    const double theta = filter.has_theta == 0 ? 0 : options.theta > 0 ? options.theta : default_theta;
+    all.ratio = default_ratio(mesh_request(options, dim)) * (1 + 3 * theta);
+    return all;
+}
+
 netmesh_certificate_goal goal_of(const Options& options, double ratio) {
     return {ratio, options.focus, options.from, options.to};
 }
@@ -28,6 +38,7 @@ requests::Mesh mesh_request(const Options& options, std::uint32_t dim) {
     requests::Mesh mesh(dim);
     mesh.seed = options.seed;
     if (options.command != Command::mesh) mesh.purpose = about(filter_of(options)).purpose;
+    if (refines_by_certificate(options)) mesh.purpose = NETMESH_PURPOSE_PERSIST;
     mesh.method = options.method.value_or(NETMESH_METHOD_SVR);
     mesh.cage_kind = options.cages.value_or(NETMESH_CAGES_COMPACT);
     mesh.tau = options.tau.value_or(mesh.cage_kind == NETMESH_CAGES_THESIS ? thesis_tau : 0);
@@ -78,6 +89,7 @@ requests::Scales scales_request(const Options& options, const DiagramRequest& di
     scales.seed = options.seed;
     scales.tau = options.tau.value_or(0);
     scales.eps = options.eps;
+    scales.ratio = options.ratio.value_or(0);
     scales.theta = options.theta;
     return scales;
 }
@@ -99,7 +111,8 @@ template <class Request> std::size_t plan_for(Request request, std::size_t point
 
 }  // namespace
 
-std::size_t plan_diagram(const Options& options, netmesh_filter filter, std::uint32_t dim, std::size_t point_count) {
+std::size_t plan_diagram(const Options& given, netmesh_filter filter, std::uint32_t dim, std::size_t point_count) {
+    const Options options = suited(given, dim);
     DiagramRequest diagram;
     diagram.choice.filter = filter;
     switch (about(filter).source) {
@@ -109,7 +122,7 @@ std::size_t plan_diagram(const Options& options, netmesh_filter filter, std::uin
     default: break;
     }
     requests::Mesh mesh = mesh_request(options, dim);
-    mesh.purpose = about(filter).purpose;
+    if (!refines_by_certificate(options)) mesh.purpose = about(filter).purpose;
     return plan_for(mesh, point_count);
 }
 

@@ -100,9 +100,8 @@ bool is_plannable(std::uint32_t dim, std::size_t points) {
 }
 
 // A mesh that certifies a ratio takes no more than one of the aspect ratio that proves it.
-double equivalent_tau(const netmesh_mesh_request& request) {
-    const double ratio = request.certificate.ratio, equivalent = ratio * ratio - 2;
-    if (!(ratio > 0)) return tau_of(request.dim, request.tau);
+double equivalent_tau(double ratio) {
+    const double equivalent = ratio * ratio - 2;
     return equivalent > 2.1 ? equivalent : 2.1;
 }
 
@@ -136,7 +135,8 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
     netmesh_mesh_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (!is_plannable(request.dim, request.point_count)) return 0;
-    const double tau = equivalent_tau(request);
+    const double ratio = request.certificate.ratio;
+    const double tau = ratio > 0 ? equivalent_tau(ratio) : tau_of(request.dim, request.tau);
     if (complaint_about_numbers(request).text != nullptr || !is_valid_tau(tau)) return 0;
     const bool tight = request.purpose == NETMESH_PURPOSE_TIGHT;
     Planned planned;
@@ -158,14 +158,19 @@ size_t netmesh_plan_scales(const netmesh_scales_request* from) {
     netmesh_scales_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (!is_plannable(request.dim, request.point_count)) return 0;
-    const double tau = tau_of(request.dim, request.tau), eps = eps_of(request.eps);
-    if (!is_valid_tau(tau) || !is_valid_eps(eps)) return 0;
+    const double eps = eps_of(request.eps), theta = theta_of(request.theta), ratio = request.ratio;
+    double tau = tau_of(request.dim, request.tau);
+    if (!is_valid_tau(tau) || !is_valid_eps(eps) || !is_valid_theta(theta)) return 0;
+    if (ratio != 0 && (request.eps != 0 || !is_valid_scales_ratio(ratio, theta))) return 0;
+    if (ratio > 0) tau = equivalent_tau(ratio / (1 + 3 * theta));
     Planned planned;
     planned.filter = planned.scales = true;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         const double points = static_cast<double>(request.point_count);
-        return block_bytes<D>(mesh_amounts<D>(points, tau, tight_size(eps), figures<D>.tight_surroundings), planned);
+        return block_bytes<D>(ratio > 0 ? mesh_amounts<D>(points, tau, 0, 0)
+                                        : mesh_amounts<D>(points, tau, tight_size(eps), figures<D>.tight_surroundings),
+                              planned);
     }));
 }
 

@@ -19,6 +19,9 @@ bool is_valid_tau(double tau) { return tau > 2 && is_finite(tau); }
 bool is_valid_ratio(double ratio) { return ratio > 1 && ratio * ratio > 2 && ratio < 0x1p100; }
 bool is_valid_eps(double eps) { return eps > 0 && eps <= 0.5; }
 bool is_valid_theta(double theta) { return theta > 0 && theta <= 1.0 / 9; }
+bool is_valid_scales_ratio(double ratio, double theta) {
+    return is_valid_ratio(ratio / (1 + 3 * theta) * (1 - 0x1p-40));
+}
 
 Complaint complaint_about_dim(std::uint32_t dim) {
     if (serves_dimension(dim)) return {};

@@ -31,6 +31,7 @@ bool is_valid_tau(double tau);      // finite, above 2
 bool is_valid_ratio(double ratio);  // finite, above the root of 2
 bool is_valid_eps(double eps);
 bool is_valid_theta(double theta);
+bool is_valid_scales_ratio(double ratio, double theta);  // what 1 + 3 theta leaves is a valid ratio
 
 Complaint complaint_about_dim(std::uint32_t dim);
 Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim);

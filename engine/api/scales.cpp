@@ -14,6 +14,10 @@ Complaint complaint_about(const netmesh_scales_request& request) {
         return {NETMESH_FIELD_TAU, "tau is not a finite number above 2"};
     if (!is_valid_eps(eps_of(request.eps))) return {NETMESH_FIELD_EPS, "eps is not in (0, 1/2]"};
     if (!is_valid_theta(theta_of(request.theta))) return {NETMESH_FIELD_THETA, "theta is not in (0, 1/9]"};
+    if (request.ratio == 0) return {};
+    if (request.eps != 0) return {NETMESH_FIELD_EPS, "eps and ratio both say what is asked of the diagram"};
+    if (!is_valid_scales_ratio(request.ratio, theta_of(request.theta)))
+        return {NETMESH_FIELD_RATIO, "ratio is not a finite number above (1 + 3 theta) times the root of 2"};
     return {};
 }
 
@@ -67,9 +71,13 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
     const Complaint complaint = complaint_about(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
-    const ScalesRequest wanted = {theta_of(request.theta),          eps_of(request.eps),
-                                  tau_of(request.dim, request.tau), request.seed,
-                                  values_of(request.values),        degree_of(request.max_degree, request.dim),
+    const ScalesRequest wanted = {theta_of(request.theta),
+                                  eps_of(request.eps),
+                                  request.ratio,
+                                  tau_of(request.dim, request.tau),
+                                  request.seed,
+                                  values_of(request.values),
+                                  degree_of(request.max_degree, request.dim),
                                   request.keep_zero_pairs != 0};
     Monitor monitor = monitor_of(request.monitor);
     InputReport input = {};

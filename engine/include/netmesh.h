@@ -764,7 +764,8 @@ netmesh_status netmesh_get_vine_ratio(const netmesh_context* context, uint32_t k
 /* ----------------------------------------------------------------------------------------- 4 other complexes ---- */
 
 /* Persistent homology of points scale by scale (7.6): recursively well-paced subsets, one mesh for each in the same
- * memory with the tight filter of eps, their diagrams joined. */
+ * memory, their diagrams joined. With eps, over-refined meshes and the tight filter; with ratio, meshes refined by the
+ * certificate and the complete filter: in R^4 and above the only ones that fit anywhere. */
 typedef struct netmesh_scales_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
@@ -773,11 +774,13 @@ typedef struct netmesh_scales_request {
     size_t point_count;   /* 1 .. NETMESH_POINTS_MAX */
     uint64_t seed;        /* of every random choice; init: 1 */
     double tau;           /* as of netmesh_mesh_request */
-    double eps;           /* accuracy of each scale's diagram, in (0, 1/2]; 0: 1/2 */
+    double eps;           /* accuracy of each scale's diagram, in (0, 1/2]; 0: 1/2, or none where ratio is given */
     double theta;         /* mediality that keeps points in one scale, in (0, 1/9]; 0: 1/9 */
     netmesh_values values;
     uint32_t max_degree;      /* as of netmesh_persist_request; init: NETMESH_DIM_MAX */
     uint32_t keep_zero_pairs; /* likewise */
+    double ratio;             /* of the joined diagram, with certified values; above (1 + 3 theta) times the root of 2,
+                                 and finite; 0: as eps says. Not both */
 } netmesh_scales_request;
 
 void netmesh_scales_request_init(netmesh_scales_request* request, size_t request_bytes, uint32_t dim);
@@ -785,9 +788,10 @@ void netmesh_scales_request_init(netmesh_scales_request* request, size_t request
 /* As netmesh_plan_delaunay, all points of one scale. */
 size_t netmesh_plan_scales(const netmesh_scales_request* request);
 
-/* The joined diagram. certified_ratio is at most (1 + 3 theta) (1 + eps), at log distance 3 theta + eps from the
- * offsets of all points; usually far less, as it is computed from how far the scales found are apart
- * (report.scales.separation). Peak memory is that of the largest scale and some 100 bytes a point, whatever the
+/* The joined diagram. With eps, certified_ratio is at most (1 + 3 theta) (1 + eps), at log distance 3 theta + eps from
+ * the offsets of all points; usually far less, as it is computed from how far the scales found are apart
+ * (report.scales.separation). With ratio it is at most that: what the distances of the scales leave of it is asked of
+ * each mesh. Peak memory is that of the largest scale and some 100 bytes a point, whatever the
  * spread; distances are resolved relative to each scale. Cost besides the meshes: points times points of their scale.
  * Replaces what the context held, also on failure; the context then holds a diagram and no mesh.
  * INVALID_ARGUMENT (SIZES: coordinates near point index_a do not resolve the size that eps asks for), NOT_FINITE,

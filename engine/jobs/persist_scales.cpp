@@ -42,14 +42,10 @@ void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simpli
     if (!(certificate.ratio_best <= result->ratio_best)) result->ratio_best = certificate.ratio_best;
 }
 
-// The ratio of the joined diagrams.
-void join_ratios(std::uint32_t clusters, double separation, ScalesResult* result) {
-    result->clusters = clusters;
-    result->separation = separation;
-    if (clusters == 1) return;
-    const double join = separation >= 2 ? separation / (separation - 1) * up : infinity;
-    result->ratio *= join * up;
-    result->ratio_best *= join * up;
+// The factor between the distance to all points and that to those of each scale: E / (E - 1), at least.
+double join_factor(std::uint32_t clusters, double separation) {
+    if (clusters == 1) return 1;
+    return separation >= 2 ? separation / (separation - 1) * up : infinity;
 }
 
 template <int D> class ScalesJoin {
@@ -61,7 +57,9 @@ public:
     Status run(std::uint32_t count);
 
 private:
+    Status divide(std::uint32_t count);
     Status add_cluster();
+    MeshRequest mesh_request() const;
     Status persist_mesh(const double* x, std::uint32_t n, PairList* list);
     void copy_points(double* x) const;
 
@@ -71,6 +69,7 @@ private:
     Monitor& monitor_;
     ScalesResult* result_;
     ScalePartition<D> partition_;
+    double goal_ = 0;  // ratio of each mesh; 0: eps says
 };
 
 // The chosen points: from the first of them where all differences are exact, else as they are.
@@ -90,16 +89,26 @@ template <int D> void ScalesJoin<D>::copy_points(double* x) const {
             x[std::size_t{i} * D + static_cast<std::size_t>(k)] = points_.point(partition_.chosen()[i])[k];
 }
 
+template <int D> MeshRequest ScalesJoin<D>::mesh_request() const {
+    MeshRequest request;
+    request.tau = request_.tau;
+    request.seed = request_.seed;
+    if (goal_ > 0) {
+        request.method = MeshMethod::certificate;
+        request.certify_filter = true;
+        request.goal = {goal_, 0, 0, 0};
+    } else {
+        request.domain_factor = tight_domain_factor(request_.eps);
+        request.size.eps = tight_size(request_.eps);
+    }
+    return request;
+}
+
 template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list) {
     StoreState state = {};
     Store<D> store(arena_, state);
-    MeshRequest request;
-    request.tau = request_.tau;
-    request.domain_factor = tight_domain_factor(request_.eps);
-    request.size.eps = tight_size(request_.eps);
-    request.seed = request_.seed;
     MeshResult<D> mesh;
-    Status status = mesh_points<D>(store, x, n, request, {arena_, monitor_}, &mesh);
+    Status status = mesh_points<D>(store, x, n, mesh_request(), {arena_, monitor_}, &mesh);
     const InputReport& input = mesh.input;
     if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
         const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
@@ -112,15 +121,16 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     double* const value = arena_.take_low<double>(state.vertex_count);
     if (value == nullptr) return Status::out_of_memory;
     const Work work = {arena_, monitor_};
-    Evaluation tight = {value};
-    status = evaluate<D>({store, mesh.domain, n}, {NETMESH_FILTER_TIGHT, request_.values}, work, &tight);
+    Evaluation filter = {value};
+    const netmesh_filter which = goal_ > 0 ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_TIGHT;
+    status = evaluate<D>({store, mesh.domain, n}, {which, request_.values}, work, &filter);
     CountedPairs found = {};
     if (status == Status::ok)
         status =
             persist_lower_star<D>({store.view(), value, n}, {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
     *list = found.pairs;
-    add_mesh(n, state.vertex_count, found.simplices, tight.certificate, result_);
+    add_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);
     return Status::ok;
 }
 
@@ -138,13 +148,31 @@ template <int D> Status ScalesJoin<D>::add_cluster() {
                                                                                      : Status::out_of_memory;
 }
 
+// Sets the ratio of each mesh: what the join leaves, with its roundings.
+template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
+    const std::size_t low = arena_.low_mark();
+    const Status status = partition_.open(points_, count, request_.theta, arena_);
+    bool stopped = false;
+    while (status == Status::ok && partition_.next(monitor_, &stopped)) {
+    }
+    arena_.release_low(low);
+    goal_ = request_.ratio / join_factor(partition_.clusters(), partition_.separation()) / (up * up);
+    return status == Status::ok && stopped ? Status::cancelled : status;
+}
+
 template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
-    Status status = partition_.open(points_, count, request_.theta, arena_);
+    Status status = request_.ratio > 0 ? divide(count) : Status::ok;
+    if (status == Status::ok) status = partition_.open(points_, count, request_.theta, arena_);
     bool stopped = false;
     while (status == Status::ok && partition_.next(monitor_, &stopped)) status = add_cluster();
     if (status == Status::ok && stopped) status = Status::cancelled;
     if (status != Status::ok) return status;
-    join_ratios(partition_.clusters(), partition_.separation(), result_);
+    result_->clusters = partition_.clusters();
+    result_->separation = partition_.separation();
+    if (result_->clusters == 1) return Status::ok;
+    const double join = join_factor(result_->clusters, result_->separation) * up;
+    result_->ratio *= join;
+    result_->ratio_best *= join;
     return Status::ok;
 }
 

@@ -1,4 +1,6 @@
-// The tight diagrams of the scales of a set of points (filtration/scale_partition.hpp), joined.
+// The diagrams of the scales of a set of points (filtration/scale_partition.hpp), joined: the tight filter on meshes
+// over-refined for eps, or the complete filter on meshes refined by the certificate. What the join needs of a scale is
+// the certificate of its diagram, whose essential class is born at 0 as that of all filters with inputs at 0 is.
 #pragma once
 #include <cstdint>
 
@@ -10,8 +12,9 @@
 namespace netmesh {
 
 struct ScalesRequest {
-    double theta, eps;  // in (0, 1/9], in (0, 1/2]
-    double tau;
+    double theta;       // in (0, 1/9]
+    double eps, ratio;  // eps in (0, 1/2] and ratio 0, or the ratio of the joined diagram, above sqrt 2 (1 + 3 theta)
+    double tau;         // with eps
     std::uint64_t seed;
     FilterValues values;
     std::uint32_t max_degree;  // 0..D-1
@@ -28,9 +31,9 @@ struct ScalesResult {
 };
 
 // The joined diagram of the distinct points that are the vertices 0..count-1 of `points`: one mesh after the other in
-// the same memory, each with the tight filter, in coordinates from its representative where these are exact. Everything
-// but the pairs is given back. out_of_memory, cancelled, out_of_range, too_close, invalid_argument (coordinates do not
-// resolve the size asked for).
+// the same memory, in coordinates from its representative where these are exact. With a ratio the partition is made
+// twice, as the meshes' part of it depends on how far the scales are apart. Everything but the pairs is given back.
+// out_of_memory, cancelled, out_of_range, too_close, invalid_argument (coordinates do not resolve the size asked for).
 template <int D>
 Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
                       ScalesResult* result);

@@ -321,6 +321,8 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
         for (const double theta : {-1.0, 0.25, not_a_number})
             no_scales([=](auto& r) { r.theta = theta; }, NETMESH_FIELD_THETA);
         no_scales([](auto& r) { r.values = static_cast<netmesh_values>(2); }, NETMESH_FIELD_VALUES);
+        for (const double c : {-1.0, 1.88, infinite}) no_scales([=](auto& r) { r.ratio = c; }, NETMESH_FIELD_RATIO);
+        no_scales([](auto& r) { r.ratio = 2, r.eps = 0.5; }, NETMESH_FIELD_EPS);
 
         const netmesh_fit_request fit = on(f.points, netmesh::requests::Fit(static_cast<std::uint32_t>(dim)));
         f.needs_points(netmesh_fit, fit);
@@ -409,6 +411,8 @@ TEST_CASE("plans of what cannot be") {
         scales.point_count = 10;
         CHECK(netmesh_plan_scales(&scales) > 0);
         scales.eps = 0.75;
+        CHECK(netmesh_plan_scales(&scales) == 0);
+        scales.eps = 0.5, scales.ratio = 3;
         CHECK(netmesh_plan_scales(&scales) == 0);
     }
 }

@@ -126,6 +126,13 @@ TEST_CASE("the plan of a mesh suffices, whatever it is for") {
 }
 
 TEST_CASE("the plan of scales suffices") {
+    for (const int dim : dimensions()) {
+        const inputs::Points few = inputs::uniform(dim, count(dim, {600, 200, 60, 20, 10}), 17);
+        netmesh_scales_request by_ratio = Calls(dim).scales_request(few);
+        by_ratio.ratio = 3;
+        expect_enough(dim, "scales by ratio", netmesh_plan_scales(&by_ratio), 0.01,
+                      [&](Calls& calls) { return netmesh_persist_scales(calls.context, &by_ratio); });
+    }
     for (const int dim : dimensions(2, 3)) {
         const inputs::Points points = inputs::uniform(dim, count(dim, {120, 10}), 17);
         const netmesh_scales_request request = Calls(dim).scales_request(points);

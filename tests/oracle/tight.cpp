@@ -38,6 +38,31 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
     }
 }
 
+// On a mesh refined by the certificate, which is for the complete filter: what the tight filter certifies there is its
+// own, at most a little more.
+template <int D> void within_ratio(const inputs::Points& points, double ratio) {
+    Session exact(D);
+    REQUIRE(exact.alpha(points) == NETMESH_OK);
+    const Diagram truth = diagram(exact);
+    Session session(D);
+    session.bounds = true;
+    session.request.certificate.ratio = ratio;
+    for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
+        REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_TIGHT, 0, values),
+                                         NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        const netmesh_report r = session.report();
+        const double distance = log_distance(diagram(session), truth, D);
+        if (values == NETMESH_VALUES_CERTIFIED) CHECK(r.diagram.certified_ratio <= 1.1 * ratio);
+        CHECK(distance <= std::log(r.diagram.certified_ratio));
+        CHECK(moves_within(curve(session), diagram(session), truth));
+        std::size_t certain = 0;
+        CHECK(bounds_hold(session, truth, &certain));
+        MESSAGE("D=" << D << ", ratio " << ratio << ": log distance " << distance << ", certified ratio "
+                     << r.diagram.certified_ratio << ", " << r.mesh.vertices << " vertices, " << certain
+                     << " bars surely real");
+    }
+}
+
 }  // namespace
 
 TEST_CASE("plane") {
@@ -53,4 +78,13 @@ TEST_CASE("plane") {
 TEST_CASE("space") {
     within_eps<3>("uniform", inputs::uniform(3, 12), 0.5);
     within_eps<3>("sphere", inputs::shell(3, 14, 1, 1, 22), 0.5);
+}
+
+TEST_CASE("meshes refined by the certificate, in every dimension") {
+    within_ratio<2>(inputs::uniform(2, 100), 1.8);
+    within_ratio<3>(inputs::uniform(3, 60), 2);
+    within_ratio<4>(inputs::uniform(4, 200), 2.3);
+    within_ratio<4>(inputs::shell(4, 40, 1, 1, 23), 1.9);
+    within_ratio<5>(inputs::uniform(5, 60), 2.4);
+    within_ratio<6>(inputs::uniform(6, 16), 2.4);
 }

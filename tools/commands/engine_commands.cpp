@@ -216,11 +216,12 @@ std::vector<FileJob> mesh_jobs(const Options& options, const Measured& measured,
 
 }  // namespace
 
-Outcome run_engine_command(const Options& options) {
+Outcome run_engine_command(const Options& given) {
     const double start = platform::seconds_now();
     PointCloud cloud;
-    Outcome outcome = read_input(options, &cloud);
+    Outcome outcome = read_input(given, &cloud);
     if (!outcome.good()) return outcome;
+    const Options options = suited(given, cloud.dim);
     RunReport run;
     run.options = &options;
     run.read_seconds = platform::seconds_now() - start;

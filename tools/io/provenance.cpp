@@ -72,7 +72,8 @@ void add_mesh_options(const Options& options, HeadWriter* head) {
 
 std::string head_text(const HeadLine& line) { return line.value.empty() ? line.name : line.name + " " + line.value; }
 
-Options settled(const Options& options, std::uint32_t dim) {
+Options settled(const Options& given, std::uint32_t dim) {
+    const Options options = suited(given, dim);
     Options all = options;
     const netmesh_filter_info& filter = about(filter_of(options));
     all.filter = filter.filter;
@@ -80,12 +81,12 @@ Options settled(const Options& options, std::uint32_t dim) {
     if (filter.needs_k != 0) all.k = options.k.value_or(1);
     all.max_degree = max_degree_of(options, dim);
     if (!is_on_points(filter.filter)) all.max_degree = std::min(*all.max_degree, dim - 1);
-    if (filter.has_eps != 0 && options.eps == 0) all.eps = default_eps;
+    if (filter.has_eps != 0 && options.eps == 0 && !options.ratio) all.eps = default_eps;
     if (filter.has_theta != 0 && options.theta == 0) all.theta = default_theta;
     const requests::Mesh mesh = mesh_request(options, dim);
     all.tau = tau(mesh);
     if (!refines_by_certificate(options)) return all;
-    all.ratio = options.fit ? fit_request(options, dim).ratio : mesh.certificate.ratio;
+    if (!options.ratio) all.ratio = options.fit ? fit_request(options, dim).ratio : mesh.certificate.ratio;
     return all;
 }
 
@@ -96,7 +97,7 @@ Head option_head(const Options& options) {
     if (filter.needs_k != 0) head.add_count("k", options.k.value_or(0));
     if (filter.has_values != 0) head.add("values", values_name(choice_of(options).values));
     add_mesh_options(options, &head);
-    if (filter.has_eps != 0) head.add("eps", options.eps);
+    if (filter.has_eps != 0 && !options.ratio) head.add("eps", options.eps);
     if (filter.has_theta != 0) head.add("theta", options.theta);
     head.add_count("max-degree", options.max_degree.value_or(0));
     if (options.all) head.add("all");

@@ -10,12 +10,6 @@ using Names = std::vector<std::string>;
 
 namespace {
 
-// Value of a number behind "key": in JSON text; -1 when it is not there.
-double number_in(const std::string& json, const std::string& key) {
-    const std::size_t at = json.find("\"" + key + "\": ");
-    return at == std::string::npos ? -1 : std::strtod(json.c_str() + at + key.size() + 4, nullptr);
-}
-
 std::string text_in(const std::string& json, const std::string& key) {
     const std::size_t at = json.rfind("\"" + key + "\": \"");
     if (at == std::string::npos) return "";
@@ -419,38 +413,6 @@ TEST_CASE("check: vineyards") {
     CHECK(folder.run("check v.vines").exit == 3);
     folder.write("v.vines", vines + "0 0 2 0 1\n");
     CHECK(folder.run("check v.vines").says("vines are not numbered one after the other"));
-}
-
-TEST_CASE("persist: tight, and scale by scale") {
-    const Folder folder;
-    CHECK(folder.run("sample annulus -n 25 -o p.csv").exit == 0);
-    Result result =
-        folder.run("persist p.csv --filter tight --eps .5 -o d.pers --json --check --svg d.svg --mesh m.node");
-    CHECK(result.err == "");
-    CHECK(result.exit == 0);
-    CHECK(number_in(result.out, "certified_ratio") > 1);
-    CHECK(number_in(result.out, "certified_ratio") <= 1.5);
-    CHECK(folder.run("check d.pers --points p.csv --filter tight --eps .5").exit == 0);
-    CHECK(folder.run("check d.pers --points p.csv --filter tight").exit == 0);  // 1/2 is the default
-    CHECK(folder.run("check d.pers --points p.csv --filter tight --eps .4").exit == 2);
-    result = folder.run("check d.pers --mesh m.node");
-    CHECK(result.err == "");
-    CHECK(result.exit == 0);
-    CHECK(result.out.find("for filter tight, certified values") != std::string::npos);
-
-    CHECK(folder.run("sample zoom -n 30 --dim 2 -o q.csv").exit == 0);
-    result = folder.run("persist q.csv --filter scales --theta .1 --eps .5 -o s.pers --json --check");
-    CHECK(result.err == "");
-    CHECK(result.exit == 0);
-    CHECK(number_in(result.out, "certified_ratio") <= 1.3 * 1.5);
-    CHECK(number_in(result.out, "extended_ball_needed") == 2);
-    CHECK(folder.run("check s.pers --points q.csv --filter scales --theta .1").exit == 0);
-    CHECK(folder.run("check s.pers --points p.csv --filter scales --theta .1").exit == 7);
-    for (const char* line : {"--filter tight --eps 0", "--filter tight --eps .6", "--eps .5", "--theta .1",
-                             "--filter scales --theta .2", "--filter scales --mesh m.node"}) {
-        CAPTURE(line);
-        CHECK(folder.run(std::string("persist p.csv ") + line).exit == 2);
-    }
 }
 
 TEST_CASE("persist: d_k and the k-distance") {

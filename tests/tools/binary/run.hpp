@@ -75,3 +75,9 @@ inline std::string bars_of(const std::string& diagram) {
     }
     return bars;
 }
+
+// Value of a number behind "key": in JSON text; -1 when it is not there.
+inline double number_in(const std::string& json, const std::string& key) {
+    const std::size_t at = json.find("\"" + key + "\": ");
+    return at == std::string::npos ? -1 : std::strtod(json.c_str() + at + key.size() + 4, nullptr);
+}
