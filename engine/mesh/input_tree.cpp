@@ -7,26 +7,6 @@
 namespace netmesh {
 namespace {
 
-struct Range {
-    std::uint32_t begin, end;
-};
-
-// A range to be looked at, beyond planes across each axis at these distances from x. Squares are summed as those of
-// distances are, so that no distance to a point in the range is computed to be less than least2.
-template <int D> struct Waiting {
-    Range range;
-    double least2, offset[D];
-
-    Waiting beyond(int axis, double distance, Range part) const {
-        Waiting other = {part, 0, {}};
-        for (int k = 0; k < D; ++k) {
-            other.offset[k] = k == axis ? distance : offset[k];
-            other.least2 += other.offset[k] * other.offset[k];
-        }
-        return other;
-    }
-};
-
 constexpr auto is_nearer = [](const Neighbour& a, const Neighbour& b) {
     return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.input < b.input);
 };
@@ -85,16 +65,16 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
     count_ = count;
     touches_ = 0;
     for (std::uint32_t i = 0; i < count; ++i) items_[i] = chosen != nullptr ? chosen[i] : i;
-    Range stack[40];
+    TreeRange stack[40];
     int depth = 0;
     stack[depth++] = {0, count};
     while (depth > 0) {
-        const Range range = stack[--depth];
-        if (range.end - range.begin <= leaf) continue;
+        const TreeRange range = stack[--depth];
+        if (range.is_leaf()) continue;
         split(range.begin, range.end);
-        const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
-        stack[depth++] = {range.begin, middle};
-        stack[depth++] = {middle + 1, range.end};
+        const std::uint32_t middle = range.middle();
+        stack[depth++] = range.below();
+        stack[depth++] = range.above();
         if (!rings) continue;
         double reach2 = 0;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -110,15 +90,15 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
 template <int D>
 template <class Consider, class Bound>
 void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) const {
-    Waiting<D> stack[40];
+    TreePart<D> stack[40];
     int depth = 0;
     stack[depth++] = {{0, count_}, 0, {}};
     while (depth > 0) {
-        const Waiting<D> from = stack[--depth];
+        const TreePart<D> from = stack[--depth];
         if (from.least2 > bound2()) continue;
-        Range range = from.range;
-        while (range.end - range.begin > leaf) {
-            const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
+        TreeRange range = from.range;
+        while (!range.is_leaf()) {
+            const std::uint32_t middle = range.middle();
             const int axis = axis_[middle];
             const double offset = x[axis] - store_->point(items_[middle])[axis];
             const double d2 = consider(items_[middle]);
@@ -130,10 +110,9 @@ void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) c
                     break;
                 }
             }
-            const Range below = {range.begin, middle}, above = {middle + 1, range.end};
-            stack[depth] = from.beyond(axis, offset, offset < 0 ? above : below);
+            stack[depth] = from.beyond(axis, offset, offset < 0 ? range.above() : range.below());
             if (!(stack[depth].least2 > bound2())) ++depth;
-            range = offset < 0 ? below : above;
+            range = offset < 0 ? range.below() : range.above();
         }
         for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
     }
@@ -213,24 +192,23 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
         }
         return d2;
     };
-    Waiting<D> stack[40];
+    TreePart<D> stack[40];
     int depth = 0;
     stack[depth++] = {{0, count_}, 0, {}};
     while (depth > 0) {
-        const Waiting<D> from = stack[--depth];
-        const Range range = from.range;
-        if (range.end - range.begin <= leaf) {
+        const TreePart<D> from = stack[--depth];
+        const TreeRange range = from.range;
+        if (range.is_leaf()) {
             for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
             continue;
         }
-        const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
+        const std::uint32_t middle = range.middle();
         const double d = square_root(consider(items_[middle])), reach = reach_[middle];
         if ((d + reach) * (1 + 8 * unit_roundoff) < best1 || (d - reach) * (1 - 8 * unit_roundoff) > outer) continue;
         const double offset = x[axis_[middle]] - store_->point(items_[middle])[axis_[middle]];
-        const Range below = {range.begin, middle}, above = {middle + 1, range.end};
         stack[depth] = from;
-        stack[depth++].range = offset < 0 ? below : above;
-        stack[depth] = from.beyond(axis_[middle], offset, offset < 0 ? above : below);
+        stack[depth++].range = offset < 0 ? range.below() : range.above();
+        stack[depth] = from.beyond(axis_[middle], offset, offset < 0 ? range.above() : range.below());
         if (!(stack[depth].least2 > outer * outer)) ++depth;
     }
     *distance2 = best2;

@@ -18,6 +18,23 @@ struct TreeRange {
     TreeRange above() const { return {middle() + 1, end}; }
 };
 
+// A part to be looked at, beyond planes across each axis at these distances from the point that is searched about.
+// Squares are summed as those of distances are, so that no distance to a point of the part is computed to be less than
+// least2.
+template <int D> struct TreePart {
+    TreeRange range;
+    double least2, offset[D];
+
+    TreePart beyond(int axis, double distance, TreeRange other) const {
+        TreePart part = {other, 0, {}};
+        for (int k = 0; k < D; ++k) {
+            part.offset[k] = k == axis ? distance : offset[k];
+            part.least2 += part.offset[k] * part.offset[k];
+        }
+        return part;
+    }
+};
+
 // One of several nearest inputs.
 struct Neighbour {
     double distance2;  // as computed
@@ -63,7 +80,6 @@ public:
     std::uint64_t touches() const { return touches_; }
 
 private:
-    static constexpr std::uint32_t leaf = TreeRange::leaf;
     void split(std::uint32_t begin, std::uint32_t end);
     double squared_distance(const double* x, std::uint32_t v) const {
         ++touches_;

@@ -46,21 +46,6 @@ struct TwoNearest {
     }
 };
 
-// A part of the tree, beyond planes across each axis at these distances from the point that is searched about.
-template <int D> struct Part {
-    TreeRange range;
-    double least2, offset[D];
-
-    Part beyond(int axis, double distance, TreeRange other) const {
-        Part part = {other, 0, {}};
-        for (int k = 0; k < D; ++k) {
-            part.offset[k] = k == axis ? distance : offset[k];
-            part.least2 += part.offset[k] * part.offset[k];
-        }
-        return part;
-    }
-};
-
 template <int D> class StepAudit {
 public:
     StepAudit(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit)
@@ -213,11 +198,11 @@ template <int D>
 template <int D>
 [[gnu::cold]] void StepAudit<D>::find_second(const double* x, std::uint32_t domain, double enough2,
                                              TwoNearest* inputs) {
-    Part<D> stack[40];
+    TreePart<D> stack[40];
     int depth = 0;
     stack[depth++] = {tree_.root(), 0, {}};
     while (depth > 0 && inputs->second2 > enough2) {
-        const Part<D> part = stack[--depth];
+        const TreePart<D> part = stack[--depth];
         if (!(part.least2 < inputs->second2)) continue;
         TreeRange range = part.range;
         bool passed = false;
