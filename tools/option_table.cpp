@@ -25,10 +25,13 @@ const std::vector<CommandEntry>& command_entries() {
          "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential "
          "classes "
          "differ.\n"},
-        {Command::vineyard, "vineyard", "POINTS", 1, "diagrams of d_k for a range of k, and their vines",
+        {Command::vineyard, "vineyard", "POINTS | COMPLEX --values FILE", 1,
+         "diagrams of d_k for a range of k, or of a complex for any sequence of values, and their vines",
          "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of "
          "each k; a "
-         "vine\nfollows one class from k to k.\n"},
+         "vine\nfollows one class from k to k. With --values FILE the complex is one as homology reads them, k numbers "
+         "the lines of\nFILE, whose values take the place of its own, and all ratios are 1; between two lines all "
+         "values move at once on\nstraight lines.\n"},
         {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
          "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
          "persist.\n"},
@@ -142,7 +145,14 @@ std::string apply_filter(Options& options, const std::string& text) {
 }
 
 std::string apply_values(Options& options, const std::string& text) {
-    if (text != "certified" && text != "thesis") return "there are certified and thesis";
+    const bool named = text == "certified" || text == "thesis";
+    options.values_path.clear();
+    if (!named && options.command != Command::vineyard && options.command != Command::check)
+        return "there are certified and thesis";
+    if (!named) {
+        options.values_path = text;
+        return text.empty() ? "must be certified, thesis or a file name" : "";
+    }
     options.values = text == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
     return {};
 }
@@ -337,8 +347,14 @@ const std::vector<OptionEntry>& option_entries() {
          "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points "
          "in\n"
          "                    every set of a barycentric filter, at least"},
-        {"--values", persist | vineyard | size | check, "V", apply_values,
-         "certified (default) or thesis: the filter's own"},
+        {"--values", persist | size, "V", apply_values, "certified (default) or thesis: the filter's own"},
+        {"--values", vineyard, "V|FILE", apply_values,
+         "certified (default) or thesis: the filter's own; or a file of vectors of values, one a line, each a value for\n"
+         "                    every simplex of COMPLEX, or for every vertex, in the order of its lines"},
+        {"--values", check, "V|FILE", apply_values,
+         "certified or thesis: the filter's own; or the values that a vineyard of a complex was made of"},
+        {"--complex", check, "COMPLEX", apply_path<&Options::complex_path>,
+         "with --values FILE: the complex that the vineyard was made of"},
         {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
         {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree,
          "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},

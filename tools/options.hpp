@@ -45,6 +45,8 @@ struct Options {
     double pace_theta = 0;                       // of --pace; 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
+    std::string values_path;   // vineyard, check: vectors of values, of the simplices of a complex
+    std::string complex_path;  // check
     std::optional<std::uint32_t> max_degree;
     std::optional<std::uint32_t> k,
         k_last;                    // knn, kdistance, barycentric filters; of a vineyard the first and the last

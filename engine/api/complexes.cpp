@@ -2,6 +2,7 @@
 #include "api/keep_complex.hpp"
 #include "api/plan.hpp"
 #include "api/requests.hpp"
+#include "api/simplices.hpp"
 #include "filtration/filters.hpp"
 #include "jobs/persist_points.hpp"
 #include "jobs/persist_simplices.hpp"
@@ -23,19 +24,6 @@ void keep_diagram(netmesh_context* context, const KeptInput& input, const KeptDi
     keep_complex(context, *complex);
 }
 
-const char* text_of(const SimplexFault& fault) {
-    switch (fault.kind) {
-    case NETMESH_FAULT_NONE: return "the value of a simplex is not a finite number";
-    case NETMESH_FAULT_SIZE: return "a simplex has no vertices or more than 32";
-    case NETMESH_FAULT_TOO_MANY: return "more than 2^31 - 1 simplices of one dimension";
-    case NETMESH_FAULT_VERTEX_TWICE: return "a simplex has a vertex twice";
-    case NETMESH_FAULT_LISTED_TWICE: return "a simplex is listed twice";
-    case NETMESH_FAULT_FACE_MISSING: return "a face of a simplex is missing";
-    case NETMESH_FAULT_FACE_LATER: return "a face enters later than its simplex";
-    }
-    return nullptr;
-}
-
 Complaint complaint_about(const netmesh_points_request& request) {
     const Filter* const filter = find_filter(request.filter);
     if (filter == nullptr || filter->source != FilterSource::points)
@@ -55,16 +43,6 @@ Complaint complaint_about(const netmesh_points_request& request) {
 
 PointsFilter filter_of(const netmesh_points_request& request) {
     return {request.filter, values_of(request.values), request.k, request.max_degree};
-}
-
-Complaint complaint_about(const netmesh_homology_request& request) {
-    if (request.vertices == nullptr) return {NETMESH_FIELD_VERTICES, "vertices is null"};
-    if (request.starts == nullptr) return {NETMESH_FIELD_STARTS, "starts is null"};
-    if (request.entries == nullptr) return {NETMESH_FIELD_ENTRIES, "entries is null"};
-    if (request.simplex_count == 0) return {NETMESH_FIELD_SIMPLEX_COUNT, "there are no simplices"};
-    if (request.vertex_count != 0 && request.starts[request.simplex_count] > request.vertex_count)
-        return {NETMESH_FIELD_VERTEX_COUNT, "starts leads beyond the last vertex"};
-    return {};
 }
 
 }  // namespace
@@ -127,7 +105,7 @@ netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology
     netmesh_homology_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about(request);
+    const Complaint complaint = complaint_about_simplices(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
@@ -135,18 +113,12 @@ netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology
     const ComplexRequest wanted = {{request.max_degree, request.keep_zero_pairs != 0}, request.representatives != 0};
     SimplicesDiagram made;
     const Status status = persist_simplices(list, wanted, {context->arena, monitor}, &made);
-    if (status != Status::ok) {
-        const SimplexFault& fault = made.fault;
-        const bool of_input = status == Status::not_a_complex || status == Status::not_finite;
-        fail_and_clear(context, status, of_input ? text_of(fault) : nullptr, fault.simplex, fault.other);
-        context->detail.said.fault = fault.kind;
-        return static_cast<netmesh_status>(status);
-    }
+    if (status != Status::ok) return fail_at_simplex(context, status, made.listed.fault);
     KeptDiagram diagram;
     diagram.max_degree = made.max_degree;
     diagram.certified_ratio = diagram.certified_ratio_best = 1;
-    const KeptInput input = {true, true, 0, 0, 0, made.input_fingerprint, made.complex.count[0]};
-    keep_diagram(context, input, diagram, made.diagram, wanted.representatives ? &made.complex : nullptr);
+    const KeptInput input = {true, true, 0, 0, 0, made.listed.input_fingerprint, made.listed.complex.count[0]};
+    keep_diagram(context, input, diagram, made.diagram, wanted.representatives ? &made.listed.complex : nullptr);
     return finish(context, status);
 }
 

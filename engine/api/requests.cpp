@@ -203,6 +203,12 @@ void netmesh_homology_request_init(netmesh_homology_request* request, size_t req
     start(defaults, request, request_bytes);
 }
 
+void netmesh_value_vineyard_request_init(netmesh_value_vineyard_request* request, size_t request_bytes) {
+    netmesh_value_vineyard_request defaults = {};
+    defaults.max_degree = NETMESH_DEGREE_MAX;
+    start(defaults, request, request_bytes);
+}
+
 void netmesh_bottleneck_request_init(netmesh_bottleneck_request* request, size_t request_bytes, size_t pair_bytes) {
     netmesh_bottleneck_request defaults = {};
     defaults.pair_bytes = static_cast<uint32_t>(pair_bytes);

@@ -1,7 +1,10 @@
-// Vineyards of the mesh that the context holds.
+// Vineyards of the mesh that the context holds, and of the caller's own values.
 #include "api/measure.hpp"
+#include "api/plan.hpp"
 #include "api/requests.hpp"
+#include "api/simplices.hpp"
 #include "jobs/k_vineyard.hpp"
+#include "jobs/value_vineyard.hpp"
 
 namespace netmesh {
 namespace {
@@ -15,24 +18,27 @@ Complaint complaint_about(const netmesh_vineyard_request& request) {
     return complaint_about_values(request.values);
 }
 
-void keep_vineyard(netmesh_context* context, const netmesh_vineyard_request& request, const VineList& vines) {
+Complaint complaint_about(const netmesh_value_vineyard_request& request) {
+    if (request.step_count == 0) return {NETMESH_FIELD_STEP_COUNT, "there are no steps"};
+    if (request.step_count >= none) return {NETMESH_FIELD_STEP_COUNT, "more than 2^32 - 2 steps"};
+    return complaint_about_simplices(request);
+}
+
+// What the vines are of is for the caller to say: `kept` comes with filter, values and degree.
+void keep_vineyard(netmesh_context* context, const KeptVineyard& kept, const VineList& vines) {
     const Arena& arena = context->arena;
-    KeptVineyard& kept = context->vineyard;
-    const std::uint32_t count = request.k_last - request.k_first + 1;
-    kept.present = true;
-    kept.filter = request.filter;
-    kept.values = request.values;
-    kept.max_degree = degree_of(request.max_degree, context->input.dim);
-    kept.k_first = request.k_first;
-    kept.k_last = request.k_last;
-    kept.vines = vines.vine_count;
-    kept.ratios = Slice<double>::of(arena, vines.ratio, count);
-    kept.points = Slice<VinePoint>::of(arena, vines.points, vines.count);
-    kept.simplices = vines.simplices;
-    kept.transpositions = vines.transpositions;
-    kept.certified_ratio = 1;
+    context->vineyard = kept;
+    KeptVineyard& now = context->vineyard;
+    const std::uint32_t count = kept.k_last - kept.k_first + 1;
+    now.present = true;
+    now.vines = vines.vine_count;
+    now.ratios = Slice<double>::of(arena, vines.ratio, count);
+    now.points = Slice<VinePoint>::of(arena, vines.points, vines.count);
+    now.simplices = vines.simplices;
+    now.transpositions = vines.transpositions;
+    now.certified_ratio = 1;
     for (std::uint32_t i = 0; i < count; ++i)
-        if (!(vines.ratio[i] <= kept.certified_ratio)) kept.certified_ratio = vines.ratio[i];
+        if (!(vines.ratio[i] <= now.certified_ratio)) now.certified_ratio = vines.ratio[i];
 }
 
 }  // namespace
@@ -40,7 +46,9 @@ void keep_vineyard(netmesh_context* context, const netmesh_vineyard_request& req
 
 using namespace netmesh;
 
-extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, const netmesh_vineyard_request* from) {
+extern "C" {
+
+netmesh_status netmesh_vineyard(netmesh_context* context, const netmesh_vineyard_request* from) {
     netmesh_vineyard_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
@@ -60,6 +68,48 @@ extern "C" netmesh_status netmesh_vineyard(netmesh_context* context, const netme
         Store<D> store(context->arena, context->mesh.store);
         return k_vineyard<D>(filtered_mesh_of<D>(*context, store), wanted, {context->arena, monitor}, &vines);
     });
-    status == Status::ok ? keep_vineyard(context, request, vines) : clear_diagram(context);
+    KeptVineyard kept;
+    kept.filter = request.filter;
+    kept.values = request.values;
+    kept.max_degree = wanted.max_degree;
+    kept.k_first = request.k_first;
+    kept.k_last = request.k_last;
+    status == Status::ok ? keep_vineyard(context, kept, vines) : clear_diagram(context);
     return finish(context, status);
 }
+
+netmesh_status netmesh_value_vineyard(netmesh_context* context, const netmesh_value_vineyard_request* from) {
+    netmesh_value_vineyard_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    const Complaint complaint = complaint_about(request);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    clear(context);
+    Monitor monitor = monitor_of(request.monitor);
+    const ValueVineyardRequest wanted = {{request.vertices, request.starts, nullptr, request.simplex_count},
+                                         request.entries,
+                                         static_cast<std::uint32_t>(request.step_count),
+                                         request.by_vertex != 0,
+                                         request.max_degree};
+    ValueVineyard made;
+    const Status status = value_vineyard(wanted, {context->arena, monitor}, &made);
+    if (status != Status::ok) return fail_at_simplex(context, status, made.fault, made.step);
+    context->complete = true;
+    context->input = {true, true, 0, 0, 0, made.input_fingerprint, made.vertices};
+    KeptVineyard kept;
+    kept.max_degree = made.max_degree;
+    kept.k_first = 1;
+    kept.k_last = wanted.steps;
+    keep_vineyard(context, kept, made.vines);
+    return finish(context, status);
+}
+
+size_t netmesh_plan_value_vineyard(const netmesh_value_vineyard_request* from) {
+    netmesh_value_vineyard_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    if (request.simplex_count == 0 || request.vertex_count < request.simplex_count) return 0;
+    if (request.vertex_count > UINT64_MAX / 128 || request.step_count == 0 || request.step_count >= none) return 0;
+    return whole_bytes(value_vineyard_bytes(request.simplex_count, request.vertex_count, request.step_count) + 65536);
+}
+
+}  // extern "C"

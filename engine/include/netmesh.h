@@ -8,7 +8,7 @@
  * Chapters: 1 context, 2 mesh, 3 persistence, 4 other complexes, 5 distances, 6 reports.
  *
  * Life of a context:   init -> delaunay | mesh | load -> persist | vineyard -> bound_bars, represent -> get_*
- *                      init -> fit | persist_scales | persist_points | homology -> get_*
+ *                      init -> fit | persist_scales | persist_points | homology | value_vineyard -> get_*
  *
  * Requests. A job takes the context and one request, a struct that its init call fills with defaults:
  *
@@ -144,6 +144,7 @@ typedef enum netmesh_field {
     NETMESH_FIELD_SIZE_GROWTH,
     NETMESH_FIELD_NET_SPACING,
     NETMESH_FIELD_CAGE_KIND,
+    NETMESH_FIELD_STEP_COUNT,
     NETMESH_FIELD_COUNT
 } netmesh_field;
 
@@ -170,6 +171,8 @@ typedef struct netmesh_detail {
     uint64_t index_a, index_b;
     uint64_t bytes_wanted;
     const char* message; /* static text, never null once the struct has been filled */
+    uint64_t step; /* of netmesh_value_vineyard, of NOT_A_COMPLEX and NOT_FINITE: the step at fault, from 1 on; 0: the
+                      complex itself */
 } netmesh_detail;
 
 typedef struct netmesh_context netmesh_context;
@@ -865,6 +868,41 @@ size_t netmesh_plan_homology(const netmesh_homology_request* request);
  * */
 netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology_request* request);
 
+/* One complex and any sequence of filtrations of it. The complex is given as in netmesh_homology_request; each step is
+ * a vector of values, one for each simplex in their order, or, by_vertex, one for each simplex of one vertex in their
+ * order: the other simplices then enter with the last of their vertices (lower stars), which is always a filtration. */
+typedef struct netmesh_value_vineyard_request {
+    uint32_t struct_bytes;
+    uint32_t max_degree; /* as of netmesh_homology_request; init: NETMESH_DEGREE_MAX */
+    netmesh_monitor monitor;
+    const uint32_t* vertices; /* [starts[simplex_count]] */
+    const uint64_t* starts;   /* [simplex_count + 1] */
+    const double* entries;    /* [step_count][simplex_count], by_vertex [step_count][simplices of one vertex] */
+    uint64_t simplex_count;   /* >= 1 */
+    uint64_t vertex_count;    /* as of netmesh_homology_request */
+    uint64_t step_count;      /* 1 .. 2^32 - 2 */
+    uint32_t by_vertex;       /* 1: values of vertices */
+} netmesh_value_vineyard_request;
+
+void netmesh_value_vineyard_request_init(netmesh_value_vineyard_request* request, size_t request_bytes);
+
+/* Bytes of block to plan for, with a bar for every other simplex at every step and without the columns; reads
+ * simplex_count, vertex_count and step_count. SIZE_MAX when it does not fit a size_t, 0 on an invalid request. */
+size_t netmesh_plan_value_vineyard(const netmesh_value_vineyard_request* request);
+
+/* The diagrams of all steps, each that of netmesh_homology, and the vines that connect them (6.3), read by
+ * netmesh_get_vine_point with k for the step, from 1 on; all ratios are 1, the report's filter is NONE. From step to
+ * step every value moves on a straight line, (1 - t) a + t b, and vines are those of this homotopy: simplices of one
+ * dimension are transposed in the order in which their values meet, which is decided exactly. Values that are equal at
+ * a step are in the order of the list there, so simplices that begin equal change their places at t = 0 if at all, and
+ * those that end equal at t = 1. Where several meet at one t, they are transposed by dimension, then from the first to
+ * enter on; another order could exchange vines that meet in one point, and no others.
+ * Replaces what the context held, also on failure. Memory: about 160 bytes a simplex, the columns, and 32 bytes for
+ * each bar of each step. Time: as of netmesh_vineyard.
+ * INVALID_ARGUMENT, NOT_FINITE (simplex index_a at detail.step), NOT_A_COMPLEX (detail.fault; FACE_LATER at
+ * detail.step), OUT_OF_MEMORY, CANCELLED; then the context is empty. */
+netmesh_status netmesh_value_vineyard(netmesh_context* context, const netmesh_value_vineyard_request* request);
+
 /* ----------------------------------------------------------------------------------------------- 5 distances ---- */
 
 typedef enum netmesh_scale {
@@ -1025,17 +1063,17 @@ typedef struct netmesh_scales_report {
 
 typedef struct netmesh_vineyard_report {
     uint32_t present;
-    netmesh_filter filter;
+    netmesh_filter filter; /* NONE: of netmesh_value_vineyard */
     netmesh_values values;
     uint32_t max_degree;
-    uint32_t k_first, k_last;
+    uint32_t k_first, k_last; /* there 1 and step_count */
     uint64_t vines, points, transpositions;
     uint64_t simplices;     /* of the filtered complex */
     double certified_ratio; /* the largest of all k */
     uint64_t reserved[2];
 } netmesh_vineyard_report;
 
-/* Of netmesh_homology and netmesh_persist_points. */
+/* Of netmesh_homology, netmesh_value_vineyard and netmesh_persist_points. */
 typedef struct netmesh_complex_report {
     uint32_t present;
     uint64_t vertices;

@@ -67,6 +67,9 @@ struct Points : netmesh_points_request {
 struct Homology : netmesh_homology_request {
     Homology() { netmesh_homology_request_init(this, sizeof(netmesh_homology_request)); }
 };
+struct ValueVineyard : netmesh_value_vineyard_request {
+    ValueVineyard() { netmesh_value_vineyard_request_init(this, sizeof(netmesh_value_vineyard_request)); }
+};
 struct Bottleneck : netmesh_bottleneck_request {
     Bottleneck() { netmesh_bottleneck_request_init(this, sizeof(netmesh_bottleneck_request), sizeof(netmesh_pair)); }
 };
@@ -96,6 +99,9 @@ inline std::size_t plan(const netmesh_mesh_request& request) { return netmesh_pl
 inline std::size_t plan(const netmesh_scales_request& request) { return netmesh_plan_scales(&request); }
 inline std::size_t plan(const netmesh_points_request& request) { return netmesh_plan_points(&request); }
 inline std::size_t plan(const netmesh_homology_request& request) { return netmesh_plan_homology(&request); }
+inline std::size_t plan(const netmesh_value_vineyard_request& request) {
+    return netmesh_plan_value_vineyard(&request);
+}
 
 // Bottleneck distance, with request.scratch of bottleneck_bytes(request).
 inline std::size_t bottleneck_bytes(const netmesh_bottleneck_request& request) {
@@ -164,6 +170,9 @@ public:
         return status_ = netmesh_persist_points(context_, &r);
     }
     netmesh_status homology(const netmesh_homology_request& r) { return status_ = netmesh_homology(context_, &r); }
+    netmesh_status value_vineyard(const netmesh_value_vineyard_request& r) {
+        return status_ = netmesh_value_vineyard(context_, &r);
+    }
     netmesh_status analyse(netmesh_analysis* analysis, const netmesh_analyse_request& r = requests::Analyse()) {
         analysis->struct_bytes = sizeof *analysis;
         return status_ = netmesh_analyse(context_, &r, analysis);

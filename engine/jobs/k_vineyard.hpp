@@ -4,23 +4,9 @@
 #include <cstdint>
 
 #include "filtration/filters.hpp"
+#include "jobs/follow_vines.hpp"
 
 namespace netmesh {
-
-// A pair of the diagram of one k: where a vine is there. Vines are numbered from 0 by degree, the first k at which they
-// have a length, and birth and death there; a vine is listed for the k at which it has a length only.
-struct VinePoint {
-    double birth, death;
-    std::uint32_t vine, k, degree, unused;
-};
-
-struct VineList {
-    const double* ratio;      // [k_last - k_first + 1], certified ratios, at the arena's low end, then the points
-    const VinePoint* points;  // [count], by vine, then k
-    std::uint64_t count;
-    std::uint32_t vine_count;
-    std::uint64_t simplices, transpositions;
-};
 
 struct VineRequest {
     netmesh_filter filter;          // with has_vineyard

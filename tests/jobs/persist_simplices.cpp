@@ -116,17 +116,17 @@ TEST_CASE("a simplex that enters before its face is told with that face, by thei
         std::vector<Pair> pairs;
         SimplicesDiagram out;
         REQUIRE(persist(list, 2, 9, &pairs, &out) == Status::not_a_complex);
-        CHECK(out.fault.kind == NETMESH_FAULT_FACE_LATER);
-        CHECK(out.fault.simplex == moved);
-        REQUIRE(out.fault.other < list.values.size());
-        CHECK(list.values[out.fault.other] > list.values[moved]);
+        CHECK(out.listed.fault.kind == NETMESH_FAULT_FACE_LATER);
+        CHECK(out.listed.fault.simplex == moved);
+        REQUIRE(out.listed.fault.other < list.values.size());
+        CHECK(list.values[out.listed.fault.other] > list.values[moved]);
         const auto simplex = [&](std::uint64_t i) {
             std::vector<std::uint32_t> s(list.vertices.begin() + static_cast<std::ptrdiff_t>(list.starts[i]),
                                          list.vertices.begin() + static_cast<std::ptrdiff_t>(list.starts[i + 1]));
             std::sort(s.begin(), s.end());
             return s;
         };
-        const auto whole = simplex(moved), face = simplex(out.fault.other);
+        const auto whole = simplex(moved), face = simplex(out.listed.fault.other);
         CHECK(face.size() + 1 == whole.size());
         CHECK(std::includes(whole.begin(), whole.end(), face.begin(), face.end()));
     }

@@ -42,6 +42,10 @@ Outcome run_check(const Options& options) {
     if (!options.mesh_path.empty() && ending_of(options.mesh_path) != ".node") {
         return usage_error("--mesh " + options.mesh_path + ": must be a .node file");
     }
+    if (options.complex_path.empty() != options.values_path.empty())
+        return usage_error("--complex COMPLEX and --values FILE belong together");
+    if (!options.complex_path.empty() && ending != ".vines")
+        return usage_error("--complex goes with a vineyard (.vines)");
     RunReport run;
     run.options = &options;
     run.checked.emplace();

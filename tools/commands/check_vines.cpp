@@ -5,6 +5,7 @@
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
+#include "tools/commands/value_vineyard.hpp"
 #include "tools/io/vine_file.hpp"
 
 namespace netmesh::tool {
@@ -20,6 +21,7 @@ std::string vine_text(const std::vector<netmesh_vine_point>& points, std::size_t
 
 // The diagram of each k by itself: one essential class, born first.
 Outcome check_form(const VineFile& file, const std::string& name) {
+    if (file.of_values) return {};  // a complex may be of any form, and values of any sign
     for (std::size_t i = 0; i < file.vines.ratios.size(); i++) {
         const std::uint32_t k = file.vines.k_first + static_cast<std::uint32_t>(i);
         const std::string complaint = diagram_complaint(diagram_at(file.vines, k));
@@ -32,7 +34,7 @@ Outcome check_form(const VineFile& file, const std::string& name) {
 // Where the file departs from the vineyard of the same filter, values and k that the session holds.
 std::string difference(const VineFile& file, const Vines& due) {
     for (std::size_t i = 0; i < due.ratios.size(); i++) {
-        if (file.vines.ratios[i] == due.ratios[i]) continue;
+        if (i < file.vines.ratios.size() && file.vines.ratios[i] == due.ratios[i]) continue;
         TextWriter text;
         text << "the certified ratio at k = " << static_cast<std::uint64_t>(due.k_first + i) << " is " << due.ratios[i];
         return text.text();
@@ -89,6 +91,26 @@ Outcome recompute(const Options& options, const VineSource& source, const Sessio
     return {};
 }
 
+Outcome check_with_values(const Options& options, const VineFile& file, const std::string& name, RunReport* run) {
+    ValueInput input;
+    Outcome outcome = read_value_input(options, options.complex_path, &input);
+    if (!outcome.good()) return outcome;
+    Session session(options, NETMESH_DIM_MIN);
+    Vines due;
+    outcome = make_value_vineyard(options, input, session, &due);
+    if (!outcome.good()) return outcome;
+    std::string complaint = difference(file, due);
+    if (complaint.empty() && file.vines.ratios.size() != due.ratios.size())
+        complaint = "it has " + std::to_string(file.vines.ratios.size()) + " steps where " +
+                    std::to_string(due.ratios.size()) + " are due";
+    const std::string of = input.complex.lines.name + " with the values of " + input.values.lines.name;
+    if (!complaint.empty()) return mismatch(name + " is not the vineyard of " + of + ": " + complaint);
+    run->engine = session.engine().report();
+    run->clock = session.clock();
+    run->checked->push_back(name + " is the vineyard of " + of);
+    return {};
+}
+
 Outcome check_with_mesh(const Options& options, const VineFile& file, const std::string& name, RunReport* run) {
     MeshFiles files;
     Outcome outcome = read_mesh_files(options.mesh_path, &files);
@@ -124,7 +146,12 @@ Outcome check_vines(const Options& options, RunReport* run) {
     if (!outcome.good()) return outcome;
     run->checked->push_back(name + " has " + grouped_text(file.vines.points.size()) + " points of " +
                             grouped_text(file.vines.points.empty() ? 0 : file.vines.points.back().vine + 1) +
-                            " vines, each diagram with one essential class");
+                            " vines" + (file.of_values ? "" : ", each diagram with one essential class"));
+    const bool with_values = !options.complex_path.empty() && !options.values_path.empty();
+    const bool with_points = !options.mesh_path.empty() || !options.points_path.empty();
+    if (file.of_values && with_points) return usage_error(name + " is of a complex: --complex and --values FILE say which");
+    if (!file.of_values && with_values) return usage_error(name + " is of points or a mesh");
+    if (with_values) return check_with_values(options, file, name, run);
     if (!options.mesh_path.empty()) return check_with_mesh(options, file, name, run);
     if (!options.points_path.empty()) return check_with_points(options, file, name, run);
     return {};

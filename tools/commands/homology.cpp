@@ -5,6 +5,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/value_vineyard.hpp"
 #include "tools/io/complex_file.hpp"
 #include "tools/plot/plots.hpp"
 #include "tools/session.hpp"
@@ -20,23 +21,6 @@ Outcome read_input(const Options& options, SimplexFile* file) {
     file->lines.name = shown_name(options.positionals[0]);
     if (outcome.good()) outcome = read_content(options.positionals[0], &content);
     return outcome.good() ? parse_simplices(content, file) : outcome;
-}
-
-// Names the simplex that has no place in a complex, and what it lacks.
-Outcome explain_fault(const SimplexFile& file, const netmesh_detail& detail) {
-    const std::uint64_t at = detail.index_a;
-    const std::string where = file.lines.where(at) + ": simplex " + simplex_text(file, at) + ": ";
-    switch (detail.fault) {
-    case NETMESH_FAULT_FACE_MISSING:
-        return data_error(where + "its face " + simplex_text(file, at, detail.index_b) + " is missing");
-    case NETMESH_FAULT_FACE_LATER:
-        return data_error(where + "enters at " + number_text(file.values[at]) + ", before its face " +
-                          simplex_text(file, detail.index_b) + " of " + file.lines.place(detail.index_b) + " at " +
-                          number_text(file.values[detail.index_b]));
-    case NETMESH_FAULT_LISTED_TWICE:
-        return data_error(where + "is listed in " + file.lines.place(detail.index_b) + " already");
-    default: return data_error(where + detail.message);
-    }
 }
 
 requests::Homology homology_request(const Options& options, const SimplexFile& file) {
@@ -91,7 +75,7 @@ Outcome run_homology(const Options& options) {
         return s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().homology(s.watched(request)); });
     });
     const Engine& engine = session.engine();
-    if (engine.status() == NETMESH_NOT_A_COMPLEX) return explain_fault(file, engine.detail());
+    if (engine.status() == NETMESH_NOT_A_COMPLEX) return explain_fault(file, file.values.data(), engine.detail());
     if (!outcome.good()) return outcome;
     run.engine = engine.report();
     run.clock = session.clock();

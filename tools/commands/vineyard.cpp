@@ -1,9 +1,10 @@
-// vineyard: points in, one mesh, the diagrams of all k and the vines between them out.
+// vineyard: points in, one mesh, the diagrams of all k and the vines between them out; or a complex and values.
 #include "platform/clock.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
+#include "tools/commands/value_vineyard.hpp"
 #include "tools/io/vine_file.hpp"
 #include "tools/plot/plots.hpp"
 
@@ -48,9 +49,54 @@ Outcome read_input(const Options& options, PointCloud* cloud) {
     return outcome.good() ? read_points(options.positionals[0], cloud) : outcome;
 }
 
+// The files of a vineyard that was made.
+Outcome finish(double start, const Vines& vines, RunReport* run) {
+    const Options& options = *run->options;
+    run->vines = &vines;
+    std::vector<FileJob> jobs;
+    if (!options.svg.empty()) {
+        jobs.push_back({options.svg, [&](TextWriter& out) { out << vineyard_picture(vines, *run->engine); }});
+    }
+    if (!options.out.empty() || !options.json) {
+        jobs.push_back({options.out, [&](TextWriter& out) { write_vines(vines, run->engine->vineyard, out); }});
+    }
+    return finish_run(jobs, start, run);
+}
+
+Outcome run_with_values(const Options& options) {
+    const double start = platform::seconds_now();
+    ValueInput input;
+    Outcome outcome = check_ending(options.out, ".vines", "a vineyard");
+    if (outcome.good()) outcome = check_writable({options.out, options.svg});
+    if (outcome.good()) outcome = read_value_input(options, options.positionals[0], &input);
+    if (!outcome.good()) return outcome;
+    RunReport run;
+    run.options = &options;
+    run.read_seconds = platform::seconds_now() - start;
+    Session session(options, NETMESH_DIM_MIN);
+    Vines vines;
+    outcome = make_value_vineyard(options, input, session, &vines);
+    if (!outcome.good()) return outcome;
+    run.engine = session.engine().report();
+    for (const netmesh_vine_point& p : vines.points) {
+        if (p.birth < 0 && !options.svg.empty())
+            return data_error("--svg " + options.svg + ": the logarithmic scale has no negative values");
+    }
+    if (options.check) {
+        std::string fault;
+        outcome = check_value_vineyard(options, input, vines, session, &fault);
+        if (!outcome.good()) return outcome;
+        if (!fault.empty()) return {Exit::check, "netmesh: check failed: " + fault};
+        run.checked = std::vector<std::string>{"each diagram equals a fresh computation"};
+    }
+    run.clock = session.clock();
+    return finish(start, vines, &run);
+}
+
 }  // namespace
 
 Outcome run_vineyard(const Options& options) {
+    if (!options.values_path.empty()) return run_with_values(options);
     const double start = platform::seconds_now();
     PointCloud cloud;
     Outcome outcome = read_input(options, &cloud);
@@ -73,19 +119,11 @@ Outcome run_vineyard(const Options& options) {
     if (!outcome.good()) return outcome;
     if (!fault.empty()) return {Exit::check, "netmesh: check failed: " + fault};
     run.clock = session.clock();
-    run.vines = &vines;
     if (options.check) {
         run.checked = std::vector<std::string>{"combinatorics, orientation, Delaunay property, quality",
                                                "each diagram equals a fresh computation"};
     }
-    std::vector<FileJob> jobs;
-    if (!options.svg.empty()) {
-        jobs.push_back({options.svg, [&](TextWriter& out) { out << vineyard_picture(vines, *run.engine); }});
-    }
-    if (!options.out.empty() || !options.json) {
-        jobs.push_back({options.out, [&](TextWriter& out) { write_vines(vines, run.engine->vineyard, out); }});
-    }
-    return finish_run(jobs, start, &run);
+    return finish(start, vines, &run);
 }
 
 }  // namespace netmesh::tool

@@ -43,6 +43,34 @@ Outcome parse_simplices(std::string_view content, SimplexFile* file) {
                       "the input ends without a simplex");
 }
 
+Outcome parse_values(std::string_view content, const SimplexFile& complex, ValueFile* file) {
+    std::size_t vertices = 0;
+    for (std::size_t i = 0; i < complex.count(); i++) vertices += complex.starts[i + 1] - complex.starts[i] == 1 ? 1 : 0;
+    LineReader reader(content);
+    std::string_view line;
+    std::vector<double> numbers;
+    while (reader.next_content(&line)) {
+        Complaint complaint = parse_numbers(line, &numbers);
+        const bool first = file->count() == 0;
+        const bool fits = first ? numbers.size() == complex.count() || numbers.size() == vertices
+                                : numbers.size() == file->width;
+        if (complaint.empty() && !fits) {
+            complaint = grouped_text(numbers.size()) + " values; ";
+            complaint += first ? complex.lines.name + " has " + grouped_text(complex.count()) + " simplices, " +
+                                     grouped_text(vertices) + " of them vertices"
+                               : "line " + std::to_string(file->lines.lines[0]) + " has " + grouped_text(file->width);
+        }
+        if (!complaint.empty()) return line_error(file->lines.name, reader.number(), complaint);
+        file->width = numbers.size();
+        file->values.insert(file->values.end(), numbers.begin(), numbers.end());
+        file->lines.lines.push_back(reader.number());
+    }
+    file->by_vertex = file->width != complex.count();
+    if (file->count() > 0) return {};
+    return line_error(file->lines.name, std::max<std::uint64_t>(reader.number(), 1),
+                      "the input ends without a vector of values");
+}
+
 std::string simplex_text(const SimplexFile& file, std::uint64_t i, std::uint64_t skip) {
     std::vector<std::uint32_t> sorted(file.vertices.begin() + static_cast<std::ptrdiff_t>(file.starts[i]),
                                       file.vertices.begin() + static_cast<std::ptrdiff_t>(file.starts[i + 1]));

@@ -22,7 +22,7 @@ void write_vine_point(const netmesh_vine_point& p, TextWriter& out) {
 
 void write_vines(const Vines& vines, const netmesh_vineyard_report& report, TextWriter& out) {
     out << "# netmesh vineyard 1: vine degree k birth death\n# filter " << filter_name(report.filter) << ", "
-        << values_name(report.values) << " values\n";
+        << (report.filter == NETMESH_FILTER_NONE ? "given" : values_name(report.values)) << " values\n";
     for (std::size_t i = 0; i < vines.ratios.size(); i++) {
         out << "# k " << static_cast<std::uint64_t>(vines.k_first + i) << " certified ratio " << vines.ratios[i]
             << '\n';
@@ -49,9 +49,10 @@ Complaint parse_comment(std::string_view line, VineFile* file) {
         for (const netmesh_filter_info& info : filters()) {
             if (has_vineyard(info) && words[2] == std::string(info.name) + ",") file->choice.filter = info.filter;
         }
+        file->of_values = words[2] == "none," && words[3] == "given";
         file->choice.values = words[3] == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
-        if (file->choice.filter != NETMESH_FILTER_NONE) return {};
-        return "a vineyard's filter is " + list_filters(has_vineyard, "or");
+        if (file->choice.filter != NETMESH_FILTER_NONE || file->of_values) return {};
+        return "a vineyard's filter is " + list_filters(has_vineyard, "or") + ", or `none, given values`";
     }
     if (words.size() != 6 || words[1] != "k" || words[3] != "certified") return {};
     std::uint32_t k;
@@ -65,7 +66,8 @@ Complaint parse_comment(std::string_view line, VineFile* file) {
     return {};
 }
 
-Complaint parse_point(std::string_view line, const Vines& vines, netmesh_vine_point* point) {
+Complaint parse_point(std::string_view line, const VineFile& file, netmesh_vine_point* point) {
+    const Vines& vines = file.vines;
     const std::vector<std::string_view> words = split_blanks(line);
     if (words.size() != 5) return std::to_string(words.size()) + " fields; a line is: vine degree k birth death";
     if (!parse_index(words[0], &point->vine)) return quoted(words[0]) + " is not a vine";
@@ -73,8 +75,8 @@ Complaint parse_point(std::string_view line, const Vines& vines, netmesh_vine_po
     if (!parse_index(words[2], &point->k) || point->k < vines.k_first ||
         point->k - vines.k_first >= vines.ratios.size())
         return quoted(words[2]) + " is not a k with a certified ratio above";
-    if (!parse_finite(std::string(words[3]), &point->birth) || point->birth < 0)
-        return quoted(words[3]) + " is not a birth: finite and not below 0";
+    if (!parse_finite(std::string(words[3]), &point->birth) || (point->birth < 0 && !file.of_values))
+        return quoted(words[3]) + " is not a birth: finite" + (file.of_values ? "" : " and not below 0");
     point->death = HUGE_VAL;
     if (words[4] != "inf" && (!parse_finite(std::string(words[4]), &point->death) || point->death <= point->birth))
         return quoted(words[4]) + " is not a death: inf, or finite and after the birth";
@@ -100,13 +102,13 @@ Outcome parse_vines(std::string_view content, const std::string& name, VineFile*
         if (split_blanks(line).empty()) continue;
         netmesh_vine_point point = sized<netmesh_vine_point>();
         const bool comment = line.front() == '#';
-        const Complaint complaint = comment ? parse_comment(line, file) : parse_point(line, file->vines, &point);
+        const Complaint complaint = comment ? parse_comment(line, file) : parse_point(line, *file, &point);
         if (!complaint.empty()) return line_error(name, number, complaint);
         if (comment) continue;
         file->vines.points.push_back(point);
         file->lines.push_back(number);
     }
-    if (file->choice.filter == NETMESH_FILTER_NONE) return line_error(name, 1, "no line `# filter F, V values`");
+    if (file->choice.filter == NETMESH_FILTER_NONE && !file->of_values) return line_error(name, 1, "no line `# filter F, V values`");
     if (file->vines.ratios.empty()) return line_error(name, 1, "no line `# k K certified ratio C`");
     return {};
 }

@@ -30,6 +30,7 @@ void write_vine_point(const netmesh_vine_point& point, TextWriter& out);
 struct VineFile {
     Vines vines;
     FilterChoice choice;
+    bool of_values = false;            // of a complex and values of the user's; k is the step
     std::vector<std::uint64_t> lines;  // of each point
 };
 Outcome parse_vines(std::string_view content, const std::string& name, VineFile* file);

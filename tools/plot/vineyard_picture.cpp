@@ -98,14 +98,19 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report) {
     const netmesh_vineyard_report& vineyard = report.vineyard;
     const std::uint32_t panels = vineyard.max_degree + 1;
     Svg svg(out, gap + panels * (panel_width + gap), page_height);
+    const bool given = vineyard.filter == NETMESH_FILTER_NONE;
+    const std::string of = given ? grouped_text(vineyard.simplices) + " simplices, "
+                                 : grouped_text(report.input.points) + " points, k = ";
     svg.text(48, 40,
-             "Vineyard of " + grouped_text(report.input.points) + " points, k = " + std::to_string(vineyard.k_first) +
-                 " to " + std::to_string(vineyard.k_last),
+             "Vineyard of " + of + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) +
+                 (given ? " of its steps" : ""),
              20, ink, Anchor::start, true);
+    const std::string what = "a bar from birth to death at every ";
     svg.text(48, 62,
-             choice_text({vineyard.filter, vineyard.values}) +
-                 "; a bar from birth to death at every k, bands join the bars of one vine; certified ratio at most " +
-                 rounded_text(vineyard.certified_ratio, 4),
+             given ? what + "step, bands join the bars of one vine"
+                   : choice_text({vineyard.filter, vineyard.values}) + "; " + what +
+                         "k, bands join the bars of one vine; certified ratio at most " +
+                         rounded_text(vineyard.certified_ratio, 4),
              13, faint_ink, Anchor::start);
     for (std::uint32_t degree = 0; degree < panels; degree++) {
         const Panel panel{gap + degree * (panel_width + gap), 110, panel_width, 520};

@@ -17,7 +17,8 @@ struct Choice {
 };
 
 Choice choice_of(const RunReport& run, const netmesh_report& engine) {
-    if (run.options->command == Command::vineyard)
+    const bool given = engine.vineyard.present != 0 && engine.vineyard.filter == NETMESH_FILTER_NONE;
+    if (run.options->command == Command::vineyard && !given)
         return {filter_name(engine.vineyard.filter), values_name(engine.vineyard.values)};
     if (run.options->command != Command::persist) return {};
     return {filter_name(engine.diagram.filter), values_name(engine.diagram.values)};

@@ -151,18 +151,21 @@ std::string diagram_lines(const netmesh_report& engine) {
 }
 
 std::string vineyard_lines(const netmesh_vineyard_report& vineyard) {
-    return "vineyard k = " + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) + ": " +
-           counted(vineyard.vines, "vine", "vines") + ", " +
-           counted(vineyard.transpositions, "transposition", "transpositions") + " of " +
-           grouped_text(vineyard.simplices) + " simplices; " + choice_text({vineyard.filter, vineyard.values}) +
-           "\ncertified ratio at most " + rounded_text(vineyard.certified_ratio, 6) + "\n";
+    const std::string text = ": " + counted(vineyard.vines, "vine", "vines") + ", " +
+                             counted(vineyard.transpositions, "transposition", "transpositions") + " of " +
+                             grouped_text(vineyard.simplices) + " simplices";
+    if (vineyard.filter == NETMESH_FILTER_NONE) return "vineyard " + counted(vineyard.k_last, "step", "steps") + text + "\n";
+    return "vineyard k = " + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) + text + "; " +
+           choice_text({vineyard.filter, vineyard.values}) + "\ncertified ratio at most " + rounded_text(vineyard.certified_ratio, 6) + "\n";
 }
 
 std::string input_line(const netmesh_report& engine) {
     const netmesh_input_report& input = engine.input;
     std::string text = "input    ";
     if (input.dim == 0) {
-        text += counted(engine.diagram.simplices, "simplex", "simplices") + " on " +
+        const std::uint64_t simplices =
+            engine.vineyard.present != 0 ? engine.vineyard.simplices : engine.diagram.simplices;
+        text += counted(simplices, "simplex", "simplices") + " on " +
                 counted(engine.simplicial_complex.vertices, "vertex", "vertices");
     } else {
         text += counted(input.points, "point", "points") + " in R^" + std::to_string(input.dim);

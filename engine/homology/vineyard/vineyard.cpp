@@ -56,6 +56,9 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
     max_degree_ = max_degree < complex.dimension ? max_degree : complex.dimension;
     top_ = max_degree_ + 1 < complex.dimension ? max_degree_ + 1 : complex.dimension;
     std::uint32_t longest = 1;
+    std::uint64_t simplices = 0;
+    for (std::uint32_t k = 0; k <= top_; ++k) simplices += complex.count[k];
+    if (simplices > none / 2) return Status::out_of_memory;
     slots_ = 0;
     for (std::uint32_t k = 0; k <= top_; ++k) {
         const std::uint32_t n = complex.count[k];
@@ -77,7 +80,7 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
         if (position == nullptr || !rank_vertices(value[k], complex.count[k], work.arena, of_[k].order, position))
             return Status::out_of_memory;
         for (std::uint32_t s = 0; s < complex.count[k]; ++s) {
-            of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, 0, 0};
+            of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, {0, 0}};
             of_[k].vine[s] = none;
         }
     }
@@ -189,18 +192,28 @@ std::uint32_t Vineyard::dimension_of(std::uint32_t slot) const {
     return k;
 }
 
-// When the values of the simplices at positions i and i + 1 cross; infinity when they stay in this order.
-double Vineyard::crossing_time(std::uint32_t k, std::uint32_t i) const {
-    const Record &a = of_[k].at[of_[k].order[i]], &b = of_[k].at[of_[k].order[i + 1]];
-    if (a.target < b.target) return infinity;
-    const double before = b.from - a.from, after = a.to - b.to;
-    return before + after > 0 ? before / (before + after) : 0;
+// The values of the simplices at positions i and i + 1.
+Crossing Vineyard::crossing(std::uint32_t k, std::uint32_t i) const {
+    return {of_[k].at[of_[k].order[i]].value, of_[k].at[of_[k].order[i + 1]].value};
 }
 
-// The earlier crossing of the two below a node of the tournament.
+// When they cross; infinity when they stay in this order.
+double Vineyard::crossing_time(std::uint32_t k, std::uint32_t i) const {
+    const Record &a = of_[k].at[of_[k].order[i]], &b = of_[k].at[of_[k].order[i + 1]];
+    return a.target < b.target ? infinity : time_of({a.value, b.value});
+}
+
+// The earlier crossing of the two below a node of the tournament, of equal times that of the lower slot.
 void Vineyard::find_winner(std::uint32_t node) {
     const std::uint32_t a = slot_at(2 * node), b = slot_at(2 * node + 1);
-    const bool later = time_[b] < time_[a] || (time_[b] == time_[a] && b < a);
+    bool later = is_surely_earlier(time_[b], time_[a]);
+    if (!later && time_[a] < infinity && !is_surely_earlier(time_[a], time_[b])) {
+        const std::uint32_t ka = dimension_of(a), kb = dimension_of(b);
+        const int order = compare_times(crossing(ka, a - of_[ka].slot), crossing(kb, b - of_[kb].slot));
+        later = order > 0 || (order == 0 && b < a);
+    } else if (!later && time_[b] == time_[a]) {
+        later = b < a;
+    }
     winner_[node] = later ? b : a;
 }
 
@@ -225,8 +238,7 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
             return Status::out_of_memory;
         for (std::uint32_t s = 0; s < complex_.count[k]; ++s) {
             of_[k].at[s].target = target[s];
-            of_[k].at[s].from = from[k][s];
-            of_[k].at[s].to = to[k][s];
+            of_[k].at[s].value = {from[k][s], to[k][s]};
         }
         for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) time_[of_[k].slot + i] = crossing_time(k, i);
     }
@@ -244,17 +256,30 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
 // Transposes the simplices at positions i and i + 1, whose crossing is the first of all, and goes on as long as the
 // next crossing is among the positions whose times have changed since; the tournament is told of all of these at the
 // end. Simplices that share their values, as those of a lower star do, cross others all at once, so such runs are
-// long. The order of transpositions is that of the tournament: when the run begins, all times before position i are
-// later; a time that has not changed since is not earlier than the present one, nor does it come first among equal
-// times.
+// long. The order of transpositions is that of the tournament: by time, then slot. Values that meet at one time do so
+// pair by pair, so no time that changes is earlier than the present one; the first of equal times is at position i - 1,
+// or else at i + 1, or else farther up among those that have changed, and all others of this time come behind these.
 Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monitor) {
     constexpr std::uint32_t span_max = 256;
     Dimension& d = of_[k];
     double* const time = time_ + d.slot;
     const std::uint32_t last = complex_.count[k] - 2;
+    const Crossing now = crossing(k, i);
+    const double now_time = time[i];
+    const auto is_now = [&](std::uint32_t j) {
+        return !is_surely_earlier(now_time, time[j]) && compare_times(crossing(k, j), now) == 0;
+    };
+    const auto renew = [&](std::uint32_t j) {
+        const Record &a = d.at[d.order[j]], &b = d.at[d.order[j + 1]];
+        time[j] = infinity;
+        if (a.target < b.target) return false;
+        const Crossing next = {a.value, b.value};
+        const bool same = are_equal(next, now);
+        time[j] = same ? now_time : time_of(next);
+        return same || (!is_surely_earlier(now_time, time[j]) && compare_times(next, now) == 0);
+    };
     std::uint32_t low = i, high = i;
-    Status status = Status::ok;
-    for (double now = time[i]; status == Status::ok;) {
+    for (Status status = Status::ok;;) {
         const std::uint32_t a = d.order[i], b = d.order[i + 1];
         if (!transpose(k, a, b)) return Status::out_of_memory;
         d.order[i] = b;
@@ -265,27 +290,26 @@ Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monit
         time[i] = infinity;
         std::uint32_t next = i;
         if (i < last) {
-            time[i + 1] = crossing_time(k, i + 1);
             if (i + 1 > high) high = i + 1;
-            if (time[i + 1] <= now) next = i + 1;
+            if (renew(i + 1)) next = i + 1;
         }
         if (i > 0) {
-            time[i - 1] = crossing_time(k, i - 1);
             if (i - 1 < low) low = i - 1;
-            if (time[i - 1] <= now && time[i - 1] <= time[next]) next = i - 1;
+            if (renew(i - 1)) next = i - 1;
         }
         ++transpositions_;
         if (monitor.advance(transpositions_)) status = Status::cancelled;
-        if (high - low > span_max) break;
-        for (std::uint32_t j = low, seen = next; seen == i && j <= high; ++j) {
-            if (time[j] <= now && time[j] < time[next]) next = j;
+        if (status == Status::ok && high - low <= span_max) {
+            for (std::uint32_t j = low; next == i && j <= high; ++j)
+                if (is_now(j)) next = j;
+            if (next != i) {
+                i = next;
+                continue;
+            }
         }
-        if (next == i) break;
-        i = next;
-        now = time[i];
+        update_winners(k, low, high);
+        return status;
     }
-    update_winners(k, low, high);
-    return status;
 }
 
 // a stands just before b, both of dimension k. R and V become those of the order in which they are exchanged. False:

@@ -1,13 +1,16 @@
 // Vineyards (thesis 6.3): persistence along a sequence of filtrations of one complex, by transpositions on R = D V
 // (Cohen-Steiner, Edelsbrunner, Morozov 2006). Between two filtrations every simplex's value moves on a straight line,
 // which is a filtration at all times; simplices of one dimension whose values cross are transposed in the order of
-// their times, and each transposition repairs R and V by at most two additions of columns. Only orders within a
-// dimension matter, simplices of different dimensions are never transposed. A vine is a pair's path: where two pairs
-// exchange their partners they do so in one point, and each goes on from there.
+// their times, exactly (crossing.hpp), crossings at one time by dimension, then position; and each transposition repairs
+// R and V by at most two additions of columns. Only orders within a dimension matter, simplices of different dimensions
+// are never transposed. A vine is a pair's path: where two pairs exchange their partners they do so in one point, and
+// each goes on from there. Values that are equal in a filtration are in order of their numbers there, so simplices that
+// begin equal cross at time 0 and simplices that end equal at time 1.
 #pragma once
 #include <cstdint>
 
 #include "homology/vineyard/column_pool.hpp"
+#include "homology/vineyard/crossing.hpp"
 #include "memory/work.hpp"
 #include "vocabulary/monitor.hpp"
 
@@ -16,7 +19,7 @@ namespace netmesh {
 // A complex without values: simplex i of dimension k >= 1 has the faces facets[k][(k+1) i .. (k+1) i + k] of dimension
 // k-1.
 struct ComplexView {
-    static constexpr std::uint32_t dimension_max = 7;
+    static constexpr std::uint32_t dimension_max = 31;
     std::uint32_t dimension;
     std::uint32_t count[dimension_max + 1];
     const std::uint32_t* facets[dimension_max + 1];
@@ -30,8 +33,7 @@ public:
         std::uint32_t birth, death;  // simplices of dimensions degree, degree + 1; death `none`: essential
     };
 
-    // Reduces the filtration value[k][count[k]] (no NaN, faces no later than cofaces, magnitudes up to 2^1000), ties by
-    // number. Degrees 0..max_degree. Takes 68 bytes a simplex and the columns at the arena's high end, where nothing
+    // Reduces the filtration value[k][count[k]] (finite, faces no later than cofaces), ties by number. Degrees 0..max_degree. Takes 68 bytes a simplex and the columns at the arena's high end, where nothing
     // else may be taken until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
     Status open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, const Work& work);
     // From the filtration `from` (the present one) to the next. O(log n) a transposition at most, and what the columns
@@ -56,7 +58,7 @@ private:
         std::uint32_t low;     // pivot of its reduced column, `none`: positive
         std::uint32_t owner;   // whose pivot it is, or `none`
         SparseColumn r, v;
-        double from, to;  // its values in this filtration and the one to come
+        MovingValue value;  // in this filtration and the one to come
     };
     struct Dimension {
         std::uint32_t* order;  // [position] simplex
@@ -70,6 +72,7 @@ private:
 
     Status reduce(std::uint32_t k, Monitor& monitor);
     std::uint32_t pivot_of(std::uint32_t k, const SparseColumn& column) const;
+    Crossing crossing(std::uint32_t k, std::uint32_t i) const;
     double crossing_time(std::uint32_t k, std::uint32_t i) const;
     void find_winner(std::uint32_t node);
     void update_winners(std::uint32_t k, std::uint32_t first, std::uint32_t last);

@@ -1,0 +1,159 @@
+#include "jobs/follow_vines.hpp"
+
+#include "numerics/real.hpp"
+#include "numerics/sort.hpp"
+
+namespace netmesh {
+namespace {
+
+// Points on their way, at the arena's low end.
+class PointWriter {
+public:
+    explicit PointWriter(Arena& arena) : arena_(arena) {}
+    bool add(const VinePoint& point) {
+        VinePoint* const first = count_ == 0 ? arena_.take_low<VinePoint>(1) : points_;
+        if (first == nullptr || (count_ > 0 && !arena_.extend_low(sizeof(VinePoint)))) return false;
+        points_ = first;
+        points_[count_++] = point;
+        return true;
+    }
+    VinePoint* points() const { return points_; }
+    std::uint64_t count() const { return count_; }
+
+private:
+    Arena& arena_;
+    VinePoint* points_ = nullptr;
+    std::uint64_t count_ = 0;
+};
+
+class Follower {
+public:
+    Follower(const ComplexView& complex, std::uint32_t max_degree, const VineSteps& steps, const Work& work)
+        : complex_(complex), max_degree_(max_degree), steps_(steps), work_(work), writer_(work.arena) {}
+
+    // Fills ratio[count], and leaves the points somewhere above the arena's low mark.
+    Status run(std::uint32_t count, double* ratio, VineList* out);
+
+private:
+    Status open();
+    bool note(std::uint32_t step, const double* const* value);
+    Status number_vines(VineList* out);
+
+    const ComplexView& complex_;
+    std::uint32_t max_degree_;
+    const VineSteps& steps_;
+    const Work& work_;
+    PointWriter writer_;
+    double* value_[2][ComplexView::dimension_max + 1] = {};
+    Vineyard vineyard_;
+};
+
+Status Follower::open() {
+    for (std::uint32_t k = 0; k <= complex_.dimension; ++k) {
+        value_[0][k] = work_.arena.take_high<double>(complex_.count[k]);
+        value_[1][k] = work_.arena.take_high<double>(complex_.count[k]);
+        if (value_[0][k] == nullptr || value_[1][k] == nullptr) return Status::out_of_memory;
+    }
+    return Status::ok;
+}
+
+bool Follower::note(std::uint32_t step, const double* const* value) {
+    bool good = true;
+    vineyard_.for_each_pair([&](const Vineyard::VinePair& pair) {
+        const double birth = value[pair.degree][pair.birth];
+        const double death = pair.death == none ? infinity : value[pair.degree + 1][pair.death];
+        if (death > birth) good = good && writer_.add({birth, death, pair.vine, step, pair.degree, 0});
+    });
+    return good;
+}
+
+// Numbers the vines that have points, and sorts.
+Status Follower::number_vines(VineList* out) {
+    const HighScope scope(work_.arena);
+    VinePoint* const points = writer_.points();
+    const std::uint64_t count = writer_.count();
+    const std::uint32_t raw_count = vineyard_.vine_count();
+    std::uint32_t* const number = work_.arena.take_high<std::uint32_t>(raw_count);
+    VinePoint* const first = work_.arena.take_high<VinePoint>(raw_count);
+    if (number == nullptr || first == nullptr || count >= none) return Status::out_of_memory;
+    std::uint32_t vines = 0;
+    for (std::uint32_t v = 0; v < raw_count; ++v) number[v] = none;
+    for (std::uint64_t i = 0; i < count; ++i) {  // in the order of steps
+        if (number[points[i].vine] != none) continue;
+        number[points[i].vine] = 0;
+        first[vines++] = points[i];
+    }
+    sort(first, vines, [](const VinePoint& a, const VinePoint& b) {
+        if (a.degree != b.degree) return a.degree < b.degree;
+        if (a.k != b.k) return a.k < b.k;
+        if (a.birth != b.birth) return a.birth < b.birth;
+        if (a.death != b.death) return a.death < b.death;
+        return a.vine < b.vine;
+    });
+    for (std::uint32_t v = 0; v < vines; ++v) number[first[v].vine] = v;
+    for (std::uint64_t i = 0; i < count; ++i) points[i].vine = number[points[i].vine];
+    sort(points, count,
+         [](const VinePoint& a, const VinePoint& b) { return a.vine != b.vine ? a.vine < b.vine : a.k < b.k; });
+    out->points = points;
+    out->count = count;
+    out->vine_count = vines;
+    return Status::ok;
+}
+
+Status Follower::run(std::uint32_t count, double* ratio, VineList* out) {
+    Status status = open();
+    for (std::uint32_t i = 0; i < count && status == Status::ok; ++i) {
+        const double* const* const before = value_[1 - i % 2];
+        double* const* const value = value_[i % 2];
+        ratio[i] = 1;
+        status = steps_.fill(steps_.user, steps_.first + i, value, ratio + i);
+        if (status != Status::ok) break;
+        status = i == 0 ? vineyard_.open(complex_, max_degree_, value, work_)
+                        : vineyard_.advance(before, value, work_.monitor);
+        if (status == Status::ok && !note(steps_.first + i, value)) status = Status::out_of_memory;
+    }
+    if (status == Status::ok) status = number_vines(out);
+    if (status != Status::ok) return status;
+    out->simplices = 0;
+    for (std::uint32_t k = 0; k <= complex_.dimension; ++k) out->simplices += complex_.count[k];
+    out->transpositions = vineyard_.transpositions();
+    return Status::ok;
+}
+
+}  // namespace
+
+Status VineRoom::open(std::uint32_t steps) {
+    count_ = steps;
+    ratio_ = arena_.take_low<double>(steps);
+    low_ = arena_.low_mark();
+    return ratio_ == nullptr ? Status::out_of_memory : Status::ok;
+}
+
+Status VineRoom::follow(const ComplexView& complex, std::uint32_t max_degree, const VineSteps& steps, const Work& work,
+                        VineList* out) {
+    Follower follower(complex, max_degree, steps, work);
+    const Status status = follower.run(count_, ratio_, out);
+    if (status != Status::ok) return status;
+    arena_.release_low(low_);
+    // Where the old ones are or below.
+    VinePoint* const points = arena_.take_low<VinePoint>(static_cast<std::size_t>(out->count));
+    if (points == nullptr) return Status::out_of_memory;
+    __builtin_memmove(points, out->points, sizeof(VinePoint) * static_cast<std::size_t>(out->count));
+    out->ratio = ratio_;
+    out->points = points;
+    scope_.keep_low_from_now();
+    return Status::ok;
+}
+
+void raise_to_vertices(const ComplexView& complex, double* const* value) {
+    for (std::uint32_t k = 1; k <= complex.dimension; ++k)
+        for (std::uint32_t i = 0; i < complex.count[k]; ++i) {
+            const std::uint32_t* const facets = complex.facets[k] + std::size_t{i} * (k + 1);
+            double most = value[k - 1][facets[0]];
+            for (std::uint32_t j = 1; j <= k; ++j)
+                if (value[k - 1][facets[j]] > most) most = value[k - 1][facets[j]];
+            value[k][i] = most;
+        }
+}
+
+}  // namespace netmesh
