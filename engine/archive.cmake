@@ -69,13 +69,13 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # the bytes of all that is built.
 set(seldom analysis/fatness analysis/hierarchy_size analysis/pacing analysis/size analysis/structure
   api/analyse api/load api/mesh_rules api/plan complex/listed_complex delaunay/check delaunay/load
-  filtration/circumsphere_exact filtration/scale_partition jobs/persist_scales mesh/ball_lists mesh/check_domain
+  filtration/circumsphere_exact filtration/scale_partition jobs/follow_vines jobs/k_vineyard jobs/list_simplices
+  jobs/persist_scales jobs/value_vineyard mesh/ball_lists mesh/check_domain
   mesh/domain mesh/hierarchy_quality mesh/quality_audit mesh/thesis_cages)
 list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
-# -O3 unrolls these loops to two or three times the size.
+# -O3 unrolls its loops to two or three times the size.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/engine/analysis/feature_integral.cpp
-  ${PROJECT_SOURCE_DIR}/engine/jobs/k_vineyard.cpp
   PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
 target_include_directories(netmesh_engine
   PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include> PRIVATE ${PROJECT_SOURCE_DIR}/engine)

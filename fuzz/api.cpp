@@ -210,6 +210,29 @@ private:
         request.representatives = tape_.byte() & 1;
         ended(netmesh_homology(context_, maybe<netmesh_homology_request>(request, c)));
     }
+    void value_vineyard() {
+        const Choices c = choose();
+        const Complex complex = make_complex();
+        netmesh::requests::ValueVineyard request;
+        request.monitor = c.monitor;
+        request.vertices = complex.vertices.data();
+        request.starts = complex.starts.data();
+        request.simplex_count = complex.entries.size();
+        request.step_count = 1 + tape_.below(3);
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
+        request.by_vertex = tape_.byte() & 1;
+        std::vector<double> all;
+        for (std::uint64_t step = 0; step < request.step_count; ++step)
+            for (std::size_t i = 0; i < complex.entries.size(); ++i) {
+                const std::uint64_t size = complex.starts[i + 1] - complex.starts[i];
+                if (request.by_vertex != 0 ? size == 1 : step == 0) all.push_back(complex.entries[i]);
+                if (request.by_vertex == 0 && step > 0)
+                    all.push_back(tape_.rarely() ? tape_.number() : double(size) * 256 + tape_.byte());
+            }
+        const std::vector<double> entries(all);  // no spare capacity
+        request.entries = entries.data();
+        ended(netmesh_value_vineyard(context_, maybe<netmesh_value_vineyard_request>(request, c)));
+    }
     void vineyard() {
         const Choices c = choose();
         netmesh::requests::Vineyard request(
@@ -488,6 +511,11 @@ private:
         homology.simplex_count = n;
         homology.vertex_count = UINT64_MAX / (tape_.byte() + 1u);
         netmesh_plan_homology(&homology);
+        netmesh::requests::ValueVineyard values;
+        values.simplex_count = n;
+        values.vertex_count = homology.vertex_count;
+        values.step_count = n;
+        netmesh_plan_value_vineyard(&values);
     }
 
     void call() {
@@ -516,6 +544,7 @@ private:
         case 21: return plan();
         case 22: return fit();
         case 23: return tape_.rarely() ? start() : read_results();
+        case 24: return tape_.byte() % 2 == 0 ? value_vineyard() : read_results();
         default: return read_results();
         }
     }

@@ -113,6 +113,37 @@ void check_cycle(const netmesh_context* context, std::uint64_t index, const netm
     require(last == pair.birth);
 }
 
+// There and back: all values of a dimension in the opposite order, then those of the request again.
+void check_vineyard(netmesh_context* context, const netmesh_homology_request& of,
+                    const std::vector<netmesh_pair>& expected) {
+    const std::size_t n = of.simplex_count;
+    std::vector<double> values(3 * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double size = static_cast<double>(of.starts[i + 1] - of.starts[i]);
+        values[i] = values[2 * n + i] = of.entries[i];
+        values[n + i] = 1e6 * size - of.entries[i];
+    }
+    netmesh::requests::ValueVineyard request;
+    request.vertices = of.vertices;
+    request.starts = of.starts;
+    request.entries = values.data();
+    request.simplex_count = n;
+    request.step_count = 3;
+    request.max_degree = of.max_degree;
+    require(netmesh_value_vineyard(context, &request) == NETMESH_OK);
+    std::vector<netmesh_pair> seen[3];
+    auto p = netmesh::sized<netmesh_vine_point>();
+    for (std::uint64_t i = 0; netmesh_get_vine_point(context, i, &p) == NETMESH_OK; ++i)
+        seen[p.k - 1].push_back({sizeof(netmesh_pair), p.degree, p.birth, p.death});
+    for (const int step : {0, 2}) {
+        std::sort(seen[step].begin(), seen[step].end(), before);
+        require(seen[step].size() == expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            require(seen[step][i].degree == expected[i].degree && seen[step][i].birth == expected[i].birth &&
+                    seen[step][i].death == expected[i].death);
+    }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -159,6 +190,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (representatives != 0) check_cycle(context, i, pair);
     }
     require(netmesh_get_pair(context, expected.size(), &pair) != NETMESH_OK);
+    if (keep_zero == 0) check_vineyard(context, request, expected);
     std::free(block);
     return 0;
 }

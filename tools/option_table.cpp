@@ -349,8 +349,8 @@ const std::vector<OptionEntry>& option_entries() {
          "                    every set of a barycentric filter, at least"},
         {"--values", persist | size, "V", apply_values, "certified (default) or thesis: the filter's own"},
         {"--values", vineyard, "V|FILE", apply_values,
-         "certified (default) or thesis: the filter's own; or a file of vectors of values, one a line, each a value for\n"
-         "                    every simplex of COMPLEX, or for every vertex, in the order of its lines"},
+         "certified (default) or thesis: the filter's own; or a file of vectors of values, one a line, each a value\n"
+         "                    for every simplex of COMPLEX, or for every vertex, in the order of its lines"},
         {"--values", check, "V|FILE", apply_values,
          "certified or thesis: the filter's own; or the values that a vineyard of a complex was made of"},
         {"--complex", check, "COMPLEX", apply_path<&Options::complex_path>,

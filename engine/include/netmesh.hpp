@@ -99,9 +99,7 @@ inline std::size_t plan(const netmesh_mesh_request& request) { return netmesh_pl
 inline std::size_t plan(const netmesh_scales_request& request) { return netmesh_plan_scales(&request); }
 inline std::size_t plan(const netmesh_points_request& request) { return netmesh_plan_points(&request); }
 inline std::size_t plan(const netmesh_homology_request& request) { return netmesh_plan_homology(&request); }
-inline std::size_t plan(const netmesh_value_vineyard_request& request) {
-    return netmesh_plan_value_vineyard(&request);
-}
+inline std::size_t plan(const netmesh_value_vineyard_request& request) { return netmesh_plan_value_vineyard(&request); }
 
 // Bottleneck distance, with request.scratch of bottleneck_bytes(request).
 inline std::size_t bottleneck_bytes(const netmesh_bottleneck_request& request) {

@@ -1,5 +1,5 @@
-// Vineyards (thesis 6.3): a sequence of filtrations of one complex, their diagrams, and the path of each bar from one to
-// the next. What the complex is and where its values come from is for the caller to say; knows no dimension.
+// Vineyards (thesis 6.3): a sequence of filtrations of one complex, their diagrams, and the path of each bar from one
+// to the next. What the complex is and where its values come from is for the caller to say; knows no dimension.
 #pragma once
 #include <cstdint>
 
@@ -8,8 +8,8 @@
 
 namespace netmesh {
 
-// A pair of the diagram of one step: where a vine is there. Vines are numbered from 0 by degree, the first step at which
-// they have a length, and birth and death there; a vine is listed for the steps at which it has a length only.
+// A pair of the diagram of one step: where a vine is there. Vines are numbered from 0 by degree, the first step at
+// which they have a length, and birth and death there; a vine is listed for the steps at which it has a length only.
 struct VinePoint {
     double birth, death;
     std::uint32_t vine, k, degree, unused;  // k: the step

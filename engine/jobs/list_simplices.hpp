@@ -31,8 +31,8 @@ struct ListedSimplices {
     SimplexFault fault;
 };
 
-// Puts the complex at the arena's low end. not_a_complex and not_finite (out->fault), out_of_memory, cancelled; what was
-// taken then stays.
+// Puts the complex at the arena's low end. not_a_complex and not_finite (out->fault), out_of_memory, cancelled; what
+// was taken then stays.
 Status list_simplices(const SimplexList& list, const Work& work, ListedSimplices* out);
 
 // The place in the list of the simplex that is number `index` of dimension k. O(count).

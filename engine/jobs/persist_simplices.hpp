@@ -10,7 +10,7 @@ namespace netmesh {
 struct SimplicesDiagram {
     ComplexDiagram diagram;
     std::uint32_t max_degree;  // at most the dimension
-    ListedSimplices listed;  // with representatives the complex stays for cycle_of; else its counts alone are of use
+    ListedSimplices listed;    // with representatives the complex stays for cycle_of; else its counts alone are of use
 };
 
 // The pairs are put at the arena's low end, with representatives behind the complex, whose cycles stay at the high end.

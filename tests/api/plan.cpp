@@ -173,4 +173,15 @@ TEST_CASE("the plan of a complex of simplices suffices") {
     request.vertex_count = vertices.size();
     expect_enough(2, "homology", netmesh_plan_homology(&request), 0.35,
                   [&](Calls& calls) { return netmesh_homology(calls.context, &request); });
+    std::vector<double> steps = values;
+    for (std::size_t i = 0; i < values.size(); ++i) steps.push_back(values[i] + double(i * 7 % 11) / 16);
+    netmesh::requests::ValueVineyard vineyard;
+    vineyard.vertices = vertices.data();
+    vineyard.starts = starts.data();
+    vineyard.entries = steps.data();
+    vineyard.simplex_count = values.size();
+    vineyard.vertex_count = vertices.size();
+    vineyard.step_count = 2;
+    expect_enough(2, "values", netmesh_plan_value_vineyard(&vineyard), 0.35,
+                  [&](Calls& calls) { return netmesh_value_vineyard(calls.context, &vineyard); });
 }

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "common/session.hpp"
+#include "refusals.hpp"
 
 namespace {
 
@@ -83,7 +84,8 @@ Complex random_complex(std::mt19937& random, std::uint32_t vertices, int maximal
     for (std::uint32_t v = 0; v < vertices; ++v) all.insert({v * 7});
     for (int i = 0; i < maximal; ++i) {
         std::set<std::uint32_t> s;
-        for (std::uint32_t size = 1 + random() % std::min(vertices, 4u); s.size() < size;) s.insert(random() % vertices * 7);
+        for (std::uint32_t size = 1 + random() % std::min(vertices, 4u); s.size() < size;)
+            s.insert(random() % vertices * 7);
         const Simplex whole(s.begin(), s.end());
         for (std::uint32_t mask = 1; mask < 1u << whole.size(); ++mask) {
             Simplex face;
@@ -155,7 +157,7 @@ std::vector<Bar> diagram(const Complex& c, const Vector& value, std::uint32_t ma
 // For whole numbers below 2^30: the pairs, zero-length ones too, that each pair of the first filtration may have become
 // in the second, going on only to pairs of the same point where the pairing changes.
 std::map<std::size_t, std::set<std::pair<std::size_t, std::size_t>>> reachable(const Complex& c, const Vector& from,
-                                                                              const Vector& to) {
+                                                                               const Vector& to) {
     using Time = std::pair<std::int64_t, std::int64_t>;  // a / b in [0, 1]
     const auto earlier = [](const Time& s, const Time& t) { return s.first * t.second < t.first * s.second; };
     std::set<Time, decltype(earlier)> times(earlier);
@@ -395,7 +397,8 @@ TEST_CASE("small vineyards by hand") {
     Complex path;
     for (const Simplex& s : {Simplex{0}, Simplex{1}, Simplex{2}, Simplex{0, 1}, Simplex{1, 2}}) path.add(s);
     path.link();
-    check_diagrams(path, {{-most, -most, 0, most, least}, {0, most, -most, most, most}, {least, 0, 0, least, least}}, 1);
+    check_diagrams(path, {{-most, -most, 0, most, least}, {0, most, -most, most, most}, {least, 0, 0, least, least}},
+                   1);
     // 0 - 1 - 2: ends at 1 and 2 exchange their ages; the two vines meet at birth 1.5 and change partners there.
     const Seen met = check_diagrams(path, {{0, 1, 2, 5, 3}, {0, 2, 1, 5, 3}}, 0);
     REQUIRE(met.vines.size() == 3);
@@ -407,7 +410,8 @@ TEST_CASE("small vineyards by hand") {
          {Simplex{0}, Simplex{1}, Simplex{2}, Simplex{0, 1}, Simplex{0, 2}, Simplex{1, 2}, Simplex{0, 1, 2}})
         triangle.add(s);
     triangle.link();
-    const Seen gone = check_diagrams(triangle, {{0, 0, 0, 1, 1, 1, 2}, {0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 1, 1, 1, 4}}, 1);
+    const Seen gone =
+        check_diagrams(triangle, {{0, 0, 0, 1, 1, 1, 2}, {0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 1, 1, 1, 4}}, 1);
     REQUIRE(gone.vines.size() == 4);
     CHECK(gone.vines.at(3) == std::map<std::uint32_t, Bar>{{1, {1, 1, 2}}, {3, {1, 1, 4}}});
 }
@@ -487,4 +491,60 @@ TEST_CASE("every size of memory: a status and an empty context, or the same vine
         }
     }
     CHECK(refused > 0);
+}
+
+TEST_CASE("arguments of vineyards of values") {
+    Fixture f(2);
+    const std::uint32_t v[] = {0, 1, 0, 1};
+    const std::uint64_t starts[] = {0, 1, 2, 4};
+    const double t[] = {0, 0, 1, 1, 0, 1};
+    netmesh::requests::ValueVineyard good;
+    good.vertices = v;
+    good.starts = starts;
+    good.entries = t;
+    good.simplex_count = 3;
+    good.vertex_count = 4;
+    good.step_count = 2;
+    const auto refused = [&](auto change, netmesh_field field) {
+        netmesh_value_vineyard_request bad = good;
+        change(bad);
+        f.refused(netmesh_value_vineyard(f.c, &bad), field);
+    };
+    f.needs_request<netmesh_value_vineyard_request>(netmesh_value_vineyard, good);
+    refused([](auto& r) { r.vertices = nullptr; }, NETMESH_FIELD_VERTICES);
+    refused([](auto& r) { r.starts = nullptr; }, NETMESH_FIELD_STARTS);
+    refused([](auto& r) { r.entries = nullptr; }, NETMESH_FIELD_ENTRIES);
+    refused([](auto& r) { r.simplex_count = 0; }, NETMESH_FIELD_SIMPLEX_COUNT);
+    refused([](auto& r) { r.vertex_count = 3; }, NETMESH_FIELD_VERTEX_COUNT);
+    refused([](auto& r) { r.step_count = 0; }, NETMESH_FIELD_STEP_COUNT);
+    refused([](auto& r) { r.step_count = UINT32_MAX; }, NETMESH_FIELD_STEP_COUNT);
+    const auto plan = [&](std::uint64_t simplices, std::uint64_t vertices, std::uint64_t steps) {
+        netmesh_value_vineyard_request r = good;
+        r.simplex_count = simplices;
+        r.vertex_count = vertices;
+        r.step_count = steps;
+        return netmesh_plan_value_vineyard(&r);
+    };
+    CHECK(plan(0, 0, 1) == 0);
+    CHECK(plan(5, 4, 1) == 0);
+    CHECK(plan(3, 4, 0) == 0);
+    CHECK(plan(3, 4, UINT32_MAX) == 0);
+    CHECK(plan(1, UINT64_MAX, 1) == 0);
+    CHECK(plan(3, 4, 1) > 65536);
+    CHECK(plan(3000, 6000, 100) > plan(3000, 6000, 1));
+    CHECK(netmesh_plan_value_vineyard(nullptr) == 0);
+    CHECK(netmesh_value_vineyard(f.c, &good) == NETMESH_OK);
+    CHECK(f.session.report().vineyard.k_last == 2);
+    const auto ratio = [&](std::uint32_t k) {
+        double at;
+        return netmesh_get_vine_ratio(f.c, k, &at);
+    };
+    CHECK(ratio(1) == NETMESH_OK);
+    CHECK(ratio(2) == NETMESH_OK);
+    CHECK(ratio(0) == NETMESH_INVALID_ARGUMENT);
+    CHECK(ratio(3) == NETMESH_INVALID_ARGUMENT);
+    // More degrees than there are dimensions.
+    good.max_degree = UINT32_MAX;
+    CHECK(netmesh_value_vineyard(f.c, &good) == NETMESH_OK);
+    CHECK(f.session.report().vineyard.max_degree == 1);
 }

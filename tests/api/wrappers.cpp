@@ -126,12 +126,37 @@ TEST_CASE("the C++ layer: what is measured of a mesh, vines, functions, loading"
     CHECK(engine.report().scales.count > 0);
 }
 
+TEST_CASE("the C++ layer: vineyards of values") {
+    std::vector<std::max_align_t> block(std::size_t{1} << 14);
+    netmesh::Engine engine(block.data(), block.size() * sizeof block[0]);
+    const std::uint32_t vertices[] = {0, 1, 0, 1};
+    const std::uint64_t starts[] = {0, 1, 2, 4};
+    const double values[] = {0, 1, 2, 1, 0, 2};
+    netmesh::requests::ValueVineyard request;
+    CHECK(request.max_degree == NETMESH_DEGREE_MAX);
+    request.vertices = vertices;
+    request.starts = starts;
+    request.entries = values;
+    request.simplex_count = 3;
+    request.step_count = 2;
+    REQUIRE(engine.value_vineyard(request) == NETMESH_OK);
+    CHECK(engine.report().vineyard.vines == 2);
+    CHECK(engine.vine_ratio(2) == 1);
+    CHECK(engine.vine_ratio(3) == 0);
+}
+
 TEST_CASE("the C++ layer: plans") {
     netmesh::requests::Homology homology;
     homology.simplex_count = 10;
     homology.vertex_count = 20;
     CHECK(netmesh::plan(homology) == netmesh_plan_homology(&homology));
     CHECK(netmesh::plan(homology) > 0);
+    netmesh::requests::ValueVineyard vineyard;
+    vineyard.simplex_count = 10;
+    vineyard.vertex_count = 20;
+    vineyard.step_count = 3;
+    CHECK(netmesh::plan(vineyard) == netmesh_plan_value_vineyard(&vineyard));
+    CHECK(netmesh::plan(vineyard) > netmesh::plan(homology));
     netmesh::requests::Points rips(2, NETMESH_FILTER_RIPS);
     rips.point_count = 20;
     CHECK(netmesh::plan(rips) == netmesh_plan_points(&rips));

@@ -69,6 +69,7 @@ GUARDED(netmesh_vineyard_request, vineyard);
 GUARDED(netmesh_scales_request, scales);
 GUARDED(netmesh_points_request, rips);
 GUARDED(netmesh_homology_request, homology);
+GUARDED(netmesh_value_vineyard_request, values);
 GUARDED(netmesh_bottleneck_request, bottleneck);
 GUARDED(netmesh_analyse_request, analyse);
 GUARDED(netmesh_detail, detail);
@@ -98,8 +99,8 @@ static void fill_results(void) {
 
 static void fill_requests(void) {
     FILL(delaunay), FILL(mesh), FILL(load), FILL(cages), FILL(check), FILL(function), FILL(persist), FILL(bounds);
-    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(homology), FILL(bottleneck),
-        FILL(analyse);
+    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(homology), FILL(values),
+        FILL(bottleneck), FILL(analyse);
     netmesh_delaunay_request_init(&delaunay.it, sizeof delaunay.it, 2);
     netmesh_mesh_request_init(&mesh.it, sizeof mesh.it, 2);
     netmesh_load_request_init(&load.it, sizeof load.it, 2);
@@ -114,6 +115,7 @@ static void fill_requests(void) {
     netmesh_scales_request_init(&scales.it, sizeof scales.it, 2);
     netmesh_points_request_init(&rips.it, sizeof rips.it, 2, NETMESH_FILTER_RIPS);
     netmesh_homology_request_init(&homology.it, sizeof homology.it);
+    netmesh_value_vineyard_request_init(&values.it, sizeof values.it);
     netmesh_bottleneck_request_init(&bottleneck.it, sizeof bottleneck.it, sizeof(netmesh_pair));
     netmesh_analyse_request_init(&analyse.it, sizeof analyse.it);
     look_at_guards("an init call");
@@ -191,6 +193,13 @@ static void run_others(void) {
     homology.it.entries = entries;
     homology.it.simplex_count = 3;
     DID(netmesh_homology(context, &homology.it));
+    print_report();
+    values.it.vertices = vertices;
+    values.it.starts = starts;
+    values.it.entries = entries;
+    values.it.simplex_count = 3;
+    values.it.step_count = 1;
+    DID(netmesh_value_vineyard(context, &values.it));
     print_report();
     load.it.vertices = points;
     load.it.markers = markers;

@@ -37,7 +37,8 @@ TEST_CASE("sums of products: signs against whole numbers, of all magnitudes") {
         const auto draw = [&] { return static_cast<std::int64_t>(random() >> (64 - bits)) - (1 << (bits - 1)); };
         ProductSum sum;
         std::int64_t expected = 0;
-        const int x_exponent = static_cast<int>(random() % 1900) - 1000, y_exponent = static_cast<int>(random() % 1900) - 1000;
+        const int x_exponent = static_cast<int>(random() % 1900) - 1000,
+                  y_exponent = static_cast<int>(random() % 1900) - 1000;
         for (int i = 0; i < 8; ++i) {
             const std::int64_t x = draw(), y = draw();
             const double sx = std::ldexp(double(x), x_exponent), sy = std::ldexp(double(y), y_exponent);

@@ -160,6 +160,30 @@ netmesh_status homology_of_complex(Run& run, bool representatives) {
 netmesh_status homology(Run& run) { return homology_of_complex(run, false); }
 netmesh_status homology_cycles(Run& run) { return homology_of_complex(run, true); }
 
+// Steps of numbers that change their order, by simplex and by vertex.
+netmesh_status value_vineyard(Run& run, bool by_vertex) {
+    static const Complex complex = complex_of(run.job);
+    std::vector<double> values;
+    for (std::uint32_t step = 0; step < 3; ++step)
+        for (std::size_t i = 0; i < complex.entries.size(); ++i) {
+            const std::uint64_t size = complex.starts[i + 1] - complex.starts[i];
+            const double moved = static_cast<double>((complex.vertices[complex.starts[i]] + i * 7) * (step + 1) % 11);
+            if (!by_vertex || size == 1) values.push_back(moved + static_cast<double>(16 * size));
+        }
+    netmesh::requests::ValueVineyard request;
+    request.monitor = run.request.monitor;
+    request.vertices = complex.vertices.data();
+    request.starts = complex.starts.data();
+    request.entries = values.data();
+    request.simplex_count = complex.entries.size();
+    request.step_count = 3;
+    request.by_vertex = by_vertex ? 1 : 0;
+    request.max_degree = 2;
+    return netmesh_value_vineyard(run.context, &request);
+}
+netmesh_status vines_of_simplices(Run& run) { return value_vineyard(run, false); }
+netmesh_status vines_of_vertices(Run& run) { return value_vineyard(run, true); }
+
 netmesh_status analyse(Run& run) {
     const netmesh_status status = mesh(run);
     if (status != NETMESH_OK) return status;
@@ -244,6 +268,8 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
     }
     jobs->push_back({"homology", 2, 12, homology});
     jobs->push_back({"homology-cycles", 2, 12, homology_cycles});
+    jobs->push_back({"vines-of-simplices", 2, 8, vines_of_simplices});
+    jobs->push_back({"vines-of-vertices", 2, 8, vines_of_vertices});
     jobs->push_back(Job{"rips-large", 2, 18, of_points(NETMESH_FILTER_RIPS, false, 2)}.large().tries(60));
     jobs->push_back(Job{"rips-large", 3, 18, of_points(NETMESH_FILTER_RIPS, true, 2)}.large().tries(60));
     jobs->push_back(Job{"scales", 2, 3, scales}.large().tries(30));

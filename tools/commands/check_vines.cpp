@@ -145,11 +145,12 @@ Outcome check_vines(const Options& options, RunReport* run) {
     if (outcome.good()) outcome = check_form(file, name);
     if (!outcome.good()) return outcome;
     run->checked->push_back(name + " has " + grouped_text(file.vines.points.size()) + " points of " +
-                            grouped_text(file.vines.points.empty() ? 0 : file.vines.points.back().vine + 1) +
-                            " vines" + (file.of_values ? "" : ", each diagram with one essential class"));
+                            grouped_text(file.vines.points.empty() ? 0 : file.vines.points.back().vine + 1) + " vines" +
+                            (file.of_values ? "" : ", each diagram with one essential class"));
     const bool with_values = !options.complex_path.empty() && !options.values_path.empty();
     const bool with_points = !options.mesh_path.empty() || !options.points_path.empty();
-    if (file.of_values && with_points) return usage_error(name + " is of a complex: --complex and --values FILE say which");
+    if (file.of_values && with_points)
+        return usage_error(name + " is of a complex: --complex and --values FILE say which");
     if (!file.of_values && with_values) return usage_error(name + " is of points or a mesh");
     if (with_values) return check_with_values(options, file, name, run);
     if (!options.mesh_path.empty()) return check_with_mesh(options, file, name, run);

@@ -32,7 +32,8 @@ std::vector<double> values_at(const ValueInput& input, std::size_t step) {
     if (!input.values.by_vertex) return {given, given + complex.count()};
     std::vector<std::pair<std::uint32_t, double>> of;  // vertices
     for (std::size_t i = 0, n = 0; i < complex.count(); i++) {
-        if (complex.starts[i + 1] - complex.starts[i] == 1) of.emplace_back(complex.vertices[complex.starts[i]], given[n++]);
+        if (complex.starts[i + 1] - complex.starts[i] == 1)
+            of.emplace_back(complex.vertices[complex.starts[i]], given[n++]);
     }
     std::sort(of.begin(), of.end());
     std::vector<double> values;

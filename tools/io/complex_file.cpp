@@ -45,15 +45,16 @@ Outcome parse_simplices(std::string_view content, SimplexFile* file) {
 
 Outcome parse_values(std::string_view content, const SimplexFile& complex, ValueFile* file) {
     std::size_t vertices = 0;
-    for (std::size_t i = 0; i < complex.count(); i++) vertices += complex.starts[i + 1] - complex.starts[i] == 1 ? 1 : 0;
+    for (std::size_t i = 0; i < complex.count(); i++)
+        vertices += complex.starts[i + 1] - complex.starts[i] == 1 ? 1 : 0;
     LineReader reader(content);
     std::string_view line;
     std::vector<double> numbers;
     while (reader.next_content(&line)) {
         Complaint complaint = parse_numbers(line, &numbers);
         const bool first = file->count() == 0;
-        const bool fits = first ? numbers.size() == complex.count() || numbers.size() == vertices
-                                : numbers.size() == file->width;
+        const bool fits =
+            first ? numbers.size() == complex.count() || numbers.size() == vertices : numbers.size() == file->width;
         if (complaint.empty() && !fits) {
             complaint = grouped_text(numbers.size()) + " values; ";
             complaint += first ? complex.lines.name + " has " + grouped_text(complex.count()) + " simplices, " +

@@ -108,7 +108,8 @@ Outcome parse_vines(std::string_view content, const std::string& name, VineFile*
         file->vines.points.push_back(point);
         file->lines.push_back(number);
     }
-    if (file->choice.filter == NETMESH_FILTER_NONE && !file->of_values) return line_error(name, 1, "no line `# filter F, V values`");
+    if (file->choice.filter == NETMESH_FILTER_NONE && !file->of_values)
+        return line_error(name, 1, "no line `# filter F, V values`");
     if (file->vines.ratios.empty()) return line_error(name, 1, "no line `# k K certified ratio C`");
     return {};
 }

@@ -99,8 +99,8 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report) {
     const std::uint32_t panels = vineyard.max_degree + 1;
     Svg svg(out, gap + panels * (panel_width + gap), page_height);
     const bool given = vineyard.filter == NETMESH_FILTER_NONE;
-    const std::string of = given ? grouped_text(vineyard.simplices) + " simplices, "
-                                 : grouped_text(report.input.points) + " points, k = ";
+    const std::string of =
+        given ? grouped_text(vineyard.simplices) + " simplices, " : grouped_text(report.input.points) + " points, k = ";
     svg.text(48, 40,
              "Vineyard of " + of + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) +
                  (given ? " of its steps" : ""),

@@ -105,13 +105,13 @@ void add_to_diagram(Json& json, const RunReport& run, std::string_view path) {
     }
 }
 
-void add_to_vineyard(Json& json, const Vines& vines, std::string_view path) {
+void add_to_vineyard(Json& json, const netmesh_vineyard_report& report, const Vines& vines, std::string_view path) {
     if (path != "vineyard.transpositions") return;
     json.key("certified_ratios");
     json.open('[');
     for (const double ratio : vines.ratios) json.value(ratio);
     json.close(']');
-    json.entry("units", "radius");
+    json.entry("units", report.filter == NETMESH_FILTER_NONE ? "value" : "radius");
     json.entry("field", "Z/2");
 }
 
@@ -161,7 +161,8 @@ std::string json_report(const RunReport& run) {
     json.entry("command", command_name(run.options->command));
     write_options(json, run, engine);
     write_part(json, figures, "input", [&](std::string_view path) {
-        if (path == "input.dim" && engine.input.dim == 0) json.entry("simplices", engine.diagram.simplices);
+        if (path != "input.dim" || engine.input.dim != 0) return;
+        json.entry("simplices", engine.vineyard.present != 0 ? engine.vineyard.simplices : engine.diagram.simplices);
     });
     write_part(json, figures, "mesh");
     write_part(json, figures, "diagram", [&](std::string_view path) { add_to_diagram(json, run, path); });
@@ -172,7 +173,8 @@ std::string json_report(const RunReport& run) {
     }
     if (run.vines != nullptr) {
         const Vines& vines = *run.vines;
-        write_part(json, figures, "vineyard", [&](std::string_view path) { add_to_vineyard(json, vines, path); });
+        write_part(json, figures, "vineyard",
+                   [&](std::string_view path) { add_to_vineyard(json, engine.vineyard, vines, path); });
     }
     if (run.checked) write_checked(json, *run.checked);
     const auto add_plan = [&](std::string_view path) {

@@ -154,9 +154,11 @@ std::string vineyard_lines(const netmesh_vineyard_report& vineyard) {
     const std::string text = ": " + counted(vineyard.vines, "vine", "vines") + ", " +
                              counted(vineyard.transpositions, "transposition", "transpositions") + " of " +
                              grouped_text(vineyard.simplices) + " simplices";
-    if (vineyard.filter == NETMESH_FILTER_NONE) return "vineyard " + counted(vineyard.k_last, "step", "steps") + text + "\n";
+    if (vineyard.filter == NETMESH_FILTER_NONE)
+        return "vineyard " + counted(vineyard.k_last, "step", "steps") + text + "\n";
     return "vineyard k = " + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) + text + "; " +
-           choice_text({vineyard.filter, vineyard.values}) + "\ncertified ratio at most " + rounded_text(vineyard.certified_ratio, 6) + "\n";
+           choice_text({vineyard.filter, vineyard.values}) + "\ncertified ratio at most " +
+           rounded_text(vineyard.certified_ratio, 6) + "\n";
 }
 
 std::string input_line(const netmesh_report& engine) {

@@ -20,9 +20,10 @@ inline bool are_equal(const Crossing& x, const Crossing& y) {
     return x.a.from == y.a.from && x.b.from == y.b.from && x.a.to == y.a.to && x.b.to == y.b.to;
 }
 
-// t with an error of at most 2^-50 t + 2^-1072: p and q are rounded once each, and exact where they are subnormal, their
-// sum and the quotient once more, which makes (1 + u)^2 / (1 - u)^2, u = 2^-53, and half a unit of a subnormal quotient.
-// An eighth of each value is taken where p + q overflows: that costs p less than 2^-1073, and p + q is above 2^1020.
+// t with an error of at most 2^-50 t + 2^-1072: p and q are rounded once each, and exact where they are subnormal,
+// their sum and the quotient once more, which makes (1 + u)^2 / (1 - u)^2, u = 2^-53, and half a unit of a subnormal
+// quotient. An eighth of each value is taken where p + q overflows: that costs p less than 2^-1073, and p + q is above
+// 2^1020.
 inline double time_of(const Crossing& c) {
     double p = c.b.from - c.a.from, q = c.a.to - c.b.to;
     if (!(p + q < infinity)) {
@@ -32,8 +33,8 @@ inline double time_of(const Crossing& c) {
     return p / (p + q);
 }
 
-// Whether a crossing whose time_of is s surely comes before one whose time_of is t; infinity: never. With s <= t / 2 the
-// difference is t / 2 or more, else the errors of both are below 3 * 2^-50 s + 2^-1071.
+// Whether a crossing whose time_of is s surely comes before one whose time_of is t; infinity: never. With s <= t / 2
+// the difference is t / 2 or more, else the errors of both are below 3 * 2^-50 s + 2^-1071.
 inline bool is_surely_earlier(double s, double t) { return t - s > 0x1p-48 * s + 0x1p-1070; }
 
 // The sign of p_x q_y - p_y q_x.

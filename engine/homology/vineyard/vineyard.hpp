@@ -1,11 +1,11 @@
 // Vineyards (thesis 6.3): persistence along a sequence of filtrations of one complex, by transpositions on R = D V
 // (Cohen-Steiner, Edelsbrunner, Morozov 2006). Between two filtrations every simplex's value moves on a straight line,
 // which is a filtration at all times; simplices of one dimension whose values cross are transposed in the order of
-// their times, exactly (crossing.hpp), crossings at one time by dimension, then position; and each transposition repairs
-// R and V by at most two additions of columns. Only orders within a dimension matter, simplices of different dimensions
-// are never transposed. A vine is a pair's path: where two pairs exchange their partners they do so in one point, and
-// each goes on from there. Values that are equal in a filtration are in order of their numbers there, so simplices that
-// begin equal cross at time 0 and simplices that end equal at time 1.
+// their times, exactly (crossing.hpp), crossings at one time by dimension, then position; and each transposition
+// repairs R and V by at most two additions of columns. Only orders within a dimension matter, simplices of different
+// dimensions are never transposed. A vine is a pair's path: where two pairs exchange their partners they do so in one
+// point, and each goes on from there. Values that are equal in a filtration are in order of their numbers there, so
+// simplices that begin equal cross at time 0 and simplices that end equal at time 1.
 #pragma once
 #include <cstdint>
 
@@ -33,8 +33,9 @@ public:
         std::uint32_t birth, death;  // simplices of dimensions degree, degree + 1; death `none`: essential
     };
 
-    // Reduces the filtration value[k][count[k]] (finite, faces no later than cofaces), ties by number. Degrees 0..max_degree. Takes 68 bytes a simplex and the columns at the arena's high end, where nothing
-    // else may be taken until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
+    // Reduces the filtration value[k][count[k]] (finite, faces no later than cofaces), ties by number. Degrees
+    // 0..max_degree. Takes 68 bytes a simplex and the columns at the arena's high end, where nothing else may be taken
+    // until the vineyard is done with. The complex must stay. out_of_memory, cancelled.
     Status open(const ComplexView& complex, std::uint32_t max_degree, const double* const* value, const Work& work);
     // From the filtration `from` (the present one) to the next. O(log n) a transposition at most, and what the columns
     // take; simplices that share their values share the logarithm.

@@ -8,17 +8,6 @@
 
 using Names = std::vector<std::string>;
 
-namespace {
-
-std::string text_in(const std::string& json, const std::string& key) {
-    const std::size_t at = json.rfind("\"" + key + "\": \"");
-    if (at == std::string::npos) return "";
-    const std::size_t start = at + key.size() + 5;
-    return json.substr(start, json.find('"', start) - start);
-}
-
-}  // namespace
-
 TEST_CASE("version and help go to stdout") {
     const Folder folder;
     Result result = folder.run("--version");
@@ -388,33 +377,6 @@ TEST_CASE("persist: bounds of single bars") {
     CHECK(folder.read("d.svg").find("certified ratio at radius r") != std::string::npos);
 }
 
-TEST_CASE("check: vineyards") {
-    const Folder folder;
-    CHECK(folder.run("sample annulus -n 40 -o p.csv").exit == 0);
-    CHECK(folder.run("mesh p.csv -o m.node --quiet").exit == 0);
-    CHECK(folder.run("vineyard p.csv --k 2..4 --filter kdistance -o v.vines --quiet").exit == 0);
-    const std::string vines = folder.read("v.vines");
-    CHECK(folder.run("check v.vines").exit == 0);
-    const Result good = folder.run("check v.vines --points p.csv");
-    CHECK(good.exit == 0);
-    CHECK(good.out.find("is the vineyard of p.csv for filter kdistance, certified values") != std::string::npos);
-    CHECK(folder.run("check v.vines --points p.csv --max-degree 0").exit == 7);
-    // Another mesh has another vineyard; points that persistence meshes less far out too.
-    CHECK(folder.run("check v.vines --points p.csv --tau 3").exit == 7);
-    folder.write("v.vines", vines.substr(0, vines.rfind('\n', vines.size() - 2) + 1));  // the last point is gone
-    CHECK(folder.run("check v.vines --points p.csv").exit == 7);
-    std::string forged = vines;
-    forged.replace(forged.find("certified ratio ") + 16, 1, "9");
-    folder.write("v.vines", forged);
-    CHECK(folder.run("check v.vines --points p.csv").says("the certified ratio at k = 2 is"));
-    folder.write("v.vines", vines + "x");
-    CHECK(folder.run("check v.vines").exit == 3);
-    folder.write("v.vines", vines.substr(vines.find("# k ")));
-    CHECK(folder.run("check v.vines").exit == 3);
-    folder.write("v.vines", vines + "0 0 2 0 1\n");
-    CHECK(folder.run("check v.vines").says("vines are not numbered one after the other"));
-}
-
 TEST_CASE("persist: d_k and the k-distance") {
     const Folder folder;
     CHECK(folder.run("sample annulus -n 80 -o p.csv").exit == 0);
@@ -501,44 +463,6 @@ TEST_CASE("persist: refinement by the certificate") {
         CHECK(refused.exit == 2);
         CHECK(refused.says("netmesh: " + line.substr(0, line.find(' ', line.find(' ') + 1)) + ": "));
     }
-}
-
-TEST_CASE("vineyard: diagrams of all k, each equal to its own run") {
-    const Folder folder;
-    CHECK(folder.run("sample annulus -n 30 -o p.csv").exit == 0);
-    const Result result = folder.run("vineyard p.csv --k 1..4 -o v.vines --svg v.svg --check --json");
-    CHECK(result.err == "");
-    CHECK(result.exit == 0);
-    CHECK(number_in(result.out, "k_last") == 4);
-    CHECK(number_in(result.out, "transpositions") > 0);
-    CHECK(folder.read("v.svg").rfind("<svg ", 0) == 0);
-    const std::string vines = folder.read("v.vines");
-    CHECK(
-        vines.rfind("# netmesh vineyard 1: vine degree k birth death\n# filter knn, certified values\n# k 1 certified",
-                    0) == 0);
-    CHECK(folder.run("vineyard p.csv --k 1..4 --quiet").out == vines);
-    // The lines of k = 3, without vine and k, are the diagram.
-    std::istringstream lines(vines);
-    std::vector<std::string> bars, due;
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        std::string vine, degree, k, birth, death;
-        if (line[0] != '#' && words >> vine >> degree >> k >> birth >> death && k == "3") {
-            bars.push_back(degree + " " + birth + " " + death);
-        }
-    }
-    std::istringstream diagram(bars_of(folder.run("persist p.csv --filter knn --k 3 --quiet").out));
-    for (std::string line; std::getline(diagram, line);) due.push_back(line);
-    std::sort(bars.begin(), bars.end());
-    std::sort(due.begin(), due.end());
-    CHECK(!due.empty());
-    CHECK(bars == due);
-    CHECK(folder.run("vineyard p.csv").says("--k FIRST..LAST"));
-    for (const char* line : {"--k 0..3", "--k 3..1", "--k 1..x", "--k 1..3 --filter alpha", "--k 1..3 -o v.pers"}) {
-        CAPTURE(line);
-        CHECK(folder.run(std::string("vineyard p.csv ") + line).exit == 2);
-    }
-    CHECK(folder.run("vineyard p.csv --k 1..31").exit == 3);
 }
 
 TEST_CASE("persist: the mesh that was filtered vouches for the diagram") {

@@ -81,3 +81,10 @@ inline double number_in(const std::string& json, const std::string& key) {
     const std::size_t at = json.find("\"" + key + "\": ");
     return at == std::string::npos ? -1 : std::strtod(json.c_str() + at + key.size() + 4, nullptr);
 }
+
+inline std::string text_in(const std::string& json, const std::string& key) {
+    const std::size_t at = json.rfind("\"" + key + "\": \"");
+    if (at == std::string::npos) return "";
+    const std::size_t start = at + key.size() + 5;
+    return json.substr(start, json.find('"', start) - start);
+}
