@@ -37,6 +37,9 @@ inline double time_of(const Crossing& c) {
 // the difference is t / 2 or more, else the errors of both are below 3 * 2^-50 s + 2^-1071.
 inline bool is_surely_earlier(double s, double t) { return t - s > 0x1p-48 * s + 0x1p-1070; }
 
+// Above it: the time_of of crossings that s is surely earlier than.
+inline double may_equal(double s) { return s + (0x1p-47 * s + 0x1p-1069); }
+
 // The sign of p_x q_y - p_y q_x.
 [[gnu::noinline]] inline int compare_products(const Crossing& x, const Crossing& y) {
     ProductSum sum;

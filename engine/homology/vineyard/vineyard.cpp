@@ -265,9 +265,9 @@ Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monit
     double* const time = time_ + d.slot;
     const std::uint32_t last = complex_.count[k] - 2;
     const Crossing now = crossing(k, i);
-    const double now_time = time[i];
+    const double now_time = time[i], not_later = may_equal(now_time);
     const auto is_now = [&](std::uint32_t j) {
-        return !is_surely_earlier(now_time, time[j]) && compare_times(crossing(k, j), now) == 0;
+        return time[j] <= not_later && compare_times(crossing(k, j), now) == 0;
     };
     const auto renew = [&](std::uint32_t j) {
         const Record &a = d.at[d.order[j]], &b = d.at[d.order[j + 1]];
@@ -276,7 +276,7 @@ Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monit
         const Crossing next = {a.value, b.value};
         const bool same = are_equal(next, now);
         time[j] = same ? now_time : time_of(next);
-        return same || (!is_surely_earlier(now_time, time[j]) && compare_times(next, now) == 0);
+        return same || (time[j] <= not_later && compare_times(next, now) == 0);
     };
     std::uint32_t low = i, high = i;
     for (Status status = Status::ok;;) {
