@@ -113,7 +113,7 @@ void check_cycle(const netmesh_context* context, std::uint64_t index, const netm
     require(last == pair.birth);
 }
 
-// There and back: all values of a dimension in the opposite order, then those of the request again.
+// There and back: the simplices of each dimension in the opposite order of the list, then as in the request again.
 void check_vineyard(netmesh_context* context, const netmesh_homology_request& of,
                     const std::vector<netmesh_pair>& expected) {
     const std::size_t n = of.simplex_count;
@@ -121,7 +121,7 @@ void check_vineyard(netmesh_context* context, const netmesh_homology_request& of
     for (std::size_t i = 0; i < n; ++i) {
         const double size = static_cast<double>(of.starts[i + 1] - of.starts[i]);
         values[i] = values[2 * n + i] = of.entries[i];
-        values[n + i] = 1e6 * size - of.entries[i];
+        values[n + i] = 1e6 * size - static_cast<double>(i);
     }
     netmesh::requests::ValueVineyard request;
     request.vertices = of.vertices;

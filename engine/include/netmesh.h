@@ -886,7 +886,7 @@ typedef struct netmesh_value_vineyard_request {
 
 void netmesh_value_vineyard_request_init(netmesh_value_vineyard_request* request, size_t request_bytes);
 
-/* Bytes of block to plan for, with a bar for every other simplex at every step and without the columns; reads
+/* Bytes of block to plan for, with a bar for every other simplex at every step and columns as long as boundaries; reads
  * simplex_count, vertex_count and step_count. SIZE_MAX when it does not fit a size_t, 0 on an invalid request. */
 size_t netmesh_plan_value_vineyard(const netmesh_value_vineyard_request* request);
 

@@ -122,8 +122,9 @@ Status value_vineyard(const ValueVineyardRequest& request, const Work& work, Val
 }
 
 double value_vineyard_bytes(std::uint64_t count, std::uint64_t vertices, std::uint64_t steps) {
-    // Rows; values, tables of faces, then what follow_vines says; at most half of the simplices have a bar.
-    constexpr double row = sizeof(std::uint32_t), simplex = sizeof(double) + 84 + 64;
+    // Rows, and columns of R and V in blocks of up to twice their lengths, those of V about as long as those of R;
+    // values, tables of faces, then what follow_vines says; at most half of the simplices have a bar.
+    constexpr double row = sizeof(std::uint32_t) * 9, simplex = sizeof(double) + 84 + 64;
     const double points = static_cast<double>(steps) * static_cast<double>(count) / 2 * sizeof(VinePoint);
     return row * static_cast<double>(vertices) + simplex * static_cast<double>(count) + points +
            sizeof(double) * static_cast<double>(steps);

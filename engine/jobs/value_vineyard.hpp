@@ -29,7 +29,7 @@ struct ValueVineyard {
 // (out->fault, out->step), out_of_memory, cancelled.
 Status value_vineyard(const ValueVineyardRequest& request, const Work& work, ValueVineyard* out);
 
-// Bytes that it takes but for the fill of the reduction, of `count` simplices with `vertices` vertices in all.
+// Bytes that it takes but for most of the fill of the reduction, of `count` simplices with `vertices` vertices in all.
 double value_vineyard_bytes(std::uint64_t count, std::uint64_t vertices, std::uint64_t steps);
 
 }  // namespace netmesh

@@ -41,7 +41,7 @@ inline bool is_surely_earlier(double s, double t) { return t - s > 0x1p-48 * s +
 inline double may_equal(double s) { return s + (0x1p-47 * s + 0x1p-1069); }
 
 // The sign of p_x q_y - p_y q_x.
-[[gnu::noinline]] inline int compare_products(const Crossing& x, const Crossing& y) {
+[[gnu::cold, gnu::noinline]] inline int compare_products(const Crossing& x, const Crossing& y) {
     ProductSum sum;
     sum.add(x.b.from, y.a.to);
     sum.subtract(x.b.from, y.b.to);
