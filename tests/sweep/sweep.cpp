@@ -111,7 +111,7 @@ Outcome run(const Job& job, netmesh_context* context) {
     outcome.fingerprint = report.fingerprint;
     outcome.used_bytes = report.memory.used_bytes;
     outcome.has_diagram = report.diagram.present != 0;
-    outcome.holds = report.mesh.present != 0 || outcome.has_diagram;
+    outcome.holds = report.mesh.present != 0 || outcome.has_diagram || report.vineyard.present != 0;
     require((report.mesh.present != 0) == (report.mesh.cells != 0), "a mesh without cells");
     if (report.mesh.present != 0) look_at_mesh(calls, report);
     look_at_pairs(context, report);

@@ -33,11 +33,8 @@ inline double time_of(const Crossing& c) {
     return p / (p + q);
 }
 
-// Whether a crossing whose time_of is s surely comes before one whose time_of is t; infinity: never. With s <= t / 2
-// the difference is t / 2 or more, else the errors of both are below 3 * 2^-50 s + 2^-1071.
-inline bool is_surely_earlier(double s, double t) { return t - s > 0x1p-48 * s + 0x1p-1070; }
-
-// Above it: the time_of of crossings that s is surely earlier than.
+// A crossing whose time_of is above this is surely later than one whose time_of is s: above 2 s the difference is more
+// than s, else the errors of both are below 3 * 2^-50 s + 2^-1071.
 inline double may_equal(double s) { return s + (0x1p-47 * s + 0x1p-1069); }
 
 // The sign of p_x q_y - p_y q_x.

@@ -206,13 +206,13 @@ double Vineyard::crossing_time(std::uint32_t k, std::uint32_t i) const {
 // The earlier crossing of the two below a node of the tournament, of equal times that of the lower slot.
 void Vineyard::find_winner(std::uint32_t node) {
     const std::uint32_t a = slot_at(2 * node), b = slot_at(2 * node + 1);
-    bool later = is_surely_earlier(time_[b], time_[a]);
-    if (!later && time_[a] < infinity && !is_surely_earlier(time_[a], time_[b])) {
+    const double s = time_[a], t = time_[b];
+    bool later = t < s || (t == s && b < a);
+    const double least = t < s ? t : s, most = t < s ? s : t;
+    if (most <= may_equal(least) && least < infinity) {
         const std::uint32_t ka = dimension_of(a), kb = dimension_of(b);
         const int order = compare_times(crossing(ka, a - of_[ka].slot), crossing(kb, b - of_[kb].slot));
         later = order > 0 || (order == 0 && b < a);
-    } else if (!later && time_[b] == time_[a]) {
-        later = b < a;
     }
     winner_[node] = later ? b : a;
 }
