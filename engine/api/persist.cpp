@@ -23,6 +23,7 @@ void keep_diagram(netmesh_context* context, const PersistRequest& request, netme
     kept.certified_ratio = diagram.certificate.ratio;
     kept.certified_ratio_best = diagram.certificate.ratio_best;
     kept.certified_from = diagram.certificate.from;
+    kept.certified_error = diagram.certificate.error;
     kept.value_error = diagram.value_error;
 }
 
@@ -64,6 +65,6 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     }
     clear_diagram(context);
     if (status == Status::not_finite)
-        return finish(context, status, "the function is not finite and >= 0 at a vertex", diagram.culprit);
+        return finish(context, status, "the function is not finite at a vertex", diagram.culprit);
     return finish(context, status);
 }

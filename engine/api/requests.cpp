@@ -1,6 +1,8 @@
 #include "api/requests.hpp"
 
 #include "api/mesh_rules.hpp"
+#include "filtration/function_filter.hpp"
+#include "vocabulary/callback.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -49,7 +51,7 @@ Complaint read_function(const netmesh_function* from, netmesh_function* function
     if (!is_length(function->lipschitz)) return {NETMESH_FIELD_LIPSCHITZ, "lipschitz is not finite and >= 0"};
     if (!is_length(function->distance_factor))
         return {NETMESH_FIELD_DISTANCE_FACTOR, "distance_factor is not finite and >= 0"};
-    if (!is_length(function->cut)) return {NETMESH_FIELD_CUT, "cut is not finite and >= 0"};
+    if (!is_finite(function->cut)) return {NETMESH_FIELD_CUT, "cut is not finite"};
     return {};
 }
 
@@ -149,6 +151,12 @@ void netmesh_check_request_init(netmesh_check_request* request, size_t request_b
 
 void netmesh_function_init(netmesh_function* function, size_t function_bytes) {
     start(netmesh_function{}, function, function_bytes);
+}
+
+double netmesh_size_for_error(const netmesh_function* from, double error, const double* x) {
+    netmesh_function function;
+    if (read_function(from, &function).text != nullptr || !(error > 0)) return 0;
+    return wanted_reach(function, error, value_at(function, x));
 }
 
 void netmesh_persist_request_init(netmesh_persist_request* request, size_t request_bytes) {

@@ -18,6 +18,7 @@ struct Certificate {
     double ratio = 1;       // c of the values given
     double ratio_best = 1;  // c*
     double from = 0;        // scale from which the ratio holds: 0 but for the basic filter
+    double error = 0;       // additive bound, of functions of the caller's alone (function_filter.hpp)
 };
 
 // First every interval is shown to it, then every value.

@@ -70,7 +70,7 @@ struct Evaluation {
     Interval* interval = nullptr;  // [vertices], given by the caller; null: not asked for
     Certificate certificate = {};
     std::uint32_t zero_born = 0;  // vertices 0..zero_born-1 enter at 0, before their stars
-    std::uint32_t culprit = 0;    // after not_finite: the vertex at which the function is not finite or negative
+    std::uint32_t culprit = 0;    // after not_finite: the vertex at which the function is not finite
 };
 
 }  // namespace netmesh

@@ -2,6 +2,7 @@
 
 #include "certificate/cells.hpp"
 #include "certificate/certificate.hpp"
+#include "mesh/clipped_reach.hpp"
 #include "vocabulary/callback.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -47,37 +48,96 @@ Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, 
     return Status::ok;
 }
 
+namespace {
+
+// Away from 0 by a hair, or towards it.
+double raised(double x) { return x * (x > 0 ? up : down); }
+double lowered(double x) { return x * (x > 0 ? down : up); }
+
+// The intervals of F = min(f, cut) on the cells of a mesh, from f at its vertices.
+template <int D> class FunctionRange {
+public:
+    FunctionRange(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds, const double* out_radius,
+                  const ClippedReach* reach)
+        : mesh_(mesh), bounds_(bounds), out_radius_(out_radius), reach_(reach),
+          share_(bounds.distance_factor > 0 ? down / (1 + bounds.distance_factor * bounds.lipschitz * up) * down : 0),
+          beyond_((2 * mesh.domain.radius + mesh.domain.enclosing_radius) * up),
+          floor_(lowered(bounds.cut - change(mesh.domain.radius))) {}
+
+    // May f be at v what it is, where it is the cut or more on the domain's sphere? To 2^-30, for f's own roundings.
+    bool is_possible(VertexId v, double f) const {
+        const double radius = mesh_.domain.radius,
+                     inside = radius - square_root(mesh_.domain.distance2(mesh_.store.point(v)));
+        return !(f < bounds_.cut - change(inside) - 0x1p-30 * (absolute(bounds_.cut) + change(radius)));
+    }
+
+    // Is v's cell outside the domain? Yes when v is farther from all of the domain than some input is, as the frame is.
+    bool is_outside(VertexId v) const {
+        const double away = square_root(mesh_.domain.distance2(mesh_.store.point(v))) * down;
+        return away > beyond_ || away - out_radius_[v] > mesh_.domain.radius * up;
+    }
+    // `by_sphere`: is the domain's sphere heeded?
+    Interval range(VertexId v, double f, bool by_sphere) const {
+        const double cut = bounds_.cut;
+        if (is_outside(v)) return {cut, cut};
+        double lo = lowered(f - change(reach_[v].from_vertex));
+        if (share_ > 0 && f > 0 && !(lo > f * share_)) lo = f * share_;
+        const double below = lowered(cut - change(reach_[v].below));
+        if (by_sphere && below > lo) lo = below;
+        if (by_sphere && !(lo > floor_)) lo = floor_;
+        if (lo > f) lo = f;  // where f is as far below the cut as it can be; v is in its cell
+        return cut_at(cut, {lo, raised(f + change(out_radius_[v]))});
+    }
+
+private:
+    double change(double distance) const { return distance > 0 ? bounds_.lipschitz * distance * up : 0; }
+
+    const FilteredMesh<D>& mesh_;
+    const LipschitzBounds& bounds_;
+    const double* const out_radius_;
+    const ClippedReach* const reach_;
+    const double share_, beyond_, floor_;
+};
+
+}  // namespace
+
 template <int D>
 Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds, FilterValues values, Arena& arena,
                       Evaluation* out) {
     const ArenaScope scope(arena);
-    const Store<D>& store = mesh.store;
     double* const value = out->value;
     const std::uint32_t count = mesh.vertices();
     double* const out_radius = arena.take_high<double>(count);
-    if (out_radius == nullptr) return Status::out_of_memory;
-    measure_cells<D>(store, out_radius, nullptr);
-    const double cut = bounds.cut;
-    const double share =
-        bounds.distance_factor > 0 ? down / (1 + bounds.distance_factor * bounds.lipschitz * up) * down : 0;
-    // Is v's cell outside the domain? Yes when v is farther from all of the domain than some input is, as the frame is.
-    const double beyond = (2 * mesh.domain.radius + mesh.domain.enclosing_radius) * up;
-    const auto is_outside = [&](VertexId v) {
-        const double away = square_root(mesh.domain.distance2(store.point(v))) * down;
-        if (away > beyond) return true;
-        return store.vertex(v).marker != Marker::exempt && away - out_radius[v] > mesh.domain.radius * up;
-    };
-    for (VertexId v(0); v < count; ++v)
-        if (is_outside(v)) value[v] = cut;
-    const auto interval = [&](VertexId v) {
-        if (is_outside(v)) return Interval{cut, cut};
-        if (store.vertex(v).marker == Marker::exempt) return Interval{0, cut};
-        const double f = value[v], change = bounds.lipschitz * out_radius[v] * up;
-        Interval i = {(f - change) * down, (f + change) * up};
-        if (!(i.lo > f * share)) i.lo = f * share;
-        return cut_at(cut, i);
-    };
-    out->certificate = clamp_values(count, cut, values, interval, value, out->interval);
+    ClippedReach* const reach = arena.take_high<ClippedReach>(count);
+    Interval* const range = arena.take_high<Interval>(count);
+    if (out_radius == nullptr || reach == nullptr || range == nullptr) return Status::out_of_memory;
+    measure_cells<D>(mesh.store, out_radius, nullptr);
+    const Status status = bound_clipped_cells<D>(mesh.store, mesh.domain, out_radius, arena, reach);
+    if (status != Status::ok) return status;
+    const FunctionRange<D> range_of(mesh, bounds, out_radius, reach);
+    bool is_possible = true, is_positive = true;
+    for (VertexId v(0); v < count; ++v) is_possible &= range_of.is_possible(v, value[v]);
+    for (VertexId v(0); v < count; ++v) {
+        range[v] = range_of.range(v, value[v], is_possible);
+        is_positive &= range[v].lo > 0;
+        if (range_of.is_outside(v)) value[v] = bounds.cut;
+    }
+    Certificate& certificate = out->certificate = {};
+    const auto interval = [&](VertexId v) { return range[v]; };
+    if (is_positive) {
+        certificate = clamp_values(count, bounds.cut, values, interval, value, nullptr);
+    } else {
+        certificate.ratio = certificate.ratio_best = infinity;
+        for (VertexId v(0); v < count; ++v)
+            if (!(value[v] < bounds.cut)) value[v] = bounds.cut;
+    }
+    if (!is_possible) certificate.error = infinity;
+    for (VertexId v(0); v < count; ++v) {
+        const double above = raised(range[v].hi - value[v]), below = raised(value[v] - range[v].lo);
+        if (!(above <= certificate.error)) certificate.error = above;
+        if (!(below <= certificate.error)) certificate.error = below;
+        if (out->interval != nullptr) out->interval[v] = range[v];
+    }
     return Status::ok;
 }
 
@@ -88,7 +148,7 @@ Status function_filter(const FilteredMesh<D>& mesh, const netmesh_function& func
     for (VertexId v(0); v < mesh.vertices(); ++v) {
         const double f = out->value[v] = value_at(function, mesh.store.point(v));
         out->culprit = v;
-        if (!is_finite(f) || f < 0) return Status::not_finite;
+        if (!is_finite(f)) return Status::not_finite;
         if (work.monitor.advance(v, 10)) return Status::cancelled;
     }
     const LipschitzBounds bounds = {function.lipschitz, function.distance_factor, function.cut};

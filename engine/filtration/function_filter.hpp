@@ -27,11 +27,32 @@
 // c^2). With c^2 = 2 + tau the constants are sqrt(4 + tau) and, k = 2, sqrt(2 + sqrt 2 (2 + tau)); the sqrt(2 + tau)
 // that cells inside the domain have is not kept at its boundary, where R_v is that of the whole cell.
 //
-// General functions. f(v) - L R_v <= f <= f(v) + L R_v; where f >= d_2 / c is known (8.6.3), also f(x) >= |x - v| / c
-// as above, so that lo = f(v) / (1 + c L). For a general f the clipping argument of 7.4.4 is an assumption: the caller
-// names a value `cut` and answers for it that f >= cut outside the domain ball of the mesh and that the sublevel sets
-// from cut on are contractible. Then F = min(f, cut), and cells outside the domain have the value cut. Where f(v) <= L
-// R_v and no c is known the mesh proves no ratio: it is infinite.
+// General functions. F = min(f, cut), where the caller answers for it that f >= cut outside the domain ball of the
+// mesh, of radius r about c, and that the sublevel sets of f from cut on are contractible; for a general f the clipping
+// argument of 7.4.4 is an assumption. F is L-Lipschitz as f is, it is cut outside the ball, and has the diagram of f:
+// all of space is contractible, as the sublevel sets of f from cut on are. On the cell of v, whose out-radius is R and
+// whose points in the ball are within R' of v (mesh/clipped_reach.hpp),
+//   - F <= min(f(v) + L R, cut);
+//   - F >= f(v) - L R', as F = cut outside the ball; f(v) as it is, not cut;
+//   - F >= cut - L b where no point of the cell is more than b below the ball's sphere, and b <= r always;
+//   - F >= f(v) / (1 + c L) where f >= d_2 / c is known (8.6.3), as f(x) >= |x - v| / c as above.
+// Cells outside of the ball have the value cut. f is what the caller computes: roundings of that are not counted.
+//
+// The additive bound. With lo <= F <= hi on v's cell and t its value let e be the largest of hi - t and t - lo over all
+// v. The union of the cells with t <= b lies in the sublevel set of F at b + e and contains that at b - e. Voronoi
+// cells are closed and convex, so the nerve theorem holds for each such union, and for the inclusions of one in
+// another: these unions have the homology of the filtration. So the two are interleaved by e, their diagrams within e
+// in the bottleneck distance: each pair moves by at most e, and a bar longer than 2 e is real. With its own values e <=
+// L R' for a cell in the ball or across its sphere: one that leaves the ball has a point on the sphere within R' of v,
+// where f >= cut, so hi - f(v) <= L R'. And e <= L r whatever the mesh: every Lipschitz function has a finite bound.
+// Where f is at a vertex less than the cut on the sphere and L allow there is none, it is infinite: the caller's
+// figures are wrong.
+//
+// A ratio needs lo > 0 on all cells; where the mesh does not prove that, no values have one: it is infinite, and the
+// function's own values stay. f may take any finite values.
+//
+// A mesh for an additive error of E has the sizes max(E, f - cut) / L (wanted_reach): a cell with f(v) <= cut + E
+// has L R' <= E, another L R' <= f(v) - cut, so that it is at the cut.
 #pragma once
 #include "filtration/filter.hpp"
 #include "mesh/input_tree.hpp"
@@ -54,11 +75,18 @@ template <int D>
 Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, FilterValues values, const Work& work,
                        Evaluation* out);
 
-// value[v]: f(v), cut and clamped. Scratch: 8 bytes a vertex. out_of_memory, cancelled, not_finite (culprit: a vertex
-// with f(v) < 0 or not finite).
+// value[v]: f(v), cut and, where there is a ratio, clamped. Scratch: 56 bytes a vertex. out_of_memory, cancelled,
+// not_finite (culprit: a vertex at which f is not).
 template <int D>
 Status function_filter(const FilteredMesh<D>& mesh, const netmesh_function& function, FilterValues values,
                        const Work& work, Evaluation* out);
+
+// How far a clipped cell may reach whose vertex has the value f, for an additive error of E. A hair less than the bound
+// needs, for its rounding outwards. +infinity where L = 0.
+inline double wanted_reach(const netmesh_function& function, double error, double f) {
+    const double most = f - function.cut > error ? f - function.cut : error;
+    return function.lipschitz > 0 ? most / function.lipschitz * (1 - 0x1p-16) : infinity;
+}
 
 struct LipschitzBounds {
     double lipschitz;        // L
@@ -66,7 +94,7 @@ struct LipschitzBounds {
     double cut;
 };
 
-// The same for values f(v) >= 0 that are there already.
+// The same for values f(v) that are there already.
 template <int D>
 Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds, FilterValues values, Arena& arena,
                       Evaluation* out);

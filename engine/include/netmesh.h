@@ -582,9 +582,9 @@ typedef struct netmesh_filter_info {
 /* Row `index` of the table, from 0 on, in the order of netmesh_filter without NONE. */
 netmesh_status netmesh_get_filter_info(uint32_t index, netmesh_filter_info* info);
 
-/* A function f >= 0 of the caller's with |f(x) - f(y)| <= lipschitz |x - y|. Homology beyond the mesh is what the
- * caller answers for: 7.4.4's clipping argument is proven for distances to points, for a general f it is an
- * assumption. */
+/* A function f of the caller's, of any sign, with |f(x) - f(y)| <= lipschitz |x - y|. Homology beyond the mesh is what
+ * the caller answers for: 7.4.4's clipping argument is proven for distances to points, for a general f it is an
+ * assumption. What is certified is certified of f as evaluate computes it: its roundings are not counted. */
 typedef struct netmesh_function {
     uint32_t struct_bytes;
     double (*evaluate)(void* user, const double* x); /* f at x[D], finite; called once for each vertex, in their order;
@@ -592,11 +592,17 @@ typedef struct netmesh_function {
     void* user;                                      /* handed to evaluate */
     double lipschitz;                                /* finite, >= 0 */
     double distance_factor; /* a c with f >= d_2 / c, d_2 the distance to the second nearest point (8.6.3); 0: none */
-    double cut;             /* finite, >= 0: f >= cut outside the domain ball (report.mesh.domain), and sublevel sets
-                               from cut on are contractible; values are cut there */
+    double cut;             /* finite: f >= cut outside the domain ball (report.mesh.domain), and sublevel sets from
+                               cut on are contractible; values are cut there */
 } netmesh_function;
 
 void netmesh_function_init(netmesh_function* function, size_t function_bytes);
+
+/* The size at x[D] of a mesh on which FUNCTION, with VALUES_THESIS, has a certified_error of at most `error` > 0: a
+ * caller's netmesh_size hands it on, `error` being the caller's own (3.7). Close to error / lipschitz where f <= cut +
+ * error, (f - cut) / lipschitz beyond; 0, which a mesh refuses, where the arguments are not as said. Calls evaluate
+ * once. */
+double netmesh_size_for_error(const netmesh_function* function, double error, const double* x);
 
 typedef struct netmesh_persist_request {
     uint32_t struct_bytes;
@@ -618,8 +624,10 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * KNN and KDISTANCE, k >= 2: on a mesh on which COMPLETE certifies c the certified_ratio is at most sqrt(2 + s c^2), s
  * = 1 for KNN and sqrt(k / (k - 1)) for KDISTANCE. For FUNCTION: the sublevel sets of a function (8.6). certified_ratio
  * is infinite where f is too small for its change across a Voronoi cell; a distance_factor keeps it finite.
+ * certified_error is finite, at most lipschitz times the domain's radius; infinite where what is said of
+ * the function cannot be: at a vertex it is less than cut and lipschitz allow so far from the domain's sphere.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
- * is not finite or negative), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190
+ * is not finite), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190
  * in space, 2^640 in R^6, of which all coordinates are multiples), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays
  * whole on failure. ALPHA: a bar of positive length for each that there is in exact arithmetic, and no other. Births
  * and deaths have exactly the order of the true ones: where many different ones share one double, each is the next
@@ -644,9 +652,9 @@ void netmesh_bounds_request_init(netmesh_bounds_request* request, size_t request
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely
  * stands for a class of the true diagram; and the ratio as a function of scale. Where a filter's bounds_by_scale is
  * 1: by scale, and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; else by the
- * certified ratio and value_error. The numbers stay with the diagram: 48 bytes a bar. Scratch: about 110 bytes a
- * vertex, 120 a bar, and what a diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure.
- * NO_RESULT (no diagram), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+ * certified ratio, certified_error and value_error. The numbers stay with the diagram: 48 bytes a bar. Scratch: about
+ * 110 bytes a vertex, 120 a bar, and what a diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole
+ * on failure. NO_RESULT (no diagram), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_bounds_request* request);
 
 typedef struct netmesh_bar_bounds {
@@ -1037,7 +1045,9 @@ typedef struct netmesh_diagram_report {
                                     ones, and are in the same order and equal where those are; 0: no such bound */
     double certified_focus;      /* of netmesh_fit with scales of interest: the largest sqrt(hi / lo), lo and hi the
                                     bounds of a Steiner vertex's cell that matters to them; else 0 */
-    uint64_t reserved[2];
+    double certified_error;      /* FUNCTION: each pair moves by at most this, finite whatever the function: the
+                                    bottleneck distance to the diagram of its sublevel sets; other filters: 0, none */
+    uint64_t reserved[1];
 } netmesh_diagram_report;
 
 /* Of netmesh_bound_bars. */

@@ -96,26 +96,56 @@ Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& ar
     return Status::ok;
 }
 
+namespace {
+
+// By the ratio, whose `most` has the values' own error in it.
+BarBounds by_ratio(const Pair& bar, double ratio, double slack, double most) {
+    const bool zero = bar.birth == 0;  // whatever the ratio: 0 times infinity is no number
+    const double real_after = zero ? 0 : bar.birth * ratio * ratio;
+    return {zero ? 0 : bar.birth / most,
+            zero ? 0 : bar.birth * most,
+            bar.death < infinity ? bar.death / most : infinity,
+            bar.death > 0 ? bar.death * most : 0,
+            zero ? 0 : real_after * slack,
+            bar.death > real_after ? 1u : 0u,
+            0};
+}
+
+// Narrows what is known by the additive bound e. A sum is rounded by a share of what comes out, 2^-40 covers it; where
+// the terms cancel, of the larger term.
+void narrow(const Pair& bar, double e, BarBounds* bounds) {
+    const bool ends = bar.death < infinity;
+    const auto slack = [e](double x) { return (absolute(x) + e) * 0x1p-40; };
+    const double birth_low = bar.birth - e - slack(bar.birth), birth_high = bar.birth + e + slack(bar.birth);
+    const double after = bar.birth + 2 * e + 2 * slack(bar.birth);
+    if (birth_low > bounds->birth_low) bounds->birth_low = birth_low;
+    if (birth_high < bounds->birth_high) bounds->birth_high = birth_high;
+    if (!ends) bounds->death_low = bounds->death_high = infinity;
+    if (ends && bar.death - e - slack(bar.death) > bounds->death_low)
+        bounds->death_low = bar.death - e - slack(bar.death);
+    if (ends && bar.death + e + slack(bar.death) < bounds->death_high)
+        bounds->death_high = bar.death + e + slack(bar.death);
+    if (after < bounds->certain_after) bounds->certain_after = after;
+    bounds->certain = bar.death > bounds->certain_after ? 1 : bounds->certain;
+}
+
+}  // namespace
+
 Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve) {
     // A true value is between x / (1 + error) and x / (1 - error), error < 2^-20 or infinite; and one rounding.
     const double ratio = bound.ratio, slack = bound.value_error > 0 ? 1 + 1.01 * bound.value_error + 0x1p-51 : 1;
-    const double most = ratio * slack;
+    const bool is_additive = bound.error >= 0, has_ratio = ratio < infinity || !is_additive;
+    double from = 0;
     for (std::uint64_t i = 0; i < bars.count; ++i) {
-        const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
-        const bool zero = birth == 0;  // whatever the ratio: 0 times infinity is no number
-        const double real_after = zero ? 0 : birth * ratio * ratio;
-        bounds[i] = {zero ? 0 : birth / most,
-                     zero ? 0 : birth * most,
-                     death < infinity ? death / most : infinity,
-                     death > 0 ? death * most : 0,
-                     zero ? 0 : real_after * slack,
-                     death > real_after ? 1u : 0u,
-                     0};
+        bounds[i] = has_ratio ? by_ratio(bars.pairs[i], ratio, slack, ratio * slack)
+                              : BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0};
+        if (is_additive) narrow(bars.pairs[i], bound.error, &bounds[i]);
+        if (bars.pairs[i].birth < from) from = bars.pairs[i].birth;
     }
     *curve = {arena.take_low<ScaleStep>(ratio > 1 ? 1 : 0), ratio > 1 ? 1u : 0u};
     if (curve->steps == nullptr) return Status::out_of_memory;
-    if (ratio > 1) curve->steps[0] = {0, 0, infinity, infinity, ratio};
+    if (ratio > 1) curve->steps[0] = {from, has_ratio ? 0 : -infinity, infinity, infinity, ratio};
     return Status::ok;
 }
 

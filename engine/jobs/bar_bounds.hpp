@@ -58,13 +58,16 @@ struct ScaleCurve {
 Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 
-// What holds at every scale: the ratio; and how far values are at most from those that it speaks of, relative to these,
-// which are in the same order and equal where the values are. Then each bar of positive length stands for one.
+// What holds at every scale: the ratio; how far values are at most from those that it speaks of, relative to these,
+// which are in the same order and equal where the values are: then each bar of positive length stands for one; and the
+// additive bound, beside which there may be no ratio: infinite, and values of any sign.
 struct UniformBound {
     double ratio, value_error;
+    double error = -1;  // negative: none
 };
 
-// The same from one bound, whose value_error is not in the curve. Deaths at infinity are exact. out_of_memory.
+// The same from one bound. Neither its value_error nor its additive bound is in the curve, which begins at 0 or, for
+// negative values, the least birth. Deaths at infinity are exact. out_of_memory.
 Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 
