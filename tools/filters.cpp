@@ -6,9 +6,7 @@ namespace {
 
 std::vector<netmesh_filter_info> rows() {
     std::vector<netmesh_filter_info> rows;
-    for_each_filter([&](const netmesh_filter_info& info) {
-        if (info.needs_function == 0) rows.push_back(info);
-    });
+    for_each_filter([&](const netmesh_filter_info& info) { rows.push_back(info); });
     return rows;
 }
 

@@ -8,7 +8,7 @@
 
 namespace netmesh::tool {
 
-// The filters that the command line offers: all but those of a function of the caller's.
+// The filters that the command line offers: all.
 const std::vector<netmesh_filter_info>& filters();
 
 // The row of a filter. NONE, which complexes given by their simplices have, is called "none" and needs nothing.

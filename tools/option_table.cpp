@@ -202,6 +202,18 @@ std::string apply_seed(Options& options, const std::string& text) {
     return parse_unsigned(text, &options.seed) ? "" : "must be a whole number from 0 to 2^64 - 1";
 }
 
+std::string apply_function(Options& options, const std::string& text) { return options.function.emplace().parse(text); }
+std::string apply_lipschitz(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.lipschitz.emplace()) && *options.lipschitz >= 0;
+    return good ? "" : "must be a finite number, 0 or more";
+}
+std::string apply_cut(Options& options, const std::string& text) {
+    return parse_finite(text, &options.cut.emplace()) ? "" : "must be a finite number";
+}
+std::string apply_error(Options& options, const std::string& text) {
+    return parse_finite(text, &options.error) && options.error > 0 ? "" : "must be a finite number above 0";
+}
+
 std::string apply_dim(Options& options, const std::string& text) {
     std::uint64_t dim;
     if (!parse_unsigned(text, &dim) || dim < dim_min || dim > dim_max) return "must be a dimension from 2 to 6";
@@ -355,6 +367,16 @@ const std::vector<OptionEntry>& option_entries() {
          "certified or thesis: the filter's own; or the values that a vineyard of a complex was made of"},
         {"--complex", check, "COMPLEX", apply_path<&Options::complex_path>,
          "with --values FILE: the complex that the vineyard was made of"},
+        {"--function", persist | check, "EXPR", apply_function,
+         "of filter function: numbers, x y z w or x1 .. x6, + - * / ^N ( ) sqrt abs min max: 'sqrt(x*x + y*y) - 1'"},
+        {"--lipschitz", persist | check, "L", apply_lipschitz,
+         "the function changes by at most L a unit of length in the domain; neighbouring vertices are looked at"},
+        {"--cut", persist | check, "C", apply_cut,
+         "the function is at least C outside of the domain, the ball around the points; values are cut there, and "
+         "sublevel\n"
+         "                    sets from there on must be contractible"},
+        {"--error", persist | check, "E", apply_error,
+         "refine until each birth and death of the function's diagram is off by at most E"},
         {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
         {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree,
          "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
@@ -417,6 +439,9 @@ const char* option_name(netmesh_field field) {
                  {NETMESH_FIELD_AUDIT, "--audit"},
                  {NETMESH_FIELD_FILTER, "--filter"},
                  {NETMESH_FIELD_VALUES, "--values"},
+                 {NETMESH_FIELD_FUNCTION, "--function"},
+                 {NETMESH_FIELD_LIPSCHITZ, "--lipschitz"},
+                 {NETMESH_FIELD_CUT, "--cut"},
                  {NETMESH_FIELD_K, "--k"},
                  {NETMESH_FIELD_K_FIRST, "--k"},
                  {NETMESH_FIELD_K_LAST, "--k"},

@@ -177,8 +177,9 @@ netmesh_filter default_filter(Command command) {
 }
 
 FilterChoice choice_of(const Options& options) {
+    // An error that is asked for is that of a function's own values.
     return {options.filter.value_or(default_filter(options.command)),
-            options.values.value_or(NETMESH_VALUES_CERTIFIED)};
+            options.values.value_or(options.error > 0 ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED)};
 }
 
 bool refines_by_certificate(const Options& options) {

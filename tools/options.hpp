@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "netmesh.h"
+#include "tools/expression.hpp"
 #include "tools/filters.hpp"
 #include "tools/outcome.hpp"
 
@@ -49,8 +50,11 @@ struct Options {
     std::string complex_path;  // check
     std::optional<std::uint32_t> max_degree;
     std::optional<std::uint32_t> k,
-        k_last;                    // knn, kdistance, barycentric filters; of a vineyard the first and the last
-    std::size_t memory_bytes = 0;  // 0: reserved lazily
+        k_last;                            // knn, kdistance, barycentric filters; of a vineyard the first and the last
+    std::optional<Expression> function;    // of the filter function
+    std::optional<double> lipschitz, cut;  // of that
+    double error = 0;                      // asked of its diagram; 0: not given
+    std::size_t memory_bytes = 0;          // 0: reserved lazily
     std::uint64_t seed = 1;
 
     std::uint32_t dim = 0;               // size, sample

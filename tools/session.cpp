@@ -19,7 +19,9 @@ std::size_t lazy_bytes(std::size_t plan, std::size_t physical) {
 }
 
 Session::Session(const Options& options, std::uint32_t dim)
-    : options_(options), mesh_(watched(mesh_request(options, dim))), bar_(!options.quiet) {}
+    : options_(options), function_(options), mesh_(watched(mesh_request(options, dim))), bar_(!options.quiet) {
+    function_.set_sizes(&mesh_);
+}
 
 int Session::poll(void* self, const netmesh_progress* progress) {
     Session& session = *static_cast<Session*>(self);
@@ -98,6 +100,10 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
     case NETMESH_FIELD_K_FIRST:
     case NETMESH_FIELD_K_LAST: return data_error(cloud.name + ": " + option + ": " + said);
     case NETMESH_FIELD_SIZES:
+        if (options_.error > 0)
+            return data_error(cloud.where(detail.index_a) + ": --error " + number_text(options_.error) +
+                              ": near this point " + said);
+        [[fallthrough]];
     case NETMESH_FIELD_SIZE_AT_INPUTS:
         return data_error(cloud.where(detail.index_a) + ": " + option + ": near this point " + said);
     default: break;
@@ -114,7 +120,10 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     case NETMESH_OK: return {};
     case NETMESH_OUT_OF_MEMORY: return {Exit::memory, memory_message(plan)};
     case NETMESH_CANCELLED: return {Exit::cancelled, "netmesh: cancelled"};
-    case NETMESH_NOT_FINITE: return data_error(cloud.where(detail.index_a) + ": a coordinate is not finite");
+    case NETMESH_NOT_FINITE:
+        if (said.rfind("the function", 0) == 0)
+            return usage_error(option_of(options_, NETMESH_FIELD_FUNCTION) + ": not finite at a vertex of the mesh");
+        return data_error(cloud.where(detail.index_a) + ": a coordinate is not finite");
     case NETMESH_OUT_OF_RANGE:
         if (options_.filter == NETMESH_FILTER_ALPHA)
             return data_error(cloud.name +

@@ -6,6 +6,7 @@
 
 #include "netmesh.hpp"
 #include "platform/memory.hpp"
+#include "tools/asked_function.hpp"
 #include "tools/io/points.hpp"
 #include "tools/options.hpp"
 #include "tools/outcome.hpp"
@@ -45,6 +46,7 @@ public:
         request.point_count = cloud.rows();
         return watched(request);
     }
+    AskedFunction& function() { return function_; }
     const StageClock& clock() const { return clock_; }
 
 private:
@@ -57,6 +59,7 @@ private:
     const Options& options_;
     platform::Reservation block_;
     Engine engine_{nullptr, 0};
+    AskedFunction function_;
     requests::Mesh mesh_;
     StageClock clock_;
     ProgressBar bar_;

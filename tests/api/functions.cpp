@@ -58,6 +58,57 @@ TEST_CASE("a function of the caller's") {
     CHECK(session.detail().field == NETMESH_FIELD_FUNCTION);
 }
 
+// Nasty functions, of one point to five.
+TEST_CASE("every function has a finite error, unless what is said of it cannot be") {
+    struct Saddle {
+        double level, slope;
+        static double at(void* self, const double* x) {
+            const Saddle& s = *static_cast<const Saddle*>(self);
+            return s.level + s.slope * (x[0] > x[1] ? x[0] : x[1]);
+        }
+    };
+    for (const int dim : dimensions(2, 4))
+        for (std::size_t n = 1; n <= 5; ++n) {
+            CAPTURE(dim);
+            CAPTURE(n);
+            Session session(dim);
+            const inputs::Points points = inputs::uniform(dim, n, n);
+            REQUIRE(session.mesh(points, n % 2 == 0 ? NETMESH_PURPOSE_MESH : NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+            const netmesh_report report = session.report();
+            const double radius = report.mesh.domain[dim];
+            const auto persist = [&](Saddle saddle, double lipschitz, double cut) {
+                const netmesh_function f = {sizeof f, Saddle::at, &saddle, lipschitz, 0, cut};
+                REQUIRE(session.persist(f, netmesh::requests::Persist()) == NETMESH_OK);
+                return session.report().diagram.certified_error;
+            };
+            // Constant, below and at the cut.
+            CHECK(persist({0, 0}, 0, 0) == 0);
+            CHECK(persist({7, 0}, 0, 7) == 0);
+            CHECK(persist({7, 0}, 3, -7) <= 3 * radius);
+            CHECK(session.pairs().size() == 1);
+            CHECK(session.pairs()[0].birth == -7);
+            // Steep, the cut below all values: they are the cut; and values down to it at the sphere.
+            CHECK(persist({0, 1e6}, 1e6, -1e9) <= 1e6 * radius * (1 + 1e-9));
+            const double error = persist({0, 1}, 1, -1e3);
+            CHECK(error <= radius * (1 + 1e-9));
+            // A constant below the cut by more than L allows from the sphere on.
+            CHECK(persist({0, 0}, 1, 1.5 * radius) == HUGE_VAL);
+            CHECK(persist({0, 0}, 0, 1e-3) == HUGE_VAL);
+            CHECK(session.bound_bars() == NETMESH_OK);
+        }
+    // The sizes for an error.
+    Saddle pit = {-1, 2};
+    netmesh_function f = {sizeof f, Saddle::at, &pit, 2, 0, 3};
+    const double low[] = {0, 0}, high[] = {0, 4};
+    CHECK(netmesh_size_for_error(&f, 0.5, low) == doctest::Approx(0.25).epsilon(1e-4));
+    CHECK(netmesh_size_for_error(&f, 0.5, high) == doctest::Approx(2).epsilon(1e-4));
+    CHECK(netmesh_size_for_error(&f, 0, low) == 0);
+    CHECK(netmesh_size_for_error(&f, std::nan(""), low) == 0);
+    CHECK(netmesh_size_for_error(nullptr, 1, low) == 0);
+    f.lipschitz = 0;
+    CHECK(netmesh_size_for_error(&f, 0.5, low) == HUGE_VAL);
+}
+
 TEST_CASE("filters by neighbours certify no more than the complete filter's ratio lets them") {
     double closest[2] = {0, 0};  // the share of the bound that is used
     for (const int dim : dimensions(2, 4)) {

@@ -168,3 +168,38 @@ TEST_CASE("bounds by values that are off by little and in the true order") {
         CHECK(bounds[i].certain_after >= bounds[i].birth_high);
     }
 }
+
+TEST_CASE("bounds by an additive error, with values of any sign") {
+    Block block(std::size_t{1} << 16);
+    ScaleCurve curve;
+    const Pair pairs[] = {{-3, -1.75, 0, 0}, {-3, infinity, 0, 0}, {-2, -1.25, 1, 0}, {0, 1, 1, 0}, {0, 0.9, 1, 0}};
+    BarBounds bounds[5];
+    REQUIRE(bound_by_ratio({infinity, 0, 0.5}, {pairs, 5}, block.arena, bounds, &curve) == Status::ok);
+    const auto around = [](double x, double low, double high) {
+        return low <= x - 0.5 && high >= x + 0.5 && high - low < 1 + 1e-9;
+    };
+    for (int i = 0; i < 5; ++i) {
+        CAPTURE(i);
+        CHECK(around(pairs[i].birth, bounds[i].birth_low, bounds[i].birth_high));
+        if (pairs[i].death < infinity) CHECK(around(pairs[i].death, bounds[i].death_low, bounds[i].death_high));
+        CHECK(bounds[i].certain_after > pairs[i].birth + 1);
+        CHECK(bounds[i].certain_after < pairs[i].birth + 1 + 1e-9);
+    }
+    CHECK(bounds[1].death_low == infinity);
+    CHECK(bounds[1].death_high == infinity);
+    // Longer than 2 e; the bar from 0 to 1 is as long, and a bar born at 0 is not exact.
+    const std::uint32_t certain[] = {1, 1, 0, 0, 0};
+    for (int i = 0; i < 5; ++i) CHECK(bounds[i].certain == certain[i]);
+    REQUIRE(curve.count == 1);
+    CHECK(curve.steps[0].from == -3);
+    CHECK(curve.steps[0].low == -infinity);
+
+    // The ratio where it says more.
+    const Pair low = {0.125, 8, 0, 0};
+    REQUIRE(bound_by_ratio({2, 0, 0.5}, {&low, 1}, block.arena, bounds, &curve) == Status::ok);
+    CHECK(bounds[0].birth_low == 0.0625);
+    CHECK(bounds[0].birth_high == 0.25);
+    CHECK(around(8, bounds[0].death_low, bounds[0].death_high));
+    CHECK(bounds[0].certain_after == 0.5);
+    CHECK(bounds[0].certain == 1);
+}

@@ -10,7 +10,8 @@ namespace {
 
 // Of several k none is tried by itself.
 bool is_tried(const Options& options, const netmesh_filter_info& filter) {
-    return options.filter ? *options.filter == filter.filter : filter.needs_k == 0 || options.k;
+    if (options.filter) return *options.filter == filter.filter;
+    return filter.needs_function == 0 && (filter.needs_k == 0 || options.k);
 }
 
 }  // namespace
@@ -52,13 +53,15 @@ Outcome run_check(const Options& options) {
     Outcome outcome;
     if (ending != ".pers") outcome = check_accuracy(options);
     if (ending != ".pers" && outcome.good()) outcome = check_ratio(options);
+    if (ending != ".pers" && outcome.good()) outcome = check_function(options);
     if (!outcome.good()) return outcome;
     if (ending == ".node") {
         MeshFiles files;
         outcome = read_mesh_files(options.positionals[0], &files);
         if (outcome.good()) {
             Session session(options, files.node.cloud.dim);
-            outcome = check_mesh(options, files, &run, session);
+            outcome = check_coordinates(options, files.node.cloud.dim);
+            if (outcome.good()) outcome = check_mesh(options, files, &run, session);
             if (outcome.good()) outcome = check_vertex_values(options, files, &run, session);
         }
     } else {

@@ -28,7 +28,7 @@ Outcome check_with_head(const DiagramFile& file) {
     return file.wrong(line, made.bounds ? "there are no bounds of bars" : "bounds of bars, but no line `# bounds`");
 }
 
-Outcome read_diagram(const std::string& path, DiagramFile* file) {
+Outcome read_diagram(const std::string& path, const Options& options, DiagramFile* file) {
     std::string content;
     file->name = shown_name(path);
     Outcome outcome = read_content(path, &content);
@@ -37,7 +37,8 @@ Outcome read_diagram(const std::string& path, DiagramFile* file) {
     if (!outcome.good()) return outcome;
     file->bounds = bound_lines(content);
     std::size_t at = 0;
-    const std::string complaint = diagram_complaint(file->bars, &at);
+    const bool any_sign = filter_of(file->head ? file->head->options : options) == NETMESH_FILTER_FUNCTION;
+    const std::string complaint = diagram_complaint(file->bars, &at, any_sign);
     if (!complaint.empty()) return file->wrong(file->line_of(at), complaint);
     return file->head ? check_with_head(*file) : Outcome{};
 }
@@ -119,6 +120,7 @@ std::string Reproduction::said() const {
     text += " of " + cloud_.name + " for " + choice_text(choice_of(made_)) + "; certified ratio " +
             rounded_text(diagram.certified_ratio, 6);
     if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
+    if (diagram.filter == NETMESH_FILTER_FUNCTION) text += ", error " + rounded_text(diagram.certified_error, 6);
     if (report.mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(report.mesh.aspect_ratio_max, 6);
     return text;
 }
@@ -149,6 +151,8 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
         if (count.value != std::to_string(points.rows()))
             return file.wrong(count.number, points.name + " has " + std::to_string(points.rows()) + " points");
     }
+    outcome = check_coordinates(made, points.dim);
+    if (!outcome.good()) return explain_refusal(file, outcome);
     Session session(made, points.dim);
     outcome = session.run(plan_diagram(made, filter_of(made), points.dim, points.rows()), points,
                           [&](Session& s) { return persist_as_asked(s, made, points); });
@@ -159,7 +163,8 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
         if (outcome.good()) outcome = compare_line(file, "input", due);
     }
     const Reproduction again(file, points, made, session);
-    if (outcome.good()) outcome = again.compare({"domain", "certified-ratio", "certified-from", "reference"});
+    if (outcome.good())
+        outcome = again.compare({"domain", "certified-ratio", "certified-from", "certified-error", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said());
@@ -187,6 +192,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     const PointCloud& cloud = files.node.cloud;
     const Options made = settled(open, cloud.dim);
     if (file.head) outcome = compare_inputs_with(file, files.node);
+    if (outcome.good()) outcome = check_coordinates(made, cloud.dim);
     if (!outcome.good()) return outcome;
     Options promised = open;  // of the mesh; what a fit reached is in the mesh's own file
     if (made.fit) {
@@ -204,7 +210,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     });
     if (!outcome.good()) return explain_refusal(file, outcome);
     const Reproduction again(file, cloud, made, session);
-    outcome = again.compare({"dim", "domain", "certified-ratio", "certified-from", "reference"});
+    outcome = again.compare({"dim", "domain", "certified-ratio", "certified-from", "certified-error", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said() + "; how the mesh was made is for --points alone to tell");
@@ -231,7 +237,7 @@ Options making_of(const Options& options, const DiagramFile& file) {
 
 Outcome check_diagram(const Options& options, RunReport* run) {
     DiagramFile file;
-    Outcome outcome = read_diagram(options.positionals[0], &file);
+    Outcome outcome = read_diagram(options.positionals[0], options, &file);
     if (outcome.good() && file.head) outcome = check_contradiction(*file.head, file.name, options);
     if (!outcome.good()) return outcome;
     run->checked->push_back(file.name + " has " + grouped_text(file.bars.size()) +
@@ -241,7 +247,8 @@ Outcome check_diagram(const Options& options, RunReport* run) {
         return {};
     }
     const Options made = making_of(options, file);
-    for (Outcome (*check)(const Options&) : {check_together, check_accuracy, check_ratio, check_max_degree}) {
+    for (Outcome (*check)(const Options&) :
+         {check_together, check_accuracy, check_ratio, check_max_degree, check_function}) {
         outcome = check(made);
         if (!outcome.good()) return outcome;
     }

@@ -103,8 +103,8 @@ void set_promises(const Options& options, const NodeFile& node, requests::Mesh* 
     mesh->certificate = goal_of(options, options.ratio.value_or(node.ratio));
 }
 
-// What the engine's checkers have found to hold.
-void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netmesh_mesh_report& report,
+// What the engine's checkers have found to hold; `error`: asked of a function's diagram, or 0.
+void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double error, const netmesh_mesh_report& report,
                   std::vector<std::string>* checked) {
     const double ratio = mesh.certificate.ratio;
     const bool is_mesh = !files.node.domain.empty();
@@ -131,6 +131,7 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, const netm
         if (mesh.size_at_inputs > 0)
             asked += (asked.empty() ? "cell-size " : ", cell-size ") + number_text(mesh.size_at_inputs) + ',' +
                      number_text(mesh.size_growth);
+        if (error > 0) asked += (asked.empty() ? "error " : ", error ") + number_text(error);
         checked->push_back("cells reach " + rounded_text(report.sizes.ratio_max, 6) + " of the size asked for (" +
                            asked + ")");
     }
@@ -161,7 +162,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     if (!outcome.good()) return outcome;
     run->engine = session.engine().report();
     run->clock = session.clock();
-    add_findings(files, session.mesh(), run->engine->mesh, &*run->checked);
+    add_findings(files, session.mesh(), options.error, run->engine->mesh, &*run->checked);
     if (!options.points_path.empty()) {
         run->checked->push_back("inputs equal " + points.name + " bit for bit, duplicates merged");
     }
@@ -174,6 +175,8 @@ Outcome check_vertex_values(const Options& options, const MeshFiles& files, RunR
     for (const FilterChoice& choice : candidates(options)) {
         requests::Persist persist = persist_request(options, {choice}, node.cloud.dim);
         persist.max_degree = 0;
+        session.function().set_domain(session.engine().report());
+        persist.function = session.function().get();
         const netmesh_status status =
             session.call(NETMESH_STAGE_CERTIFY, [&] { return session.engine().persist(session.watched(persist)); });
         if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};

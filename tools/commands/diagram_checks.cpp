@@ -6,14 +6,14 @@
 
 namespace netmesh::tool {
 
-std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at) {
+std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at, bool any_sign) {
     std::size_t essential = 0;
     double least = bars.empty() ? 0 : bars[0].birth;
     for (const Bar& bar : bars) least = bar.birth < least ? bar.birth : least;
     for (std::size_t i = 0; i < bars.size(); i++) {
         const Bar& bar = bars[i];
         if (at != nullptr) *at = i;
-        if (!(std::isfinite(bar.birth) && bar.birth >= 0)) return "a birth that is not a finite radius";
+        if (!(std::isfinite(bar.birth) && (any_sign || bar.birth >= 0))) return "a birth that is not a finite radius";
         if (!(bar.death >= bar.birth)) return "a death before the birth";
         if (i > 0 && comes_before(bar, bars[i - 1])) return "bars that are not sorted by degree, birth, death";
         if (std::isfinite(bar.death)) continue;

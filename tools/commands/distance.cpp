@@ -58,6 +58,10 @@ Outcome run_distance(const Options& options) {
     for (int i = 0; i < 2; i++) {
         const Outcome outcome = read_pairs(options.positionals[i], &pairs[i], &degrees);
         if (!outcome.good()) return outcome;
+        for (const netmesh_pair& pair : pairs[i])
+            if (options.log && pair.birth < 0)
+                return data_error(options.positionals[i] + ": a birth at " + number_text(pair.birth) +
+                                  " has no logarithm; leave --log out");
     }
     RunReport run;
     run.options = &options;

@@ -5,6 +5,7 @@
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/io/provenance.hpp"
 #include "tools/opinion/cell_values.hpp"
 #include "tools/plot/plots.hpp"
@@ -31,6 +32,15 @@ Outcome check_filter(const Options& options) {
     if (options.bounds) return usage_error("--bounds does not apply to filter " + name);
     if (!options.mesh_out.empty()) return usage_error("--mesh: filter " + name + " has no mesh");
     return check_max_degree(options);
+}
+
+// Of the filter function: are its figures possible, and is the error what was asked for?
+Outcome check_error(const Options& options, const Engine& engine) {
+    const Outcome outcome = check_claims(options, engine);
+    const double error = engine.report().diagram.certified_error;
+    if (!outcome.good() || options.error == 0 || error <= options.error) return outcome;
+    return usage_error("--error " + number_text(options.error) + ": the mesh made for it certifies " +
+                       rounded_text(error, 6) + " only");
 }
 
 // Once before the points are read, with dim 0, and once behind.
@@ -60,9 +70,11 @@ Outcome read_input(const Options& options, PointCloud* cloud) {
     Outcome outcome = check_accuracy(options);
     if (outcome.good()) outcome = check_ratio(options);
     if (outcome.good()) outcome = check_filter(options);
+    if (outcome.good() && persists(options)) outcome = check_function(options);
     if (outcome.good()) outcome = check_outputs(options, 0);
     if (outcome.good()) outcome = read_points(options.positionals[0], cloud);
     if (outcome.good()) outcome = check_outputs(options, cloud->dim);
+    if (outcome.good()) outcome = check_coordinates(options, cloud->dim);
     return outcome;
 }
 
@@ -153,7 +165,7 @@ std::string checked_text(const Options& options, const SimplexList& complex) {
 
 // What the tool itself finds wrong with the diagram.
 Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const SimplexList& complex) {
-    std::string complaint = diagram_complaint(bars);
+    std::string complaint = diagram_complaint(bars, nullptr, engine.report().diagram.filter == NETMESH_FILTER_FUNCTION);
     const bool cycles = engine.report().diagram.representatives != 0;
     const bool own_values = about(engine.report().diagram.filter).source == NETMESH_SOURCE_MESH;
     if (complaint.empty() && cycles) complaint = cycles_complaint(engine, complex, own_values ? 0 : radius_tolerance);
@@ -230,6 +242,7 @@ Outcome run_engine_command(const Options& given) {
     Measured measured;
     const auto all_work = [&](Session& s) { return work(s, options, cloud, &measured); };
     outcome = session.run(plan_of(options, cloud), cloud, all_work);
+    if (outcome.good() && persists(options)) outcome = check_error(options, session.engine());
     if (!outcome.good()) return outcome;
     run.engine = session.engine().report();
     run.clock = session.clock();

@@ -9,6 +9,7 @@
 #include "tools/opinion/cell_values.hpp"
 #include "tools/opinion/complexes.hpp"
 #include "tools/opinion/filtered_complex.hpp"
+#include "tools/opinion/function_cells.hpp"
 
 namespace netmesh::tool {
 
@@ -212,12 +213,40 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
     return judge_cycles(claim, complex, checked);
 }
 
+// Of the filter by a function: its error is large enough, and the bars are those of its values.
+Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunReport* run) {
+    const Options& made = claim.made;
+    const netmesh_diagram_report& diagram = run->engine->diagram;
+    const FunctionClaim said = {*made.function, *made.lipschitz, *made.cut, diagram.certified_error};
+    const FunctionOpinion opinion = function_opinion(files, said);
+    const bool has_values = files.node.attribute_count == 1,
+               are_own = std::isinf(diagram.certified_ratio) || choice_of(made).values == NETMESH_VALUES_THESIS;
+    if (!has_values && !are_own) {
+        run->checked->push_back("no second opinion: " + files.node.cloud.name + " has no filter values");
+        return {};
+    }
+    std::vector<double> values = files.node.attributes;
+    if (!has_values) values.assign(opinion.values.begin(), opinion.values.end());
+    std::size_t at = 0;
+    const std::string complaint = error_complaint(opinion, said, values, &at);
+    if (!complaint.empty()) return {Exit::check, files.node.cloud.where(at) + ": check failed: " + complaint};
+    for (at = 0; at < values.size() && are_own; at++)
+        if (values[at] != static_cast<double>(opinion.values[at]))
+            return {Exit::check, files.node.cloud.where(at) + ": check failed: filter value " +
+                                     number_text(values[at]) + " where the function is " + shown(opinion.values[at])};
+    run->checked->push_back("second opinion: the function keeps to the error " + rounded_text(said.error, 6) + " at " +
+                            grouped_text(opinion.places + values.size()) +
+                            " places of cells, and as far as --lipschitz lets it");
+    return judge_pairs(claim, lower_stars(files.cells, values, 0, *made.max_degree + 1), 0, &*run->checked);
+}
+
 }  // namespace
 
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run) {
     const std::uint32_t top = *claim.made.max_degree + 1;
     if (files.node.domain.empty())
         return judge_pairs(claim, alpha_complex(files, top), radius_tolerance, &*run->checked);
+    if (filter_of(claim.made) == NETMESH_FILTER_FUNCTION) return judge_function(claim, files, run);
     const std::uint32_t first = zero_born(files.node, filter_of(claim.made), claim.made.k.value_or(1));
     const double cost = opinion_cost(files);
     if (cost > cost_max) {

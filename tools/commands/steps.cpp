@@ -30,7 +30,10 @@ netmesh_status make_diagram(Session& session, const Options& options, const Diag
             return engine.persist_scales(session.watched(scales_request(options, diagram, cloud.dim), cloud));
         if (source == NETMESH_SOURCE_POINTS)
             return engine.persist_points(session.watched(points_request(options, diagram, cloud.dim), cloud));
-        return engine.persist(session.watched(persist_request(options, diagram, cloud.dim)));
+        requests::Persist persist = session.watched(persist_request(options, diagram, cloud.dim));
+        session.function().set_domain(engine.report());
+        persist.function = session.function().get();
+        return engine.persist(persist);
     });
 }
 
@@ -58,6 +61,10 @@ netmesh_status persist_as_asked(Session& session, const Options& options, const 
     diagram.cycles = on_points && cycles;
     netmesh_status status = prepare_for(session, options, filter.filter, cloud);
     if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
+    if (status == NETMESH_OK && session.function().has_missed(session.engine().report())) {
+        status = make_mesh(session, cloud);
+        if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
+    }
     if (status == NETMESH_OK && options.bounds) status = bound_bars(session);
     if (status == NETMESH_OK && !on_points && cycles) status = find_cycles(session);
     return status;

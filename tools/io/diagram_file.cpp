@@ -53,9 +53,7 @@ std::string parse_bar(std::string_view line, Bar* bar) {
         return quoted(words[0]) + " is not a degree";
     }
     bar->degree = static_cast<std::uint32_t>(degree);
-    if (!parse_finite(std::string(words[1]), &bar->birth) || bar->birth < 0) {
-        return quoted(words[1]) + " is not a birth: finite and not below 0";
-    }
+    if (!parse_finite(std::string(words[1]), &bar->birth)) return quoted(words[1]) + " is not a birth: finite";
     if (words[2] == "inf") {
         bar->death = HUGE_VAL;
     } else if (!parse_finite(std::string(words[2]), &bar->death) || bar->death < bar->birth) {

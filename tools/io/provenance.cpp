@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/asked_function.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/requests.hpp"
 
@@ -14,9 +15,9 @@ constexpr std::string_view marker = "# netmesh diagram 1: degree birth death";
 constexpr std::string_view any_marker = "# netmesh diagram ";
 
 // In the order of the file.
-constexpr const char* option_names[] = {"filter", "k",      "values",     "method", "finish", "tau",
-                                        "fit",    "memory", "ratio",      "focus",  "from",   "to",
-                                        "eps",    "theta",  "max-degree", "all",    "bounds", "seed"};
+constexpr const char* option_names[] = {
+    "filter", "k",     "values", "function", "lipschitz", "cut", "error", "method",     "finish", "tau",    "fit",
+    "memory", "ratio", "focus",  "from",     "to",        "eps", "theta", "max-degree", "all",    "bounds", "seed"};
 
 bool is_option(std::string_view name) {
     return std::any_of(std::begin(option_names), std::end(option_names), [&](const char* o) { return name == o; });
@@ -96,6 +97,12 @@ Head option_head(const Options& options) {
     head.add("filter", filter.name);
     if (filter.needs_k != 0) head.add_count("k", options.k.value_or(0));
     if (filter.has_values != 0) head.add("values", values_name(choice_of(options).values));
+    if (filter.needs_function != 0) {
+        head.add("function", options.function ? options.function->text() : "");
+        head.add("lipschitz", options.lipschitz.value_or(0));
+        head.add("cut", options.cut.value_or(0));
+        if (options.error > 0) head.add("error", options.error);
+    }
     add_mesh_options(options, &head);
     if (filter.has_eps != 0 && !options.ratio) head.add("eps", options.eps);
     if (filter.has_theta != 0) head.add("theta", options.theta);
@@ -124,6 +131,7 @@ Head head_of(const Options& options, const netmesh_report& report) {
     }
     head.add("certified-ratio", report.diagram.certified_ratio);
     if (report.diagram.certified_from > 0) head.add("certified-from", report.diagram.certified_from);
+    if (report.diagram.filter == NETMESH_FILTER_FUNCTION) head.add("certified-error", report.diagram.certified_error);
     head.add("reference", reference_name(report));
     lines = head.take();
     all.insert(all.end(), lines.begin(), lines.end());
@@ -225,11 +233,12 @@ Outcome HeadReader::check_names() {
     Head due = option_head(found_.options);
     for (const char* fact : facts) due.push_back({fact, ""});
     if (is_meshed(found_.options)) due.push_back({"domain", ""});
+    if (filter_of(found_.options) == NETMESH_FILTER_FUNCTION) due.push_back({"certified-error", ""});
     for (const HeadLine& line : found_.lines) {
         if (find_line(found_.lines, line.name) != &line)
             return fault(line, "the head says that twice; leave one of the two lines out");
         if (find_line(due, line.name) != nullptr || line.name == "certified-from") continue;
-        if (!is_option(line.name) && line.name != "domain")
+        if (!is_option(line.name) && line.name != "domain" && line.name != "certified-error")
             return fault(line, "not a line of a head; comments of your own go behind the bars or before the head");
         return fault(line, "contradicts the other lines: a diagram of " + choice_text(choice_of(found_.options)) +
                                " that is made as they say does not have it");
@@ -257,7 +266,7 @@ Outcome HeadReader::check_facts() {
     const HeadLine* const domain = found_.find("domain");
     if (domain != nullptr && !is_ball(domain->value, dim))
         return fault(*domain, "must be a centre of as many coordinates as # dim says, and a radius above 0");
-    for (const char* name : {"certified-ratio", "certified-from"}) {
+    for (const char* name : {"certified-ratio", "certified-from", "certified-error"}) {
         const HeadLine* const line = found_.find(name);
         const double least = name == std::string_view("certified-ratio") ? 1 : 0;
         if (line != nullptr && !is_number(line->value, least))
@@ -270,7 +279,8 @@ Outcome HeadReader::check_facts() {
 }
 
 Outcome HeadReader::check_options() {
-    for (Outcome (*check)(const Options&) : {check_together, check_accuracy, check_ratio, check_max_degree}) {
+    for (Outcome (*check)(const Options&) :
+         {check_together, check_accuracy, check_ratio, check_max_degree, check_function}) {
         const Outcome outcome = check(found_.options);
         if (!outcome.good()) return fault(first_, "the head contradicts itself: " + outcome.message);
     }

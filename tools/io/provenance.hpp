@@ -3,15 +3,15 @@
 // are allowed. They come in this order; what does not apply is left out.
 //
 //   of the file         version
-//   options of persist  filter k values method finish tau fit memory ratio focus from to eps theta max-degree all
-//   bounds
-//                       seed
+//   options of persist  filter k values function lipschitz cut error method finish tau fit memory ratio focus from to
+//                       eps theta max-degree all bounds seed
 //   of the input        dim points duplicates input
-//   of the result       domain certified-ratio certified-from reference
+//   of the result       domain certified-ratio certified-from certified-error reference
 //
 // Options are what decides the bars, each with the value that was used, given or not: `netmesh persist POINTS` with all
 // of them makes the same file. `input` is the fingerprint of the coordinates, as in JSON; `domain` centre and radius of
-// the ball that was meshed; `reference` the function that the ratio is about, from the scale `certified-from` on.
+// the ball that was meshed; `reference` the function that the ratio is about, from the scale `certified-from` on;
+// `certified-error`, of the filter function, how far births and deaths are off at most.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -284,6 +284,7 @@ CellOpinion CellWalk::take(Real claimed) {
 }  // namespace
 
 std::uint32_t zero_born(const NodeFile& node, netmesh_filter filter, std::uint32_t k) {
+    if (filter == NETMESH_FILTER_FUNCTION) return 0;
     const bool has_balls = filter != NETMESH_FILTER_BASIC && (about(filter).needs_k == 0 || k == 1);
     return has_balls ? input_count(node) : 0;
 }

@@ -45,7 +45,7 @@ SimplexList lower_stars(const CellTable& cells, const std::vector<double>& value
     if (!faces_of(cells, top, &faces)) return {};
     std::vector<FilteredSimplex> list;
     for (const Vertices& face : faces) {
-        double value = 0;
+        double value = values[face[0]];
         for (const std::uint32_t v : face) value = std::max(value, values[v]);
         if (face.size() == 1 && face[0] < zero_born) value = 0;
         list.push_back({face, value});

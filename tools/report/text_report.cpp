@@ -141,6 +141,10 @@ std::string diagram_lines(const netmesh_report& engine) {
     text += "\ncertified ratio " + rounded_text(diagram.certified_ratio, 6);
     if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
     text += " to the " + reference_name(engine) + "\n";
+    if (diagram.filter == NETMESH_FILTER_FUNCTION) {
+        text += "certified error " + rounded_text(diagram.certified_error, 6) +
+                ": births and deaths are off by at most that\n";
+    }
     if (diagram.value_error > 0) {
         text += "exact    no bar is dropped or made; births and deaths to " +
                 rounded_text(1.005 * diagram.value_error, 3) + " of themselves\n";

@@ -90,7 +90,10 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
                                    "--method netmesh --finish",
                                    "--values thesis --max-degree 0",
                                    "--max-degree 9",
-                                   "--bounds --all"}) {
+                                   "--bounds --all",
+                                   "--filter function --function 'x*x + y*y - 1' --lipschitz 4 --cut -2 --bounds",
+                                   "--filter function --function 'max(x, -x, 2*y) + 3' --lipschitz 2 --cut 3 --all",
+                                   "--filter function --function 'sqrt(x*x + y*y)' --lipschitz 1 --cut .7 --error .1"}) {
         CAPTURE(ways);
         const Result made = folder.run("persist p.csv --quiet -o d.pers " + ways);
         CHECK(made.err == "");
@@ -239,6 +242,63 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
              with_head(with_head(rips, "filter", "# filter cech"), "reference",
                        "# reference closed offsets of the points in R^2"),
              line_with(rips, "1 "), "is due for filter cech");
+}
+
+TEST_CASE("provenance: the function and the error of a diagram are checked") {
+    const Folder folder;
+    CHECK(folder.run("sample circle -n 20 -o p.txt").exit == 0);
+    const std::string made = "persist p.txt --quiet --filter function --lipschitz 3 -o d.pers --mesh m.node ";
+    // Two pits with a wall between them, from -1 to 0 at the sphere.
+    const std::string pits = "--function 'max(sqrt(x^2 + y^2) - 1, .3 - abs(x))' --cut 0 ";
+    CHECK(folder.run(made + pits + "--error .1").exit == 0);
+    const std::string text = folder.read("d.pers");
+    CHECK(line_with(text, "# function max(sqrt(x^2 + y^2) - 1, .3 - abs(x))") > 0);
+    double error = 0;
+    std::istringstream(text.substr(text.find("# certified-error ") + 18)) >> error;
+    CHECK(error > 0.05);
+    CHECK(error <= 0.1);
+    for (const std::string source : {" --points p.txt", " --mesh m.node"}) {
+        CAPTURE(source);
+        CHECK(folder.run("check d.pers" + source).err == "");
+        const std::string forged[][2] = {{"certified-error", "# certified-error 0.0990"},
+                                         {"certified-error", "# certified-error 0.05"},
+                                         {"function", "# function max(sqrt(x^2 + y^2) - 1, .31 - abs(x))"},
+                                         {"cut", "# cut -0.01"},
+                                         {"lipschitz", "# lipschitz 2.9"}};
+        for (const auto& [name, line] : forged) {
+            CAPTURE(line);
+            folder.write("t.pers", with_head(text, name, line));
+            const Result result = folder.run("check t.pers" + source);
+            CHECK(result.exit == 7);
+            CHECK(result.says("t.pers:"));
+        }
+    }
+    const Result opinion = folder.run("check d.pers --mesh m.node");
+    CHECK(opinion.out.find("second opinion: the function keeps to the error") != std::string::npos);
+    CHECK(opinion.out.find("are the pairs of a plain reduction") != std::string::npos);
+    // What cannot be so.
+    const auto refused = [&](const std::string& options, const std::string& why) {
+        CAPTURE(options);
+        const Result result = folder.run("persist p.txt --filter function " + options);
+        CHECK(result.exit == 2);
+        CHECK_MESSAGE(result.says(why), result.err);
+        CHECK(result.out == "");
+    };
+    refused("--function 'x*x + y*y - 1' --lipschitz 3 --cut .5", "--cut 0.5");
+    refused("--function 'x*x + y*y - 1' --lipschitz .5 --cut 0", "--lipschitz 0.5");
+    refused("--function '5*x' --lipschitz 4 --cut -99", "--lipschitz 4: the function changes by");
+    refused("--function 'z' --lipschitz 4 --cut -9", "column 1: coordinate 3 of points in 2 dimensions");
+    refused("--function '1/(x-x)' --lipschitz 4 --cut -9", "not finite at a vertex");
+    refused("--function 'x' --lipschitz 4", "needs --function, --lipschitz and --cut");
+    refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M", "--fit");
+    refused("--function 'x' --lipschitz 4 --cut 0 --svg a.svg", "--svg");
+    refused("--function 'x' --lipschitz 4 --cut -9 --error .1 --values certified", "--error");
+    CHECK(folder.run("persist p.txt --cut 4").says("go with --filter function"));
+    CHECK(folder.run("persist p.txt --filter function --function 'x*x + y*y - 1' --lipschitz 3 --cut 0 --error 1e-30")
+              .exit == 3);
+    // Births below 0 have a distance, and no logarithm.
+    CHECK(folder.run("distance d.pers d.pers").out == "0 0\n");
+    CHECK(folder.run("distance --log d.pers d.pers").exit == 3);
 }
 
 TEST_CASE("provenance: a file without is looked at for its form, or made as the options say") {

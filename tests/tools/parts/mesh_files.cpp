@@ -203,7 +203,7 @@ TEST_CASE("diagrams: faults and their lines") {
     CHECK(fault("0 0 inf 3\n") == "d.pers:1");
     CHECK(fault("# a\n-1 0 1\n") == "d.pers:2");
     CHECK(fault("x 0 1\n") == "d.pers:1");
-    CHECK(fault("0 -1 1\n") == "d.pers:1");
+    CHECK(fault("0 -1 -2\n") == "d.pers:1");
     CHECK(fault("0 inf inf\n") == "d.pers:1");
     CHECK(fault("0 nan 1\n") == "d.pers:1");
     CHECK(fault("0 2 1\n") == "d.pers:1");

@@ -265,6 +265,23 @@ TEST_CASE("opinion: what the engine made is confirmed; forged values, ratios and
     }
 }
 
+TEST_CASE("opinion: of a function, an error that is too small and forged values are not confirmed") {
+    Made made(command({"--filter", "function", "--function", "max(sqrt(x*x + y*y) - 1.2, .2 - abs(x))", "--lipschitz",
+                       "1.5", "--cut", "-.3"}));
+    const Outcome good = made.judge();
+    CHECK(good.message == "");
+    double& error = made.run.engine->diagram.certified_error;
+    const double certified = error;
+    for (const double wrong : {certified * 0.9, certified * 0.5, 0.0}) {
+        error = wrong;
+        CHECK(made.refuses("more than the error"));
+    }
+    error = certified;
+    double& value = made.files.node.attributes[made.files.node.attributes.size() / 2];
+    value += 1e-6;
+    CHECK(made.refuses("where the function is"));
+}
+
 TEST_CASE("opinion: forged ratios by scale") {
     for (const std::vector<std::string>& making : makings) {
         if (making.back() != "--bounds") continue;

@@ -147,24 +147,36 @@ TEST_CASE("methods, filters and values that this version has not") {
     CHECK(names(fault({"persist", "p", "--values", "frob"}), "--values frob"));
 }
 
-TEST_CASE("filters are those of the library's table, but for the caller's own functions") {
+TEST_CASE("filters are those of the library's table") {
     std::size_t offered = 0;
     netmesh::for_each_filter([&](const netmesh_filter_info& info) {
         CAPTURE(info.name);
-        if (info.needs_function != 0) {
-            CHECK(names(fault({"persist", "p", "--filter", info.name}), "the filters are"));
-            return;
-        }
         offered++;
         CHECK(good({"persist", "p", "--filter", info.name}).filter == info.filter);
         CHECK(std::string(filter_name(info.filter)) == info.name);
         CHECK(names(help_text(Command::persist), std::string(info.name)));
     });
-    CHECK(offered == 11);
+    CHECK(offered == 12);
     CHECK(filter_name(NETMESH_FILTER_NONE) == std::string("none"));
     CHECK(names(help_text(Command::vineyard), "knn (default) or kdistance\n"));
     CHECK(choice_text({NETMESH_FILTER_KNN, NETMESH_VALUES_THESIS}) == "filter knn, thesis values");
     CHECK(choice_text({NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED}) == "filter alpha");
+}
+
+TEST_CASE("the options of a function") {
+    const Options options = good({"persist", "p", "--filter", "function", "--function", "x*y - 1", "--lipschitz", "2",
+                                  "--cut", "-.5", "--error", ".25"});
+    CHECK(options.function->text() == "x*y - 1");
+    CHECK(options.lipschitz == 2);
+    CHECK(options.cut == -0.5);
+    CHECK(options.error == 0.25);
+    CHECK(choice_of(options).values == NETMESH_VALUES_THESIS);
+    CHECK(names(fault({"persist", "p", "--function", "x +"}), "--function x +: column 4: "));
+    for (const char* text : {"-1", "inf", "nan", "x", ""})
+        CHECK(names(fault({"persist", "p", "--lipschitz", text}), "--lipschitz"));
+    for (const char* text : {"inf", "nan", "x", ""}) CHECK(names(fault({"persist", "p", "--cut", text}), "--cut"));
+    for (const char* text : {"0", "-1", "inf", "x", ""})
+        CHECK(names(fault({"persist", "p", "--error", text}), "--error"));
 }
 
 TEST_CASE("the function that a certified ratio is about") {
