@@ -53,6 +53,9 @@ namespace {
 // Away from 0 by a hair, or towards it.
 double raised(double x) { return x * (x > 0 ? up : down); }
 double lowered(double x) { return x * (x > 0 ? down : up); }
+// f and a change, which may be none.
+double more(double f, double change) { return change > 0 ? raised(f + change) : f; }
+double less(double f, double change) { return change > 0 ? lowered(f - change) : f; }
 
 // The intervals of F = min(f, cut) on the cells of a mesh, from f at its vertices.
 template <int D> class FunctionRange {
@@ -62,7 +65,7 @@ public:
         : mesh_(mesh), bounds_(bounds), out_radius_(out_radius), reach_(reach),
           share_(bounds.distance_factor > 0 ? down / (1 + bounds.distance_factor * bounds.lipschitz * up) * down : 0),
           beyond_((2 * mesh.domain.radius + mesh.domain.enclosing_radius) * up),
-          floor_(lowered(bounds.cut - change(mesh.domain.radius))) {}
+          floor_(less(bounds.cut, change(mesh.domain.radius))) {}
 
     // May f be at v what it is, where it is the cut or more on the domain's sphere? To 2^-30, for f's own roundings.
     bool is_possible(VertexId v, double f) const {
@@ -80,13 +83,13 @@ public:
     Interval range(VertexId v, double f, bool by_sphere) const {
         const double cut = bounds_.cut;
         if (is_outside(v)) return {cut, cut};
-        double lo = lowered(f - change(reach_[v].from_vertex));
+        double lo = less(f, change(reach_[v].from_vertex));
         if (share_ > 0 && f > 0 && !(lo > f * share_)) lo = f * share_;
-        const double below = lowered(cut - change(reach_[v].below));
+        const double below = less(cut, change(reach_[v].below));
         if (by_sphere && below > lo) lo = below;
         if (by_sphere && !(lo > floor_)) lo = floor_;
         if (lo > f) lo = f;  // where f is as far below the cut as it can be; v is in its cell
-        return cut_at(cut, {lo, raised(f + change(out_radius_[v]))});
+        return cut_at(cut, {lo, more(f, change(out_radius_[v]))});
     }
 
 private:

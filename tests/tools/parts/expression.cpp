@@ -60,7 +60,7 @@ TEST_CASE("expressions: what they read, and their text") {
 
 TEST_CASE("expressions: faults and their columns") {
     CHECK(faulty("", 1));
-    CHECK(faulty("   ", 1));
+    CHECK(faulty("   ", 4));
     CHECK(faulty("x +", 4));
     CHECK(faulty("x * (y", 7));
     CHECK(faulty("x)", 2));
