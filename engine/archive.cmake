@@ -67,12 +67,11 @@ set_target_properties(netmesh_engine PROPERTIES CXX_EXTENSIONS OFF INTERPROCEDUR
 target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # What runs seldom is made small rather than fast, as single functions are that say [[gnu::cold]]: archive.size counts
 # the bytes of all that is built.
-<<<<<<< HEAD
 set(seldom analysis/fatness analysis/hierarchy_size analysis/pacing analysis/size analysis/structure api/analyse
   api/load api/mesh_rules api/plan complex/listed_complex delaunay/check delaunay/load filtration/circumsphere_exact
   filtration/function_filter filtration/scale_partition jobs/bar_bounds jobs/follow_vines jobs/k_vineyard
   jobs/list_simplices jobs/persist_scales jobs/value_vineyard mesh/ball_lists mesh/check_domain mesh/clipped_reach
-  mesh/domain mesh/hierarchy_quality mesh/quality_audit mesh/thesis_cages set(seldom)
+  mesh/domain mesh/hierarchy_quality mesh/quality_audit mesh/thesis_cages)
 list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
 # -O3 unrolls its loops to two or three times the size.
