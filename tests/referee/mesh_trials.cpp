@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "refusals.hpp"
 #include "trials.hpp"
 
 namespace referee {
@@ -24,48 +25,6 @@ const std::vector<Method>& methods() {
         {"persist", {"persist", "--max-degree", "0"}, true, false, false},
     };
     return all;
-}
-
-// Are there D + 1 affinely independent points?
-bool is_flat(const Points& points, int dim) {
-    std::vector<Vector<Rational>> rows;
-    for (std::size_t i = 1; i < points.size(); i++) {
-        Vector<Rational> row = difference<Rational>(points[0], points[i], dim);
-        for (const Vector<Rational>& other : rows) {
-            int pivot = 0;
-            while (sgn(other[pivot]) == 0) pivot++;
-            const Rational factor = row[pivot] / other[pivot];
-            for (int k = 0; k < dim; k++) row[k] = row[k] - factor * other[k];
-        }
-        bool zero = true;
-        for (int k = 0; k < dim; k++) zero = zero && sgn(row[k]) == 0;
-        if (!zero) rows.push_back(row);
-        if (static_cast<int>(rows.size()) == dim) return false;
-    }
-    return true;
-}
-
-// Two points nearer than 64 units in the last place of their coordinates, which meshing may refuse.
-bool has_close_points(const Points& points, int dim) {
-    for (std::size_t i = 0; i < points.size(); i++)
-        for (std::size_t j = 0; j < i; j++) {
-            double magnitude = 0;
-            for (int k = 0; k < dim; k++)
-                magnitude = std::max({magnitude, std::fabs(points[i][k]), std::fabs(points[j][k])});
-            if (distance(points[i], points[j], dim) <= 64 * 0x1p-52 * magnitude) return true;
-        }
-    return false;
-}
-
-// Magnitudes above 2^500 or distances below 2^-500, likewise.
-bool is_out_of_range(const Points& points, int dim) {
-    for (std::size_t i = 0; i < points.size(); i++) {
-        for (int k = 0; k < dim; k++)
-            if (std::fabs(points[i][k]) > 0x1p500) return true;
-        for (std::size_t j = 0; j < i; j++)
-            if (distance(points[i], points[j], dim) < 0x1p-500) return true;
-    }
-    return false;
 }
 
 // Is the refusal one of those that are documented? Fills in what is wrong otherwise.
@@ -142,8 +101,7 @@ void run_trial(const Tool& tool, const Settings& settings, const Method& method,
         account->worst_sampled = std::max(account->worst_sampled, verdict.sampled_ratio / promised_tau(mesh));
     const Outcome checked =
         tool.run({"check", tool.path("trial.node"), "--points", tool.path("trial.txt"), "--quiet"}, 120);
-    std::string what;
-    for (const Fault& fault : verdict.faults) what += fault.promise + ": " + fault.text + "; ";
+    std::string what = faults_text(verdict);
     if (verdict.good() && checked.exit != done) what = "`check` refuses what the referee accepts: " + checked.message;
     if (!verdict.good())
         what += "`check` " + (checked.exit == done ? std::string("accepts it") : "says: " + checked.message);

@@ -33,6 +33,11 @@ inline std::string number_text(double x) {
     std::snprintf(text, sizeof text, "%.9g", x);
     return text;
 }
+inline std::string faults_text(const Verdict& verdict) {
+    std::string text;
+    for (const Fault& fault : verdict.faults) text += fault.promise + ": " + fault.text + "; ";
+    return text;
+}
 template <class Count> std::string count_text(Count n) { return std::to_string(n); }
 
 }  // namespace referee

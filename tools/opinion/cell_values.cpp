@@ -113,8 +113,8 @@ CellWalk::CellWalk(const MeshFiles& files, const FilterChoice& choice, std::uint
         }
         Sphere ball;
         smallest_circumsphere(points, &ball);
-        corner_values_.push_back(function_(ball.centre));
-        corners_.push_back(std::move(ball.centre));
+        corners_.push_back(ball.centre());
+        corner_values_.push_back(function_(corners_.back()));
     }
     find_nearest();
     if (choice.filter == NETMESH_FILTER_TIGHT) gather_clumps();
@@ -277,7 +277,7 @@ CellOpinion CellWalk::take(Real claimed) {
         nearest = std::min(nearest, neighbour_[v]);
         for (const Real x : places_[v]) magnitude = std::max(magnitude, std::fabs(x));
     }
-    found_.tolerance = std::min<Real>(1e-3L, found_.tolerance + 0x1p-44L * magnitude / nearest);
+    found_.tolerance = std::min<Real>(0.25L, found_.tolerance + 0x1p-44L * magnitude / nearest);
     return std::move(found_);
 }
 

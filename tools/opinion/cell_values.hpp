@@ -49,7 +49,7 @@ struct CellOpinion {
     std::uint64_t places = 0;  // at which F was looked at
     // Share by which numbers of the engine may differ from these: 1e-9, which is far more than the roundings that it
     // adds to its bounds, and 2^-44 coordinates' magnitude over the least distance of two vertices, as it knows corners
-    // in doubles only; at most 1e-3.
+    // in doubles only; at most a quarter, where points are 64 units in the last place apart.
     Real tolerance = 1e-9L;
 };
 

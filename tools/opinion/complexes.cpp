@@ -76,7 +76,7 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top) {
                 const Sphere& sphere = spheres[face];
                 const auto [at, added] = first.emplace(face, cofacet.value);
                 if (!added) at->second = std::min<Real>(at->second, cofacet.value);
-                const Real away = std::sqrt(distance2(places_of(cloud, {other})[0], sphere.centre));
+                const Real away = sphere.distance_to_centre(places_of(cloud, {other})[0]);
                 if (away < sphere.radius * (1 - 1e-13L)) attached.insert(face);
             }
         }

@@ -47,6 +47,21 @@ Real dot(const Place& a, const Place& b) {
 
 }  // namespace
 
+Place Sphere::centre() const {
+    Place sum = point;
+    for (std::size_t k = 0; k < sum.size(); k++) sum[k] += offset[k];
+    return sum;
+}
+
+Real Sphere::distance_to_centre(const Place& place) const {
+    Real sum = 0;
+    for (std::size_t k = 0; k < place.size(); k++) {
+        const Real d = place[k] - point[k] - offset[k];
+        sum += d * d;
+    }
+    return std::sqrt(sum);
+}
+
 // With edges e_i from the first point, the centre is p + sum of x_i e_i with e_j . sum x_i e_i = |e_j|^2 / 2. For D + 1
 // points the sum itself is solved for, which squares no condition number.
 bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere) {
@@ -71,8 +86,8 @@ bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere) {
             for (std::size_t k = 0; k < dim; k++) offset[k] += x[i] * edges[i][k];
         }
     }
-    sphere->centre = points[0];
-    for (std::size_t k = 0; k < dim; k++) sphere->centre[k] += offset[k];
+    sphere->point = points[0];
+    sphere->offset = offset;
     sphere->radius = std::sqrt(dot(offset, offset));
     return true;
 }
@@ -88,7 +103,7 @@ Real enclosing_radius(const std::vector<Place>& points) {
         Sphere sphere;
         if (some.size() > points[0].size() + 1 || !smallest_circumsphere(some, &sphere)) continue;
         bool all = true;
-        for (const Place& p : points) all = all && std::sqrt(distance2(p, sphere.centre)) <= sphere.radius * slack;
+        for (const Place& p : points) all = all && sphere.distance_to_centre(p) <= sphere.radius * slack;
         if (all && sphere.radius < least) least = sphere.radius;
     }
     return least;

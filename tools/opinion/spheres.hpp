@@ -10,9 +10,14 @@ using Place = std::vector<Real>;  // a point of R^D
 
 Real distance2(const Place& a, const Place& b);
 
+// The centre is kept from one of the points on: as a place it would be rounded to the points' magnitude, which can be
+// far above the radius.
 struct Sphere {
-    Place centre;
+    Place point, offset;
     Real radius = 0;
+
+    Place centre() const;
+    Real distance_to_centre(const Place& place) const;
 };
 
 // The smallest sphere through 1 to D+1 affinely independent points; false when they are not, to working precision.

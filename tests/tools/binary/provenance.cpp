@@ -113,6 +113,25 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
     }
 }
 
+// The second opinion knew centres of balls as places and cut what it allows for rounding at 1e-3.
+TEST_CASE("provenance: points as near to one another as their coordinates resolve have a second opinion too") {
+    const Folder folder;
+    folder.write("p.txt",
+                 "0.3 0.2000000000007\n0.30000000000009996 0.1999999999999\n0.2999999999996 0.2000000000001\n");
+    CHECK(folder.run("persist p.txt --quiet --filter cech -o d.pers").exit == 0);
+    CHECK(folder.run("check d.pers --points p.txt --quiet").err == "");
+    folder.write("q.txt", "-0.33293458536583692 0.52024275900629458\n0.049431891246738406 0.18873740412812817\n"
+                          "0.37906112344763071 -0.29650688655827018\n-0.33293458536520726 0.52024275900672812\n"
+                          "0.049431891245927735 0.18873740412883819\n0.37906112344730891 -0.29650688655900853\n"
+                          "-0.33293458536637527 0.52024275900754668\n0.049431891245959286 0.1887374041288386\n"
+                          "0.37906112344797527 -0.29650688655878327\n-0.33293458536518961 0.5202427590071993\n"
+                          "0.049431891245412314 0.18873740412802181\n");
+    for (const std::string ways : {"--ratio 2.3 --bounds", "--method svr --values thesis --bounds"}) {
+        CHECK(folder.run("persist q.txt --quiet -o d.pers --mesh m.node " + ways).exit == 0);
+        CHECK(folder.run("check d.pers --mesh m.node --quiet").err == "");
+    }
+}
+
 TEST_CASE("provenance: the head, line by line") {
     const Folder folder;
     folder.write("p.txt", "0 0\n1 0\n0 0\n1 1\n0 1\n");

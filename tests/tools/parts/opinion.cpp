@@ -138,6 +138,14 @@ TEST_CASE("opinion: radii of alpha, Rips and Cech complexes") {
     const PointCloud even = cloud_of(2, {0, 0, 1, 0, 0.5, std::sqrt(0.75)});
     CHECK(near(value_of(complex_of_points(even, true, 2), {0, 1, 2}), 0.5));
     CHECK(near(value_of(complex_of_points(even, false, 2), {0, 1, 2}), 1 / std::sqrt(3)));
+    // Near one another and far from the origin: distances of 1e-13, an acute triangle.
+    const std::vector<double> small = {
+        0.3, 0.2000000000007, 0.30000000000009996, 0.1999999999999, 0.2999999999996, 0.20000000000010001};
+    std::vector<double> moved;
+    for (std::size_t i = 0; i < small.size(); i++) moved.push_back(0x1p40 * (small[i] - small[i % 2]));
+    const SimplexList near_by = complex_of_points(cloud_of(2, small), false, 2);
+    const SimplexList at_origin = complex_of_points(cloud_of(2, moved), false, 2);
+    for (const FilteredSimplex& s : *at_origin) CHECK(near(0x1p40 * value_of(near_by, s.vertices), s.value));
     const SimplexList stars = lower_stars(files.cells, {1, 2, 3}, 2, 1);
     CHECK(stars->size() == 6);
     CHECK(value_of(stars, {0}) == 0);
