@@ -244,8 +244,15 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
 
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run) {
     const std::uint32_t top = *claim.made.max_degree + 1;
-    if (files.node.domain.empty())
-        return judge_pairs(claim, alpha_complex(files, top), radius_tolerance, &*run->checked);
+    if (files.node.domain.empty()) {
+        bool is_flat = false;
+        const SimplexList simplices = alpha_complex(files, top, &is_flat);
+        if (!is_flat) return judge_pairs(claim, simplices, radius_tolerance, &*run->checked);
+        const std::string why = "a face of the complex is flat to the precision of its radii";
+        if (!claim.cycles_path.empty()) return usage_error("--representatives: " + why + ", which leaves cycles open");
+        run->checked->push_back("no second opinion on the pairs: " + why);
+        return {};
+    }
     if (filter_of(claim.made) == NETMESH_FILTER_FUNCTION) return judge_function(claim, files, run);
     const std::uint32_t first = zero_born(files.node, filter_of(claim.made), claim.made.k.value_or(1));
     const double cost = opinion_cost(files);

@@ -53,7 +53,7 @@ SimplexList lower_stars(const CellTable& cells, const std::vector<double>& value
     return list;
 }
 
-SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top) {
+SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_flat) {
     const PointCloud& cloud = files.node.cloud;
     std::set<Vertices> faces;
     if (!faces_of(files.cells, cloud.dim, &faces)) return {};
@@ -62,7 +62,9 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top) {
         // Spheres of the faces of one dimension.
         std::map<Vertices, Sphere> spheres;
         for (const Vertices& face : faces) {
-            if (face.size() == size) smallest_circumsphere(places_of(cloud, face), &spheres[face]);
+            if (face.size() != size || smallest_circumsphere(places_of(cloud, face), &spheres[face])) continue;
+            if (is_flat != nullptr) *is_flat = true;
+            return {};
         }
         // The remaining vertex of each cofacet, which has its value already, against them.
         std::map<Vertices, Real> first;

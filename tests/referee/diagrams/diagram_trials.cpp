@@ -42,8 +42,9 @@ std::string check_files(const Tool& tool, const Way& way, const Made& made, unsi
     if (!way.has_mesh) words.insert(words.end(), {"--points", points});
     if (made.has_cycles) words.insert(words.end(), {"--representatives", tool.path("trial.cycles")});
     outcome = tool.run(words, seconds);
-    const bool is_large = outcome.message.find("simplices, which are too many") != std::string::npos;
-    if (outcome.exit == done || outcome.exit == out_of_time || outcome.exit == memory_exit || is_large) return {};
+    const bool declined = outcome.message.find("simplices, which are too many") != std::string::npos ||
+                          outcome.message.find("flat to the precision") != std::string::npos;
+    if (outcome.exit == done || outcome.exit == out_of_time || outcome.exit == memory_exit || declined) return {};
     return "the second opinion of `check` exits with " + count_text(outcome.exit) + ": " + outcome.message;
 }
 
@@ -124,7 +125,8 @@ void try_set(const Tool& tool, const DiagramSettings& settings, const PointSet& 
     DiagramFile last, before;
     for (const Way& way : ways_to_persist(set.dim(), set.k(), std::max(set.width(), 0x1p-400), random)) {
         if (random.unit() > settings.ways) continue;
-        if (way.over_refines && set.dim() > 3 && set.different().size() > 2) continue;
+        const std::size_t most = set.dim() == 2 ? SIZE_MAX : set.dim() == 3 ? settings.over_refined : 2;
+        if (way.over_refines && set.different().size() > most) continue;
         DiagramFile made;
         try_way(tool, settings, set, way, title, fingerprint, &made, account);
         if (made.bars.empty()) continue;
@@ -164,8 +166,10 @@ void try_named_diagrams(const Tool& tool, const DiagramSettings& settings, Diagr
     DiagramSettings every = settings;
     every.ways = 1;
     for (const auto& [name, points] : all)
-        for (const std::size_t k : {1, 2, 3})
+        for (const std::size_t k : {2, 1, 3}) {
+            if (k != 2 && !settings.named_with_all_k) continue;
             try_set(tool, every, PointSet(points, 2, k, settings.sets_max), name, k, account);
+        }
 }
 
 }  // namespace referee

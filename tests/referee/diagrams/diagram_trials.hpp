@@ -8,9 +8,11 @@ struct DiagramSettings {
     std::size_t most[dim_max + 1] = {0, 0, 12, 8, 7, 0, 0};  // points of a family
     std::size_t sets_max = 2500;                             // of a truth
     std::size_t simplices = 20000;                           // of a mesh whose pairs are computed anew
+    std::size_t over_refined = 6;                            // points in space that tight and scales are tried on
     const char* memory = "48M";
     unsigned seconds = 10;
-    double ways = 1;   // how many of all ways are tried on a set
+    double ways = 1;  // how many of all ways are tried on a set
+    bool named_with_all_k = true;
     std::string keep;  // folder for the files of what fails
 };
 

@@ -73,7 +73,9 @@ std::vector<int> dimensions_of(const Tool& tool) {
 
 void run_slice(const Tool& tool, DiagramSettings settings, std::uint64_t seed, DiagramAccount* account) {
     Random seeds(seed);
-    settings.ways = 0.3;
+    settings.ways = 0.25;
+    settings.named_with_all_k = false;
+    settings.over_refined = 2;
     settings.simplices = 6000;
     const std::vector<int> dims = dimensions_of(tool);
     try_named_diagrams(tool, settings, account);

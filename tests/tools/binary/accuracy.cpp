@@ -23,6 +23,10 @@ TEST_CASE("persist: tight, and scale by scale") {
     CHECK(result.exit == 0);
     CHECK(result.out.find("for filter tight, certified values") != std::string::npos);
 
+    // --check knows what tight asks for; it held the mesh to the bounds of one that is not over-refined.
+    folder.write("two.txt", "0 0\n1 0\n");
+    CHECK(folder.run("persist two.txt --filter tight --eps .1 --check --quiet -o t.pers").err == "");
+
     CHECK(folder.run("sample zoom -n 30 --dim 2 -o q.csv").exit == 0);
     result = folder.run("persist q.csv --filter scales --theta .1 --eps .5 -o s.pers --json --check");
     CHECK(result.err == "");
