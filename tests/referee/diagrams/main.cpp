@@ -73,7 +73,7 @@ std::vector<int> dimensions_of(const Tool& tool) {
 
 void run_slice(const Tool& tool, DiagramSettings settings, std::uint64_t seed, DiagramAccount* account) {
     Random seeds(seed);
-    settings.ways = 0.25;
+    settings.ways = 0.2;
     settings.named_with_all_k = false;
     settings.over_refined = 2;
     settings.simplices = 6000;

@@ -131,12 +131,11 @@ TEST_CASE("provenance: points as near to one another as their coordinates resolv
         CHECK(folder.run("check d.pers --mesh m.node --quiet").err == "");
     }
     // Cells that are flat to the precision of a long double have none; it crashed.
-    folder.write("r.txt",
-                 "-0.99642013506483285 -0.083546956583924095 -0.012915900392312286\n"
-                 "3.6924515889765467e-07 -1.316158564519345e-08 -9.2923882037609145e-07\n"
-                 "5.2034231272496163e-13 -3.9407026843090292e-13 -7.5759652924682426e-13\n"
-                 "1.3746487538391947e-19 -8.8547555443418933e-19 -4.4388788059052536e-19\n"
-                 "3.4674304949528193e-26 -8.7901903704704462e-25 4.7552415825607997e-25\n");
+    folder.write("r.txt", "-0.99642013506483285 -0.083546956583924095 -0.012915900392312286\n"
+                          "3.6924515889765467e-07 -1.316158564519345e-08 -9.2923882037609145e-07\n"
+                          "5.2034231272496163e-13 -3.9407026843090292e-13 -7.5759652924682426e-13\n"
+                          "1.3746487538391947e-19 -8.8547555443418933e-19 -4.4388788059052536e-19\n"
+                          "3.4674304949528193e-26 -8.7901903704704462e-25 4.7552415825607997e-25\n");
     CHECK(folder.run("persist r.txt --quiet --filter alpha -o d.pers --mesh m.node").exit == 0);
     const Result flat = folder.run("check d.pers --mesh m.node");
     CHECK(flat.exit == 0);
