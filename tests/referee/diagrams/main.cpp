@@ -74,6 +74,7 @@ std::vector<int> dimensions_of(const Tool& tool) {
 void run_slice(const Tool& tool, DiagramSettings settings, std::uint64_t seed, DiagramAccount* account) {
     Random seeds(seed);
     settings.ways = 0.2;
+    settings.seconds = 4;
     settings.named_with_all_k = false;
     settings.over_refined = 2;
     settings.simplices = 6000;
@@ -82,8 +83,10 @@ void run_slice(const Tool& tool, DiagramSettings settings, std::uint64_t seed, D
     settings.most[3] = 6;
     settings.most[4] = 5;
     for (const int dim : dims)
-        for (std::size_t family = 0; family < families().size(); family++)
-            try_diagram_family(tool, settings, dim, family, seeds.next() >> 16, account);
+        for (std::size_t family = 0; family < families().size(); family++) {
+            const std::uint64_t own = seeds.next() >> 16;
+            if (dim < 4 || own % 4 == 0) try_diagram_family(tool, settings, dim, family, own, account);
+        }
     try_diagram_plants(tool, settings, 2 + seeds.below(2), seeds.next() >> 16, account);
 }
 
