@@ -12,6 +12,8 @@ namespace {
 bool may_refuse(const Outcome& outcome, const PointSet& set, const Way& way) {
     const Points& points = set.different();
     const double units = way.over_refines ? 0x1p24 : 1024;
+    if (outcome.exit == 2)
+        return outcome.message.find("focus_from is below what coordinates resolve") != std::string::npos;
     if (outcome.exit == degenerate_exit)
         return way.promise == Promise::exact ? is_flat(points, set.dim()) : has_close_points(points, set.dim(), units);
     if (outcome.exit == data_exit)
