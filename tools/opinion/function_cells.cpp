@@ -38,13 +38,14 @@ FunctionOpinion function_opinion(const MeshFiles& files, const FunctionClaim& cl
         for (std::uint32_t i = 0; i < columns; i++) points.push_back(places[files.cells.entries[c * columns + i]]);
         Sphere ball;
         if (!smallest_circumsphere(points, &ball)) continue;
-        const Real there = std::min(cut, uncut(ball.centre));
+        const Place corner = ball.centre();
+        const Real there = std::min(cut, uncut(corner));
         found.places++;
         for (std::uint32_t i = 0; i < columns; i++) {
             const std::uint32_t v = files.cells.entries[c * columns + i];
             found.least[v] = std::min(found.least[v], there);
             found.most[v] = std::max(found.most[v], there);
-            if (node.markers[v] == 2 || !is_inside(ball.centre) || !is_inside(places[v])) continue;
+            if (node.markers[v] == 2 || !is_inside(corner) || !is_inside(places[v])) continue;
             const Real f = uncut(places[v]), change = claim.lipschitz * ball.radius;
             found.low[v] = std::min(found.low[v], std::max(floor, f - change));
             found.high[v] = std::max(found.high[v], std::min(cut, f + change));
