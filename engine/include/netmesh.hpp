@@ -37,6 +37,7 @@ struct Check : netmesh_check_request {
 };
 struct Function : netmesh_function {
     Function() { netmesh_function_init(this, sizeof(netmesh_function)); }
+    double size_for_error(double error, const double* x) const { return netmesh_size_for_error(this, error, x); }
 };
 struct Persist : netmesh_persist_request {
     explicit Persist(netmesh_filter f = NETMESH_FILTER_COMPLETE) {

@@ -4,51 +4,8 @@
 #include "numerics/sort.hpp"
 
 namespace netmesh {
-namespace {
 
-// Points on their way, at the arena's low end.
-class PointWriter {
-public:
-    explicit PointWriter(Arena& arena) : arena_(arena) {}
-    bool add(const VinePoint& point) {
-        VinePoint* const first = count_ == 0 ? arena_.take_low<VinePoint>(1) : points_;
-        if (first == nullptr || (count_ > 0 && !arena_.extend_low(sizeof(VinePoint)))) return false;
-        points_ = first;
-        points_[count_++] = point;
-        return true;
-    }
-    VinePoint* points() const { return points_; }
-    std::uint64_t count() const { return count_; }
-
-private:
-    Arena& arena_;
-    VinePoint* points_ = nullptr;
-    std::uint64_t count_ = 0;
-};
-
-class Follower {
-public:
-    Follower(const ComplexView& complex, std::uint32_t max_degree, const VineSteps& steps, const Work& work)
-        : complex_(complex), max_degree_(max_degree), steps_(steps), work_(work), writer_(work.arena) {}
-
-    // Fills ratio[count], and leaves the points somewhere above the arena's low mark.
-    Status run(std::uint32_t count, double* ratio, VineList* out);
-
-private:
-    Status open();
-    bool note(std::uint32_t step, const double* const* value);
-    Status number_vines(VineList* out);
-
-    const ComplexView& complex_;
-    std::uint32_t max_degree_;
-    const VineSteps& steps_;
-    const Work& work_;
-    PointWriter writer_;
-    double* value_[2][ComplexView::dimension_max + 1] = {};
-    Vineyard vineyard_;
-};
-
-Status Follower::open() {
+Status VineFollower::open() {
     for (std::uint32_t k = 0; k <= complex_.dimension; ++k) {
         value_[0][k] = work_.arena.take_high<double>(complex_.count[k]);
         value_[1][k] = work_.arena.take_high<double>(complex_.count[k]);
@@ -57,21 +14,28 @@ Status Follower::open() {
     return Status::ok;
 }
 
-bool Follower::note(std::uint32_t step, const double* const* value) {
+bool VineFollower::add(const VinePoint& point) {
+    if (count_ == 0) points_ = work_.arena.take_low<VinePoint>(1);
+    if (points_ == nullptr || (count_ > 0 && !work_.arena.extend_low(sizeof(VinePoint)))) return false;
+    points_[count_++] = point;
+    return true;
+}
+
+bool VineFollower::note(std::uint32_t step, const double* const* value) {
     bool good = true;
     vineyard_.for_each_pair([&](const Vineyard::VinePair& pair) {
         const double birth = value[pair.degree][pair.birth];
         const double death = pair.death == none ? infinity : value[pair.degree + 1][pair.death];
-        if (death > birth) good = good && writer_.add({birth, death, pair.vine, step, pair.degree, 0});
+        if (death > birth) good = good && add({birth, death, pair.vine, step, pair.degree, 0});
     });
     return good;
 }
 
 // Numbers the vines that have points, and sorts.
-Status Follower::number_vines(VineList* out) {
+Status VineFollower::number_vines(VineList* out) {
     const HighScope scope(work_.arena);
-    VinePoint* const points = writer_.points();
-    const std::uint64_t count = writer_.count();
+    VinePoint* const points = points_;
+    const std::uint64_t count = count_;
     const std::uint32_t raw_count = vineyard_.vine_count();
     std::uint32_t* const number = work_.arena.take_high<std::uint32_t>(raw_count);
     VinePoint* const first = work_.arena.take_high<VinePoint>(raw_count);
@@ -100,27 +64,20 @@ Status Follower::number_vines(VineList* out) {
     return Status::ok;
 }
 
-Status Follower::run(std::uint32_t count, double* ratio, VineList* out) {
-    Status status = open();
-    for (std::uint32_t i = 0; i < count && status == Status::ok; ++i) {
-        const double* const* const before = value_[1 - i % 2];
-        double* const* const value = value_[i % 2];
-        ratio[i] = 1;
-        status = steps_.fill(steps_.user, steps_.first + i, value, ratio + i);
-        if (status != Status::ok) break;
-        status = i == 0 ? vineyard_.open(complex_, max_degree_, value, work_)
-                        : vineyard_.advance(before, value, work_.monitor);
-        if (status == Status::ok && !note(steps_.first + i, value)) status = Status::out_of_memory;
-    }
-    if (status == Status::ok) status = number_vines(out);
+Status VineFollower::take(std::uint32_t i, std::uint32_t step) {
+    const Status status = i == 0 ? vineyard_.open(complex_, max_degree_, value(i), work_)
+                                 : vineyard_.advance(value(i - 1), value(i), work_.monitor);
+    return status == Status::ok && !note(step, value(i)) ? Status::out_of_memory : status;
+}
+
+Status VineFollower::finish(VineList* out) {
+    const Status status = number_vines(out);
     if (status != Status::ok) return status;
     out->simplices = 0;
     for (std::uint32_t k = 0; k <= complex_.dimension; ++k) out->simplices += complex_.count[k];
     out->transpositions = vineyard_.transpositions();
     return Status::ok;
 }
-
-}  // namespace
 
 Status VineRoom::open(std::uint32_t steps) {
     count_ = steps;
@@ -129,11 +86,7 @@ Status VineRoom::open(std::uint32_t steps) {
     return ratio_ == nullptr ? Status::out_of_memory : Status::ok;
 }
 
-Status VineRoom::follow(const ComplexView& complex, std::uint32_t max_degree, const VineSteps& steps, const Work& work,
-                        VineList* out) {
-    Follower follower(complex, max_degree, steps, work);
-    const Status status = follower.run(count_, ratio_, out);
-    if (status != Status::ok) return status;
+Status VineRoom::keep(VineList* out) {
     arena_.release_low(low_);
     // Where the old ones are or below.
     VinePoint* const points = arena_.take_low<VinePoint>(static_cast<std::size_t>(out->count));

@@ -23,12 +23,32 @@ struct VineList {
     std::uint64_t simplices, transpositions;
 };
 
-// The filtrations, by number from `first` on.
-struct VineSteps {
-    std::uint32_t first;
-    // Fills value[k][complex.count[k]] with one of them, and its ratio (1 on entry).
-    Status (*fill)(void* user, std::uint32_t step, double* const* value, double* ratio);
-    void* user;
+// The diagrams of one filtration after the other, and the vines between them.
+class VineFollower {
+public:
+    VineFollower(const ComplexView& complex, std::uint32_t max_degree, const Work& work)
+        : complex_(complex), max_degree_(max_degree), work_(work) {}
+
+    // Room for the values of two filtrations.
+    Status open();
+    // value(i)[k][complex.count[k]] is to be filled with the i-th filtration, from 0 on, before it is taken.
+    double* const* value(std::uint32_t i) const { return value_[i % 2]; }
+    // Leaves the points of this step somewhere above the arena's low mark.
+    Status take(std::uint32_t i, std::uint32_t step);
+    Status finish(VineList* out);
+
+private:
+    bool add(const VinePoint& point);
+    bool note(std::uint32_t step, const double* const* value);
+    Status number_vines(VineList* out);
+
+    const ComplexView& complex_;
+    std::uint32_t max_degree_;
+    const Work& work_;
+    VinePoint* points_ = nullptr;  // on their way, at the arena's low end
+    std::uint64_t count_ = 0;
+    double* value_[2][ComplexView::dimension_max + 1] = {};
+    Vineyard vineyard_;
 };
 
 // Room for the result at the arena's low end, below the complex.
@@ -37,14 +57,28 @@ public:
     explicit VineRoom(Arena& arena) : scope_(arena), arena_(arena) {}
     // steps >= 1. out_of_memory.
     Status open(std::uint32_t steps);
-    // Follows the vines of degrees 0..max_degree through all steps. `out` is put at the arena's low end, and everything
+    // Follows the vines of degrees 0..max_degree through all steps, numbered from `first` on. fill(step, value, ratio)
+    // sets the values of a filtration, and its ratio (1 on entry). `out` is put at the arena's low end, and everything
     // else that was taken since the room was made is given back; without ok nothing stays. Memory: 84 bytes a simplex
     // of dimension up to max_degree + 1, the columns, and sizeof(VinePoint) for each pair of positive length of each
     // step. out_of_memory, cancelled, what fill says.
-    Status follow(const ComplexView& complex, std::uint32_t max_degree, const VineSteps& steps, const Work& work,
-                  VineList* out);
+    template <class Fill>
+    Status follow(const ComplexView& complex, std::uint32_t max_degree, std::uint32_t first, Fill&& fill,
+                  const Work& work, VineList* out) {
+        VineFollower follower(complex, max_degree, work);
+        Status status = follower.open();
+        for (std::uint32_t i = 0; i < count_ && status == Status::ok; ++i) {
+            ratio_[i] = 1;
+            status = fill(first + i, follower.value(i), ratio_ + i);
+            if (status == Status::ok) status = follower.take(i, first + i);
+        }
+        if (status == Status::ok) status = follower.finish(out);
+        return status == Status::ok ? keep(out) : status;
+    }
 
 private:
+    Status keep(VineList* out);
+
     ArenaScope scope_;
     Arena& arena_;
     std::uint32_t count_ = 0;

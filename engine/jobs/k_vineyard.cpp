@@ -41,9 +41,6 @@ template <int D> struct FacesByNeighbours {
             if (faces.last_vertex[0][f] < evaluation.zero_born) value[0][f] = 0;
         return Status::ok;
     }
-    static Status fill(void* self, std::uint32_t k, double* const* value, double* ratio) {
-        return static_cast<FacesByNeighbours*>(self)->filter(k, value, ratio);
-    }
 };
 
 }  // namespace
@@ -55,7 +52,9 @@ Status k_vineyard(const FilteredMesh<D>& mesh, const VineRequest& request, const
     Status status = room.open(request.k_last - request.k_first + 1);
     if (status == Status::ok) status = faces.open();
     if (status != Status::ok) return status;
-    return room.follow(faces.complex, request.max_degree, {request.k_first, faces.fill, &faces}, work, out);
+    return room.follow(
+        faces.complex, request.max_degree, request.k_first,
+        [&](std::uint32_t k, double* const* value, double* ratio) { return faces.filter(k, value, ratio); }, work, out);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

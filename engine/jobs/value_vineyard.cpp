@@ -24,16 +24,12 @@ public:
     // values to the fingerprint.
     Status check(Monitor& monitor, ValueVineyard* out) const;
 
-    static Status fill(void* self, std::uint32_t step, double* const* value, double*) {
-        static_cast<const ValueSteps*>(self)->load(step, value);
-        return Status::ok;
-    }
+    void load(std::uint32_t step, double* const* value) const;
 
 private:
     const double* vector_of(std::uint32_t step) const {
         return request_.values + std::size_t{step - 1} * static_cast<std::size_t>(width_);
     }
-    void load(std::uint32_t step, double* const* value) const;
     bool is_filtration(std::uint32_t step, SimplexFault* fault) const;
 
     const ValueVineyardRequest& request_;
@@ -117,8 +113,11 @@ Status value_vineyard(const ValueVineyardRequest& request, const Work& work, Val
     if (status != Status::ok) return status;
     out->vertices = listed.complex.count[0];
     out->max_degree = request.max_degree < listed.complex.dimension ? request.max_degree : listed.complex.dimension;
-    const VineSteps way = {1, ValueSteps::fill, &steps};
-    return room.follow(steps.view(), out->max_degree, way, work, &out->vines);
+    const auto fill = [&](std::uint32_t step, double* const* value, double*) {
+        steps.load(step, value);
+        return Status::ok;
+    };
+    return room.follow(steps.view(), out->max_degree, 1, fill, work, &out->vines);
 }
 
 double value_vineyard_bytes(std::uint64_t count, std::uint64_t vertices, std::uint64_t steps) {
