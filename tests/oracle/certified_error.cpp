@@ -4,9 +4,7 @@
 // is said to be real has a true one of its own within its bounds. NETMESH_FUNCTION_SETS functions (24) in the plane and
 // in space, every tenth in R^4.
 #include <doctest/doctest.h>
-#include <gudhi/Bitmap_cubical_complex.h>
 #include <gudhi/Bottleneck.h>
-#include <gudhi/Persistent_cohomology.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +15,11 @@
 
 #include "common/dimensions.hpp"
 #include "common/session.hpp"
+#include "oracle/sublevel_grid.hpp"
 
 namespace {
 
-using Bars = std::map<std::uint32_t, std::vector<std::pair<double, double>>>;
+using Bars = GridBars;
 constexpr int most_dim = 6;
 
 double length(int dim, const double* x) {
@@ -90,33 +89,12 @@ double size_for(void* user, const double* x) {
 // On cubes with `side` of them along each edge of a box around the ball, outside of which F is the cut. F is within L
 // times half a cube's diagonal of its value in the middle.
 Bars on_grid(const Shape& f, unsigned side, double* doubt) {
-    using Complex =
-        Gudhi::cubical_complex::Bitmap_cubical_complex<Gudhi::cubical_complex::Bitmap_cubical_complex_base<double>>;
-    using Persistence =
-        Gudhi::persistent_cohomology::Persistent_cohomology<Complex, Gudhi::persistent_cohomology::Field_Zp>;
     const double width = 2.1 * f.radius / side;
     *doubt = f.lipschitz * width * std::sqrt(static_cast<double>(f.dim)) / 2;
-    std::vector<double> cubes;
-    std::vector<unsigned> at(static_cast<std::size_t>(f.dim), 0);
-    for (bool more = true; more;) {
-        double x[most_dim];
-        for (std::size_t a = 0; a < at.size(); ++a) x[a] = f.centre[a] + width * (at[a] + 0.5 - side / 2.0);
-        cubes.push_back(std::min(f(x), f.cut));
-        std::size_t a = 0;
-        while (a < at.size() && ++at[a] == side) at[a++] = 0;
-        more = a < at.size();
-    }
-    Complex complex(std::vector<unsigned>(static_cast<std::size_t>(f.dim), side), cubes);
-    Persistence persistence(complex);
-    persistence.init_coefficients(2);
-    persistence.compute_persistent_cohomology(0);
-    Bars bars;
-    for (const auto& pair : persistence.get_persistent_pairs()) {
-        const double birth = complex.filtration(std::get<0>(pair)), death = complex.filtration(std::get<1>(pair));
-        if (birth < death)
-            bars[static_cast<std::uint32_t>(complex.get_dimension_of_a_cell(std::get<0>(pair)))].push_back(
-                {birth, death});
-    }
+    Bars bars = diagram_of_cubes(f.dim, f.centre, width, side, [&](const double* x) { return std::min(f(x), f.cut); });
+    for (auto& [degree, list] : bars)
+        list.erase(std::remove_if(list.begin(), list.end(), [](const auto& bar) { return !(bar.first < bar.second); }),
+                   list.end());
     return bars;
 }
 

@@ -4,75 +4,14 @@
 //   referee NETMESH [--seed S] [--minutes M] [--keep FOLDER]      a slice, or new seeds for M minutes
 //   referee NETMESH --trial D:FAMILY:SEED | --plants D:SEED       one trial that failed
 //   referee NETMESH --judge STEM                                  files STEM.node, .ele, .neigh as they are
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 
+#include "command.hpp"
 #include "trials.hpp"
 
 using namespace referee;
 
 namespace {
-
-struct Arguments {
-    std::string tool, trial, plants, keep, stem;
-    std::uint64_t seed = 1;
-    double minutes = 0;
-};
-
-bool parse(int count, char** words, Arguments* arguments) {
-    if (count < 2) return false;
-    arguments->tool = words[1];
-    for (int i = 2; i < count; i += 2) {
-        if (i + 1 == count) return false;
-        const std::string name = words[i], value = words[i + 1];
-        if (name == "--seed") {
-            arguments->seed = std::strtoull(value.c_str(), nullptr, 0);
-        } else if (name == "--minutes") {
-            arguments->minutes = std::atof(value.c_str());
-        } else if (name == "--trial") {
-            arguments->trial = value;
-        } else if (name == "--plants") {
-            arguments->plants = value;
-        } else if (name == "--keep") {
-            arguments->keep = value;
-        } else if (name == "--judge") {
-            arguments->stem = value;
-        } else {
-            return false;
-        }
-    }
-    return true;
-}
-
-std::vector<std::uint64_t> numbers_of(const std::string& text) {
-    std::vector<std::uint64_t> numbers;
-    std::istringstream parts(text);
-    for (std::string part; std::getline(parts, part, ':');) numbers.push_back(std::strtoull(part.c_str(), nullptr, 0));
-    return numbers;
-}
-
-double now() {
-    using namespace std::chrono;
-    return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
-
-// Of 2, 3 and 4 those that the tool was built with; 2 and 3 must be.
-std::vector<int> dimensions_of(const Tool& tool) {
-    std::vector<int> dims = {2, 3};
-    std::vector<Point> simplex(5);
-    for (std::size_t i = 0; i < 4; i++) simplex[i][i] = 1;
-    write_points(tool.path("simplex.txt"), simplex, 4);
-    if (tool.run({"delaunay", tool.path("simplex.txt"), "-o", tool.path("simplex.node")}, 60).exit == done) {
-        dims.push_back(4);
-    } else {
-        std::printf("D = 4 is left out: the tool was built without it\n");
-    }
-    return dims;
-}
 
 void run_slice(const Tool& tool, const Settings& settings, std::uint64_t seed, Account* account) {
     Random seeds(seed);
@@ -84,7 +23,7 @@ void run_slice(const Tool& tool, const Settings& settings, std::uint64_t seed, A
     for (const int dim : dims) try_plants(tool, settings, dim, seeds.next() >> 16, account);
 }
 
-void run_long(const Tool& tool, Settings settings, const Arguments& arguments, Account* account) {
+void run_long(const Tool& tool, Settings settings, const Command& arguments, Account* account) {
     Random seeds(arguments.seed);
     const double end = now() + 60 * arguments.minutes;
     const std::vector<int> dims = dimensions_of(tool);
@@ -149,8 +88,8 @@ int report(const Account& account, bool all_plants) {
 }  // namespace
 
 int main(int count, char** words) {
-    Arguments arguments;
-    if (!parse(count, words, &arguments)) {
+    Command arguments;
+    if (!parse(count, words, {"--seed", "--minutes", "--keep", "--trial", "--plants", "--judge"}, &arguments)) {
         std::fprintf(stderr, "referee NETMESH [--seed S] [--minutes M] [--keep FOLDER] [--trial D:FAMILY:SEED] "
                              "[--plants D:SEED] [--judge STEM]\n");
         return 2;

@@ -1,75 +1,17 @@
 // The referee of diagrams: compares every number that a diagram's files promise with truths of its own, and plants
 // violations that `check` must refuse. Shares no code with what it judges.
 //
-//   referee_diagrams NETMESH [--seed S] [--minutes M] [--sets N] [--keep FOLDER]   a slice, or new seeds for M minutes
-//   or
-//                                                                                  N sets
+//   referee_diagrams NETMESH [--seed S] [--minutes M] [--sets N] [--keep FOLDER]   a slice; or new seeds for M minutes,
+//                                                                                  and for N sets at least
 //   referee_diagrams NETMESH --trial D:FAMILY:SEED | --plants D:SEED               one trial that failed
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <sstream>
 
+#include "../command.hpp"
 #include "diagram_trials.hpp"
 
 using namespace referee;
 
 namespace {
-
-struct Arguments {
-    std::string tool, trial, plants, keep;
-    std::uint64_t seed = 1;
-    double minutes = 0;
-    int sets = 0;
-};
-
-bool parse(int count, char** words, Arguments* arguments) {
-    if (count < 2 || count % 2 != 0) return false;
-    arguments->tool = words[1];
-    for (int i = 2; i < count; i += 2) {
-        const std::string name = words[i], value = words[i + 1];
-        if (name == "--seed") {
-            arguments->seed = std::strtoull(value.c_str(), nullptr, 0);
-        } else if (name == "--minutes") {
-            arguments->minutes = std::atof(value.c_str());
-        } else if (name == "--sets") {
-            arguments->sets = std::atoi(value.c_str());
-        } else if (name == "--trial") {
-            arguments->trial = value;
-        } else if (name == "--plants") {
-            arguments->plants = value;
-        } else if (name == "--keep") {
-            arguments->keep = value;
-        } else {
-            return false;
-        }
-    }
-    return true;
-}
-
-std::vector<std::uint64_t> numbers_of(const std::string& text) {
-    std::vector<std::uint64_t> numbers;
-    std::istringstream parts(text);
-    for (std::string part; std::getline(parts, part, ':');) numbers.push_back(std::strtoull(part.c_str(), nullptr, 0));
-    return numbers;
-}
-
-double now() {
-    using namespace std::chrono;
-    return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
-
-// Of 2, 3 and 4 those that the tool was built with; 2 and 3 must be.
-std::vector<int> dimensions_of(const Tool& tool) {
-    std::vector<int> dims = {2, 3};
-    write_points(tool.path("point.txt"), {Point{}}, 4);
-    if (tool.run({"persist", tool.path("point.txt"), "-o", tool.path("point.pers")}, 60).exit == done) {
-        dims.push_back(4);
-    } else {
-        std::printf("D = 4 is left out: the tool was built without it\n");
-    }
-    return dims;
-}
 
 void run_slice(const Tool& tool, DiagramSettings settings, std::uint64_t seed, DiagramAccount* account) {
     Random seeds(seed);
@@ -90,7 +32,7 @@ void run_slice(const Tool& tool, DiagramSettings settings, std::uint64_t seed, D
     try_diagram_plants(tool, settings, 2 + seeds.below(2), seeds.next() >> 16, account);
 }
 
-void run_long(const Tool& tool, DiagramSettings settings, const Arguments& arguments, DiagramAccount* account) {
+void run_long(const Tool& tool, DiagramSettings settings, const Command& arguments, DiagramAccount* account) {
     Random seeds(arguments.seed);
     const double end = now() + 60 * arguments.minutes;
     const std::vector<int> dims = dimensions_of(tool);
@@ -140,8 +82,8 @@ int report(const DiagramAccount& account, bool all_plants) {
 }  // namespace
 
 int main(int count, char** words) {
-    Arguments arguments;
-    if (!parse(count, words, &arguments)) {
+    Command arguments;
+    if (!parse(count, words, {"--seed", "--minutes", "--sets", "--keep", "--trial", "--plants"}, &arguments)) {
         std::fprintf(stderr, "referee_diagrams NETMESH [--seed S] [--minutes M] [--sets N] [--keep FOLDER] "
                              "[--trial D:FAMILY:SEED] [--plants D:SEED]\n");
         return 2;
