@@ -21,8 +21,8 @@ constexpr double default_fit_ratio = 4, default_eps = 0.5, default_theta = 1.0 /
 
 // The certified ratio of a mesh of aspect ratio tau, which is what refinement by the certificate aims at by default.
 double default_ratio(const netmesh_mesh_request& mesh);
-// The options with what they leave to the dimension: from D = 4 on over-refined meshes fit nowhere, and tight and
-// scales are asked for a ratio.
+// The options with what they leave to the dimension: from D = 4 on, where a point of an over-refined mesh has 10^4
+// vertices and more, tight and scales are asked for a ratio.
 Options suited(const Options& options, std::uint32_t dim);
 // The ratio and the scales of interest of the command line.
 netmesh_certificate_goal goal_of(const Options& options, double ratio);

@@ -776,7 +776,7 @@ netmesh_status netmesh_get_vine_ratio(const netmesh_context* context, uint32_t k
 
 /* Persistent homology of points scale by scale (7.6): recursively well-paced subsets, one mesh for each in the same
  * memory, their diagrams joined. With eps, over-refined meshes and the tight filter; with ratio, meshes refined by the
- * certificate and the complete filter: in R^4 and above the only ones that fit anywhere. */
+ * certificate and the complete filter. An over-refined mesh has 10^4 vertices a point and more in R^4: give a ratio. */
 typedef struct netmesh_scales_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
