@@ -1,12 +1,11 @@
-# cmake --install: archive, the two headers, what find_package and pkg-config read. Everything is relative to the
+# cmake --install: archive, headers, what find_package and pkg-config read. Everything is relative to the
 # prefix, so an installation may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 target_include_directories(netmesh PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS netmesh EXPORT netmesh-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/engine/include/netmesh.h ${PROJECT_SOURCE_DIR}/engine/include/netmesh.hpp
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT netmesh-targets NAMESPACE netmesh:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/netmesh)
 
 configure_file(${PROJECT_SOURCE_DIR}/engine/netmesh-config.cmake.in ${PROJECT_BINARY_DIR}/netmesh-config.cmake @ONLY)

@@ -37,7 +37,7 @@ bool are_diagram(const PairView& pairs, bool log_scale);
 std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b);
 
 // The distance between a and b in one degree, or the largest of all degrees. What the result means, and which pairs are
-// admitted: netmesh_bottleneck in netmesh.h.
+// admitted: netmesh_bottleneck in netmesh/bottleneck.h.
 //
 // The limit is sought by bisection among the keys of cost.hpp; each step either finds a matching, whose largest edge is
 // the new upper bound, or a set of points with too few partners, whose nearest further partner is the new lower bound.

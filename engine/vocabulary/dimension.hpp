@@ -2,8 +2,8 @@
 //
 // This is the only list of dimensions in the engine. A dimension is left out by taking it out of
 // NETMESH_EACH_DIMENSION, here or for one build (cmake -DNETMESH_DIMENSIONS="2;3"); calls that ask for it then return
-// NETMESH_INVALID_ARGUMENT. A new one needs its Figures below and a larger NETMESH_DIM_MAX in netmesh.h, which sizes
-// the structs of the interface.
+// NETMESH_INVALID_ARGUMENT. A new one needs its Figures below and a larger NETMESH_DIM_MAX in netmesh/context.h, which
+// sizes the structs of the interface.
 #pragma once
 #include <cstdint>
 #include <type_traits>

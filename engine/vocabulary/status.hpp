@@ -1,4 +1,4 @@
-// How engine calls end. The numbers are those of netmesh_status in netmesh.h.
+// How engine calls end. The numbers are those of netmesh_status in netmesh/context.h.
 #pragma once
 #include "vocabulary/ids.hpp"
 

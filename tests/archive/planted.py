@@ -53,8 +53,8 @@ INCLUDES = {
                  "homology does not see delaunay/kernel.hpp"),
     "outside": ("api/bad.cpp", '#include "../../platform/clock.hpp"\n', "api does not see ../platform/clock.hpp"),
     "macro": ("api/bad.cpp", "#define KERNEL <cmath>\n#include KERNEL\n", "api/bad.cpp:2: include by macro"),
-    "public": ("include/netmesh.h", "#include <stdlib.h>\n",
-               "include/netmesh.h:1: <stdlib.h> is not on the allow-list"),
+    "public": ("include/netmesh/bad.h", "#include <stdlib.h>\n",
+               "include/netmesh/bad.h:1: <stdlib.h> is not on the allow-list"),
 }
 
 

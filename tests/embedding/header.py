@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Looks at netmesh.h and netmesh.hpp.
+"""Looks at netmesh.h, with the headers that it includes, and at netmesh.hpp.
 
   header.py shorten NETMESH_H      prints an older version's header: structs with a size lack their last member
   header.py calls NETMESH_H NETMESH_HPP
@@ -7,13 +7,20 @@
   header.py same PROGRAM PROGRAM   runs both; exits 1 when one fails or they print different lines
 """
 import difflib
+import os
 import re
 import subprocess
 import sys
 
 
-def code_of(path):
-    return re.sub(r"/\*.*?\*/", "", open(path).read(), flags=re.S)
+def code_of(path, seen=None):
+    """A header without comments, its own headers in the place where they are first included."""
+    seen = set() if seen is None else seen
+    if path in seen:
+        return ""
+    seen.add(path)
+    text = re.sub(r"/\*.*?\*/", "", open(path).read(), flags=re.S)
+    return re.sub(r'#include "(.*)"', lambda m: code_of(os.path.join(os.path.dirname(path), m.group(1)), seen), text)
 
 
 def shortened(body):

@@ -1,0 +1,194 @@
+/* A context in the caller's block: version, limits, statuses and what an error is about, progress. */
+#ifndef NETMESH_CONTEXT_H
+#define NETMESH_CONTEXT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETMESH_VERSION_MAJOR 0
+#define NETMESH_VERSION_MINOR 2
+#define NETMESH_VERSION_PATCH 0
+/* Versions as numbers that compare as the versions do. */
+#define NETMESH_VERSION_NUMBER(major, minor, patch) (((uint32_t)(major) << 16) | ((uint32_t)(minor) << 8) | (patch))
+#define NETMESH_VERSION NETMESH_VERSION_NUMBER(NETMESH_VERSION_MAJOR, NETMESH_VERSION_MINOR, NETMESH_VERSION_PATCH)
+
+#define NETMESH_DIM_MIN 2
+#define NETMESH_DIM_MAX 6
+#define NETMESH_DEGREE_MAX 31          /* of homology, for filtrations that are not meshes */
+#define NETMESH_NONE UINT32_MAX        /* no neighbour, no index */
+#define NETMESH_POINTS_MAX (1ul << 28) /* points or vertices of one job */
+
+/* The version of the library, which may differ from that of this header: a NETMESH_VERSION_NUMBER, "0.2.0". */
+uint32_t netmesh_version(void);
+const char* netmesh_version_text(void);
+
+typedef enum netmesh_status {
+    NETMESH_OK = 0,
+    NETMESH_INVALID_ARGUMENT = 1, /* detail.field says which field; index_a: the row concerned, where there is one */
+    NETMESH_OUT_OF_MEMORY = 2,    /* the block is too small; detail.bytes_wanted: at least this many are needed */
+    NETMESH_CANCELLED = 3,        /* the poll function asked to stop */
+    NETMESH_NOT_FINITE = 4,       /* point (simplex, vertex) index_a has a NaN or an infinity */
+    NETMESH_OUT_OF_RANGE = 5,     /* point index_a: a magnitude that meshing does not admit (see netmesh_mesh) */
+    NETMESH_FLAT = 6,             /* fewer than D+1 affinely independent points: no triangulation */
+    NETMESH_TOO_CLOSE = 7,        /* points index_a < index_b are distinct but closer than 64 units in the last place */
+    NETMESH_NO_RESULT = 8,        /* the call needs an earlier step that has not been done */
+    NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which. Also from any job on a mesh
+                                     taken over by netmesh_load whose cells are not a triangulated ball */
+    NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
+    NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
+    NETMESH_NOT_A_COMPLEX = 12    /* simplex index_a has no place in a filtered complex; detail.fault says why */
+} netmesh_status;
+
+/* C lets a compiler make enumerations shorter than an int (-fshort-enums, the habit of some ARM toolchains). The
+ * library is built with ints, and a program whose structs differ from its own must not compile. */
+typedef char netmesh_enumerations_are_ints[sizeof(netmesh_status) == sizeof(int) && sizeof(int) == 4 ? 1 : -1];
+
+/* A short English phrase for a status; never null. */
+const char* netmesh_status_text(netmesh_status status);
+
+/* What an error is about: a field of a request, or another argument. A later version only adds to the end. */
+typedef enum netmesh_field {
+    NETMESH_FIELD_NONE = 0,
+    NETMESH_FIELD_REQUEST,      /* the request is null */
+    NETMESH_FIELD_STRUCT_BYTES, /* of the request, or of a struct that it points to: not set, or too new */
+    NETMESH_FIELD_RESULT,       /* the struct or array for the result is null, or its struct_bytes are not set */
+    /* what the data is */
+    NETMESH_FIELD_DIM,
+    NETMESH_FIELD_POINTS,
+    NETMESH_FIELD_POINT_COUNT,
+    NETMESH_FIELD_VERTICES,
+    NETMESH_FIELD_VERTEX_COUNT,
+    NETMESH_FIELD_MARKERS,
+    NETMESH_FIELD_CELLS,
+    NETMESH_FIELD_CELL_COUNT,
+    NETMESH_FIELD_DOMAIN,
+    NETMESH_FIELD_CAGES,
+    NETMESH_FIELD_CAGE_COUNT,
+    NETMESH_FIELD_CAGE_BYTES,
+    NETMESH_FIELD_STARTS,
+    NETMESH_FIELD_ENTRIES,
+    NETMESH_FIELD_SIMPLEX_COUNT,
+    NETMESH_FIELD_ORDER,
+    NETMESH_FIELD_THETAS,
+    NETMESH_FIELD_PAIRS_A,
+    NETMESH_FIELD_PAIRS_B,
+    NETMESH_FIELD_PAIR_BYTES,
+    /* meshes */
+    NETMESH_FIELD_MESH, /* the mesh request that another request points to */
+    NETMESH_FIELD_PURPOSE,
+    NETMESH_FIELD_METHOD,
+    NETMESH_FIELD_TAU,
+    NETMESH_FIELD_DOMAIN_FACTOR,
+    NETMESH_FIELD_TIGHT_EPS,
+    NETMESH_FIELD_SIZES, /* sizes that were asked for, near point index_a where they cannot be met */
+    NETMESH_FIELD_RATIO,
+    NETMESH_FIELD_FOCUS_RATIO,
+    NETMESH_FIELD_FOCUS_FROM,
+    NETMESH_FIELD_FOCUS_TO,
+    NETMESH_FIELD_AUDIT,
+    /* persistence */
+    NETMESH_FIELD_FILTER,
+    NETMESH_FIELD_VALUES,
+    NETMESH_FIELD_K,
+    NETMESH_FIELD_K_FIRST,
+    NETMESH_FIELD_K_LAST,
+    NETMESH_FIELD_MAX_DEGREE,
+    NETMESH_FIELD_REPRESENTATIVES,
+    NETMESH_FIELD_FUNCTION,
+    NETMESH_FIELD_LIPSCHITZ,
+    NETMESH_FIELD_DISTANCE_FACTOR,
+    NETMESH_FIELD_CUT,
+    NETMESH_FIELD_EPS,
+    NETMESH_FIELD_THETA,
+    /* checks, analyses, distances */
+    NETMESH_FIELD_WHAT,
+    NETMESH_FIELD_TOLERANCE,
+    NETMESH_FIELD_SCALE,
+    NETMESH_FIELD_SCRATCH,
+    NETMESH_FIELD_SIZE_AT_INPUTS,
+    NETMESH_FIELD_SIZE_GROWTH,
+    NETMESH_FIELD_NET_SPACING,
+    NETMESH_FIELD_CAGE_KIND,
+    NETMESH_FIELD_STEP_COUNT,
+    NETMESH_FIELD_COUNT
+} netmesh_field;
+
+/* The field's name as it stands in the requests, "tau"; never null. */
+const char* netmesh_field_text(netmesh_field field);
+
+/* Why simplex index_a has no place in a filtered complex. */
+typedef enum netmesh_fault {
+    NETMESH_FAULT_NONE = 0,
+    NETMESH_FAULT_SIZE,         /* it has no vertices or more than 32 */
+    NETMESH_FAULT_TOO_MANY,     /* it is one of more than 2^31 - 1 of its dimension */
+    NETMESH_FAULT_VERTEX_TWICE, /* it has a vertex twice */
+    NETMESH_FAULT_LISTED_TWICE, /* index_b: the earlier simplex that it is equal to */
+    NETMESH_FAULT_FACE_MISSING, /* index_b: the vertex, from 0 in ascending order, that the missing face lacks */
+    NETMESH_FAULT_FACE_LATER    /* index_b: the face that enters later */
+} netmesh_fault;
+
+/* What the last call that failed has to say. Unused fields are 0. */
+typedef struct netmesh_detail {
+    uint32_t struct_bytes;
+    netmesh_status status;
+    netmesh_field field; /* of INVALID_ARGUMENT */
+    netmesh_fault fault; /* of NOT_A_COMPLEX */
+    uint64_t index_a, index_b;
+    uint64_t bytes_wanted;
+    const char* message; /* static text, never null once the struct has been filled */
+    uint64_t step; /* of netmesh_value_vineyard, of NOT_A_COMPLEX and NOT_FINITE: the step at fault, from 1 on; 0: the
+                      complex itself */
+} netmesh_detail;
+
+typedef struct netmesh_context netmesh_context;
+
+/* Makes a context at the start of block[0, block_bytes). block must be 16-byte aligned. Costs O(1).
+ * INVALID_ARGUMENT (block or context null, block misaligned), OUT_OF_MEMORY, FLOATING_POINT. */
+netmesh_status netmesh_init(void* block, size_t block_bytes, netmesh_context** context);
+
+/* After a byte copy of the block: the context in the copy. Contexts hold no addresses, so this is a cast and a check.
+ * */
+netmesh_status netmesh_adopt(void* block, netmesh_context** context);
+
+/* What the context's last call said. INVALID_ARGUMENT: the context is none, or detail null or without a size. */
+netmesh_status netmesh_get_detail(const netmesh_context* context, netmesh_detail* detail);
+
+typedef enum netmesh_stage {
+    NETMESH_STAGE_NONE = 0,
+    NETMESH_STAGE_SORT = 1,     /* spatial order, duplicates, nearest neighbours; unit: points */
+    NETMESH_STAGE_DELAUNAY = 2, /* insertion; unit: points */
+    NETMESH_STAGE_REFINE = 3,   /* refinement; unit: input points inserted (Steiner points come between them) */
+    NETMESH_STAGE_CERTIFY = 4,  /* aspect ratios, filter values and certificate; unit: cells */
+    NETMESH_STAGE_FILTER = 5,   /* filtration of an explicit complex; unit: simplices */
+    NETMESH_STAGE_GRADIENT = 6, /* lower stars; unit: vertices */
+    NETMESH_STAGE_REDUCE = 7,   /* columns */
+    NETMESH_STAGE_CHECK = 8,    /* independent checkers; unit: cells */
+    NETMESH_STAGE_ANALYSE = 9,  /* pace, integral, fatness, structure; unit: points, boxes, vertices or cells */
+    NETMESH_STAGE_COUNT = 10
+} netmesh_stage;
+
+typedef struct netmesh_progress {
+    uint32_t struct_bytes; /* of the library's struct */
+    netmesh_stage stage;
+    uint64_t done, total;     /* in units of the stage; total may be an estimate, 0 when unknown */
+    uint64_t vertices, cells; /* of the mesh so far */
+} netmesh_progress;
+
+/* Called about every 1,000 to 10,000 units of work. A non-zero return cancels: the call that polls returns
+ * NETMESH_CANCELLED. Must not call into the context. */
+typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
+
+/* Who watches a job; part of every request. */
+typedef struct netmesh_monitor {
+    netmesh_poll poll; /* may be null */
+    void* user;        /* handed to poll */
+} netmesh_monitor;
+
+#ifdef __cplusplus
+}
+#endif
+#endif
