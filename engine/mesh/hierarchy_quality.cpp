@@ -147,6 +147,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         domain_[v] = none;
         out2_[v] = 0;
+        leaves_ball_[v] = false;
     }
     for (std::uint32_t d = 0; d < count_; ++d) {
         order_[d] = d;
@@ -204,7 +205,9 @@ template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uin
     for (int i = 0; i < D; ++i) off += 0x1p-51 * (absolute(store_.point(cage.centre)[i]) + cage.radius);
     std::uint64_t seen[(RootTemplate<D>::size + 63) / 64] = {};
     visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double d2) {
-        if (domain_[v] != d || !(d2 > 0.25 * radius * radius)) return;
+        bool& looked_at = leaves_ball_[v];  // in another cell; what it is for comes later
+        if (looked_at || domain_[v] != d || !(d2 > 0.25 * radius * radius)) return;
+        looked_at = true;
         if (store_.vertex(v).marker != Marker::exempt && !has_yielded(v)) return;
         for (std::uint32_t k = 0; k < size; ++k) {
             double place[D];
