@@ -67,7 +67,7 @@ template <class Climb> Status fit(const RatioLadder& ladder, Climb&& climb) {
         held = status == Status::ok ? rung : -1;
         if (status == Status::out_of_memory) break;
         if (status != Status::ok) return status;
-        if (best < 0 || climbed.certified < certified || !(climbed.certified < infinity)) {
+        if (best < 0 || climbed.certified < certified || !(certified < infinity)) {
             best = rung;
             certified = climbed.certified;
         }

@@ -87,6 +87,20 @@ TEST_CASE("where finer rungs certify more, the finest that fits is held") {
     }
 }
 
+TEST_CASE("where no ratio is finite the finest that fits is held, and none of them takes the place of a finite one") {
+    const RatioLadder ladder(40, 0, 0);
+    std::vector<Rung> rungs = rungs_of(ladder);
+    for (Rung& rung : rungs) rung.certified = infinity;
+    rungs[20].fits = false;
+    CHECK(climb(ladder, rungs).held == 19);
+    rungs[7].certified = 5;
+    CHECK(climb(ladder, rungs).held == 7);
+    rungs[3].certified = 5;
+    CHECK(climb(ladder, rungs).held == 3);
+    rungs[11].certified = 4;
+    CHECK(climb(ladder, rungs).held == 11);
+}
+
 TEST_CASE("rungs that are reached already are left out") {
     const RatioLadder ladder(40, 0, 0);
     std::vector<Rung> rungs = rungs_of(ladder);
@@ -114,7 +128,7 @@ TEST_CASE("a larger block never certifies less") {
         for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
             bytes.push_back(rung * 4 + random.below(60));
             rungs[rung].certified = 1 + (ladder.goal(static_cast<int>(rung)).ratio - 1) * (0.3 + random.uniform());
-            if (round % 3 == 0) rungs[rung].certified = infinity;
+            if (round % 3 == 0 || (round % 3 == 1 && random.below(3) == 0)) rungs[rung].certified = infinity;
             rungs[rung].reached = round % 2 == 0 ? infinity : rungs[rung].certified;
         }
         double last = 0;
