@@ -148,6 +148,67 @@ TEST_CASE("more memory never certifies less, whatever the filter, and the block 
     CHECK(improved > 100);
 }
 
+TEST_CASE("what another filter certifies does not end the climb: finer meshes certify more of a function") {
+    const auto nearly_constant = [](void*, const double* x) { return 1 + 0.01 * std::hypot(x[0] - 0.5, x[1] - 0.5); };
+    const inputs::Points points = inputs::uniform(2, 12);
+    netmesh::requests::Function function;
+    function.evaluate = nearly_constant;
+    function.lipschitz = 0.01;
+    function.cut = 10;
+    Session session(2);
+    session.reserve(std::size_t{1} << 18);
+    netmesh_fit_request asked = session.fit_request(points);
+    asked.ratio = 4;
+    asked.filter = NETMESH_FILTER_FUNCTION;
+    asked.function = &function;
+    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    Session coarsest(2);
+    coarsest.request.certificate.ratio = 4;
+    REQUIRE(coarsest.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+    netmesh_persist_request persist = persist_by(NETMESH_FILTER_FUNCTION);
+    persist.function = &function;
+    REQUIRE(coarsest.persist(persist) == NETMESH_OK);
+    CHECK(coarsest.report().diagram.certified_ratio < 1.1);  // less than any rung
+    CHECK(session.report().diagram.certified_ratio < coarsest.report().diagram.certified_ratio - 0.002);
+}
+
+// By places: of each Steiner vertex's cell, where the distance to the points is least and largest.
+TEST_CASE("certified_focus is of every cell that reaches into the scales of interest, also of those that lie across") {
+    const inputs::Points points = inputs::close_pairs(2, 6, 0.01);
+    for (const double to : {0.0501, 0.07}) {
+        CAPTURE(to);
+        Session session(2);
+        session.reserve(std::size_t{1} << 16);
+        netmesh_fit_request asked = session.fit_request(points);
+        asked.focus_from = 0.05;
+        asked.focus_to = to;
+        REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+        const netmesh_report r = session.report();
+        const std::vector<netmesh_vertex> vertices = session.vertices();
+        std::vector<double> least(vertices.size(), HUGE_VAL), most(vertices.size(), 0);
+        inputs::Random random(7);
+        for (int i = 0; i < 15000; ++i) {
+            const double x = random.uniform(), y = random.uniform();
+            if (std::hypot(x - r.mesh.domain[0], y - r.mesh.domain[1]) > r.mesh.domain[2]) continue;
+            double to_vertex = HUGE_VAL, to_input = HUGE_VAL;
+            std::size_t nearest = 0;
+            for (std::size_t v = 0; v < vertices.size(); ++v) {
+                const double d = std::hypot(vertices[v].coordinates[0] - x, vertices[v].coordinates[1] - y);
+                if (d < to_vertex) to_vertex = d, nearest = v;
+                if (vertices[v].marker == 0) to_input = std::fmin(to_input, d);
+            }
+            least[nearest] = std::fmin(least[nearest], to_input);
+            most[nearest] = std::fmax(most[nearest], to_input);
+        }
+        double worst = 1;
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            if (vertices[v].marker == 1 && most[v] > asked.focus_from && least[v] < asked.focus_to)
+                worst = std::fmax(worst, std::sqrt(most[v] / least[v]));
+        CHECK(worst > 1.1);
+        CHECK(worst <= r.diagram.certified_focus * (1 + 1e-12));
+    }
+}
+
 TEST_CASE("a fit that is stopped on its way leaves no diagram") {
     struct Polls {
         long made = 0, stop_at = -1;

@@ -442,6 +442,33 @@ TEST_CASE("what is no filtration is refused, with the step and the simplices at 
         CHECK(session.report().vineyard.present == 0);
         CHECK(session.report().input.present == 0);
     }
+    // Each facet of a simplex, where it alone enters later.
+    for (const Simplex& whole : {Simplex{0, 1}, Simplex{0, 1, 2}, Simplex{0, 1, 2, 3}}) {
+        Complex c;
+        for (std::uint32_t mask = 1; mask < 1u << whole.size(); ++mask) {
+            Simplex face;
+            for (const std::uint32_t v : whole)
+                if ((mask >> v & 1) != 0) face.push_back(v);
+            c.add(face);
+        }
+        c.link();
+        Vector good;
+        for (const Simplex& s : c.simplices) good.push_back(double(s.size()));
+        const std::size_t top = c.simplices.size() - 1;
+        for (const std::size_t facet : c.facets[top]) {
+            CAPTURE(facet);
+            Vector bad = good;
+            bad[facet] = good[top] + 1;
+            Session session(2);
+            const Vector all = joined({good, bad});
+            const auto request = c.request(all);
+            CHECK(netmesh_value_vineyard(session.context, &request) == NETMESH_NOT_A_COMPLEX);
+            CHECK(session.detail().fault == NETMESH_FAULT_FACE_LATER);
+            CHECK(session.detail().step == 2);
+            CHECK(session.detail().index_a == top);
+            CHECK(session.detail().index_b == facet);
+        }
+    }
     // What is wrong with the complex has no step.
     Complex open;
     for (const Simplex& s : {Simplex{0}, Simplex{0, 1}}) open.add(s);

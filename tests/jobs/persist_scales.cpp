@@ -52,3 +52,29 @@ TEST_CASE("a cluster E times its diameter away costs E / (E - 1)") {
         CHECK(near.ratio_best == doctest::Approx(far.ratio_best * factor).epsilon(1e-7));
     }
 }
+
+TEST_CASE("a ratio is that of the joined diagram, and leaves the meshes no more than the join does") {
+    for (std::uint64_t set = 0; set < 6; ++set) {
+        CAPTURE(set);
+        // Copies of a set around its own points.
+        const inputs::Points base = inputs::uniform(2, 12, set);
+        inputs::Points points;
+        for (std::size_t i = 0; i < base.size(); i += 2)
+            for (std::size_t j = 0; j < base.size(); j += 2) {
+                points.push_back(base[i] + base[j] / 60);
+                points.push_back(base[i + 1] + base[j + 1] / 60);
+            }
+        double nearest = 0;  // what is certified over what was asked for
+        for (double ratio = 2.5; ratio < 4; ratio += 0.25) {
+            Session session(2);
+            netmesh_scales_request request = session.scales_request(points);
+            request.ratio = ratio;
+            REQUIRE(session.scales(request) == NETMESH_OK);
+            const netmesh_report r = session.report();
+            CHECK(r.scales.count > 1);
+            CHECK(r.diagram.certified_ratio <= ratio);
+            nearest = std::fmax(nearest, r.diagram.certified_ratio / ratio);
+        }
+        CHECK(nearest > 0.95);
+    }
+}
