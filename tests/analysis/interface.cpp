@@ -23,7 +23,7 @@ netmesh_status check_bounds(Session& session) { return session.check(NETMESH_CHE
 TEST_CASE("a mesh's size stands between its bounds, and checks include them") {
     for (const int dim : dimensions()) {
         INFO("D = " << dim);
-        const std::size_t n = by_dimension<std::size_t>(dim, {300, 80, 25, 10, 6});
+        const std::size_t n = by_dimension<std::size_t>(dim, {200, 40, 12, 6, 4});
         Session session(dim);
         session.reserve(std::size_t{1} << 25);  // for the check as well
         REQUIRE(session.mesh(inputs::clusters(dim, n)) == NETMESH_OK);
