@@ -140,7 +140,8 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     case NETMESH_TOO_CLOSE:
         return {Exit::degenerate, cloud.where(detail.index_b) + ": this point and the one of " +
                                       cloud.place(detail.index_a) +
-                                      " are distinct but closer than 64 units in the last place"};
+                                      " are distinct but closer than coordinates resolve for this mesh: 64 units in "
+                                      "the last place, more when tau is near 2 or the ratio below 2"};
     case NETMESH_CHECK_FAILED: return {Exit::check, "netmesh: check failed: " + said};
     default: return {Exit::internal, "netmesh: internal error: " + said};
     }

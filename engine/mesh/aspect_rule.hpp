@@ -18,6 +18,19 @@ template <int D> constexpr double pull_back = figures<D>.pull_back;
 // may be, see clipped_cell.hpp: those are looked for when it is a vertex's turn. A new vertex leaves other cells no
 // larger than they were, so only those whose nearest neighbour it becomes and its own can become bad.
 //
+// Where coordinates hardly resolve the distances between vertices, a corner in coordinates is not where it is in truth.
+// Let no corner of v's cell be wrong by more than b ("blur"). A point x of the true cell in the ball is a convex
+// combination of its corners; the same one of the computed corners is within b of x, so within b of the ball. So the
+// true cell clipped to the ball reaches no farther than the computed one, clipped to the ball enlarged by b, and b.
+// v is split at a point within b of its true cell when this says that it may reach too far. The new vertex is at least
+// tau / 2 nn(v) - 3 b from all others, as far as nn(v) or farther as long as
+//
+//   (tau / 2 - 1) nn(v) >= 3 b,
+//
+// or f(v) - 3 b where f(v) is the size asked for. b is less than 2.15 sqrt(D) units in the last place of the largest
+// coordinate (keep_sphere: 4.2 u |c|), so the proof of 3.3 holds as soon as distances of inputs and sizes are at least
+// 6.5 sqrt(D) (2 / (tau - 2) + 1) units: finest().
+//
 // `Rule` also has
 //
 //   bool may_be_bad(double corner2, const Vertex<D>& v)   can a corner at this squared distance from v spoil its cell?
@@ -34,6 +47,8 @@ public:
         return frame_factor<D> * this->domain_.radius;
     }
     double promised_radius() const { return this->domain_.enclosing_radius * this->request_.domain_factor; }
+    // From 2^26 units on all corners are known well enough.
+    double finest() const { return finest_distance<D>(this->request_.tau); }
 #ifdef NETMESH_VALIDATE
     const char* clean_violation() const {
         return aspect_violation<D>(this->store_, this->request_.tau, [this](VertexId) { return this->domain_; });
@@ -70,6 +85,7 @@ protected:
     [[gnu::noinline]] void queue_new(const Cavity& cavity, const Domain<D>& ball, VertexId v) {
         const Vertex<D>& vertex = this->store_.vertex(v);
         if (vertex.queued || vertex.marker == Marker::exempt) return;
+        if (may_be_blurred(vertex)) return this->queue_.push(v);
         for (std::uint32_t k = 0; k < cavity.facets; ++k) {
             const Cell<D>& cell = this->store_.cell(this->kernel_.new_cell(k));
             if (!rule().may_be_bad(cell.radius2, vertex) || (cell.radius2 < infinity && ball.contains(cell.centre)))
@@ -101,6 +117,45 @@ protected:
     void find_sized_beyond(const Domain<D>& ball, VertexId v, std::uint32_t count, Corner<D>* found) const {
         const double bad2 = least_bad2(this->store_.vertex(v)), limit2 = this->sizes_.limit2(v);
         find_beyond(ball, v, limit2 < bad2 ? limit2 : bad2, count, found);
+    }
+
+    // Can a corner of v's cell be known worse than by corner_error_max because of its coordinates? Then its distance R
+    // from v is below 2^-28.8 times their size.
+    bool may_be_blurred(const Vertex<D>& vertex) const {
+        return vertex.nearest2 < 0x1p-55 * dot<D>(vertex.x, vertex.x);
+    }
+    // v's cell, as computed, is good in the ball: may it be bad in truth? Then *found is a point of it that is farther
+    // from v than it may be or nearer by no more than the blur; otherwise its distance2 is negative. False when the gap
+    // is too small for v's star.
+    [[gnu::cold, gnu::noinline]] bool find_blurred(const Domain<D>& ball, VertexId v, Corner<D>* found) {
+        *found = Corner<D>{};
+        double blur = 0;
+        bool fits = this->kernel_.visit_star(v, [&](CellId c) {
+            const Cell<D>& cell = this->store_.cell(c);
+            if (!(cell.radius2<infinity&& static_cast<double>(cell.error)> corner_error_max)) return;
+            const double wrong = static_cast<double>(cell.error) * square_root(cell.radius2);
+            if (wrong > blur) blur = wrong;
+        });
+        if (!fits || blur == 0) return fits;
+        const double bad2 = least_bad2(this->store_.vertex(v)), limit2 = this->sizes_.limit2(v);
+        const double least = square_root(limit2 < bad2 ? limit2 : bad2);
+        // A cell flatter than coordinates make it: its neighbours have about the same corner.
+        if (blur > 0.25 * least) blur = 0.25 * least;
+        const double least2 = (least - blur) * (least - blur);
+        Domain<D> wide = ball;
+        wide.radius += blur;
+        std::uint32_t cells = 0;
+        fits = this->kernel_.visit_star(v, [&](CellId c) {
+            const Cell<D>& cell = this->store_.cell(c);
+            ++cells;
+            if (!(cell.radius2 < infinity)) return;
+            if (wide.contains(cell.centre))
+                found->offer(cell.centre, distance2<D>(cell.centre, this->store_.point(v)), c);
+            else
+                offer_crossings<D>(this->store_, wide, v, c, 0, found);
+        });
+        if (fits && !(found->distance2 > least2)) find_beyond(wide, v, least2, cells, found);
+        return fits;
     }
 
     // The corner is outside of the ball: which of its edges cross the sphere too far from these vertices? A crossing

@@ -356,6 +356,8 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
     if (!is_bad(corner.distance2, nearest2) && !sizes_.are_exceeded(v, corner.distance2)) {
         corner.distance2 = -1;
         if (leaves_ball) this->find_sized_beyond(ball, v, cells, &corner);
+        if (corner.distance2 < 0 && this->may_be_blurred(store_.vertex(v)) && !this->find_blurred(ball, v, &corner))
+            return Verdict::out_of_memory;
         if (corner.distance2 < 0) return Verdict::good;
     }
     this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), pull_back<D>), split);

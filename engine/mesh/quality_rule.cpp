@@ -237,6 +237,8 @@ template <int D> Verdict QualityRule<D>::judge(VertexId v, Split<D>* split) {
     if (!is_bad(clipped2, nearest2) && !sizes_.are_exceeded(v, clipped2)) {
         if (view.leaves_domain) this->find_sized_beyond(domain_, v, view.cells, &beyond);
         corner = &beyond;
+        if (beyond.distance2 < 0 && this->may_be_blurred(store_.vertex(v)) && !this->find_blurred(domain_, v, &beyond))
+            return Verdict::out_of_memory;
         if (beyond.distance2 < 0) {
             if (!certify_ || !spoils_certificate(v, view)) return Verdict::good;
             corner = &view.whole;

@@ -278,7 +278,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::yielding_insert(const S
 }
 
 template <int D, class Rule> Status Refinement<D, Rule>::note_size(VertexId v) {
-    const Status status = sizes_.note(v);
+    const Status status = sizes_.note(v, rule().finest());
     if (status != Status::ok) result_.input.row_a = store_.vertex(nearest_input(v)).origin;
     return status;
 }

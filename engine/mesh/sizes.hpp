@@ -19,14 +19,14 @@ public:
     void start() { started_ = true; }
     bool have_started() const { return started_; }
 
-    // Evaluates the rule at v for the first time. invalid_argument: the size is not positive or not resolved by v's
-    // coordinates.
-    Status note(VertexId v) {
+    // Evaluates the rule at v for the first time. invalid_argument: the size is not positive or below `finest` times
+    // the magnitude of v's coordinates.
+    Status note(VertexId v, double finest) {
         const double size = wanted_size<D>(store_, tree_, rule_, v);
         double magnitude = 0;
         for (int k = 0; k < D; ++k)
             if (absolute(store_.point(v)[k]) > magnitude) magnitude = absolute(store_.point(v)[k]);
-        if (!(size >= separation_min && size >= resolution * magnitude)) return Status::invalid_argument;
+        if (!(size >= separation_min && size >= finest * magnitude)) return Status::invalid_argument;
         const double size2 = size < coordinate_max ? size * size : infinity;
         store_.vertex(v).size_hint = size_hint_of((1 - 2 * margin_) * size2);
         return Status::ok;

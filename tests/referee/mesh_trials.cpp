@@ -32,7 +32,8 @@ bool may_refuse(const Outcome& outcome, const Method& method, const Case& wanted
     const Points points = distinct(wanted.points, wanted.dim);
     if (outcome.exit == memory_exit) return true;
     if (!method.is_mesh) return outcome.exit == degenerate_exit && is_flat(points, wanted.dim);
-    if (outcome.exit == degenerate_exit) return has_close_points(points, wanted.dim);
+    if (outcome.exit == degenerate_exit)
+        return has_close_points(points, wanted.dim, least_units(wanted.tau, wanted.dim));
     if (outcome.exit == data_exit) return is_out_of_range(points, wanted.dim) || asks_for_size;
     return false;
 }

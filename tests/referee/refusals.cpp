@@ -34,6 +34,10 @@ bool has_close_points(const std::vector<Point>& points, int dim, double units) {
     return false;
 }
 
+double least_units(double tau, int dim) {
+    return tau > 0 ? std::clamp(6.5 * std::sqrt(dim) * (2 / (tau - 2) + 1), 64.0, 0x1p26) : 64;
+}
+
 bool is_out_of_range(const std::vector<Point>& points, int dim) {
     for (std::size_t i = 0; i < points.size(); i++) {
         for (int k = 0; k < dim; k++)

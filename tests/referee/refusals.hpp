@@ -13,6 +13,9 @@ bool is_flat(const std::vector<Point>& points, int dim);
 // where cells have to be small.
 bool has_close_points(const std::vector<Point>& points, int dim, double units = 64);
 
+// How many units in the last place points must be apart, as documented, for a mesh of this tau (0: the default).
+double least_units(double tau, int dim);
+
 // Magnitudes above 2^500 or distances below 2^-500, likewise.
 bool is_out_of_range(const std::vector<Point>& points, int dim);
 

@@ -34,13 +34,14 @@ typedef enum netmesh_status {
     NETMESH_NOT_FINITE = 4,       /* point (simplex, vertex) index_a has a NaN or an infinity */
     NETMESH_OUT_OF_RANGE = 5,     /* point index_a: a magnitude that meshing does not admit (see netmesh_mesh) */
     NETMESH_FLAT = 6,             /* fewer than D+1 affinely independent points: no triangulation */
-    NETMESH_TOO_CLOSE = 7,        /* points index_a < index_b are distinct but closer than 64 units in the last place */
-    NETMESH_NO_RESULT = 8,        /* the call needs an earlier step that has not been done */
-    NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which. Also from any job on a mesh
-                                     taken over by netmesh_load whose cells are not a triangulated ball */
-    NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
-    NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
-    NETMESH_NOT_A_COMPLEX = 12    /* simplex index_a has no place in a filtered complex; detail.fault says why */
+    NETMESH_TOO_CLOSE = 7,       /* points index_a < index_b are distinct but closer than 64 units in the last place, or
+                                  * the more that a tau near 2 or a ratio below 2 needs (see netmesh_mesh) */
+    NETMESH_NO_RESULT = 8,       /* the call needs an earlier step that has not been done */
+    NETMESH_CHECK_FAILED = 9,    /* a checker found a violation; detail.message says which. Also from any job on a mesh
+                                    taken over by netmesh_load whose cells are not a triangulated ball */
+    NETMESH_FLOATING_POINT = 10, /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
+    NETMESH_INTERNAL = 11,       /* an invariant of the library does not hold: a defect, please report it */
+    NETMESH_NOT_A_COMPLEX = 12   /* simplex index_a has no place in a filtered complex; detail.fault says why */
 } netmesh_status;
 
 /* C lets a compiler make enumerations shorter than an int (-fshort-enums, the habit of some ARM toolchains). The

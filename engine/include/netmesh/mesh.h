@@ -65,9 +65,10 @@ typedef enum netmesh_cage_kind {
 
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone
  * (results are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre,
- * positive, and nowhere below 64 units in the last place of the coordinates: other values end the job with
- * INVALID_ARGUMENT. Termination needs no more; the size bounds of 3.7.1 need it to be Lipschitz with a moderate
- * constant. +infinity asks for nothing. Called a few times a vertex. Must not call into the context. */
+ * positive, and nowhere below 64 units in the last place of the coordinates (more with a tau near 2, see
+ * netmesh_mesh): other values end the job with INVALID_ARGUMENT. Termination needs no more; the size bounds of 3.7.1
+ * need it to be Lipschitz with a moderate constant. +infinity asks for nothing. Called a few times a vertex. Must not
+ * call into the context. */
 typedef double (*netmesh_size)(void* user, const double* x);
 
 /* Over-refinement (3.7): afterwards the out-radius R_v of every clipped cell is at most
@@ -143,7 +144,8 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* request);
  * exempt has a Voronoi cell that, clipped to the domain ball, has aspect ratio at most tau. With METHOD_HIERARCHY,
  * unless finished, there are cages as well (see netmesh_cage), each vertex's cell is clipped to the ball of its own
  * domain, and a cage's cell has aspect ratio at most tau too. Admits coordinates of magnitude at most 2^500 and,
- * after merging duplicates, distances of at least 2^-500 and 64 units in the last place. Works on flat input and on a
+ * after merging duplicates, distances of at least 2^-500 and 64 units in the last place; with a tau below 2.34, 2.43,
+ * 2.51, 2.59, 2.67 (D = 2..6) of 6.5 sqrt(D) (2 / (tau - 2) + 1) units, at most 2^26. Works on flat input and on a
  * single point. PURPOSE_PERSIST refines (SVR alone) a shell around the domain as well, as far as a certified ratio of
  * sqrt(2 + tau) needs it. PURPOSE_TIGHT over-refines to e = tight_eps / (3 (1 + tight_eps)) times f_P (7.5) in a
  * domain of at least 3.1 + 4 e enclosing radii: hundreds (D = 2) to tens of thousands (D = 3) of vertices a point.

@@ -1,0 +1,92 @@
+// Points so near to one another that coordinates hardly resolve the corners of their cells.
+#include <doctest/doctest.h>
+
+#include "common/dimensions.hpp"
+#include "common/inputs.hpp"
+#include "common/meshed.hpp"
+#include "common/session.hpp"
+#include "mesh/separation.hpp"
+
+using namespace netmesh;
+
+namespace {
+
+// About (.8, .5, ...), `units` of 2^-52 wide.
+inputs::Points cluster(int dim, std::size_t n, double units, std::uint64_t seed) {
+    inputs::Points points = inputs::uniform(dim, n, seed);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = 0.5 + 0.3 * double(i % std::size_t(dim) == 0) + units * 0x1p-52 * (points[i] - 0.5);
+    return points;
+}
+
+}  // namespace
+
+// `check` has corners in 106 bits relative to their vertices, by code of its own.
+TEST_CASE("cells keep their aspect ratio where distances are some hundred units in the last place") {
+    for (const int dim : dimensions(2, 4)) {
+        int meshed = 0;
+        for (std::uint64_t seed = 1; seed <= (dim == 2 ? 600 : dim == 3 ? 40 : 4); ++seed)
+            for (const double tau : {2.5, 3.7}) {
+                CAPTURE(dim);
+                CAPTURE(seed);
+                CAPTURE(tau);
+                Session session(dim);
+                session.request.tau = dim == 4 ? tau + 1 : tau;
+                const netmesh_status status = session.mesh(cluster(dim, dim == 2 ? 10 : 6, 2500, seed));
+                REQUIRE((status == NETMESH_OK || status == NETMESH_TOO_CLOSE));
+                if (status != NETMESH_OK) continue;
+                ++meshed;
+                CHECK(session.check() == NETMESH_OK);
+            }
+        CHECK(meshed > 4);
+    }
+}
+
+TEST_CASE("cells are as small as asked for where that is some tens of units in the last place") {
+    for (const int dim : dimensions(2, 3)) {
+        int meshed = 0;
+        for (std::uint64_t seed = 1; seed <= (dim == 2 ? 60 : 6); ++seed)
+            for (const double eps : {.1, .2, .4}) {
+                if (dim == 3 && eps < .3) continue;
+                CAPTURE(dim);
+                CAPTURE(seed);
+                CAPTURE(eps);
+                Session session(dim);
+                session.request.tau = 3;
+                session.request.sizes.eps = eps;
+                const netmesh_status status = session.mesh(cluster(dim, 2 + seed % 2, 1500, seed));
+                REQUIRE((status == NETMESH_OK || status == NETMESH_TOO_CLOSE || status == NETMESH_INVALID_ARGUMENT));
+                if (status == NETMESH_INVALID_ARGUMENT) CHECK(session.detail().field == NETMESH_FIELD_SIZES);
+                if (status != NETMESH_OK) continue;
+                ++meshed;
+                CHECK(session.check() == NETMESH_OK);
+            }
+        CHECK(meshed > 4);
+    }
+}
+
+TEST_CASE("two points in units in the last place whose size check refused") {
+    Session session(2);
+    session.request.tau = 3.7;
+    session.request.sizes.eps = 0.05;
+    REQUIRE(session.mesh({0.45470163004507685, 0.32200176638718614, 0.45470163004556646, 0.3220017663869415}) ==
+            NETMESH_OK);
+    CHECK(session.check() == NETMESH_OK);
+}
+
+// 6.5 sqrt(D) (2 / (tau - 2) + 1) units, at least 64: 193.04 for 2.1 in the plane.
+TEST_CASE("near 2 tau asks for more than 64 units in the last place between points") {
+    for (const double units : {65., 190., 196.})
+        for (const double tau : {2.1, 2.4}) {
+            Session session(2);
+            session.request.tau = tau;
+            const netmesh_status due = tau < 2.2 && units < 193 ? NETMESH_TOO_CLOSE : NETMESH_OK;
+            CHECK(session.mesh({1, 1, 1 + units * 0x1p-52, 1}) == due);
+            if (due == NETMESH_OK) CHECK(session.check() == NETMESH_OK);
+        }
+    CHECK(finest_distance<2>(2.5) == resolution);
+    CHECK(finest_distance<3>(2.5) == resolution);
+    CHECK(finest_distance<4>(3.08) == resolution);
+    CHECK(finest_distance<6>(4) == resolution);
+    CHECK(finest_distance<2>(2 + 0x1p-40) == 0x1p-26);
+}
