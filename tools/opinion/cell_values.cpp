@@ -61,6 +61,10 @@ private:
     bool is_input(std::size_t v) const { return node_.markers[v] == 0; }
     bool is_exempt(std::size_t v) const { return node_.markers[v] == 2; }
     void find_nearest();
+    template <class Visit> void for_each_corner(std::size_t v, Visit&& visit) const {
+        for (const std::uint32_t c : star_[v])
+            if (!corners_[c].empty()) visit(corners_[c], corner_values_[c]);
+    }
     Real farthest_corner(std::size_t v, const Place& from) const;
     Real function_radius(std::size_t v) const { return farthest_corner(v, places_[v]); }
     Place towards(std::size_t v, const Place& goal) const;
@@ -85,6 +89,8 @@ private:
     FilterChoice choice_;
     bool by_neighbours_;  // d_k or the k-distance, k > 1
     FilteredFunction function_;
+    // Of a cell that is flat to the digits of its vertices no corner is known, an empty place: the cells beside it have
+    // the same corner, nearly.
     std::vector<Place> places_, corners_;
     std::vector<Real> corner_values_;
     std::vector<std::vector<std::uint32_t>> star_;     // Delaunay cells around each vertex
@@ -112,9 +118,9 @@ CellWalk::CellWalk(const MeshFiles& files, const FilterChoice& choice, std::uint
             star_[v].push_back(static_cast<std::uint32_t>(c));
         }
         Sphere ball;
-        smallest_circumsphere(points, &ball);
-        corners_.push_back(ball.centre());
-        corner_values_.push_back(function_(corners_.back()));
+        const bool known = smallest_circumsphere(points, &ball);
+        corners_.push_back(known ? ball.centre() : Place());
+        corner_values_.push_back(known ? function_(corners_.back()) : 0);
     }
     find_nearest();
     if (choice.filter == NETMESH_FILTER_TIGHT) gather_clumps();
@@ -143,7 +149,7 @@ void CellWalk::find_nearest() {
 
 Real CellWalk::farthest_corner(std::size_t v, const Place& from) const {
     Real far2 = 0;
-    for (const std::uint32_t c : star_[v]) far2 = std::max(far2, distance2(corners_[c], from));
+    for_each_corner(v, [&](const Place& corner, Real) { far2 = std::max(far2, distance2(corner, from)); });
     return std::sqrt(far2);
 }
 
@@ -153,11 +159,11 @@ Place CellWalk::towards(std::size_t v, const Place& goal) const {
     for (int step = 0; step < 50; step++) {
         const Place* best = nullptr;
         Real best_slope = 0;
-        for (const std::uint32_t c : star_[v]) {
+        for_each_corner(v, [&](const Place& corner, Real) {
             Real slope = 0;
-            for (std::size_t k = 0; k < x.size(); k++) slope += (goal[k] - x[k]) * (corners_[c][k] - x[k]);
-            if (slope > best_slope) best_slope = slope, best = &corners_[c];
-        }
+            for (std::size_t k = 0; k < x.size(); k++) slope += (goal[k] - x[k]) * (corner[k] - x[k]);
+            if (slope > best_slope) best_slope = slope, best = &corner;
+        });
         if (best == nullptr) break;
         const Real share = std::min<Real>(1, best_slope / distance2(x, *best));
         for (std::size_t k = 0; k < x.size(); k++) x[k] += share * ((*best)[k] - x[k]);
@@ -169,7 +175,7 @@ void CellWalk::look(std::size_t v, CellRange* seen) {
     const auto show = [&](Real f) { *seen = {std::min(seen->lo, f), std::max(seen->hi, f)}; };
     *seen = {unbounded, 0};
     show(function_(places_[v]));
-    for (const std::uint32_t c : star_[v]) show(corner_values_[c]);
+    for_each_corner(v, [&](const Place&, Real f) { show(f); });
     if (!is_exempt(v)) show(function_(towards(v, places_[nearest_[v][0]])));
     // Balls stand for the cells of inputs, and for those of clumps, where the distance to the points goes down to 0.
     const bool in_ball = !by_neighbours_ && (is_input(v) || (!clump_.empty() && clump_[v] != nobody));
@@ -277,7 +283,8 @@ CellOpinion CellWalk::take(Real claimed) {
         nearest = std::min(nearest, neighbour_[v]);
         for (const Real x : places_[v]) magnitude = std::max(magnitude, std::fabs(x));
     }
-    found_.tolerance = std::min<Real>(0.25L, found_.tolerance + 0x1p-44L * magnitude / nearest);
+    const Real unit = 0x1p-52L * std::sqrt(static_cast<Real>(node_.cloud.dim)) * magnitude;
+    found_.tolerance += std::min<Real>(5.2L * unit / nearest, 5.2L / 24);
     return std::move(found_);
 }
 

@@ -48,8 +48,10 @@ struct CellOpinion {
     std::vector<CellRange> seen;
     std::uint64_t places = 0;  // at which F was looked at
     // Share by which numbers of the engine may differ from these: 1e-9, which is far more than the roundings that it
-    // adds to its bounds, and 2^-44 coordinates' magnitude over the least distance of two vertices, as it knows corners
-    // in doubles only; at most a quarter, where points are 64 units in the last place apart.
+    // adds to its bounds, and what follows from its corners' coordinates being doubles. A corner c is off by up to
+    // u |c|, u = 2^-53, and the engine adds 4.2 u |c| to what cells reach and takes it from how near they come. All
+    // those lengths are at least half of the least distance n of two vertices: 10.4 u sqrt(D) magnitude / n of them.
+    // Refinement keeps n above 24 sqrt(D) units in the last place.
     Real tolerance = 1e-9L;
 };
 

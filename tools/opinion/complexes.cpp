@@ -68,7 +68,7 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_fl
         }
         // The remaining vertex of each cofacet, which has its value already, against them.
         std::map<Vertices, Real> first;
-        std::set<Vertices> attached;
+        std::set<Vertices> attached, doubtful;
         for (const FilteredSimplex& cofacet : list) {
             if (cofacet.vertices.size() != size + 1) continue;
             for (std::size_t i = 0; i <= size; i++) {
@@ -78,8 +78,9 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_fl
                 const Sphere& sphere = spheres[face];
                 const auto [at, added] = first.emplace(face, cofacet.value);
                 if (!added) at->second = std::min<Real>(at->second, cofacet.value);
-                const Real away = sphere.distance_to_centre(places_of(cloud, {other})[0]);
-                if (away < sphere.radius * (1 - 1e-13L)) attached.insert(face);
+                const int inside = sphere.holds(places_of(cloud, {other})[0]);
+                if (inside > 0) attached.insert(face);
+                if (inside == 0) doubtful.insert(face);
             }
         }
         for (const auto& [face, sphere] : spheres) {
@@ -87,7 +88,12 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_fl
             Real value = sphere.radius;
             const auto cofacet = first.find(face);
             if (cofacet != first.end()) value = std::min(value, cofacet->second);
-            if (attached.count(face) != 0) value = cofacet->second;
+            if (attached.count(face) != 0) {
+                value = cofacet->second;
+            } else if (doubtful.count(face) != 0 && cofacet->second > value * (1 + radius_tolerance / 8)) {
+                if (is_flat != nullptr) *is_flat = true;
+                return {};
+            }
             list.push_back({face, static_cast<double>(value)});
         }
     }

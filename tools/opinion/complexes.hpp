@@ -21,8 +21,8 @@ SimplexList lower_stars(const CellTable& cells, const std::vector<double>& value
                         std::uint32_t top);
 
 // The alpha complex: a face enters at the radius of its smallest circumscribed sphere when none of the vertices that it
-// has a cofacet with lies inside, otherwise with its first cofacet. Nothing and *is_flat where the vertices of a face
-// are affinely dependent to working precision.
+// has a cofacet with lies inside, otherwise with its first cofacet. Where the sphere does not tell, both must be the
+// same. Nothing and *is_flat where they are not, or the vertices of a face are affinely dependent to working precision.
 SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_flat = nullptr);
 
 // All sets of up to top + 1 different points: Rips at half of the longest edge, Cech at the radius of the smallest

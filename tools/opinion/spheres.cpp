@@ -1,7 +1,7 @@
 #include "tools/opinion/spheres.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace netmesh::tool {
 
@@ -13,83 +13,130 @@ Real distance2(const Place& a, const Place& b) {
 
 namespace {
 
-// Solves the square system rows * x = right by elimination with full rows exchanged; false when a pivot is 0.
-bool solve(std::vector<Place> rows, Place right, Place* x) {
-    const std::size_t n = right.size();
-    for (std::size_t c = 0; c < n; c++) {
-        std::size_t best = c;
-        for (std::size_t r = c + 1; r < n; r++) {
-            if (std::fabs(rows[r][c]) > std::fabs(rows[best][c])) best = r;
-        }
-        std::swap(rows[c], rows[best]);
-        std::swap(right[c], right[best]);
-        if (!(std::fabs(rows[c][c]) > 0)) return false;
-        for (std::size_t r = c + 1; r < n; r++) {
-            const Real factor = rows[r][c] / rows[c][c];
-            for (std::size_t k = c; k < n; k++) rows[r][k] -= factor * rows[c][k];
-            right[r] -= factor * right[c];
-        }
-    }
-    x->assign(n, 0);
-    for (std::size_t c = n; c-- > 0;) {
-        Real sum = right[c];
-        for (std::size_t k = c + 1; k < n; k++) sum -= rows[c][k] * (*x)[k];
-        (*x)[c] = sum / rows[c][c];
-    }
-    return true;
+constexpr Real most_error = 0x1p-45L;  // over the radius
+
+Wide dot(const WidePlace& a, const WidePlace& b) {
+    Wide sum;
+    for (std::size_t k = 0; k < a.size(); k++) sum = sum + a[k] * b[k];
+    return sum;
+}
+Real length(const WidePlace& a) { return std::sqrt(static_cast<Real>(dot(a, a).high)); }
+
+void add(WidePlace* a, const Wide& factor, const WidePlace& b) {
+    for (std::size_t k = 0; k < a->size(); k++) (*a)[k] = (*a)[k] + factor * b[k];
 }
 
-Real dot(const Place& a, const Place& b) {
-    Real sum = 0;
-    for (std::size_t k = 0; k < a.size(); k++) sum += a[k] * b[k];
-    return sum;
+// b - a, exactly.
+WidePlace edge(const Place& a, const Place& b) {
+    WidePlace e(a.size());
+    for (std::size_t k = 0; k < a.size(); k++) e[k] = exact_sum(static_cast<Half>(b[k]), -static_cast<Half>(a[k]));
+    return e;
+}
+
+// d_j with e_i . d_j = 1 where i = j, else 0, as well as it comes out: orthogonal directions of the edges, each made
+// orthogonal to those before it twice, then back substitution. Not a number where an edge depends on those before.
+std::vector<WidePlace> dual_edges(const std::vector<WidePlace>& edges) {
+    const std::size_t n = edges.size();
+    std::vector<WidePlace> across = edges, dual(n);
+    for (std::size_t i = 0; i < n; i++) {
+        for (std::size_t j = 0; j < 2 * i; j++) {
+            const WidePlace& q = across[j % i];
+            add(&across[i], -(dot(across[i], q) / dot(q, q)), q);
+        }
+    }
+    // across_j . e_i = 0 for i < j: the last is dual but for its length.
+    for (std::size_t j = n; j-- > 0;) {
+        const Wide unit = dot(across[j], edges[j]);
+        dual[j] = across[j];
+        for (Wide& x : dual[j]) x = x / unit;
+        for (std::size_t i = n; i-- > j + 1;) add(&dual[j], -dot(dual[j], edges[i]), dual[i]);
+    }
+    return dual;
 }
 
 }  // namespace
 
 Place Sphere::centre() const {
     Place sum = point;
-    for (std::size_t k = 0; k < sum.size(); k++) sum[k] += offset[k];
+    for (std::size_t k = 0; k < sum.size(); k++) sum[k] += static_cast<Real>(offset[k].high);
     return sum;
 }
 
 Real Sphere::distance_to_centre(const Place& place) const {
     Real sum = 0;
     for (std::size_t k = 0; k < place.size(); k++) {
-        const Real d = place[k] - point[k] - offset[k];
+        const Real d = place[k] - point[k] - static_cast<Real>(offset[k].high);
         sum += d * d;
     }
     return std::sqrt(sum);
 }
 
-// With edges e_i from the first point, the centre is p + sum of x_i e_i with e_j . sum x_i e_i = |e_j|^2 / 2. For D + 1
-// points the sum itself is solved for, which squares no condition number.
+// With f = place - point, which is exact, |f - x|^2 - |x|^2 = f . (f - 2 x). Its terms are at most |f| (|f| + 2 |x|),
+// and D + 3 operations take part in each; x is off by no more than the error.
+int Sphere::holds(const Place& place) const {
+    const WidePlace f = edge(point, place);
+    WidePlace rest = f;
+    add(&rest, {-2, 0}, offset);
+    const Real power = static_cast<Real>(dot(f, rest).high), size = length(f);
+    const Real rounding = static_cast<Real>(wide_error()) * (static_cast<Real>(f.size()) + 4);
+    const Real bound = 2.01L * size * error + rounding * size * (size + 2 * radius);
+    return power < -bound ? 1 : power > bound ? -1 : 0;
+}
+
+// With edges e_i from the first point the centre is p + x, x = sum of l_j e_j, where e_i . x = h_i = |e_i|^2 / 2.
+//
+// Whatever found them, l_j and d_j prove the error. Let E and D have the columns e_j and d_j, M = E^T D, and let all
+// rows of M - 1 have sums of absolute values of at most 1/2; so M^-1 takes no vector to one whose largest entry is more
+// than twice as large. With the projection P to the span of the edges, the true x* and r = h - E^T x = h - E^T P x,
+// x* - P x = E (E^T E)^-1 r. As P D = E (E^T E)^-1 M, that is P D M^-1 r, of length at most
+//
+//   2 max |r_i| sum |d_j|.
+//
+// r_i is computed with D + 3 operations on terms that add up to at most |e_i|^2 / 2 + |e_i| |x|. x itself leaves the
+// span by what n operations on terms that add up to sum |l_j| |e_j| lose. Three steps l += D^T D r make r small.
 bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere) {
     const std::size_t n = points.size() - 1, dim = points[0].size();
-    std::vector<Place> edges(n, Place(dim));
-    Place halves(n);
+    std::vector<WidePlace> edges;
+    for (std::size_t i = 0; i < n; i++) edges.push_back(edge(points[0], points[i + 1]));
+    const std::vector<WidePlace> dual = dual_edges(edges);
+    const Real share = static_cast<Real>(wide_error()) * (static_cast<Real>(dim) + 4);
+    Real dual_sum = 0, rounding = 0;
     for (std::size_t i = 0; i < n; i++) {
-        for (std::size_t k = 0; k < dim; k++) edges[i][k] = points[i + 1][k] - points[0][k];
-        halves[i] = dot(edges[i], edges[i]) / 2;
-    }
-    Place offset(dim, 0);
-    if (n == dim) {
-        if (!solve(edges, halves, &offset)) return false;
-    } else if (n > 0) {
-        std::vector<Place> gram(n, Place(n));
-        for (std::size_t i = 0; i < n; i++) {
-            for (std::size_t j = 0; j < n; j++) gram[i][j] = dot(edges[i], edges[j]);
+        Real row = 0;
+        for (std::size_t j = 0; j < n; j++) {
+            const Wide off = dot(edges[i], dual[j]) - Wide{i == j ? Half{1} : Half{0}, 0};
+            row += std::fabs(static_cast<Real>(off.high)) + share * length(edges[i]) * length(dual[j]);
         }
-        Place x;
-        if (!solve(gram, halves, &x)) return false;
+        if (!(row < 0.5L)) return false;
+        dual_sum += length(dual[i]) * 1.01L;
+    }
+    WidePlace x(dim), step(n), weights(n);
+    Real largest = 0, terms = 0;
+    for (int turn = 0; turn < 4; turn++) {
+        largest = rounding = 0;
         for (std::size_t i = 0; i < n; i++) {
-            for (std::size_t k = 0; k < dim; k++) offset[k] += x[i] * edges[i][k];
+            const Wide square = dot(edges[i], edges[i]);
+            step[i] = Wide{square.high / 2, square.low / 2} - dot(edges[i], x);
+            largest = std::max(largest, std::fabs(static_cast<Real>(step[i].high)));
+            const Real size = length(edges[i]);
+            rounding = std::max(rounding, share * size * (size + length(x)));
+        }
+        if (turn == 3) break;
+        WidePlace moved(dim);
+        for (std::size_t j = 0; j < n; j++) add(&moved, step[j], dual[j]);
+        x.assign(dim, Wide{});
+        terms = 0;
+        for (std::size_t j = 0; j < n; j++) {
+            weights[j] = weights[j] + dot(dual[j], moved);
+            add(&x, weights[j], edges[j]);
+            terms += std::fabs(static_cast<Real>(weights[j].high)) * length(edges[j]) * 1.01L;
         }
     }
     sphere->point = points[0];
-    sphere->offset = offset;
-    sphere->radius = std::sqrt(dot(offset, offset));
-    return true;
+    sphere->offset = x;
+    sphere->radius = length(x);
+    sphere->error = 2 * (largest + rounding) * dual_sum + share * terms;
+    return n == 0 || sphere->error <= most_error * sphere->radius;
 }
 
 Real enclosing_radius(const std::vector<Place>& points) {

@@ -1,26 +1,34 @@
-// Circumscribed spheres and smallest enclosing balls of a few points, in long doubles.
+// Circumscribed spheres and smallest enclosing balls of a few points.
 #pragma once
 #include <cstdint>
 #include <vector>
+
+#include "tools/opinion/wide.hpp"
 
 namespace netmesh::tool {
 
 using Real = long double;
 using Place = std::vector<Real>;  // a point of R^D
+using WidePlace = std::vector<Wide>;
 
 Real distance2(const Place& a, const Place& b);
 
 // The centre is kept from one of the points on: as a place it would be rounded to the points' magnitude, which can be
 // far above the radius.
 struct Sphere {
-    Place point, offset;
+    Place point;
+    WidePlace offset;
     Real radius = 0;
+    Real error = 0;  // the true centre is no farther away; at most 2^-45 times the radius
 
     Place centre() const;
     Real distance_to_centre(const Place& place) const;
+    // 1: the place, of doubles, lies inside; -1: outside; 0: not known, or on the sphere.
+    int holds(const Place& place) const;
 };
 
-// The smallest sphere through 1 to D+1 affinely independent points; false when they are not, to working precision.
+// The smallest sphere through 1 to D+1 affinely independent points whose coordinates are doubles; false when its error
+// would be larger than 2^-45 times its radius: then they are dependent but for their last digits.
 bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere);
 
 // The radius of the smallest ball that contains the points: the least sphere through some of them that contains all.

@@ -14,6 +14,7 @@
 #include "tools/io/cycle_file.hpp"
 #include "tools/opinion/cell_values.hpp"
 #include "tools/opinion/complexes.hpp"
+#include "tools/opinion/spheres.hpp"
 
 using namespace netmesh::tool;
 using netmesh::Engine;
@@ -115,6 +116,29 @@ TEST_CASE("opinion: cycles are born with their bars and die with them") {
                   {{{0}, {3}}, {0, 0.5, 0.75}, "has a cycle that does not die with it"},
                   {{}, {1, 3, 4}, "has no cycle"}};
     for (const auto& fault : faults) CHECK(complex.cycle_complaint(fault.chain, fault.bar) == fault.complaint);
+}
+
+// The Gram matrix of the first has the determinant 2^-80, that of the second 2^-100 and less.
+TEST_CASE("opinion: spheres through clusters and nearly flat simplices") {
+    const Real small = 0x1p-40L, tiny = 0x1p-50L;
+    Sphere sphere;
+    REQUIRE(smallest_circumsphere({{0, 0, 0}, {1, 0, 0}, {1, small, 0}}, &sphere));
+    CHECK(std::fabs(sphere.radius - std::sqrt(1 + small * small) / 2) < 1e-18L);
+    CHECK(std::fabs(sphere.distance_to_centre({0, small, 0}) - sphere.radius) < 1e-18L);
+    CHECK(sphere.holds({0.5, 0, 0x1.fffffffffp-2}) == 1);
+    CHECK(sphere.holds({0.5, 0, 0.5 + 0x1p-30}) == -1);
+    // A cluster of three or four, far from the first point, bent by its last bits.
+    for (const Real far : {1.0L, 1e4L}) {
+        const std::vector<Place> bent = {
+            {0, 0, 0, 0}, {far, small, 0, 0}, {far, 0, small, 0}, {far, small / 2, small / 2 + tiny, 0}};
+        REQUIRE(smallest_circumsphere(bent, &sphere));
+        CHECK(sphere.error <= 0x1p-45L * sphere.radius);
+        for (const Place& p : bent)
+            CHECK(std::fabs(sphere.distance_to_centre(p) - sphere.radius) <= 1e-17L * sphere.radius);
+        CHECK(sphere.centre()[3] == 0);
+    }
+    CHECK(!smallest_circumsphere({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}, &sphere));
+    CHECK(!smallest_circumsphere({{0, 0}, {0, 0}}, &sphere));
 }
 
 TEST_CASE("opinion: radii of alpha, Rips and Cech complexes") {
