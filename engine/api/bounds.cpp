@@ -14,7 +14,8 @@ Status bound(netmesh_context* context, Monitor& monitor, BoundedBars* bars) {
                                       {diagram.pairs.in(context), diagram.pairs.count}};
     if (filter == nullptr || !filter->has(filter_trait::bounds_by_scale))
         return bound_bars_by_ratio({diagram.certified_ratio, diagram.value_error,
-                                    diagram.filter == NETMESH_FILTER_FUNCTION ? diagram.certified_error : -1},
+                                    diagram.filter == NETMESH_FILTER_FUNCTION ? diagram.certified_error : -1,
+                                    filter == nullptr || filter->source != FilterSource::points},
                                    request.bars, work, bars);
     return with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;

@@ -81,6 +81,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
     diagram.max_degree = request.max_degree;
     diagram.k = find_filter(request.filter)->has(filter_trait::needs_k) ? request.k : 0;
     diagram.certified_ratio = diagram.certified_ratio_best = made.ratio;
+    diagram.value_error = made.value_error;
     const KeptInput input = {true,
                              true,
                              request.dim,

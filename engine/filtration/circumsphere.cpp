@@ -1,6 +1,7 @@
 #include "filtration/circumsphere.hpp"
 
 #include "numerics/double_double.hpp"
+#include "numerics/real.hpp"
 
 namespace netmesh {
 namespace {
@@ -87,9 +88,8 @@ void bring_pivot(Rows& rows, int j) {
     exchange(rows.at[j], rows.at[pivot]);
 }
 
-}  // namespace
-
-Circumsphere circumsphere_precise(const double* const* point, int k, int dim) {
+// weight, where it is asked for, [k + 1]: barycentric coordinates of the centre.
+Circumsphere solve(const double* const* point, int k, int dim, double* weight) {
     double reach = 0;
     for (int i = 0; i <= k; ++i)
         for (int d = 0; d < dim; ++d)
@@ -126,13 +126,78 @@ Circumsphere circumsphere_precise(const double* const* point, int k, int dim) {
         const int shorter = rows.largest - rows.size[j];
         const double stretch = power_within(shorter > 500 ? 500 : shorter);
         first = first - scaled(y[j], stretch);
+        if (weight != nullptr) weight[rows.at[j] + 1] = y[j].high * stretch;
         spread += stretch;
         if (y[j].high <= reach_of_tie) within |= 2u << rows.at[j];
     }
     if (first.high <= reach_of_tie * spread) within |= 1u;
     double radius = square_root(radius_squared) * power_within(rows.largest);
     if (!(radius <= largest_double * shrink)) radius = largest_double * shrink;
+    if (weight != nullptr) weight[0] = first.high;
     return {radius / shrink, within, 0};
+}
+
+// The distance of q from the point with these weights, in units: a power of two near the size of the simplex.
+double distance_to(const double* q, const double* const* point, const double* weight, int k, int dim, double unit) {
+    DoubleDouble sum = {0, 0};
+    for (int d = 0; d < dim; ++d) {
+        DoubleDouble x = scaled(two_difference(q[d], point[0][d]), unit);
+        for (int i = 1; i <= k; ++i)
+            x = x - scaled(two_difference(point[i][d], point[0][d]), unit) * DoubleDouble{weight[i], 0};
+        sum = sum + x * x;
+    }
+    return square_root(sum);
+}
+
+}  // namespace
+
+Circumsphere circumsphere_precise(const double* const* point, int k, int dim) { return solve(point, k, dim, nullptr); }
+
+// All vertices are in the ball about any point c out to the farthest of them: the smallest enclosing ball is no larger.
+// If c is in the simplex of some of the vertices, it is no smaller than the distance of the nearest of these: for any
+// other centre c' one of them, p, has (p - c) . (c' - c) <= 0, and is no nearer to c' than to c. As c serve the centres
+// of the smallest circumspheres of all sets of vertices that have theirs inside, with weights rounded to doubles: what
+// they are in truth is not asked. A distance is computed to 2^-52 and 2^-90 times the size of the simplex, which is at
+// most four times the radius.
+double enclosing_error(const double* const* point, int k, int dim, double radius) {
+    double reach = 0, coordinate = 0, lower = 0, upper = infinity;
+    for (int i = 0; i <= k; ++i)
+        for (int d = 0; d < dim; ++d) {
+            const double along = magnitude(point[i][d] - point[0][d]);
+            if (along > reach) reach = along;
+            if (magnitude(point[i][d]) > coordinate) coordinate = magnitude(point[i][d]);
+        }
+    if (!(reach > 0x1p-900 && coordinate < 0x1p980)) return infinity;
+    const double unit = power_within(-exponent(reach)), size = radius * unit;
+    double error = infinity;
+    for (unsigned set = 3; set < (2u << k) && error > 0x1p-50; ++set) {
+        const double* some[dim_max + 1];
+        int count = 0;
+        for (int i = 0; i <= k; ++i)
+            if ((set >> i & 1u) != 0) some[count++] = point[i];
+        if (count < 2) continue;
+        double weight[dim_max + 1], rest = 1, nearest = infinity, farthest = 0;
+        solve(some, count - 1, dim, weight);
+        bool inside = true;
+        for (int i = 1; i < count; ++i) {
+            inside = inside && weight[i] >= 0 && weight[i] <= rest;
+            rest = (rest - weight[i]) * (1 - 0x1p-52);
+        }
+        if (!inside) continue;
+        for (int i = 0; i < count; ++i) {
+            const double d = distance_to(some[i], some, weight, count - 1, dim, unit);
+            if (d < nearest) nearest = d;
+        }
+        for (int i = 0; i <= k; ++i) {
+            const double d = distance_to(point[i], some, weight, count - 1, dim, unit);
+            if (d > farthest) farthest = d;
+        }
+        if (nearest > lower) lower = nearest;
+        if (farthest < upper) upper = farthest;
+        const double above = size / lower - 1, below = 1 - size / upper;
+        error = (above > below ? above : below) + 0x1p-51;
+    }
+    return error;
 }
 
 }  // namespace netmesh

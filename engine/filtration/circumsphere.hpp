@@ -35,6 +35,11 @@ template <int K, int D> double radius_error(double volume);
 // those of the limit. 1 <= k <= dim <= 6.
 Circumsphere circumsphere_precise(const double* const* point, int k, int dim);
 
+// A bound on how far `radius` is from that of the smallest ball that contains the simplex, relative to the latter,
+// whatever the simplex and whoever computed the radius: about 2^-51 where that is nearly right. Infinite for
+// sizes below 2^-900 and coordinates above 2^980. O(2^k) solves of circumsphere_precise; 1 <= k <= dim.
+double enclosing_error(const double* const* point, int k, int dim, double radius);
+
 }  // namespace netmesh
 
 #include "filtration/circumsphere_fast.hpp"

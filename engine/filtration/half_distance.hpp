@@ -16,6 +16,21 @@ template <int D> double half_distance(const double* a, const double* b) {
     return circumsphere_precise(point, 1, D).radius;
 }
 
+// A bound on the relative error of half distances from `least` to `most`. A squared length has D + 2 roundings, the
+// root halves them and adds one. Those out of its range have a handful of 2^-98 and one or two, one of them to a number
+// that may be denormal; there is none for the largest double, which stands for all above. least > most: there are no
+// distances.
+template <int D> double half_distance_error(double least, double most) {
+    double error = 1.01 * unit_roundoff * (D / 2.0 + 2);
+    const double ends[] = {least, most};
+    for (const double half : ends) {
+        if ((half > 0x1p-450 && half < 0x1p499) || !(least <= most)) continue;
+        const double here = half >= 0x1.fffffffffffffp1023 ? infinity : 0x1p-51 + 0x1p-1073 / half;
+        if (here > error) error = here;
+    }
+    return error;
+}
+
 // Half the least distance within which some point has all others.
 template <int D> double cone_radius(const double* coordinates, std::uint32_t n) {
     double least = infinity;

@@ -97,11 +97,16 @@ Status list_cliques(const double* coordinates, std::uint32_t n, std::uint32_t di
     return status != Status::ok ? status : link_faces(*out, false, work, &fault);
 }
 
-template <int K, int D> Circumsphere circumsphere(const double* const* point) {
+struct KnownSphere {
     Circumsphere sphere;
-    return circumsphere_fast<K, D>(point, &sphere) ? sphere : circumsphere_precise(point, K, D);
+    double error;  // of the radius, and `within` is exact; negative: nothing is proven
+};
+template <int K, int D> KnownSphere circumsphere(const double* const* point) {
+    Circumsphere sphere;
+    if (circumsphere_fast<K, D>(point, &sphere)) return {sphere, radius_error<K, D>(sphere.volume)};
+    return {circumsphere_precise(point, K, D), -1};
 }
-template <int D> Circumsphere circumsphere_of(const double* const* point, std::uint32_t k) {
+template <int D> KnownSphere circumsphere_of(const double* const* point, std::uint32_t k) {
     if constexpr (D >= 6) {
         if (k == 6) return circumsphere<6, D>(point);
     }
@@ -117,9 +122,11 @@ template <int D> Circumsphere circumsphere_of(const double* const* point, std::u
     return circumsphere<2, D>(point);
 }
 
+// Raises *error to that of the value. With exact signs the ball is the simplex's own sphere or that of a facet, which
+// is known to the error so far.
 template <int D>
 double enclosing_radius(const double* coordinates, const FilteredComplex& complex, const std::uint32_t* labels,
-                        std::uint32_t k, std::uint32_t simplex) {
+                        std::uint32_t k, std::uint32_t simplex, double* error) {
     double value = 0;
     for (std::uint32_t i = 0; i <= k; ++i) {
         const double facet = complex.of[k - 1].value[complex.of[k].faces[std::size_t{simplex} * (k + 1) + i]];
@@ -130,8 +137,13 @@ double enclosing_radius(const double* coordinates, const FilteredComplex& comple
     const double* point[D + 1];
     vertices_of(complex, labels, k, simplex, vertices);
     for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates + std::size_t{vertices[i]} * D;
-    const Circumsphere sphere = circumsphere_of<D>(point, k);
-    return sphere.within == 0 && sphere.radius > value ? sphere.radius : value;
+    const KnownSphere known = circumsphere_of<D>(point, k);
+    const bool own = known.sphere.within == 0 && known.sphere.radius > value;
+    if (own) value = known.sphere.radius;
+    double here = known.sphere.within == 0 ? known.error : 0;
+    if (known.error < 0) here = enclosing_error(point, static_cast<int>(k), D, value);
+    if (here > *error) *error = here;
+    return value;
 }
 
 // The chains of nested sets that end in one set, from the top down: a chain of length m is a path of m - 1 steps.
@@ -201,14 +213,21 @@ Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32
 
 template <int D>
 Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
-                    ListedComplex* out) {
+                    ListedComplex* out, double* error) {
     const Status status = full_rips_complex<D>(coordinates, n, dimension, work, out);
     if (status != Status::ok) return status;
+    double least = infinity, most = 0;
+    for (std::uint32_t i = 0; i < (out->dimension > 0 ? out->count[1] : 0); ++i) {
+        const double half = out->value[1][i];
+        if (half < least) least = half;
+        if (half > most) most = half;
+    }
+    *error = half_distance_error<D>(least, most);
     const FilteredComplex complex = out->filtered();
     for (std::uint32_t k = 2; k <= out->dimension; ++k) {
         for (std::uint32_t i = 0; i < out->count[k]; ++i) {
             if (work.monitor.advance(i, k)) return Status::cancelled;
-            out->value[k][i] = enclosing_radius<D>(coordinates, complex, out->rows[0], k, i);
+            out->value[k][i] = enclosing_radius<D>(coordinates, complex, out->rows[0], k, i, error);
         }
     }
     return Status::ok;
@@ -285,7 +304,7 @@ double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, s
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);         \
     template Status full_rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);    \
-    template Status cech_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);
+    template Status cech_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

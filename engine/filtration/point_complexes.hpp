@@ -26,10 +26,11 @@ Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32
 
 // All simplices of up to dimension + 1 points. The value of a simplex is the radius of its smallest circumsphere if
 // that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball, never decreasing from
-// a face to its cofaces. Relative error about 1e-12 at most.
+// a face to its cofaces. *error: how far values are at most from the true ones, relative to these; nearly always below
+// 2^-40, infinite where nothing is known.
 template <int D>
 Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
-                    ListedComplex* out);
+                    ListedComplex* out, double* error);
 
 // The barycentric decomposition of `complex` (linked) on its simplices of at least k vertices, up to simplices of
 // `dimension`, each a chain of nested sets that enters with its largest set. Homology of degree p needs the sets of k

@@ -98,10 +98,12 @@ Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& ar
 
 namespace {
 
-// By the ratio, whose `most` has the values' own error in it.
-BarBounds by_ratio(const Pair& bar, double ratio, double slack, double most) {
+// By the ratio and the values' own error. Values in any order: phi and psi of the head are x c s, s the slack, and a
+// bar is real when its death is after c^2 s^2 times its birth.
+BarBounds by_ratio(const Pair& bar, double ratio, double slack, bool in_order) {
     const bool zero = bar.birth == 0;  // whatever the ratio: 0 times infinity is no number
-    const double real_after = zero ? 0 : bar.birth * ratio * ratio;
+    const double most = ratio * slack, least = in_order ? ratio : most * slack;
+    const double real_after = zero ? 0 : bar.birth * ratio * least;
     return {zero ? 0 : bar.birth / most,
             zero ? 0 : bar.birth * most,
             bar.death < infinity ? bar.death / most : infinity,
@@ -138,7 +140,7 @@ Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& are
     const bool is_additive = bound.error >= 0, has_ratio = ratio < infinity || !is_additive;
     double from = 0;
     for (std::uint64_t i = 0; i < bars.count; ++i) {
-        bounds[i] = has_ratio ? by_ratio(bars.pairs[i], ratio, slack, ratio * slack)
+        bounds[i] = has_ratio ? by_ratio(bars.pairs[i], ratio, slack, bound.in_order)
                               : BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0};
         if (is_additive) narrow(bars.pairs[i], bound.error, &bounds[i]);
         if (bars.pairs[i].birth < from) from = bars.pairs[i].birth;

@@ -58,12 +58,13 @@ struct ScaleCurve {
 Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 
-// What holds at every scale: the ratio; how far values are at most from those that it speaks of, relative to these,
-// which are in the same order and equal where the values are: then each bar of positive length stands for one; and the
-// additive bound, beside which there may be no ratio: infinite, and values of any sign.
+// What holds at every scale: the ratio; how far values are at most from those that it speaks of, relative to these;
+// whether these are in the same order and equal where the values are: then each bar of positive length stands for one
+// where the ratio is 1; and the additive bound, beside which there may be no ratio: infinite, and values of any sign.
 struct UniformBound {
     double ratio, value_error;
     double error = -1;  // negative: none
+    bool in_order = true;
 };
 
 // The same from one bound. Neither its value_error nor its additive bound is in the curve, which begins at 0 or, for

@@ -1,6 +1,7 @@
 #include "jobs/persist_points.hpp"
 
 #include "filtration/filters.hpp"
+#include "filtration/half_distance.hpp"
 #include "filtration/point_complexes.hpp"
 #include "filtration/rips_graph.hpp"
 #include "numerics/fingerprint.hpp"
@@ -88,14 +89,15 @@ double ratio_of(const PointsFilter& filter) {
 }
 
 template <int D>
-Status make_complex(const PointSet& points, const PointsFilter& filter, const Work& work, ListedComplex* out) {
+Status make_complex(const PointSet& points, const PointsFilter& filter, const Work& work, ListedComplex* out,
+                    double* error) {
     const std::uint32_t dimension = skeleton_dimension(filter, points.count);
     const double* const x = points.coordinates;
     ListedComplex sets;
     ListedComplex* const made = is_barycentric(filter) ? &sets : out;
     Status status;
     if (!has_edges(filter))
-        status = cech_complex<D>(x, points.count, dimension, work, made);
+        status = cech_complex<D>(x, points.count, dimension, work, made, error);
     else if (is_barycentric(filter))
         status = full_rips_complex<D>(x, points.count, dimension, work, made);
     else
@@ -112,12 +114,31 @@ Status persist_listed(const PointsRequest& request, const PointSet& set, const W
     const PointsFilter& filter = request.filter;
     ListedComplex& complex = out->complex;
     const Status status = with_dimension(request.dim, [&](auto dimension) {
-        return make_complex<decltype(dimension)::value>(set, filter, work, &complex);
+        return make_complex<decltype(dimension)::value>(set, filter, work, &complex, &out->value_error);
     });
     if (status != Status::ok) return status;
     ComplexRequest counted = {{filter.max_degree, request.keep_zero}, request.representatives};
     if (is_rips(filter)) counted.counted = filter.max_degree > 1 ? filter.max_degree : 1;
     return persist_complex(complex, counted, work, &out->diagram);
+}
+
+// Of values that are half distances, and of the factor on them. Those of simplices that no pair has are out of the
+// range in which squares are known only where they are above all pairs.
+void note_edge_error(const PointsRequest& request, PointsDiagram* out) {
+    double least = infinity, most = 0;
+    for (std::uint64_t i = 0; i < out->diagram.pairs.count; ++i) {
+        const Pair& pair = out->diagram.pairs.pairs[i];
+        if (pair.birth > 0 && pair.birth < least) least = pair.birth;
+        if (pair.birth > most) most = pair.birth;
+        if (pair.death < least && pair.death > 0) least = pair.death;
+        if (pair.death < infinity && pair.death > most) most = pair.death;
+    }
+    with_dimension(request.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        const double factor = factor_of(request.filter), error = half_distance_error<D>(least / factor, most / factor);
+        out->value_error = factor > 1 ? error + 1.01 * unit_roundoff : error;
+        return Status::ok;
+    });
 }
 
 // The diagram of a Rips complex from its edges alone, as far as there are numbers for its simplices.
@@ -153,7 +174,9 @@ Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram
     out->ratio = ratio_of(request.filter);
     bool done = false;
     if (is_rips(request.filter) && !request.representatives) status = persist_edges(request, set, work, out, &done);
-    return done ? status : persist_listed(request, set, work, out);
+    if (!done) status = persist_listed(request, set, work, out);
+    if (status == Status::ok && has_edges(request.filter)) note_edge_error(request, out);
+    return status;
 }
 
 // A diagram from the edges: these, their order and ranks, and the columns of two degrees with their pivots.

@@ -28,7 +28,8 @@ struct PointsRequest {
 
 struct PointsDiagram {
     ComplexDiagram diagram;
-    double ratio;  // of the diagram, and the best
+    double ratio;        // of the diagram, and the best
+    double value_error;  // births and deaths are off by at most this times those that the ratio speaks of
     std::uint32_t distinct;
     std::uint64_t input_fingerprint;
     std::uint64_t culprit;  // after not_finite: the row

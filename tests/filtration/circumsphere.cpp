@@ -244,3 +244,31 @@ TEST_CASE("the centre is as far from every vertex, whatever their order") {
                 CHECK(sphere.radius >= distance(points[i], points[j]) / 2 * (1 - 1e-15));
     }
 }
+
+TEST_CASE("how far a radius is from that of the smallest enclosing ball") {
+    const auto error = [](const std::vector<std::vector<double>>& points, double radius) {
+        std::vector<const double*> at;
+        for (const std::vector<double>& p : points) at.push_back(p.data());
+        return netmesh::enclosing_error(at.data(), static_cast<int>(points.size()) - 1,
+                                        static_cast<int>(points[0].size()), radius);
+    };
+    // Obtuse, right, on a line, and regular; a needle 2^-40 thin far from the origin; a sliver that holds its centre.
+    const double far = 0x1p20, thin = 0x1p-32;
+    const std::vector<std::pair<std::vector<std::vector<double>>, double>> known = {
+        {{{0, 0}, {1, 0}, {0.5, 0.1}}, 0.5},
+        {{{0, 0}, {4, 0}, {0, 3}}, 2.5},
+        {{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}, 1.5 * std::sqrt(3.0)},
+        {{{0, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 1, 0}, {0, 1, 1, 0}}, std::sqrt(0.75)},
+        {{{far, far}, {far + 1, far}, {far + 1, far + thin}}, 0.5},
+        {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0x1p-40}, {0, -1, 0x1p-40}}, 1}};
+    for (const auto& [points, radius] : known) {
+        CAPTURE(radius);
+        CHECK(error(points, radius) < 0x1p-49);
+        for (const double wrong : {1e-12, -1e-12, 1e-3, -1e-3}) {
+            const double found = error(points, radius * (1 + wrong));
+            CHECK(found >= std::fabs(wrong) * (1 - 1e-2));
+            CHECK(found <= std::fabs(wrong) * (1 + 1e-2) + 0x1p-49);
+        }
+    }
+    CHECK(error({{0, 0}, {1e-300, 0}, {0, 1e-300}}, 1e-300) == netmesh::infinity);
+}

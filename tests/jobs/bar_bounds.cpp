@@ -167,6 +167,11 @@ TEST_CASE("bounds by values that are off by little and in the true order") {
         CHECK(bounds[i].certain == (pairs[i].birth < pairs[i].death));
         CHECK(bounds[i].certain_after >= bounds[i].birth_high);
     }
+    // In any order: a bar is real when its ends are farther apart than both errors.
+    const Pair loose[] = {{2, 2 * (1 + 1.9 * error), 1, 0}, {2, 2 * (1 + 2.2 * error), 1, 0}};
+    REQUIRE(bound_by_ratio({1, error, -1, false}, {loose, 2}, block.arena, bounds, &curve) == Status::ok);
+    CHECK(bounds[0].certain == 0);
+    CHECK(bounds[1].certain == 1);
 }
 
 TEST_CASE("bounds by an additive error, with values of any sign") {

@@ -164,7 +164,8 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     }
     const Reproduction again(file, points, made, session);
     if (outcome.good())
-        outcome = again.compare({"domain", "certified-ratio", "certified-from", "certified-error", "reference"});
+        outcome = again.compare(
+            {"domain", "certified-ratio", "certified-from", "certified-error", "value-error", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said());
@@ -210,7 +211,8 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     });
     if (!outcome.good()) return explain_refusal(file, outcome);
     const Reproduction again(file, cloud, made, session);
-    outcome = again.compare({"dim", "domain", "certified-ratio", "certified-from", "certified-error", "reference"});
+    outcome = again.compare(
+        {"dim", "domain", "certified-ratio", "certified-from", "certified-error", "value-error", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said() + "; how the mesh was made is for --points alone to tell");

@@ -113,6 +113,9 @@ Head option_head(const Options& options) {
     return head.take();
 }
 
+// Whose values are radii that were computed, not chosen.
+bool has_value_error(netmesh_filter filter) { return filter == NETMESH_FILTER_ALPHA || is_on_points(filter); }
+
 Head head_of(const Options& options, const netmesh_report& report) {
     const netmesh_input_report& input = report.input;
     HeadWriter head;
@@ -132,6 +135,7 @@ Head head_of(const Options& options, const netmesh_report& report) {
     head.add("certified-ratio", report.diagram.certified_ratio);
     if (report.diagram.certified_from > 0) head.add("certified-from", report.diagram.certified_from);
     if (report.diagram.filter == NETMESH_FILTER_FUNCTION) head.add("certified-error", report.diagram.certified_error);
+    if (has_value_error(report.diagram.filter)) head.add("value-error", report.diagram.value_error);
     head.add("reference", reference_name(report));
     lines = head.take();
     all.insert(all.end(), lines.begin(), lines.end());
@@ -234,11 +238,13 @@ Outcome HeadReader::check_names() {
     for (const char* fact : facts) due.push_back({fact, ""});
     if (is_meshed(found_.options)) due.push_back({"domain", ""});
     if (filter_of(found_.options) == NETMESH_FILTER_FUNCTION) due.push_back({"certified-error", ""});
+    if (has_value_error(filter_of(found_.options))) due.push_back({"value-error", ""});
     for (const HeadLine& line : found_.lines) {
         if (find_line(found_.lines, line.name) != &line)
             return fault(line, "the head says that twice; leave one of the two lines out");
         if (find_line(due, line.name) != nullptr || line.name == "certified-from") continue;
-        if (!is_option(line.name) && line.name != "domain" && line.name != "certified-error")
+        if (!is_option(line.name) && line.name != "domain" && line.name != "certified-error" &&
+            line.name != "value-error")
             return fault(line, "not a line of a head; comments of your own go behind the bars or before the head");
         return fault(line, "contradicts the other lines: a diagram of " + choice_text(choice_of(found_.options)) +
                                " that is made as they say does not have it");
@@ -266,7 +272,7 @@ Outcome HeadReader::check_facts() {
     const HeadLine* const domain = found_.find("domain");
     if (domain != nullptr && !is_ball(domain->value, dim))
         return fault(*domain, "must be a centre of as many coordinates as # dim says, and a radius above 0");
-    for (const char* name : {"certified-ratio", "certified-from", "certified-error"}) {
+    for (const char* name : {"certified-ratio", "certified-from", "certified-error", "value-error"}) {
         const HeadLine* const line = found_.find(name);
         const double least = name == std::string_view("certified-ratio") ? 1 : 0;
         if (line != nullptr && !is_number(line->value, least))

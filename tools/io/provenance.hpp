@@ -6,12 +6,13 @@
 //   options of persist  filter k values function lipschitz cut error method finish tau fit memory ratio focus from to
 //                       eps theta max-degree all bounds seed
 //   of the input        dim points duplicates input
-//   of the result       domain certified-ratio certified-from certified-error reference
+//   of the result       domain certified-ratio certified-from certified-error value-error reference
 //
 // Options are what decides the bars, each with the value that was used, given or not: `netmesh persist POINTS` with all
 // of them makes the same file. `input` is the fingerprint of the coordinates, as in JSON; `domain` centre and radius of
 // the ball that was meshed; `reference` the function that the ratio is about, from the scale `certified-from` on;
-// `certified-error`, of the filter function, how far births and deaths are off at most.
+// `certified-error`, of the filter function, how far births and deaths are off at most; `value-error`, of alpha and
+// filters on points, the share of themselves by which they are.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace netmesh::tool {
 
@@ -31,6 +32,28 @@ WidePlace edge(const Place& a, const Place& b) {
     WidePlace e(a.size());
     for (std::size_t k = 0; k < a.size(); k++) e[k] = exact_sum(static_cast<Half>(b[k]), -static_cast<Half>(a[k]));
     return e;
+}
+
+// Pairs of points, those with the shorter edge first where one can choose; each first one is the first point or the
+// second one of an earlier pair.
+std::vector<std::pair<std::size_t, std::size_t>> spanning_tree(const std::vector<Place>& points) {
+    std::vector<std::pair<std::size_t, std::size_t>> tree;
+    std::vector<bool> reached(points.size(), false);
+    reached[0] = true;
+    while (tree.size() + 1 < points.size()) {
+        Real least = HUGE_VALL;
+        std::pair<std::size_t, std::size_t> best;
+        for (std::size_t i = 0; i < points.size(); i++) {
+            for (std::size_t j = 0; j < points.size(); j++) {
+                if (!reached[i] || reached[j] || !(distance2(points[i], points[j]) < least)) continue;
+                least = distance2(points[i], points[j]);
+                best = {i, j};
+            }
+        }
+        tree.push_back(best);
+        reached[best.second] = true;
+    }
+    return tree;
 }
 
 // d_j with e_i . d_j = 1 where i = j, else 0, as well as it comes out: orthogonal directions of the edges, each made
@@ -83,24 +106,36 @@ int Sphere::holds(const Place& place) const {
     return power < -bound ? 1 : power > bound ? -1 : 0;
 }
 
-// With edges e_i from the first point the centre is p + x, x = sum of l_j e_j, where e_i . x = h_i = |e_i|^2 / 2.
+// The edges e_i of a shortest spanning tree: clusters keep the digits of their own short edges. From the first point p
+// on the centre is p + x, x in the span of the edges, e_i . x = h_i = e_i . (f + g) / 2 with f and g from p to the
+// ends.
 //
-// Whatever found them, l_j and d_j prove the error. Let E and D have the columns e_j and d_j, M = E^T D, and let all
-// rows of M - 1 have sums of absolute values of at most 1/2; so M^-1 takes no vector to one whose largest entry is more
-// than twice as large. With the projection P to the span of the edges, the true x* and r = h - E^T x = h - E^T P x,
-// x* - P x = E (E^T E)^-1 r. As P D = E (E^T E)^-1 M, that is P D M^-1 r, of length at most
+// Whatever found them, x and d_j prove the error. Let E and D have the columns e_j and d_j, M = E^T D, and let all rows
+// of 1 - M have sums of absolute values of at most v <= 1/2, so that no vector that M^-1 makes has entries of more than
+// twice the largest before. With the projection P to the span of the edges, the true x* and r = h - E^T x = h - E^T P
+// x, x* - P x = E (E^T E)^-1 r. As P D = E (E^T E)^-1 M, that is P D M^-1 r, and M^-1 r = r + (1 - M) M^-1 r:
 //
-//   2 max |r_i| sum |d_j|.
+//   |x* - P x| <= sum of |d_j| (|r_j| + 2 v max |r_i|).
 //
-// r_i is computed with D + 3 operations on terms that add up to at most |e_i|^2 / 2 + |e_i| |x|. x itself leaves the
-// span by what n operations on terms that add up to sum |l_j| |e_j| lose. Three steps l += D^T D r make r small.
+// r_i is computed with D + 4 operations on terms that add up to at most |e_i| (max |f| + |x|). x - P x is no longer
+// than x - sum of l_j e_j for any l_j, such as d_j . x; there D + n operations take part. Three steps x += D r make r
+// small.
 bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere) {
     const std::size_t n = points.size() - 1, dim = points[0].size();
     std::vector<WidePlace> edges;
-    for (std::size_t i = 0; i < n; i++) edges.push_back(edge(points[0], points[i + 1]));
+    WidePlace half(n);
+    Real reach = 0;
+    for (const auto& [from, to] : spanning_tree(points)) {
+        edges.push_back(edge(points[from], points[to]));
+        WidePlace ends = edge(points[0], points[from]);
+        add(&ends, {1, 0}, edge(points[0], points[to]));
+        const Wide twice = dot(edges.back(), ends);
+        half[edges.size() - 1] = {twice.high / 2, twice.low / 2};
+        reach = std::max(reach, std::sqrt(distance2(points[0], points[to])) * 1.01L);
+    }
     const std::vector<WidePlace> dual = dual_edges(edges);
-    const Real share = static_cast<Real>(wide_error()) * (static_cast<Real>(dim) + 4);
-    Real dual_sum = 0, rounding = 0;
+    const Real share = static_cast<Real>(wide_error()) * (2 * static_cast<Real>(dim) + 5);
+    Real most = 0;
     for (std::size_t i = 0; i < n; i++) {
         Real row = 0;
         for (std::size_t j = 0; j < n; j++) {
@@ -108,34 +143,28 @@ bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere) {
             row += std::fabs(static_cast<Real>(off.high)) + share * length(edges[i]) * length(dual[j]);
         }
         if (!(row < 0.5L)) return false;
-        dual_sum += length(dual[i]) * 1.01L;
+        most = std::max(most, row);
     }
-    WidePlace x(dim), step(n), weights(n);
-    Real largest = 0, terms = 0;
+    WidePlace x(dim), rest(n);
     for (int turn = 0; turn < 4; turn++) {
-        largest = rounding = 0;
-        for (std::size_t i = 0; i < n; i++) {
-            const Wide square = dot(edges[i], edges[i]);
-            step[i] = Wide{square.high / 2, square.low / 2} - dot(edges[i], x);
-            largest = std::max(largest, std::fabs(static_cast<Real>(step[i].high)));
-            const Real size = length(edges[i]);
-            rounding = std::max(rounding, share * size * (size + length(x)));
-        }
-        if (turn == 3) break;
-        WidePlace moved(dim);
-        for (std::size_t j = 0; j < n; j++) add(&moved, step[j], dual[j]);
-        x.assign(dim, Wide{});
-        terms = 0;
-        for (std::size_t j = 0; j < n; j++) {
-            weights[j] = weights[j] + dot(dual[j], moved);
-            add(&x, weights[j], edges[j]);
-            terms += std::fabs(static_cast<Real>(weights[j].high)) * length(edges[j]) * 1.01L;
-        }
+        for (std::size_t i = 0; i < n; i++) rest[i] = half[i] - dot(edges[i], x);
+        for (std::size_t j = 0; j < n && turn < 3; j++) add(&x, rest[j], dual[j]);
     }
+    WidePlace beside = x;
+    std::vector<Real> residual(n);
+    Real largest = 0, terms = 0, error = 0;
+    for (std::size_t j = 0; j < n; j++) {
+        const Wide weight = dot(dual[j], x);
+        add(&beside, -weight, edges[j]);
+        terms += std::fabs(static_cast<Real>(weight.high)) * length(edges[j]);
+        residual[j] = std::fabs(static_cast<Real>(rest[j].high)) + share * length(edges[j]) * (reach + length(x));
+        largest = std::max(largest, residual[j]);
+    }
+    for (std::size_t j = 0; j < n; j++) error += length(dual[j]) * (residual[j] + 2 * most * largest);
     sphere->point = points[0];
     sphere->offset = x;
     sphere->radius = length(x);
-    sphere->error = 2 * (largest + rounding) * dual_sum + share * terms;
+    sphere->error = 1.01L * (error + length(beside) + share * terms);
     return n == 0 || sphere->error <= most_error * sphere->radius;
 }
 

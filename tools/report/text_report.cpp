@@ -146,8 +146,8 @@ std::string diagram_lines(const netmesh_report& engine) {
                 ": births and deaths are off by at most that\n";
     }
     if (diagram.value_error > 0) {
-        text += "exact    no bar is dropped or made; births and deaths to " +
-                rounded_text(1.005 * diagram.value_error, 3) + " of themselves\n";
+        text += diagram.filter == NETMESH_FILTER_ALPHA ? "exact    no bar is dropped or made; " : "rounding ";
+        text += "births and deaths to " + rounded_text(1.005 * diagram.value_error, 3) + " of themselves\n";
     }
     if (engine.bounds.present != 0)
         text += "real     " + by_degree(engine.bounds.certain, engine.bounds.max_degree, true) + " bars surely real\n";

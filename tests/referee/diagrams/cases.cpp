@@ -101,10 +101,11 @@ Verdict judge_made(const PointSet& set, const Way& way, const Made& made, const 
     judge_head(set, way, diagram, fingerprint, &verdict);
     judge_form(diagram, made.json, way.top, &verdict);
     const Truth& truth = set.truth(way);
+    if (way.promise != Promise::by_ratio) judge_value_error(diagram, made.value_error, &verdict);
     if (way.promise == Promise::exact) {
         judge_exact(diagram, truth, way.top, made.value_error, &verdict);
     } else if (way.promise == Promise::near) {
-        judge_near(diagram, truth, way.top, &verdict);
+        judge_near(diagram, truth, way.top, made.value_error, &verdict);
     } else {
         judge_ratio(diagram, truth, way.top, &verdict);
     }

@@ -288,9 +288,18 @@ void judge_exact(const DiagramFile& diagram, const Truth& truth, int top, double
     if (found != due) verdict->add("exact", "the bars join other births and deaths than the true ones");
 }
 
-void judge_near(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict) {
+void judge_value_error(const DiagramFile& diagram, double value_error, Verdict* verdict) {
+    if (!(value_error > 0 && value_error < 1e-9)) verdict->add("error", "a value_error of " + exact_text(value_error));
+    if (diagram.number("value-error", -1) != value_error)
+        verdict->add("error", "\"# value-error " + diagram.text("value-error") + "\" where the report has " +
+                                  exact_text(value_error));
+}
+
+// Values are within value_error of those that the ratio c speaks of: at most 1 / (1 - value_error) times those, and no
+// less than one by that.
+void judge_near(const DiagramFile& diagram, const Truth& truth, int top, double value_error, Verdict* verdict) {
     DiagramFile wide = diagram;
-    wide.set("certified-ratio", exact_text(diagram.ratio() * (1 + 0x1p-40)));
+    wide.set("certified-ratio", exact_text(std::nextafter(diagram.ratio() / (1 - value_error), INFINITY)));
     Verdict near;
     judge_ratio(wide, truth, top, &near);
     for (const Fault& fault : near.faults) verdict->add("near", fault.text);

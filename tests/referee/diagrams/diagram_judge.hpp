@@ -11,7 +11,7 @@
 //             so do all that the scales do not allow to be left over.
 //   exact     alpha: as many bars of positive length as there are, births and deaths in the order of the true ones,
 //             different where these are, and within `value_error` of them.
-//   near      filters on the points themselves: the ratio, but for 2^-40 of rounded radii.
+//   near      filters on the points themselves: the ratio, but for value_error.
 #pragma once
 #include "../verdict.hpp"
 #include "diagram_file.hpp"
@@ -23,7 +23,9 @@ void judge_ratio(const DiagramFile& diagram, const Truth& truth, int top, Verdic
 void judge_scales(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict);
 void judge_bounds(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict);
 void judge_exact(const DiagramFile& diagram, const Truth& truth, int top, double value_error, Verdict* verdict);
-void judge_near(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict);
+void judge_near(const DiagramFile& diagram, const Truth& truth, int top, double value_error, Verdict* verdict);
+// What a file says of it and a report, which value_error is from.
+void judge_value_error(const DiagramFile& diagram, double value_error, Verdict* verdict);
 
 // The least ratio, to 2^-12 of it, for which judge_ratio finds nothing; above `most`: most.
 double true_ratio(DiagramFile diagram, const Truth& truth, int top, double most);

@@ -85,6 +85,11 @@ const std::vector<DiagramPlant>& diagram_plants() {
              return set_line(made, "certified-ratio", exact_text(std::sqrt(ratio)));
          },
          false},
+        {"cech", "a value_error that is too small",
+         [](Made* made, const Ground&, Random&) {
+             return set_line(made, "value-error", exact_text(made->value_error / 2));
+         },
+         false},
         {"complete", "a bar is missing",
          [](Made* made, const Ground&, Random& random) { return remove_longest(made, random); }, false},
         {"complete", "a bar twice",

@@ -90,6 +90,7 @@ std::vector<Way> ways_to_persist(int dim, std::size_t k, double width, Random& r
     for (const bool zero : {false, true}) {
         Way& way = zero ? ways.add("alpha", {{"all", ""}}) : ways.add("alpha", {{"bounds", ""}});
         way.promise = Promise::exact;
+        way.has_mesh = true;
         way.ratio_most = 1;
     }
     for (const int top : {1, dim}) {
