@@ -34,7 +34,7 @@ std::string fingerprint_of(const Tool& tool) {
 }
 
 // `check` alone, and with the mesh and the cycles.
-std::string check_files(const Tool& tool, const PointSet& set, const Way& way, const Made& made, unsigned seconds) {
+std::string check_files(const Tool& tool, const Way& way, const Made& made, unsigned seconds) {
     const std::string points = tool.path("trial.txt");
     Outcome outcome = tool.run({"check", tool.path("trial.pers"), "--points", points, "--quiet"}, seconds);
     if (outcome.exit != done && outcome.exit != out_of_time)
@@ -85,7 +85,7 @@ void try_way(const Tool& tool, const DiagramSettings& settings, const PointSet& 
     account->by_scale += made.diagram.steps.empty() ? 0 : 1;
     account->cycles += static_cast<int>(made.cycles.size());
     std::string what = faults_text(verdict);
-    const std::string refusal = check_files(tool, set, way, made, 60);
+    const std::string refusal = check_files(tool, way, made, 60);
     if (!refusal.empty()) what += refusal;
     if (!what.empty()) fail(tool, settings, whole, what, account);
     if (refusal.empty()) account->checked++;
