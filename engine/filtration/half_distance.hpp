@@ -17,9 +17,9 @@ template <int D> double half_distance(const double* a, const double* b) {
 }
 
 // A bound on the relative error of half distances from `least` to `most`. A squared length has D + 2 roundings, the
-// root halves them and adds one. Those out of its range have a handful of 2^-98 and one or two, one of them to a number
-// that may be denormal; there is none for the largest double, which stands for all above. least > most: there are no
-// distances.
+// root halves them and adds one. Lengths whose squares are out of range are computed in twice the digits: that adds a
+// few 2^-98 and at most two roundings, the last perhaps to a denormal number. The largest double stands for all lengths
+// above it, so there is no bound for it. least > most: there are no distances.
 template <int D> double half_distance_error(double least, double most) {
     double error = 1.01 * unit_roundoff * (D / 2.0 + 2);
     const double ends[] = {least, most};

@@ -122,8 +122,8 @@ Status persist_listed(const PointsRequest& request, const PointSet& set, const W
     return persist_complex(complex, counted, work, &out->diagram);
 }
 
-// Of values that are half distances, and of the factor on them. Those of simplices that no pair has are out of the
-// range in which squares are known only where they are above all pairs.
+// Of values that are half distances, and of the factor on them. The least value of all is a birth or a death of degree
+// 0, so a value outside of the range of the pairs is above all of them.
 void note_edge_error(const PointsRequest& request, PointsDiagram* out) {
     double least = infinity, most = 0;
     for (std::uint64_t i = 0; i < out->diagram.pairs.count; ++i) {

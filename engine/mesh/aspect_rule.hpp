@@ -124,16 +124,17 @@ protected:
     bool may_be_blurred(const Vertex<D>& vertex) const {
         return vertex.nearest2 < 0x1p-55 * dot<D>(vertex.x, vertex.x);
     }
-    // v's cell, as computed, is good in the ball: may it be bad in truth? Then *found is a point of it that is farther
-    // from v than it may be or nearer by no more than the blur; otherwise its distance2 is negative. False when the gap
-    // is too small for v's star.
+    // v's cell, as computed, is good in the ball: may it be bad in truth? Then *found is a point of the computed cell
+    // that is farther from v than what the cell may have, less the blur; otherwise its distance2 is negative. False
+    // when the gap is too small for v's star.
     [[gnu::cold, gnu::noinline]] bool find_blurred(const Domain<D>& ball, VertexId v, Corner<D>* found) {
         *found = Corner<D>{};
         double blur = 0;
         bool fits = this->kernel_.visit_star(v, [&](CellId c) {
             const Cell<D>& cell = this->store_.cell(c);
-            if (!(cell.radius2<infinity&& static_cast<double>(cell.error)> corner_error_max)) return;
-            const double wrong = static_cast<double>(cell.error) * square_root(cell.radius2);
+            const double share = static_cast<double>(cell.error);
+            if (!(cell.radius2 < infinity) || !(share > corner_error_max)) return;
+            const double wrong = share * square_root(cell.radius2);
             if (wrong > blur) blur = wrong;
         });
         if (!fits || blur == 0) return fits;

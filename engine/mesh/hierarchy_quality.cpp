@@ -205,7 +205,8 @@ template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uin
     for (int i = 0; i < D; ++i) off += 0x1p-51 * (absolute(store_.point(cage.centre)[i]) + cage.radius);
     std::uint64_t seen[(RootTemplate<D>::size + 63) / 64] = {};
     visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double d2) {
-        bool& looked_at = leaves_ball_[v];  // in another cell; what it is for comes later
+        // A vertex is visited in each of its cells. The marks have no other use before measuring, which clears them.
+        bool& looked_at = leaves_ball_[v];
         if (looked_at || domain_[v] != d || !(d2 > 0.25 * radius * radius)) return;
         looked_at = true;
         if (store_.vertex(v).marker != Marker::exempt && !has_yielded(v)) return;
