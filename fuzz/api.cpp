@@ -139,6 +139,7 @@ private:
         request.bounds = tape_.byte() & 1;
         if (tape_.byte() & 1) request.filter = static_cast<netmesh_filter>(tape_.below(9));
         if (tape_.byte() & 1) request.values = NETMESH_VALUES_THESIS;
+        request.whole_cells = tape_.rarely() ? 1 : 0;
         request.k = tape_.below(4);
         if (tape_.rarely()) request.points = nullptr;
         if (ended(netmesh_fit(context_, maybe<netmesh_fit_request>(request, c))) != NETMESH_OK) return;
@@ -148,6 +149,7 @@ private:
         require(!laddered || r.diagram.certified_ratio <= r.mesh.certificate.ratio);
         netmesh_mesh_request made = c.mesh_request();
         made.certificate = r.mesh.certificate;
+        made.whole_cells = r.mesh.clipped == 0 ? 1 : 0;
         require(checked(15, made, c) != NETMESH_CHECK_FAILED);
     }
     void persist() {

@@ -58,6 +58,7 @@ struct Choices {
     std::uint64_t seed = 1;
     netmesh_sizes sizes = {0, nullptr, nullptr};
     netmesh_certificate_goal certificate = {0, 0, 0, 0};
+    std::uint32_t whole_cells = 0;
 
     // Mostly none; otherwise one. *dim: of this call, and of all that follow if the bytes say so.
     static Choices read(Tape& tape, std::uint32_t* dim, int* polls_left, Well* well);
@@ -72,6 +73,7 @@ struct Choices {
         r.tight_eps = eps;
         r.sizes = sizes;
         r.certificate = certificate;
+        r.whole_cells = whole_cells;
         r.finish = finish;
         r.cage_kind = cage_kind;
         r.audit = audit;
@@ -122,7 +124,10 @@ inline Choices Choices::read(Tape& tape, std::uint32_t* dim, int* polls_left, We
         break;
     case 12: c.seed = tape.byte(); break;
     case 13: c.tau = 2 + tape.byte() / 64.0; break;
-    case 14: c.certificate.ratio = 1.75 + tape.byte() / 64.0; break;
+    case 14:
+        c.certificate.ratio = 1.75 + tape.byte() / 64.0;
+        c.whole_cells = tape.byte() & 1;
+        break;
     case 15: read_goal(tape, &c.certificate); break;
     case 16: c.audit = tape.below(5); break;
     default: {

@@ -335,6 +335,9 @@ const std::vector<OptionEntry>& option_entries() {
         {"--ratio", persist | check, "C", apply_ratio,
          "refine by the certificate until this ratio is certified, above 1.4142 (sqrt(2 + tau)): complete filter; in\n"
          "                    place of --eps tight, and scales with both numbers 1 + 3 theta times as large"},
+        {"--whole-cells", persist | check, nullptr, apply_switch<&Options::whole_cells>,
+         "refine by the certificate for whole Voronoi cells, not for cells clipped to a ball around the points: more\n"
+         "                    vertices for the same ratio"},
         {"--focus", persist | check, "C", apply_focus,
          "certify this ratio, above 1, of what matters to radii --from to --to"},
         {"--from", persist | check, "A", apply_from, "least radius of interest"},

@@ -191,6 +191,10 @@ bool refines_by_certificate(const Options& options) {
            choice.values == NETMESH_VALUES_CERTIFIED;
 }
 
+bool clips_cells(const Options& options) {
+    return refines_by_certificate(options) && about(filter_of(options)).clips_cells != 0;
+}
+
 Outcome check_ratio(const Options& options) {
     const bool focused = options.focus > 0 || options.from > 0 || options.to > 0;
     if (options.command == Command::persist && (options.ratio || focused || options.fit) &&
@@ -200,6 +204,8 @@ Outcome check_ratio(const Options& options) {
                         : "--ratio and --focus are for the complete filter, and with --ratio for tight and scales; "
                           "with certified values, without --method");
     }
+    if (options.command == Command::persist && options.whole_cells && !clips_cells(options))
+        return usage_error("--whole-cells is for meshes refined by the certificate for the complete or basic filter");
     if (focused && about(filter_of(options)).has_theta != 0)
         return usage_error("--focus is of one mesh: not for scales");
     if (options.fit && options.memory_bytes == 0) return usage_error("--fit needs --memory, the size to fit in");

@@ -43,6 +43,7 @@ struct Options {
     double size_at_inputs = 0, size_growth = 0;  // over-refinement by the distance to the inputs; 0: not given
     double domain_factor = 0;                    // 0: not given
     double net_spacing = 0;                      // 0: not given
+    bool whole_cells = false;                    // of refinement by the certificate
     double pace_theta = 0;                       // of --pace; 0: not given
     std::optional<netmesh_filter> filter;
     std::optional<netmesh_values> values;
@@ -84,6 +85,8 @@ inline netmesh_filter filter_of(const Options& options) { return choice_of(optio
 
 // Whether the mesh is refined by the certificate, and what is wrong with the options that say how.
 bool refines_by_certificate(const Options& options);
+// Whether its cells are clipped unless --whole-cells says otherwise.
+bool clips_cells(const Options& options);
 Outcome check_ratio(const Options& options);
 
 // Whether --eps is a promise about the diagram and not a size of cells; and what is wrong with --eps and --theta for

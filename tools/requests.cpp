@@ -51,6 +51,7 @@ requests::Mesh mesh_request(const Options& options, std::uint32_t dim) {
     mesh.audit = options.audit;
     if (refines_by_certificate(options))
         mesh.certificate = goal_of(options, options.ratio.value_or(options.fit ? 0 : default_ratio(mesh)));
+    mesh.whole_cells = options.whole_cells || !clips_cells(options) ? 1 : 0;
     return mesh;
 }
 
@@ -80,6 +81,7 @@ requests::Fit fit_request(const Options& options, std::uint32_t dim) {
     fit.filter = choice_of(options).filter;
     fit.values = choice_of(options).values;
     fit.k = options.k.value_or(1);
+    fit.whole_cells = options.whole_cells ? 1 : 0;
     return fit;
 }
 

@@ -118,9 +118,12 @@ Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Mon
     Interval* const interval = context.arena.take_high<Interval>(store.state.vertex_count);
     if (value == nullptr || interval == nullptr) return Status::out_of_memory;
     Evaluation evaluation = {value, interval};
-    const Status status =
-        evaluate<D>(filtered_mesh_of<D>(context, store), {NETMESH_FILTER_COMPLETE, FilterValues::certified},
-                    {context.arena, monitor}, &evaluation);
+    const FilterRequest filter = {NETMESH_FILTER_COMPLETE, FilterValues::certified};
+    const FilteredMesh<D> mesh = filtered_mesh_of<D>(context, store);
+    const Work work = {context.arena, monitor};
+    ClippedCells<D> cells;
+    Status status = clip_cells<D>({store, mesh.domain, mesh.inputs, goal.clipped}, filter, work, &cells);
+    if (status == Status::ok) status = evaluate<D>(cells.of(mesh), filter, work, &evaluation);
     if (status != Status::ok) return status;
     for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr; ++v) {
         const Interval& i = interval[v];

@@ -83,6 +83,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("mesh.focus_ratio", real, mesh.certificate.focus_ratio, domain, on_request | positive, 0),
         ONE("mesh.focus_from", real, mesh.certificate.focus_from, domain, on_request | positive, 0),
         ONE("mesh.focus_to", real, mesh.certificate.focus_to, domain, on_request | positive, 0),
+        ONE("mesh.clipped", flag, mesh.clipped, domain, on_request | positive, 0),
         ONE("mesh.size_eps", real, mesh.sizes.eps, domain, on_request | positive, 0),
         ONE("mesh.size_ratio_max", real, mesh.sizes.ratio_max, domain, on_request | positive, 0),
         ARRAY("mesh.domain", real, mesh.domain, NETMESH_DIM_MAX + 1, domain, input.dim, 1, 0, 0),

@@ -23,6 +23,7 @@ netmesh_filter_info info_of(const Filter& filter) {
     info.has_goal = filter.has(has_goal);
     info.has_representatives = filter.has(has_cycles);
     info.bounds_by_scale = filter.has(bounds_by_scale);
+    info.clips_cells = filter.has(clips_cells);
     return info;
 }
 

@@ -19,7 +19,11 @@ Status measure_focus(Context& context, const netmesh_fit_request& request, const
     Evaluation cells = {context.arena.take_high<double>(count), context.arena.take_high<Interval>(count)};
     if (cells.value == nullptr || cells.interval == nullptr) return Status::out_of_memory;
     Monitor monitor = monitor_of(request.monitor);
-    const Status status = evaluate<D>(filtered_mesh_of<D>(context, store), filter, {context.arena, monitor}, &cells);
+    const FilteredMesh<D> mesh = filtered_mesh_of<D>(context, store);
+    const Work work = {context.arena, monitor};
+    ClippedCells<D> clipped;
+    Status status = clip_cells<D>(mesh, filter, work, &clipped);
+    if (status == Status::ok) status = evaluate<D>(clipped.of(mesh), filter, work, &cells);
     double widest = 1;
     for (VertexId v(0); v < count && status == Status::ok; ++v) {
         const Interval i = cells.interval[v];
@@ -69,6 +73,7 @@ private:
         asked.seed = request_.seed;
         asked.purpose = NETMESH_PURPOSE_PERSIST;
         asked.certificate = {goal.ratio, goal.focus, goal.from, goal.to};
+        asked.whole_cells = request_.whole_cells != 0 || !find_filter(filter_.filter)->has(filter_trait::clips_cells);
         return netmesh_mesh(context_, &asked);
     }
     netmesh_status persist() const {

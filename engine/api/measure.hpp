@@ -42,7 +42,7 @@ template <int D> Status measure_sizes(Context* context, Store<D>& store, const S
 
 // The mesh as jobs on filters take it.
 template <int D> FilteredMesh<D> filtered_mesh_of(const Context& context, Store<D>& store) {
-    return {store, domain_of<D>(context.mesh), context.input.distinct};
+    return {store, domain_of<D>(context.mesh), context.input.distinct, context.mesh.goal.clipped};
 }
 
 }  // namespace netmesh

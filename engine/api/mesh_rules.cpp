@@ -123,7 +123,7 @@ MeshRequest mesh_request_of(const netmesh_mesh_request& request) {
     }
     asked.certify_filter = request.purpose == NETMESH_PURPOSE_PERSIST;
     asked.size = sizes_of(request);
-    asked.goal = goal_of(request.certificate);
+    asked.goal = goal_of(request);
     asked.finish = request.finish != 0;
     asked.cages = request.cage_kind == NETMESH_CAGES_THESIS ? CageKind::thesis : CageKind::compact;
     asked.audit_location = (request.audit & NETMESH_AUDIT_LOCATION) != 0;

@@ -25,6 +25,7 @@ void keep_diagram(netmesh_context* context, const PersistRequest& request, netme
     kept.certified_from = diagram.certificate.from;
     kept.certified_error = diagram.certificate.error;
     kept.value_error = diagram.value_error;
+    if (diagram.clip_radius > 0) context->mesh.radius = diagram.clip_radius;
 }
 
 }  // namespace

@@ -71,6 +71,13 @@ template <int D> Amounts with_thesis_shells(Amounts amounts) {
     return amounts;
 }
 
+// What is not refined around the points when cells are clipped: from D = 4 on a good part of a mesh. Measured on 40 to
+// 800 uniform points in R^4: .54 to .82 of the vertices are left.
+Amounts without_surroundings(const Amounts& amounts) {
+    const double left = 1 - 0.75 / square_root(square_root(amounts.points > 16 ? amounts.points : 16));
+    return {amounts.points, amounts.vertices * left, amounts.cells * left};
+}
+
 template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
     using Tree = InputTree<D>;
     using Lists = BallLists<D>;
@@ -150,6 +157,7 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
         const double surroundings = tight ? figures<D>.tight_surroundings : 0;
         Amounts amounts = mesh_amounts<D>(points, tau, sizes_of(request).eps, surroundings);
         if (request.cage_kind == NETMESH_CAGES_THESIS) amounts = with_thesis_shells<D>(amounts);
+        if (D >= 4 && goal_of(request).clipped) amounts = without_surroundings(amounts);
         return block_bytes<D>(amounts, planned);
     }));
 }

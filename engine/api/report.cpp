@@ -112,6 +112,7 @@ void report_mesh(const netmesh_context* context, netmesh_mesh_report* to) {
     to->hierarchy.cages = mesh.hierarchy.cages;
     to->hierarchy.cages_made = mesh.hierarchy.cages_made;
     to->touches = mesh.touches;
+    to->clipped = mesh.goal.clipped;
     report_audit(mesh.audit, mesh.audited, &to->audit);
 }
 

@@ -84,7 +84,7 @@ Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Pro
     promises->tau = promises->net.tau = tau_of(dim, request.tau);
     promises->net.spacing = request.net_spacing;
     promises->sizes = sizes_of(request);
-    promises->goal = goal_of(request.certificate);
+    promises->goal = goal_of(request);
     promises->cages = request.cage_kind == NETMESH_CAGES_THESIS ? CageKind::thesis : CageKind::compact;
     return {};
 }

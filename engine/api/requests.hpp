@@ -23,8 +23,9 @@ inline std::uint32_t degree_of(std::uint32_t max_degree, std::uint32_t dim) {
 inline SizeRule size_rule_of(const netmesh_mesh_request& mesh) {
     return {mesh.sizes.eps, mesh.sizes.size, mesh.sizes.user, mesh.size_at_inputs, mesh.size_growth};
 }
-inline RatioGoal goal_of(const netmesh_certificate_goal& goal) {
-    return {goal.ratio, goal.focus_ratio, goal.focus_from, goal.focus_to};
+inline RatioGoal goal_of(const netmesh_mesh_request& mesh) {
+    const netmesh_certificate_goal& goal = mesh.certificate;
+    return {goal.ratio, goal.focus_ratio, goal.focus_from, goal.focus_to, goal.ratio > 0 && mesh.whole_cells == 0};
 }
 
 bool is_valid_tau(double tau);      // finite, above 2

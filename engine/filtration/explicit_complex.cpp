@@ -1,6 +1,7 @@
 #include "filtration/explicit_complex.hpp"
 
 #include "complex/faces.hpp"
+#include "complex/faces_in_part.hpp"
 #include "filtration/alpha.hpp"
 #include "homology/rank.hpp"
 #include "memory/arena.hpp"
@@ -9,14 +10,15 @@
 namespace netmesh {
 namespace {
 
-// Faces as they are listed, with room for their values.
-template <int D>
+// Faces as they are listed, with room for their values. keep(faces) leaves of them those that are wanted.
+template <int D, class Keep>
 Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimension, const Work& work, Faces<D>* faces,
-                  ListedComplex* out) {
+                  ListedComplex* out, Keep keep) {
     *out = {};
     out->dimension = dimension;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    const Status status = enumerate_faces(triangulation, static_cast<int>(dimension), work, faces);
+    Status status = enumerate_faces(triangulation, static_cast<int>(dimension), work, faces);
+    if (status == Status::ok) status = keep(faces);
     if (status != Status::ok) return status;
     for (std::uint32_t k = 0; k <= dimension; ++k) {
         out->count[k] = faces->count[k];
@@ -30,17 +32,19 @@ Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimen
 }
 
 // The same cells with vertices numbered by value from the last to the first, so that faces in lexicographic order, read
-// backwards, are in order of value. The copy stays at the arena's high end. False: out of memory.
+// backwards, are in order of value; vertex_of[n]: the vertex of each number. The copy stays at the arena's high end.
+// False: out of memory.
 template <int D>
-bool rank_cells(const TriangulationView<D>& triangulation, const double* value, Arena& arena, std::uint32_t* order,
+bool rank_cells(const TriangulationView<D>& triangulation, const double* value, Arena& arena, std::uint32_t* vertex_of,
                 TriangulationView<D>* out) {
     const std::uint32_t n = triangulation.vertex_count, cells = triangulation.cell_count;
     std::uint32_t* const copy = arena.take_high<std::uint32_t>(std::size_t{cells} * (D + 1));
     const HighScope scope(arena);
     std::uint32_t* const rank = arena.take_high<std::uint32_t>(n);
     std::uint32_t* const place = arena.take_high<std::uint32_t>(std::size_t{n} + 1);
-    if (copy == nullptr || rank == nullptr || place == nullptr || !rank_vertices(value, n, arena, order, rank))
+    if (copy == nullptr || rank == nullptr || place == nullptr || !rank_vertices(value, n, arena, vertex_of, rank))
         return false;
+    for (std::uint32_t v = 0; v < n; ++v) vertex_of[n - 1 - rank[v]] = v;
     const auto first_of = [&](std::uint32_t c) {
         std::uint32_t first = n;
         for (int i = 0; i <= D; ++i) {
@@ -83,20 +87,22 @@ void turn_round(ListedComplex& complex, std::uint32_t k) {
 
 template <int D>
 Status lower_star_complex(const TriangulationView<D>& triangulation, const double* value, std::uint32_t zero_born_count,
-                          std::uint32_t dimension, const Work& work, ListedComplex* out) {
+                          std::uint32_t dimension, const Subcomplex<D>* part, const Work& work, ListedComplex* out) {
     const std::size_t high = work.arena.high_mark();
-    const std::uint32_t n = triangulation.vertex_count;
     Faces<D> faces;
     TriangulationView<D> ranked;
-    std::uint32_t* const order = work.arena.take_high<std::uint32_t>(n);
-    Status status = order != nullptr && rank_cells(triangulation, value, work.arena, order, &ranked)
+    std::uint32_t* const vertex_of = work.arena.take_high<std::uint32_t>(triangulation.vertex_count);
+    Status status = vertex_of != nullptr && rank_cells(triangulation, value, work.arena, vertex_of, &ranked)
                         ? Status::ok
                         : Status::out_of_memory;
-    if (status == Status::ok) status = take_faces<D>(ranked, dimension, work, &faces, out);
+    const auto keep = [&](Faces<D>* all) {
+        return part == nullptr ? Status::ok : keep_faces_in_part(*part, triangulation, vertex_of, work, all);
+    };
+    if (status == Status::ok) status = take_faces<D>(ranked, dimension, work, &faces, out, keep);
     if (status == Status::ok) {
         for (std::uint32_t k = 0; k <= dimension; ++k) turn_round(*out, k);
         for (std::uint32_t v = 0; v < out->count[0]; ++v) {
-            out->rows[0][v] = order[n - 1 - out->rows[0][v]];
+            out->rows[0][v] = vertex_of[out->rows[0][v]];
             out->value[0][v] = value[out->rows[0][v]] + 0.0;
         }
         for (std::uint32_t k = 1; k <= dimension; ++k) {
@@ -119,7 +125,7 @@ Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimensi
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
     double error;
-    Status status = take_faces<D>(filtration.complex, D, work, &faces, out);
+    Status status = take_faces<D>(filtration.complex, D, work, &faces, out, [](Faces<D>*) { return Status::ok; });
     if (status == Status::ok)
         status = alpha_values<D>(faces, filtration.coordinates, filtration.stride_bytes, work, out->value, &error);
     work.arena.release_high(high);
@@ -129,7 +135,7 @@ Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimensi
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status lower_star_complex<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,    \
-                                          const Work&, ListedComplex*);                                                \
+                                          const Subcomplex<D>*, const Work&, ListedComplex*);                          \
     template Status alpha_complex<D>(const AlphaFiltration<D>&, std::uint32_t, const Work&, ListedComplex*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "complex/listed_complex.hpp"
+#include "complex/subcomplex.hpp"
 #include "filtration/alpha.hpp"
 #include "memory/work.hpp"
 
@@ -13,9 +14,10 @@ namespace netmesh {
 // cells' vertices. out_of_memory, cancelled.
 
 // A simplex of more than one vertex enters at the largest of its vertices' values, a vertex v < zero_born_count at 0.
+// part: the simplices that are listed, all of the triangulation's when it is null.
 template <int D>
 Status lower_star_complex(const TriangulationView<D>& triangulation, const double* value, std::uint32_t zero_born_count,
-                          std::uint32_t dimension, const Work& work, ListedComplex* out);
+                          std::uint32_t dimension, const Subcomplex<D>* part, const Work& work, ListedComplex* out);
 
 // The alpha filtration (alpha.hpp), for which all dimensions are listed for a while.
 template <int D>

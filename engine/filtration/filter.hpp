@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "certificate/certificate.hpp"
+#include "complex/subcomplex.hpp"
 #include "delaunay/store.hpp"
 #include "include/netmesh.h"
 #include "memory/work.hpp"
@@ -33,6 +34,7 @@ enum : std::uint32_t {
     bounds_by_scale = 1 << 10,    // bars are bounded by the intervals of all cells, not by the ratio alone
     has_tighter_cells = 1 << 11,  // its intervals are those of single cells, which tighten_cell_bounds.hpp narrows
     made_of_edges = 1 << 12,      // on points: a simplex enters with its last edge (Rips), not with its ball (Cech)
+    clips_cells = 1 << 13,        // its intervals can be those of cells clipped to a ball (clipped_nerve.hpp)
 };
 }  // namespace filter_trait
 
@@ -52,6 +54,12 @@ template <int D> struct FilteredMesh {
     Store<D>& store;
     Domain<D> domain;
     std::uint32_t inputs;
+    bool is_clipped = false;  // refined for cells clipped to the domain's ball
+    // Not null: cells are clipped to the ball of `domain`, and what is filtered is the nerve of the clipped cells.
+    const Subcomplex<D>* part = nullptr;
+
+    // Is the cell of v, or what the ball leaves of it, there?
+    bool has(VertexId v) const { return part == nullptr || part->vertex[v] != VertexPart::absent; }
 
     std::uint32_t vertices() const { return store.state.vertex_count; }
     // rho of the certificates: a radius of a ball that contains the inputs, rounded up.

@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "filtration/clipped_nerve.hpp"
 #include "filtration/function_filter.hpp"
 #include "filtration/mesh_filter.hpp"
 #include "filtration/tight_filter.hpp"
@@ -16,10 +17,11 @@ constexpr const char *offsets = "closed offsets of the points in R^{D}", *kth = 
 
 constexpr Filter table[] = {
     {NETMESH_FILTER_COMPLETE, FilterSource::mesh, FilterPurpose::persist,
-     has_values | has_goal | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale | has_tighter_cells,
+     has_values | has_goal | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale | has_tighter_cells |
+         clips_cells,
      "complete", offsets},
     {NETMESH_FILTER_BASIC, FilterSource::mesh, FilterPurpose::persist,
-     has_values | has_cycles | zero_at_inputs | bounds_by_scale | has_tighter_cells, "basic", offsets},
+     has_values | has_cycles | zero_at_inputs | bounds_by_scale | has_tighter_cells | clips_cells, "basic", offsets},
     {NETMESH_FILTER_ALPHA, FilterSource::delaunay, FilterPurpose::persist, has_cycles, "alpha", offsets},
     {NETMESH_FILTER_KNN, FilterSource::mesh, FilterPurpose::persist,
      needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale, "knn", kth},
@@ -48,6 +50,19 @@ constexpr bool rows_are_in_order() {
 }
 static_assert(rows_are_in_order(), "row i is that of filter i + 1");
 
+// Where results of jobs are not in its way.
+template <int D> bool move_high(const FilteredMesh<D>& mesh, Arena& arena, Subcomplex<D>* part) {
+    const std::size_t cells = mesh.store.state.cell_slots, vertices = mesh.vertices();
+    std::uint8_t* const cell = arena.take_high<std::uint8_t>(cells);
+    std::uint8_t* const vertex = arena.take_high<std::uint8_t>(vertices);
+    if (cell == nullptr || vertex == nullptr || !part->faces.move_high(arena)) return false;
+    __builtin_memcpy(cell, part->cell, cells);
+    __builtin_memcpy(vertex, part->vertex, vertices);
+    part->cell = cell;
+    part->vertex = vertex;
+    return true;
+}
+
 }  // namespace
 
 const std::uint32_t filter_count = rows;
@@ -72,6 +87,19 @@ std::uint32_t zero_born_count(netmesh_filter filter, std::uint32_t k, std::uint3
 }
 
 template <int D>
+Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, ClippedCells<D>* out) {
+    out->is_there = false;
+    out->ball = mesh.domain;
+    if (!mesh.is_clipped || !table[request.filter - 1].has(clips_cells)) return Status::ok;
+    Arena& arena = work.arena;
+    const std::size_t low = arena.low_mark();
+    Status status = choose_clipped_nerve<D>(mesh.store, &out->ball, work, &out->part, &out->is_there);
+    if (status == Status::ok && out->is_there && !move_high(mesh, arena, &out->part)) status = Status::out_of_memory;
+    arena.release_low(low);
+    return status;
+}
+
+template <int D>
 Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
     const Filter& filter = evaluated_filter(request.filter, request.k);
     out->zero_born = filter.has(inputs_enter_first) ? mesh.inputs : 0;
@@ -91,6 +119,7 @@ Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status clip_cells<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, ClippedCells<D>*);        \
     template Status evaluate<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, Evaluation*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

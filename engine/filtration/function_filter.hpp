@@ -16,10 +16,11 @@
 // centre, it contains the segment between them), so everything is cut at rho: F = min(d_k, rho). For k = 1 both
 // functions are the distance to the inputs, 0 at the inputs: that is the complete filter.
 //
-// A mesh on which the complete filter certifies c certifies at most sqrt(2 + c^2) for d_k, k >= 2. Write d for d_1 and
-// t for d_k(v) >= d(v), R for R_v. Of the complete filter min(rho, h) <= c^2 l, with h >= R: where h is the distance
-// from a corner to the nearest input of a Steiner vertex that holds as no input is nearer to a corner than v is, and h
-// = R for inputs. Where rho is the least, hi <= rho <= c^2 l <= c^2 lo, as lower ends ascend with the function. Else R
+// A mesh on which the complete filter certifies c with whole cells certifies at most sqrt(2 + c^2) for d_k, k >= 2.
+// Write d for d_1 and t for d_k(v) >= d(v), R for R_v. Of the complete filter min(rho, h) <= c^2 l, with h >= R: where
+// h is the distance from a corner to the nearest input of a Steiner vertex that holds as no input is nearer to a corner
+// than v is, and h = R for inputs. Where rho is the least, hi <= rho <= c^2 l <= c^2 lo, as lower ends ascend with the
+// function. Else R
 // <= c^2 l. Steiner vertices: where R >= d / 2, l = d / 2, so R <= c^2 t / 2 and hi / lo <= (t + R) / (t / 2) <= 2 +
 // c^2; where R < d / 2 <= t / 2, hi / lo <= (t + R) / (t - R) <= 3. Inputs: l is half the distance n to the nearest
 // neighbour in the mesh, and n <= t, as for k >= 2 the k-th nearest input is another: the same again. For the

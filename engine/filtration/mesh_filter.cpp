@@ -1,25 +1,27 @@
 #include "filtration/mesh_filter.hpp"
 
 #include "certificate/cells.hpp"
+#include "mesh/clipped_reach.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 template <int D> struct CellBounds {
+    const FilteredMesh<D>& mesh;
     const Store<D>& store;
     double rho;
     double* out_radius;  // R_v, or more
-    double* reach;       // largest distance from a corner of v's cell to v's nearest input, or more
+    double* reach;       // largest distance from a point of v's cell to v's nearest input, or more
 
-    // lo_v and hi_v, both cut at rho.
+    // lo_v and hi_v, both cut at rho; of an absent vertex what holds of any cell.
     Interval interval(VertexId v) const {
         const Vertex<D>& vertex = store.vertex(v);
+        const bool bounded = vertex.marker != Marker::exempt && mesh.has(v);
         if (vertex.marker == Marker::input)
             return cut_at(rho, input_interval(square_root(vertex.nearest2), out_radius[v]));
         const double d = distance_to_inputs<D>(store, v);
-        return cut_at(rho, vertex.marker == Marker::exempt ? unbounded_interval(d)
-                                                           : steiner_interval(d, out_radius[v], reach[v]));
+        return cut_at(rho, bounded ? steiner_interval(d, out_radius[v], reach[v]) : unbounded_interval(d));
     }
     // The thesis's own value: s of 7.4.2.
     double own_value(VertexId v) const {
@@ -37,15 +39,21 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     const Store<D>& store = mesh.store;
     const std::uint32_t count = mesh.vertices();
     work.monitor.begin(NETMESH_STAGE_CERTIFY, store.state.cell_slots);
-    const CellBounds<D> bounds{store, mesh.cut(), work.arena.take_high<double>(count),
+    const CellBounds<D> bounds{mesh, store, mesh.cut(), work.arena.take_high<double>(count),
                                work.arena.take_high<double>(count)};
     if (bounds.out_radius == nullptr || bounds.reach == nullptr) return Status::out_of_memory;
     measure_cells<D>(store, bounds.out_radius, bounds.reach);
+    Status status = Status::ok;
+    if (mesh.part != nullptr)
+        status = clip_cell_bounds<D>(mesh.store, mesh.domain, {mesh.part->vertex, true, mesh.cut()}, bounds.out_radius,
+                                     bounds.reach);
+    if (status != Status::ok) return status;
 
     const auto is_zero = [&](VertexId v) { return basic && store.vertex(v).marker == Marker::input; };
     double from = 0;
     Clamp clamp(values);
     for (VertexId v(0); v < count; ++v) {
+        if (!mesh.has(v)) continue;
         const Interval i = bounds.interval(v);
         if (!is_zero(v)) {
             clamp.show(i);
@@ -55,9 +63,9 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     }
     clamp.fix_ratio();
     for (VertexId v(0); v < count; ++v) {
-        const Interval i = bounds.interval(v);
+        const Interval i = mesh.has(v) ? bounds.interval(v) : Interval{mesh.cut(), mesh.cut()};
         if (out->interval != nullptr) out->interval[v] = i;
-        out->value[v] = is_zero(v) ? 0 : clamp.value(bounds.own_value(v), i);
+        out->value[v] = is_zero(v) ? 0 : mesh.has(v) ? clamp.value(bounds.own_value(v), i) : mesh.cut();
     }
     out->certificate = clamp.certificate();
     out->certificate.from = from;

@@ -13,6 +13,13 @@
 // The bounds are those of certificate/interval.hpp, rounded outwards, the corners' own error bounds included. An
 // unbounded cell has hi = rho.
 //
+// Cells clipped to a ball B of centre o that contains P, of radius rho or more (FilteredMesh::part): the offset in B
+// has the diagram of the offset, as the projection to B moves points nearer to P, and where F = rho it is all of B,
+// with the diagram of a point. So all of the above holds with Vor(v) in B for each cell, lo and hi needed there alone,
+// and the nerve of what is left of the cells for the triangulation: it has the homology of a point, as B has. R and hi
+// are those of clipped_reach.hpp, an exempt vertex's cell still has d / 2 and rho. Vertices whose cells do not meet B,
+// absent ones, have rho for value and interval, as what comes last and is exact: they count nowhere.
+//
 // A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi <= (2 + tau) lo and hi <= tau s, s the thesis's
 // value: for a Steiner vertex R_v <= (tau/2) d, so hi <= d + R_v <= tau d, and lo >= d/2; for an input hi <= tau lo, s
 // = lo. Refinement with `certify_filter` (mesh/quality_rule.hpp) brings every other cell there too. So c* <=

@@ -241,7 +241,7 @@ template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const W
     Status status = tightener.open();
     work.monitor.begin(NETMESH_STAGE_CERTIFY, mesh.vertices());
     for (VertexId v(mesh.inputs); v < mesh.vertices() && status == Status::ok; ++v) {
-        if (store.vertex(v).marker != Marker::steiner || !(interval[v].lo < cut)) continue;
+        if (store.vertex(v).marker != Marker::steiner || !(interval[v].lo < cut) || !mesh.has(v)) continue;
         status = tightener.tighten(v, &interval[v]);
         if (status == Status::ok && work.monitor.advance(v, 200)) status = Status::cancelled;
     }

@@ -20,9 +20,9 @@
 namespace netmesh {
 
 // Narrows interval[v] of every Steiner vertex whose cell's corners are known; intervals hold for min(d_P, mesh.cut()).
-// Marks of cells are used.
-// About 10-20 us a vertex in D = 4. Scratch: 4 bytes a vertex, 5 an input, 8 D a corner of the largest cell.
-// out_of_memory, cancelled.
+// By whole cells, also where they are clipped: what holds there holds of a part. Absent vertices keep theirs. Marks of
+// cells are used. About 10-20 us a vertex in D = 4. Scratch: 4 bytes a vertex, 5 an input, 8 D a corner of the largest
+// cell. out_of_memory, cancelled.
 template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const Work& work, Interval* interval);
 
 }  // namespace netmesh

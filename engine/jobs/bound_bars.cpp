@@ -28,13 +28,17 @@ Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, 
     *out = {work.arena.take_low<BarBounds>(static_cast<std::size_t>(request.bars.count)), {}};
     if (out->bounds == nullptr) return Status::out_of_memory;
     Evaluation evaluation = {};
-    Status status = measure<D>(mesh, request.filter, work, &evaluation);
+    ClippedCells<D> cells;
+    Status status = clip_cells<D>(mesh, request.filter, work, &cells);
+    const FilteredMesh<D> filtered = cells.of(mesh);
+    if (status == Status::ok) status = measure<D>(filtered, request.filter, work, &evaluation);
     const FilterBounds bounds = {evaluation.value, evaluation.interval, mesh.vertices()};
     if (status == Status::ok) status = bound_by_scale(bounds, request.bars, work.arena, out->bounds, &out->curve);
     if (status != Status::ok) return status;
     const Filter& filter = evaluated_filter(request.filter.filter, request.filter.k);
     const std::uint32_t zero_born = filter.has(filter_trait::zero_at_inputs) ? mesh.inputs : 0;
-    status = find_certified_bars<D>({mesh.store.view(), bounds, zero_born, request.bars}, work, out->bounds);
+    status =
+        find_certified_bars<D>({mesh.store.view(), bounds, zero_born, request.bars, filtered.part}, work, out->bounds);
     if (status == Status::ok) scope.keep_low_from_now();
     return status;
 }

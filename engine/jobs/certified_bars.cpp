@@ -247,7 +247,8 @@ Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& w
             level[v] = covers.level(filter.interval[v]) + (largest > 0 ? 0.5 * (filter.value[v] / largest) : 0);
         const ArenaScope run(work.arena);
         CountedPairs found = {};
-        status = persist_lower_star<D>({request.complex, level, request.zero_born}, {top_degree}, work, &found);
+        status = persist_lower_star<D>({request.complex, level, request.zero_born, request.part}, {top_degree}, work,
+                                       &found);
         if (status != Status::ok) return status;
         for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)
             ledger.consider(covers, found.pairs, degree, number + 2);

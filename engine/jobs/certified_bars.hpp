@@ -21,6 +21,7 @@
 #pragma once
 #include <cstdint>
 
+#include "complex/subcomplex.hpp"
 #include "complex/triangulation.hpp"
 #include "jobs/bar_bounds.hpp"
 #include "memory/work.hpp"
@@ -32,6 +33,7 @@ template <int D> struct CertifiedBarsRequest {
     FilterBounds filter;      // of the vertices; values serve to order simplices within a level
     std::uint32_t zero_born;  // as in homology/lower_star/lower_star.hpp: inputs of covers that begin with balls
     BarList bars;
+    const Subcomplex<D>* part = nullptr;  // what is filtered of the complex; null: all of it
 };
 
 // Marks more of the bars as certain, with bounds[i] as proven, in degrees that have no zero-born classes. Sequences of

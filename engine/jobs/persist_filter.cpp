@@ -22,12 +22,16 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     ArenaScope scope(work.arena);
     Evaluation evaluation = {work.arena.take_low<double>(mesh.vertices())};
     if (evaluation.value == nullptr) return Status::out_of_memory;
-    Status status = evaluate<D>(mesh, request.filter, work, &evaluation);
+    ClippedCells<D> cells;
+    Status status = clip_cells<D>(mesh, request.filter, work, &cells);
+    const FilteredMesh<D> filtered = cells.of(mesh);
+    if (status == Status::ok) status = evaluate<D>(filtered, request.filter, work, &evaluation);
     out->culprit = evaluation.culprit;
     if (status == Status::ok)
-        status = persist_lower_star<D>({store.view(), evaluation.value, evaluation.zero_born}, request.diagram, work,
-                                       &found);
+        status = persist_lower_star<D>({store.view(), evaluation.value, evaluation.zero_born, filtered.part},
+                                       request.diagram, work, &found);
     if (status != Status::ok) return status;
+    if (cells.is_there) out->clip_radius = cells.ball.radius;
     out->pairs = found.pairs;
     out->simplices = found.simplices;
     out->certificate = evaluation.certificate;

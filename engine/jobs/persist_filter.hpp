@@ -16,6 +16,7 @@ struct FilterDiagram {
     Certificate certificate = {};
     double value_error = 0;         // alpha: of births and deaths, relative
     const double* value = nullptr;  // [vertices] of a filter on meshes; null: alpha
+    double clip_radius = 0;         // of the ball that cells were clipped to; 0: they are whole
     std::uint32_t culprit = 0;      // as of Evaluation
 };
 

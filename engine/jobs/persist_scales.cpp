@@ -96,7 +96,7 @@ template <int D> MeshRequest ScalesJoin<D>::mesh_request() const {
     if (goal_ > 0) {
         request.method = MeshMethod::certificate;
         request.certify_filter = true;
-        request.goal = {goal_, 0, 0, 0};
+        request.goal = {goal_, 0, 0, 0, true};
     } else {
         request.domain_factor = tight_domain_factor(request_.eps);
         request.size.eps = tight_size(request_.eps);
@@ -122,12 +122,16 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (value == nullptr) return Status::out_of_memory;
     const Work work = {arena_, monitor_};
     Evaluation filter = {value};
-    const netmesh_filter which = goal_ > 0 ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_TIGHT;
-    status = evaluate<D>({store, mesh.domain, n}, {which, request_.values}, work, &filter);
+    const FilterRequest which = {goal_ > 0 ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_TIGHT, request_.values};
+    const FilteredMesh<D> whole = {store, mesh.domain, n, goal_ > 0};
+    ClippedCells<D> cells;
+    status = clip_cells<D>(whole, which, work, &cells);
+    const FilteredMesh<D> filtered = cells.of(whole);
+    if (status == Status::ok) status = evaluate<D>(filtered, which, work, &filter);
     CountedPairs found = {};
     if (status == Status::ok)
-        status =
-            persist_lower_star<D>({store.view(), value, n}, {request_.max_degree, request_.keep_zero}, work, &found);
+        status = persist_lower_star<D>({store.view(), value, n, filtered.part},
+                                       {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
     *list = found.pairs;
     add_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);

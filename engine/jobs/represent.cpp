@@ -16,7 +16,7 @@ Status represent_listed(const FilteredMesh<D>& mesh, const RepresentRequest& req
     Status status =
         alpha
             ? alpha_complex<D>({store.view(), store.point(0), Store<D>::vertex_stride}, dimension, work, &out->complex)
-            : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, work, &out->complex);
+            : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, mesh.part, work, &out->complex);
     if (status != Status::ok) return status;
     Representatives found = {};
     status = persist_with_cycles(out->complex.filtered(), request.diagram, work, &found);
@@ -30,7 +30,7 @@ template <int D>
 Status represent_lower_star(const FilteredMesh<D>& mesh, const RepresentRequest& request, std::uint32_t zero_born,
                             const Work& work, Representation* out) {
     Representatives found = {};
-    const Status status = lower_star_cycles<D>({mesh.store.view(), request.value, zero_born},
+    const Status status = lower_star_cycles<D>({mesh.store.view(), request.value, zero_born, mesh.part},
                                                request.diagram.max_degree, request.bars.count, work, &found);
     out->pairs = found.pairs;
     out->cycles = found.store;
@@ -54,8 +54,12 @@ Status represent(const FilteredMesh<D>& mesh, const RepresentRequest& request, c
     const std::uint32_t zero_born = zero_born_count(request.filter.filter, request.filter.k, mesh.inputs);
     const bool alpha = find_filter(request.filter.filter)->source == FilterSource::delaunay;
     out->is_listed = alpha || request.diagram.keep_zero;
-    Status status = out->is_listed ? represent_listed<D>(mesh, request, zero_born, work, out)
-                                   : represent_lower_star<D>(mesh, request, zero_born, work, out);
+    ClippedCells<D> cells;
+    Status status = clip_cells<D>(mesh, request.filter, work, &cells);
+    const FilteredMesh<D> filtered = cells.of(mesh);
+    if (status == Status::ok)
+        status = out->is_listed ? represent_listed<D>(filtered, request, zero_born, work, out)
+                                : represent_lower_star<D>(filtered, request, zero_born, work, out);
     if (status == Status::ok && !same_bars(request.bars, out->pairs)) status = Status::internal;
     if (status == Status::ok) return status;
     work.arena.release_low(low);

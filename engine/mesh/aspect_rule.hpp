@@ -98,20 +98,7 @@ protected:
     // distance2 of *found is negative when there is none. Just before, v's star of `count` cells has been visited.
     [[gnu::noinline]] void find_beyond(const Domain<D>& ball, VertexId v, double bound2, std::uint32_t count,
                                        Corner<D>* found) const {
-        *found = Corner<D>{};
-        const double* const p = this->store_.point(v);
-        const CellId* const star = this->store_.list_top();
-        const Cut<D> cut(ball, p, bound2);
-        CutCorners<D> corners;
-        for (std::uint32_t k = 0; k < count; ++k)
-            offer_cut_corners<D>(this->store_, cut, v, star[-1 - static_cast<std::ptrdiff_t>(k)], &corners);
-        if (!corners.reach_beyond(bound2)) return;
-        double x[D];
-        if (find_reaching_point<D>(this->store_, cut, v, corners, x))
-            return found->offer(x, distance2<D>(x, p), corners.far.cell);
-        found->distance2 = bound2;
-        offer_poles<D>(this->store_, ball, v, star, count, found);
-        if (!(found->distance2 > bound2)) found->distance2 = -1;
+        netmesh::find_beyond<D>(this->store_, ball, this->store_.point(v), v, bound2, count, found);
     }
     // The same beyond what v's cell may have by tau or by the size asked for.
     void find_sized_beyond(const Domain<D>& ball, VertexId v, std::uint32_t count, Corner<D>* found) const {

@@ -2,6 +2,7 @@
 
 #include "certificate/interval.hpp"
 #include "delaunay/load.hpp"
+#include "mesh/clipped_cell.hpp"
 #include "mesh/refinement.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -26,7 +27,7 @@ struct Bound {
         step = far > 0 ? far : near;
         input = input_share * ratio2 > input_least ? input_share * ratio2 : ratio2 < input_least ? ratio2 : input_least;
     }
-    // Nothing is refined farther from the domain's centre, in enclosing radii.
+    // Of whole cells nothing is refined farther from the domain's centre, in enclosing radii.
     double extent() const {
         const double steiner = 1 + 2 * (1 + overshoot * square_root(reach2)) / ratio2;
         return steiner > 2.1 ? steiner : 2.1;
@@ -55,6 +56,7 @@ public:
     double choose_domain();
     void update_distances(const Cavity& cavity, VertexId v);
     void queue_bad(CellId c);
+    void queue_new(const Cavity& cavity, VertexId v);
     Verdict judge(VertexId v, Split<D>* split);
     bool must_yield(const Split<D>& split, const NearestInput& nearest) const {
         return nearest.distance2 < yield_radius * yield_radius * split.empty2;
@@ -64,15 +66,19 @@ public:
     }
     void restore_distances() { measure_edges<D>(store_); }
 #ifdef NETMESH_VALIDATE
-    const char* clean_violation() const {
-        return ratio_violation<D>(store_, goal_.ratio * goal_.ratio, domain_.enclosing_radius);
+    const char* clean_violation() {
+        return goal_.clipped ? clipped_violation()
+                             : ratio_violation<D>(store_, goal_.ratio * goal_.ratio, domain_.enclosing_radius);
     }
 #endif
 
 private:
     struct CellView {
-        Corner<D> farthest;    // from the vertex
-        Corner<D> from_input;  // from the nearest input; `distance2` is to that
+        Corner<D> farthest;       // from the vertex; `distance2` at most, here and below
+        Corner<D> from_input;     // from the nearest input; `distance2` is to that
+        std::uint32_t cells = 0;  // in the star
+        bool leaves_ball = false;
+        double blur = 0;  // three times what corners may be wrong by, where that matters, see farthest2
     };
 
     // While a mesh is refined the record of a Steiner vertex holds the squared distance to its nearest input where
@@ -81,10 +87,30 @@ private:
     // Of an input to its nearest neighbour, of a Steiner vertex to its nearest input.
     static double local_distance2(const Vertex<D>& vertex) { return vertex.nearest2; }
 
+    // The squared distance of a corner of this cell from some point, d2 as computed: what the certificate may make of
+    // it, where the corner is known worse than tau_margin allows for.
+    static double farthest2(const Cell<D>& cell, double d2) {
+        const double share = static_cast<double>(cell.error);
+        if (!(share > corner_error_max)) return d2;
+        const double most = square_root(d2) + 3 * share * square_root(cell.radius2);
+        return most * most;
+    }
+
     const Bound& bound_at(const Vertex<D>& vertex) const;
     double least_bad2(const Vertex<D>& vertex) const;
     bool view_cell(VertexId v, CellView* view);
+    void clip(VertexId v, CellView* view) const;
     bool is_bad(VertexId v, const CellView& view) const;
+    // A point on the sphere, or a hair outside as computed.
+    void put_inside(double* x) const {
+        const double share = domain_.radius / square_root(domain_.distance2(x)) * (1 - 0x1p-50);
+        for (int k = 0; k < D; ++k) x[k] = domain_.centre[k] + share * (x[k] - domain_.centre[k]);
+    }
+    double largest_good(const Vertex<D>& vertex, double lo) const;
+    bool find_bad_pole(VertexId v, CellView* view) const;
+#ifdef NETMESH_VALIDATE
+    const char* clipped_violation();
+#endif
 
     const RatioGoal goal_;
     const Bound bound_, focus_;
@@ -103,6 +129,11 @@ template <int D> Status CertificateRule<D>::check_goal() {
 template <int D> double CertificateRule<D>::choose_domain() {
     domain_.radius = domain_.enclosing_radius;
     cut2_ = domain_.enclosing_radius * domain_.enclosing_radius;
+    if (goal_.clipped) {
+        domain_.radius *= clip_factor;
+        const double around = 1.05 * square_root(D), good = (1 + 2 / focus_.ratio2) * (1 + 0x1p-10);
+        return domain_.radius * (around > good ? around : good);
+    }
     const double factor = 1.05 * square_root(D) * focus_.extent();  // the smaller a ratio, the larger its extent
     return domain_.radius * (factor > frame_factor<D> ? factor : frame_factor<D>);
 }
@@ -141,9 +172,23 @@ template <int D> void CertificateRule<D>::update_distances(const Cavity& cavity,
 template <int D> void CertificateRule<D>::queue_bad(CellId c) {
     const Cell<D>& cell = store_.cell(c);
     if (!(cell.radius2 < infinity)) return;
+    if (goal_.clipped && !domain_.contains(cell.centre)) return;  // see queue_new
+    const double reach2 = farthest2(cell, cell.radius2);
     for (const VertexId w : cell.vertex) {
         const Vertex<D>& vertex = store_.vertex(w);
-        if (!vertex.queued && vertex.marker != Marker::exempt && cell.radius2 > least_bad2(vertex)) queue_.push(w);
+        if (!vertex.queued && vertex.marker != Marker::exempt && reach2 > least_bad2(vertex)) queue_.push(w);
+    }
+}
+
+// Corners outside of the ball stand for edges and faces that the sphere crosses. A new vertex leaves the other clipped
+// cells no larger than they were, and their d_P what it was, so only its own can have become bad there.
+template <int D> void CertificateRule<D>::queue_new(const Cavity& cavity, VertexId v) {
+    const Vertex<D>& vertex = store_.vertex(v);
+    if (!goal_.clipped || vertex.queued || vertex.marker == Marker::exempt) return;
+    const double least2 = least_bad2(vertex);
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
+        const Cell<D>& cell = store_.cell(kernel_.new_cell(k));
+        if (farthest2(cell, cell.radius2) > least2) return queue_.push(v);
     }
 }
 
@@ -154,9 +199,15 @@ template <int D> bool CertificateRule<D>::view_cell(VertexId v, CellView* view) 
     const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
+        ++view->cells;
         if (!(cell.radius2 < infinity)) return;  // a ghost
-        view->farthest.offer(cell.centre, distance2<D>(cell.centre, p), c);
-        view->from_input.offer(cell.centre, distance2<D>(cell.centre, input), c);
+        if (goal_.clipped) {
+            const double share = static_cast<double>(cell.error), wrong = share * square_root(cell.radius2);
+            view->leaves_ball |= !domain_.contains(cell.centre);
+            if (share > corner_error_max && 3 * wrong > view->blur) view->blur = 3 * wrong;
+        }
+        view->farthest.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, p)), c);
+        view->from_input.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, input)), c);
     });
 }
 
@@ -170,11 +221,85 @@ template <int D> bool CertificateRule<D>::is_bad(VertexId v, const CellView& vie
     return hi > focus_.ratio2 * lo && hi > goal_.from && lo < goal_.to;
 }
 
+// A larger hi makes v's cell bad when its lo is this.
+template <int D> double CertificateRule<D>::largest_good(const Vertex<D>& vertex, double lo) const {
+    if (vertex.marker == Marker::input) return bound_.input * lo;
+    const double most = bound_.ratio2 * lo,
+                 in_focus = focus_.ratio2 * lo > goal_.from ? focus_.ratio2 * lo : goal_.from;
+    return lo < goal_.to && in_focus < most ? in_focus : most;
+}
+
+// Makes the view of v's cell that has just been taken one of its corners in the ball and of the points where its edges
+// cross the sphere. Corners that may be wrong: of the ball that is larger by that, see aspect_rule.hpp.
+template <int D> void CertificateRule<D>::clip(VertexId v, CellView* view) const {
+    view->farthest = view->from_input = Corner<D>{};
+    const double* const p = store_.point(v);
+    const double* const input = store_.point(nearest_input(v));
+    Domain<D> ball = domain_;
+    ball.radius += view->blur;
+    const auto at_most2 = [&](double d2) {
+        const double most = square_root(d2) + view->blur;
+        return view->blur > 0 ? most * most : d2;
+    };
+    view->farthest.offer(p, at_most2(0), store_.vertex(v).cell);
+    view->from_input.offer(p, at_most2(distance2<D>(p, input)), store_.vertex(v).cell);
+    for (std::uint32_t k = 0; k < view->cells; ++k) {
+        const CellId c = store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)];
+        const Cell<D>& cell = store_.cell(c);
+        if (!(cell.radius2 < infinity)) continue;
+        const auto offer = [&](const double* x) {
+            view->farthest.offer(x, at_most2(distance2<D>(x, p)), c);
+            view->from_input.offer(x, at_most2(distance2<D>(x, input)), c);
+        };
+        if (ball.contains(cell.centre))
+            offer(cell.centre);
+        else
+            visit_crossings<D>(
+                store_, ball, v, c, [](const Cell<D>&, const Cell<D>&) { return true; }, offer);
+    }
+}
+
+// By its corners and crossings v's clipped cell is good: is it bad by another point of the sphere? Then from_input is
+// such a point.
+template <int D> bool CertificateRule<D>::find_bad_pole(VertexId v, CellView* view) const {
+    const Vertex<D>& vertex = store_.vertex(v);
+    const double* const input = store_.point(nearest_input(v));
+    const double d = square_root(local_distance2(vertex));
+    Domain<D> ball = domain_;
+    ball.radius += view->blur;
+    Corner<D> found;
+    const auto is_beyond = [&](double lo) {
+        const double most = largest_good(vertex, lo) - view->blur;
+        if (!(most > 0 && most * most < cut2_)) return false;
+        find_beyond<D>(store_, ball, input, v, most * most, view->cells, &found);
+        return !(found.distance2 < 0);
+    };
+    double lo = 0.5 * d;
+    if (is_beyond(lo)) {
+        // With a smaller out-radius than d / 2 lo is larger; but poles may be farther away than corners.
+        if (vertex.marker == Marker::steiner) {
+            if (4 * view->farthest.distance2 < d * d)
+                offer_poles<D>(store_, ball, vertex.x, v, store_.list_top(), view->cells, &view->farthest);
+            lo = least_distance(d, square_root(view->farthest.distance2) + view->blur, as_computed);
+        }
+        if (!(lo > 0.5 * d) || is_beyond(lo)) {
+            view->from_input = found;
+            view->farthest.offer(found.x, distance2<D>(found.x, vertex.x), found.cell);
+            return true;
+        }
+    }
+    return false;
+}
+
 // Towards the corner that defines hi, or the farthest one; see the header for how far.
 template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) {
     CellView view;
     if (!view_cell(v, &view)) return Verdict::out_of_memory;
     if (!is_bad(v, view)) return Verdict::good;
+    if (view.leaves_ball) {
+        clip(v, &view);
+        if (!is_bad(v, view) && !find_bad_pole(v, &view)) return Verdict::good;
+    }
     const double* const p = store_.point(v);
     const Vertex<D>& vertex = store_.vertex(v);
     const double least2 = least_bad2(vertex);
@@ -183,18 +308,42 @@ template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) 
     double level = 0;  // from this fraction of the way on the nearest input is no nearer than from v
     if (whole2 < least2 && bound_at(vertex).ratio2 <= 2) {
         corner = &view.farthest;
-        whole2 = corner->distance2;
+        whole2 = distance2<D>(corner->x, p);
     } else if (vertex.marker == Marker::steiner) {
-        level = 1 - (corner->distance2 - local_distance2(vertex)) / whole2;
+        level = 1 - (distance2<D>(corner->x, store_.point(nearest_input(v))) - local_distance2(vertex)) / whole2;
     }
     const double wanted2 = overshoot * overshoot * least2;
     double fraction = wanted2 < whole2 ? square_root(wanted2 / whole2) : 1;
     if (fraction < level) fraction = level;
     split->place(p, *corner, fraction);
+    if (goal_.clipped && !domain_.contains(split->x)) put_inside(split->x);
     split->empty2 = distance2<D>(split->x, p);
     split->input = nearest_input(v);
     return Verdict::bad;
 }
+
+#ifdef NETMESH_VALIDATE
+// Some cell of a mesh whose queue is empty is bad beyond all margins.
+template <int D> const char* CertificateRule<D>::clipped_violation() {
+    if (store_.state.vertex_count > validated_vertices_max) return nullptr;
+    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
+        const Vertex<D>& vertex = store_.vertex(v);
+        CellView view;
+        if (!is_in_mesh(store_, v) || vertex.marker == Marker::exempt || !view_cell(v, &view)) continue;
+        if (view.leaves_ball) clip(v, &view);
+        const double hi2 = view.from_input.distance2 < cut2_ ? view.from_input.distance2 : cut2_;
+        const double d = square_root(local_distance2(vertex)), R = square_root(view.farthest.distance2);
+        const double lo = vertex.marker == Marker::input ? 0.5 * d : least_distance(d, R, as_computed);
+        const double most = goal_.ratio * goal_.ratio * lo;
+        if (hi2 > most * most) return "a cell spoils the certificate and nobody has noticed";
+        Corner<D> found;
+        if (!view.leaves_ball || !(most * most < cut2_)) continue;
+        find_beyond<D>(store_, domain_, store_.point(nearest_input(v)), v, most * most, view.cells, &found);
+        if (!(found.distance2 < 0)) return "a cell spoils the certificate at a pole and nobody has noticed";
+    }
+    return nullptr;
+}
+#endif
 
 }  // namespace
 

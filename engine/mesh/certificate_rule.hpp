@@ -9,10 +9,10 @@
 namespace netmesh {
 
 // Inputs are inserted in spatial order and after each of them every bad cell is refined, as in quality_rule.hpp, but
-// bad is what spoils the certificate, on whole cells, and nothing else. Only inputs need a bounded aspect ratio, hi /
-// lo = R / r <= ratio^2 (four fifths of that is what they get, see input_share). A Steiner cell may be long where d_P
-// changes little. Afterwards the certified ratio is at most request.goal.ratio; no aspect ratio is promised. On the
-// set of 7.7 that takes half of the vertices of a quality mesh that certifies as much.
+// bad is what spoils the certificate, on whole cells or clipped ones, and nothing else. Only inputs need a bounded
+// aspect ratio, hi / lo = R / r <= ratio^2 (four fifths of that is what they get, see input_share). A Steiner cell may
+// be long where d_P changes little. Afterwards the certified ratio is at most request.goal.ratio; no aspect ratio is
+// promised. On the set of 7.7 that takes half of the vertices of a quality mesh that certifies as much.
 //
 // Write d = d_P(v) over all inputs, inserted or not, n the nearest one, R the distance to v's farthest corner, c the
 // ratio asked of the cell. A bad input cell has a corner at more than nn(v) from v. A bad Steiner cell has hi > c^2 lo
@@ -35,9 +35,29 @@ namespace netmesh {
 // that defines hi is nearer than K d, the farthest serves, and cells are refined until hi <= from, so the number of
 // layers is finite all the same. An input cell is never asked for more than `ratio`.
 //
-// Afterwards vertex.nearest2 and vertex.origin (nearest input) are final; `domain` is the smallest enclosing ball.
-// too_close: k times the distance of two inputs is too little; invalid_argument: coordinates do not resolve k `from`,
-// of scales of interest, or K `from` where k is not positive.
+// Where coordinates hardly resolve distances, a corner counts with three times its error bound: it is computed again
+// from the finished mesh, as wrong the other way perhaps, and the certificate adds its error. That is at most a quarter
+// of its distance R from v. So a bad cell has R >= .57 K d, and x is nearer to other vertices than to v by half of
+// |x - v| at most, which leaves .28 k d at least: as good for the argument.
+//
+// Cells clipped to the ball B of clip_factor enclosing radii (goal.clipped). hi and R are of the points of the cell in
+// B alone; so lo is no less, hi no more than of the whole cell. A cell is bad by a corner in B, by a point where one of
+// its edges crosses B's sphere, or by a pole of a face (clipped_cell.hpp): where corners and crossings are good a
+// half-space tells whether there is one, and x goes towards a point of the cell in B that is too far from n, not always
+// the farthest. What is said above holds with that point in place of the corner: it uses that the point is in the cell,
+// so that balls about points on the way to it are empty as far as v, and that it is farther from n than c^2 lo or is
+// the farthest from v. What changes:
+//   - v is in B, and so is what x goes towards: x is in B. Nothing is inserted outside, which is the compact set.
+//   - The frame's hull has to contain B, and the frame's own cells, which nobody refines, have to be good: a frame
+//     vertex at F enclosing radii from the centre has d >= (F - 1) rho, lo >= d/2 and hi <= rho, so F >= 1 + 2 / c^2
+//     will do, c the smallest ratio asked for. How near it is hardly changes the number of vertices.
+//   - A vertex put in leaves the other cells no larger in B than they were, so besides its own only those of inputs can
+//     become bad whose nearest neighbour it becomes. Where its cell leaves B it is looked at once, when its turn comes.
+// Cells outside of B, if there were any but the frame's, would have no corner nor crossing there, and are good.
+//
+// Afterwards vertex.nearest2 and vertex.origin (nearest input) are final; `domain` is the smallest enclosing ball, or
+// B. too_close: k times the distance of two inputs is too little; invalid_argument: coordinates do not resolve k
+// `from`, of scales of interest, or K `from` where k is not positive.
 template <int D>
 Status mesh_by_certificate(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
                            const Work& work, MeshResult<D>* result);

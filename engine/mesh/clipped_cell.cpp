@@ -143,13 +143,13 @@ template <int D> [[gnu::cold]] bool Flat<D>::poles(const Domain<D>& ball, const 
 }
 
 template <int D>
-[[gnu::cold]] void offer_poles(const Store<D>& store, const Domain<D>& ball, VertexId v, const CellId* star,
-                               std::uint32_t count, Corner<D>* farthest) {
+[[gnu::cold]] void offer_poles(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId v,
+                               const CellId* star, std::uint32_t count, Corner<D>* farthest) {
     const auto contains = [&](const double* x) { return is_in_cell<D>(store, v, x, star, count); };
     for (std::uint32_t s = 0; s < count; ++s) {
         const CellId c = star[-1 - static_cast<std::ptrdiff_t>(s)];
         if (store.is_ghost(c)) continue;
-        offer_poles<D>(store, ball, store.point(v), v, c, neighbours_before<D>(store, v, c), contains, farthest);
+        offer_poles<D>(store, ball, u, v, c, neighbours_before<D>(store, v, c), contains, farthest);
     }
 }
 
@@ -165,7 +165,7 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
     if (!corners.reach_beyond(cut.distance2())) return true;
     Corner<D> farthest;
     farthest.distance2 = *out2;
-    offer_poles<D>(store, ball, v, store.list_top(), count, &farthest);
+    offer_poles<D>(store, ball, store.point(v), v, store.list_top(), count, &farthest);
     *out2 = farthest.distance2;
     return true;
 }
@@ -189,8 +189,8 @@ template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& 
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template struct Flat<D>;                                                                                           \
-    template void offer_poles<D>(const Store<D>&, const Domain<D>&, VertexId, const CellId*, std::uint32_t,            \
-                                 Corner<D>*);                                                                          \
+    template void offer_poles<D>(const Store<D>&, const Domain<D>&, const double*, VertexId, const CellId*,            \
+                                 std::uint32_t, Corner<D>*);                                                           \
     template bool raise_to_poles<D>(Store<D>&, const Domain<D>&, VertexId, double*);                                   \
     template Status measure_clipped_cells<D>(Store<D>&, const Domain<D>&, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)

@@ -159,11 +159,30 @@ template <int D, class Contains>
     }
 }
 
-// The same for all faces of the cell of v, as seen from v. star[-1 - k], k < count: the cells at v, of which those that
-// are finite count. O(2^D (D^2 + D count)) a cell, of which most is seldom needed.
+// The same for all faces of the cell of v. star[-1 - k], k < count: the cells at v, of which those that are finite
+// count. O(2^D (D^2 + D count)) a cell, of which most is seldom needed.
 template <int D>
-void offer_poles(const Store<D>& store, const Domain<D>& ball, VertexId v, const CellId* star, std::uint32_t count,
-                 Corner<D>* farthest);
+void offer_poles(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId v, const CellId* star,
+                 std::uint32_t count, Corner<D>* farthest);
+
+// A point of v's clipped cell that is farther from u than the root of bound2, when no corner and no crossing of an edge
+// is. distance2 of *found is negative when there is none. Just before, v's star of `count` cells has been visited.
+template <int D>
+void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId v, double bound2,
+                 std::uint32_t count, Corner<D>* found) {
+    *found = Corner<D>{};
+    const CellId* const star = store.list_top();
+    const Cut<D> cut(ball, u, bound2);
+    CutCorners<D> corners;
+    for (std::uint32_t k = 0; k < count; ++k)
+        offer_cut_corners<D>(store, cut, v, star[-1 - static_cast<std::ptrdiff_t>(k)], &corners);
+    if (!corners.reach_beyond(bound2)) return;
+    double x[D];
+    if (find_reaching_point<D>(store, cut, v, corners, x)) return found->offer(x, distance2<D>(x, u), corners.far.cell);
+    found->distance2 = bound2;
+    offer_poles<D>(store, ball, u, v, star, count, found);
+    if (!(found->distance2 > bound2)) found->distance2 = -1;
+}
 
 // Raises *out2, the squared distance from v to the farthest corner of its clipped cell or crossing of an edge, to that
 // of its farthest pole. False when the gap is too small for v's star.

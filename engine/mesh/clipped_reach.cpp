@@ -1,6 +1,7 @@
 #include "mesh/clipped_reach.hpp"
 
-#include "certificate/rounding.hpp"
+#include "certificate/cells.hpp"
+#include "delaunay/cell_list.hpp"
 #include "mesh/clipped_cell.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -10,6 +11,40 @@ namespace {
 double larger(double a, double b) { return a > b ? a : b; }
 double smaller(double a, double b) { return a < b ? a : b; }
 
+// What a corner is known within.
+template <int D> double doubt_of(const Cell<D>& cell) {
+    return static_cast<double>(cell.error) * square_root(cell.radius2) * up;
+}
+
+// The part of a Voronoi edge in the half-space of u and s, as the head says: calls show(y, most, wrong) for its ends, y
+// relative to u. What they stand for of the true edge is within `wrong` of y and no farther from u than `most`.
+template <int D, class Show>
+void cut_edge(const Domain<D>& ball, const double* u, double s, const Cell<D>& cell, const Cell<D>& other,
+              double doubt_here, double doubt_there, Show&& show) {
+    double a[D], y[D], z[D];
+    for (int j = 0; j < D; ++j) {
+        a[j] = u[j] - ball.centre[j];
+        y[j] = cell.centre[j] - u[j];
+        z[j] = other.centre[j] - u[j];
+    }
+    const double away2 = dot<D>(a, a), r2 = ball.radius * ball.radius, s2 = s * s;
+    const double away = square_root(away2), level = away2 - r2 + s2;
+    const double near = square_root(dot<D>(y, y)), apart = square_root(dot<D>(z, z)), both = near + apart;
+    const double e = sum_slack * (2 * both * away + away2 + r2 + s2);
+    const auto slack = [&](double doubt) { return (2 * away * doubt + 4 * e) * (1 + 0x1p-20); };
+    const double here = 2 * dot<D>(y, a) + level - slack(doubt_here);
+    const double there = 2 * dot<D>(z, a) + level - slack(doubt_there);
+    const auto show_end = [&](const double* x, double distance, double doubt) {
+        show(x, (distance + doubt + sum_slack * both) * up, doubt + sum_slack * both);
+    };
+    if (!(here > 0)) show_end(y, near, doubt_here);
+    if (!(there > 0)) show_end(z, apart, doubt_there);
+    if ((here > 0) == (there > 0)) return;
+    const double t = here / (here - there);
+    for (int j = 0; j < D; ++j) y[j] += t * (z[j] - y[j]);
+    show_end(y, square_root(dot<D>(y, y)), doubt_here + t * (doubt_there - doubt_here));
+}
+
 // B of the head for every vertex with s >= 0, the others are left alone. O(cells).
 template <int D> void find_far_corners(const Store<D>& store, const Domain<D>& ball, const double* s, double* far) {
     for (VertexId v(0); v < store.state.vertex_count; ++v) far[v] = 0;
@@ -18,35 +53,14 @@ template <int D> void find_far_corners(const Store<D>& store, const Domain<D>& b
             const Cell<D>& cell = store.cell(c);
             if (cell.neighbour[i] == none || cell.neighbour[i].cell() < c) continue;
             const Cell<D>& other = store.cell(cell.neighbour[i].cell());
-            const double doubt = larger(static_cast<double>(cell.error) * square_root(cell.radius2),
-                                        static_cast<double>(other.error) * square_root(other.radius2)) *
-                                 up;
+            const double doubt = larger(doubt_of<D>(cell), doubt_of<D>(other));
             for (int k = 0; k <= D; ++k) {
                 const VertexId v = cell.vertex[k];
                 if (k == i || !(s[v] >= 0)) continue;
-                const double* const p = store.point(v);
-                double a[D], y[D], z[D];
-                for (int j = 0; j < D; ++j) {
-                    a[j] = p[j] - ball.centre[j];
-                    y[j] = cell.centre[j] - p[j];
-                    z[j] = other.centre[j] - p[j];
-                }
-                const double away2 = dot<D>(a, a), r2 = ball.radius * ball.radius, s2 = s[v] * s[v];
-                const double away = square_root(away2), level = away2 - r2 + s2;
-                const double near = square_root(dot<D>(y, y)), apart = square_root(dot<D>(z, z)), both = near + apart;
-                const double e = sum_slack * (2 * both * away + away2 + r2 + s2);
-                const double slack = (2 * away * doubt + 4 * e) * (1 + 0x1p-20);
-                const double here = 2 * dot<D>(y, a) + level - slack, there = 2 * dot<D>(z, a) + level - slack;
-                const auto show = [&](double distance) {
-                    const double most = (distance + doubt + sum_slack * both) * up;
-                    if (!(most <= far[v])) far[v] = most;
-                };
-                if (!(here > 0)) show(near);
-                if (!(there > 0)) show(apart);
-                if ((here > 0) == (there > 0)) continue;
-                const double t = here / (here - there);
-                for (int j = 0; j < D; ++j) y[j] += t * (z[j] - y[j]);
-                show(square_root(dot<D>(y, y)));
+                cut_edge<D>(ball, store.point(v), s[v], cell, other, doubt, doubt,
+                            [&](const double*, double most, double) {
+                                if (!(most <= far[v])) far[v] = most;
+                            });
             }
         }
 }
@@ -68,7 +82,209 @@ template <int D> void find_bisectors(const Store<D>& store, const Domain<D>& bal
         }
 }
 
+// The reach of one cell from points, by the head.
+template <int D> class ReachProof {
+public:
+    ReachProof(Store<D>& store, const Domain<D>& ball) : store_(store), ball_(ball) {}
+
+    // Must come first. False: no room for v's star.
+    bool open(VertexId v) {
+        v_ = v;
+        count_ = 0;
+        return visit_star(store_, v, [&](CellId) { ++count_; });
+    }
+    // No point of the clipped cell is farther from u than this; `whole` holds for the whole cell, and is what comes
+    // back when some point is as far as `enough`.
+    double bound(const double* u, double whole, double enough);
+
+private:
+    // What is beyond a distance s from u in the half-space.
+    struct Beyond {
+        double far = 0, near = infinity;  // most of any corner of the cut cell, least distance of one
+        double first[D];                  // the corner of the cut cell nearest to c, from c
+        double first2 = infinity;
+    };
+
+    CellId star(std::uint32_t k) const { return store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]; }
+    void measure(const double* u, Corner<D>* farthest) const;
+    template <class Show> void cut(const double* u, double s, Show&& show) const;
+    Beyond look_beyond(const double* u, double s) const;
+    bool is_apart(const double* u, double s, const double* w, double* first) const;
+    bool is_outside(const double* u, double s, const double* farthest, const Beyond& beyond) const;
+
+    Store<D>& store_;
+    const Domain<D>& ball_;
+    VertexId v_ = none;
+    std::uint32_t count_ = 0;
+};
+
+// By corners in the ball and crossings of edges.
+template <int D> void ReachProof<D>::measure(const double* u, Corner<D>* farthest) const {
+    const double* const p = store_.point(v_);
+    if (ball_.contains(p)) farthest->offer(p, distance2<D>(p, u), store_.vertex(v_).cell);
+    for (std::uint32_t k = 0; k < count_; ++k) {
+        const CellId c = star(k);
+        const Cell<D>& cell = store_.cell(c);
+        if (!(cell.radius2 < infinity)) continue;
+        if (ball_.contains(cell.centre))
+            farthest->offer(cell.centre, distance2<D>(cell.centre, u), c);
+        else
+            visit_crossings<D>(
+                store_, ball_, v_, c, [](const Cell<D>&, const Cell<D>&) { return true; },
+                [&](const double* z) { farthest->offer(z, distance2<D>(z, u), c); });
+    }
+}
+
+template <int D> template <class Show> void ReachProof<D>::cut(const double* u, double s, Show&& show) const {
+    for (std::uint32_t k = 0; k < count_; ++k) {
+        const CellId c = star(k);
+        const Cell<D>& cell = store_.cell(c);
+        for (int i = 0; i <= D; ++i) {
+            if (cell.vertex[i] == v_ || cell.neighbour[i].cell() < c) continue;
+            const Cell<D>& other = store_.cell(cell.neighbour[i].cell());
+            const double here = doubt_of<D>(cell), there = doubt_of<D>(other);
+            const bool known = here < infinity && there < infinity;
+            cut_edge<D>(ball_, u, s, cell, other, known ? here : infinity, known ? there : infinity, show);
+        }
+    }
+}
+
+template <int D> typename ReachProof<D>::Beyond ReachProof<D>::look_beyond(const double* u, double s) const {
+    Beyond beyond;
+    cut(u, s, [&](const double* y, double most, double) {
+        if (!(most <= beyond.far)) beyond.far = most;
+        const double d = square_root(dot<D>(y, y));
+        if (d < beyond.near) beyond.near = d;
+        double x[D];
+        for (int k = 0; k < D; ++k) x[k] = y[k] + (u[k] - ball_.centre[k]);
+        const double x2 = dot<D>(x, x);
+        if (!(x2 < beyond.first2)) return;
+        beyond.first2 = x2;
+        copy<D>(x, beyond.first);
+    });
+    return beyond;
+}
+
+// Is there a plane between the ball and the cut cell with the normal w, of any length? first[D]: the corner that is
+// first along w, from c.
+template <int D> bool ReachProof<D>::is_apart(const double* u, double s, const double* w, double* first) const {
+    const double length = square_root(dot<D>(w, w));
+    if (!(length > 0)) return false;
+    double unit[D], a[D], least = infinity;
+    bool apart = true;
+    for (int k = 0; k < D; ++k) {
+        unit[k] = w[k] / length;
+        a[k] = u[k] - ball_.centre[k];
+    }
+    const double away = square_root(dot<D>(a, a)), along = dot<D>(unit, a);
+    cut(u, s, [&](const double* y, double most, double wrong) {
+        const double height = dot<D>(unit, y) + along;
+        const double surely = height - wrong - sum_slack * (most + away + ball_.radius);
+        apart = apart && surely > ball_.radius;
+        if (!(height < least)) return;
+        least = height;
+        for (int k = 0; k < D; ++k) first[k] = y[k] + a[k];
+    });
+    return apart;
+}
+
+// Is the cut cell outside of the ball? Some point of the clipped cell far from u is `farthest`.
+template <int D>
+bool ReachProof<D>::is_outside(const double* u, double s, const double* farthest, const Beyond& beyond) const {
+    double w[D], first[D];
+    for (int k = 0; k < D; ++k) w[k] = farthest[k] - ball_.centre[k];
+    if (is_apart(u, s, w, first)) return true;
+    double x[D];
+    copy<D>(beyond.first, x);
+    for (int step = 0; step < 6; ++step) {
+        if (is_apart(u, s, x, first)) return true;
+        // To the point nearest to c on the way to the first corner.
+        double along = 0, length2 = 0;
+        for (int k = 0; k < D; ++k) {
+            along += x[k] * (x[k] - first[k]);
+            length2 += (x[k] - first[k]) * (x[k] - first[k]);
+        }
+        if (!(along > 0 && length2 > 0)) return false;
+        const double t = along < length2 ? along / length2 : 1;
+        for (int k = 0; k < D; ++k) x[k] += t * (first[k] - x[k]);
+    }
+    return false;
+}
+
+template <int D> double ReachProof<D>::bound(const double* u, double whole, double enough) {
+    constexpr double growths[] = {0x1p-38, 0x1p-32, 0x1p-26, 0x1p-20, 0x1p-10, 0.02, 0.25};
+    constexpr int growths_count = sizeof growths / sizeof growths[0];
+    const double away = square_root(ball_.distance2(u));
+    double best = smaller(whole, (away + ball_.radius) * up);
+    Corner<D> farthest;
+    measure(u, &farthest);
+    if (farthest.distance2 >= enough * enough) return whole;
+    bool has_poles = farthest.distance2 < 0;
+    if (has_poles) offer_poles<D>(store_, ball_, u, v_, store_.list_top(), count_, &farthest);
+    if (farthest.distance2 < 0) {
+        // No point is known: outside of the ball, or hardly in it. A point of the ball next to v will do to begin with.
+        const double* const p = store_.point(v_);
+        const double share = ball_.radius / square_root(ball_.distance2(p));
+        double x[D];
+        for (int k = 0; k < D; ++k) x[k] = ball_.centre[k] + share * (p[k] - ball_.centre[k]);
+        farthest.offer(x, distance2<D>(x, u), none);
+    }
+    for (int i = 0; i < growths_count; ++i) {
+        const double s = square_root(farthest.distance2) * (1 + growths[i]);
+        if (!(s < best)) break;
+        const Beyond beyond = look_beyond(u, s);
+        if (beyond.far <= s) return s;
+        best = smaller(best, beyond.far);
+        if (best <= s * (1 + 0x1p-32)) break;
+        if (beyond.near > s && is_outside(u, s, farthest.x, beyond)) return s;
+        if (has_poles) continue;
+        has_poles = true;
+        const double before2 = farthest.distance2;
+        offer_poles<D>(store_, ball_, u, v_, store_.list_top(), count_, &farthest);
+        if (farthest.distance2 > before2) i = -1;
+    }
+    return best;
+}
+
 }  // namespace
+
+template <int D>
+Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReach& needed, double* out_radius,
+                        double* reach) {
+    // Marked: 1, cells with a corner that may be outside; 2, unbounded ones.
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
+        const Cell<D>& cell = store.cell(c);
+        const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
+        const bool inside = (square_root(ball.distance2(cell.centre)) + doubt) * up <= ball.radius;
+        for (int i = 0; i <= D; ++i) {
+            if (!inside) store.vertex(cell.vertex[i]).queued |= 1;
+            for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+                if (k != i) store.vertex(cell.vertex[k]).queued |= 2;
+        }
+    }
+    ReachProof<D> proof(store, ball);
+    Status status = Status::ok;
+    for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        Vertex<D>& vertex = store.vertex(v);
+        const bool may_leave = vertex.queued == 1;
+        vertex.queued = 0;
+        if (!may_leave || vertex.marker == Marker::exempt || status != Status::ok) continue;
+        if (needed.present != nullptr && needed.present[v] == 0) continue;
+        if (!proof.open(v)) {
+            status = Status::out_of_memory;
+            continue;
+        }
+        if (vertex.marker == Marker::input) {
+            out_radius[v] = proof.bound(vertex.x, out_radius[v], needed.cut);
+            reach[v] = smaller(reach[v], out_radius[v]);
+            continue;
+        }
+        const double enough = needed.least_alone ? 0.5 * distance_to_inputs<D>(store, v) : infinity;
+        out_radius[v] = proof.bound(vertex.x, out_radius[v], enough);
+        reach[v] = proof.bound(store.point(nearest_input<D>(store, v)), reach[v], needed.cut);
+    }
+    return status;
+}
 
 template <int D>
 Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_radius, Arena& arena,
@@ -110,7 +326,8 @@ Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_r
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status bound_clipped_cells<D>(Store<D>&, const Domain<D>&, double*, Arena&, ClippedReach*);
+    template Status bound_clipped_cells<D>(Store<D>&, const Domain<D>&, double*, Arena&, ClippedReach*);               \
+    template Status clip_cell_bounds<D>(Store<D>&, const Domain<D>&, const NeededReach&, double*, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

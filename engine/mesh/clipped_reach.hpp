@@ -1,21 +1,33 @@
 // How far Voronoi cells reach within a ball, as proven bounds: measure_clipped_cells (clipped_cell.hpp) has the same
 // distances as they are computed.
 //
-// A cell of v, clipped to the ball of centre c and radius r. For any s >= 0 what is in the ball and at s or more from v
-// lies in the half-space h(x) <= 0,
+// A cell of v, clipped to the ball of centre c and radius r, and a point u that distances are measured from: v itself
+// or its nearest input. For any s >= 0 what is in the ball and at s or more from u lies in the half-space h(x) <= 0,
 //
-//   h(x) = |x - c|^2 - r^2 - |x - v|^2 + s^2 = 2 (x - v) (v - c) + |v - c|^2 - r^2 + s^2,
+//   h(x) = |x - c|^2 - r^2 - |x - u|^2 + s^2 = 2 (x - u) (u - c) + |u - c|^2 - r^2 + s^2,
 //
-// so no point of the clipped cell is farther from v than the larger of s and B, B the distance of the farthest corner
+// so no point of the clipped cell is farther from u than the larger of s and B, B the distance of the farthest corner
 // of the whole cell cut by the half-space. That holds whatever s is. It is near the truth when s is: a cell that has
 // points on both sides of the sphere of radius s in the half-space has one on it, and that is in the ball.
 //
-// Roundings. Corners are known within `error` times their radius: a point of a true edge is within d, the larger bound
-// of its two ends, of the point of the computed edge at the same share of its length. h changes by 2 |v - c| a unit of
-// length, and its own evaluation is off by less than e = 2^-44 (2 |x - v| |v - c| + |v - c|^2 + r^2 + s^2), by
+// So when s is a little more than the true reach the cut cell is within s, and B proves s; or all of it is beyond, and
+// then no point of it is in the ball. That is proven by a plane between the two: a unit vector w with w (x - c) > r for
+// all corners x of the cut cell. Which of the two it is depends on how the farthest point moves when the ball grows:
+// by less than the ball, or by more. A cell next to the sphere that is crossed by it is of the first kind; one that
+// lies on the other side of c from u is of the second. w comes from the cut cell's point nearest to c. Where that is
+// a corner, as where an edge crosses the sphere, or the pole of a face, it is known at once; for others a few steps are
+// taken towards it (Gilbert): w from the nearest point so far, then on to the corner that is first along w.
+//
+// Roundings. Corners are known within `error` times their radius: a point of a true edge is within d of the point of
+// the computed edge at the same share of its length, d the bounds of its two ends, mixed by that share, or the larger
+// of them. (The far end of an edge that leaves the ball is often known much worse.) h changes by 2 |u - c| a unit of
+// length, and its own evaluation is off by less than e = 2^-44 (2 |x - u| |u - c| + |u - c|^2 + r^2 + s^2), by
 // sum_slack of rounding.hpp. So what is in the half-space of a true edge lies within d of the part of the computed one
-// where the computed h is at most 2 |v - c| d + e; it is cut at 2 |v - c| d + 4 e, which leaves 2 e for the quotient
-// that says where. A distance is largest at one of the part's two ends, as it is convex.
+// where the computed h is at most 2 |u - c| d + e; it is cut at 2 |u - c| d + 4 e, which leaves 2 e for the quotient
+// that says where. |y - u| + d is largest at one of the part's two ends, as it is convex, and w y - d is least at one
+// of them. For a corner x of the true cut cell and the end y of a part that stands for it, w (x - c) is less than
+// the computed w (y - u) + w (u - c) by at most d, the rounding of y, 3 u times the distances of the edge's two ends,
+// and 2^-44 (|y - u| + |u - c| + r), again by sum_slack, for the D + 1 roundings of the sum and those of |w| = 1.
 //
 // A vertex v outside of the ball, at |v - c| - r from it: the parts of its cell in the ball are at most that much less
 // than B or s below the ball's sphere. Nor are they farther below it than r less the distance from c to the bisector of
@@ -36,5 +48,23 @@ struct ClippedReach {
 template <int D>
 Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_radius, Arena& arena,
                            ClippedReach* reach);
+
+// What of the bounds below is asked for.
+struct NeededReach {
+    const std::uint8_t* present = nullptr;  // [vertices] 0: the cell is outside of the ball; null: not known
+    bool least_alone = false;               // out_radius of Steiner vertices only as far as d - R > d / 2 needs it
+    double cut = infinity;                  // nor a reach, or out_radius of an input, that is more than this
+};
+
+// Lowers out_radius[v] and reach[v], as of measure_cells, to what holds in the ball: R_v of the clipped cell or more,
+// and the largest distance of a point of it from v's nearest input or more. Both stay what they are for exempt vertices
+// and where the whole cell is in the ball; they are by less than 2^-30 too large, relatively, but for the errors of
+// corners and where both kinds of above meet. Of a cell outside of the ball they say nothing, and what is not needed
+// may stay. Uses the marks `queued`, which must be 0 and are again, and those of cells. Needs a compact store and room
+// for the star of a vertex in its gap. O(cells) and, of what the sphere crosses, a few walks over each star.
+// out_of_memory.
+template <int D>
+Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReach& needed, double* out_radius,
+                        double* reach);
 
 }  // namespace netmesh

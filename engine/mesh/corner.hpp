@@ -21,26 +21,37 @@ template <int D> struct Corner {
     }
 };
 
-// Offers where edges of v's cell that end in corner c, which is outside the ball, cross its sphere. Crossings that
-// cannot be farther than least2 (squared) are left out. For stores in use: behind each facet of c is a cell, infinite
-// ones too.
-template <int D>
-void offer_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, double least2,
-                     Corner<D>* corner) {
+// Calls visit(z) where edges of v's cell that end in corner c, which is outside the ball, cross its sphere: of edges
+// for which is_wanted(cell c, the cell of the other end). For stores in use and for vertices inside the hull: behind
+// each facet of c is a cell, infinite ones too.
+template <int D, class IsWanted, class Visit>
+void visit_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, IsWanted&& is_wanted,
+                     Visit&& visit) {
     const Cell<D>& cell = store.cell(c);
     for (int i = 0; i <= D; ++i) {
         if (cell.vertex[i] == v) continue;
         const CellId n = cell.neighbour[i].cell();
         const Cell<D>& other = store.cell(n);
-        if (!(other.radius2 < infinity)) continue;
-        // A crossing is no farther from v than the farther end.
-        const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
-        if (!(bound2 > corner->distance2) || !(bound2 * (1 + 0x1p-20) > least2)) continue;
+        if (!(other.radius2 < infinity) || !is_wanted(cell, other)) continue;
         if (n < c && !ball.contains(other.centre)) continue;  // seen from the other end
         double z[2][D];
         const int crossings = sphere_crossings<D>(ball, cell.centre, other.centre, z);
-        for (int j = 0; j < crossings; ++j) corner->offer(z[j], distance2<D>(z[j], store.point(v)), c);
+        for (int j = 0; j < crossings; ++j) visit(z[j]);
     }
+}
+
+// Offers the crossings from there, but for those that cannot be farther than least2 (squared).
+template <int D>
+void offer_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, double least2,
+                     Corner<D>* corner) {
+    visit_crossings<D>(
+        store, ball, v, c,
+        [&](const Cell<D>& cell, const Cell<D>& other) {
+            // A crossing is no farther from v than the farther end.
+            const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
+            return bound2 > corner->distance2 && bound2 * (1 + 0x1p-20) > least2;
+        },
+        [&](const double* z) { corner->offer(z, distance2<D>(z, store.point(v)), c); });
 }
 
 }  // namespace netmesh

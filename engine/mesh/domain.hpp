@@ -16,6 +16,10 @@ template <int D> struct Domain {
     bool contains(const double* x) const { return distance2(x) <= radius * radius; }
 };
 
+// Cells may be clipped to a ball of this many enclosing radii (RatioGoal::clipped): a hair more than 1, so that no
+// input is near its sphere.
+constexpr double clip_factor = 1 + 0x1p-9;
+
 // Smallest enclosing ball of vertices 0..count-1: exact up to rounding where the search converges, never too small by
 // more than rounding, as the radius is the largest distance from the centre found, enlarged by 8 u. Fischer and
 // Gaertner's bases by exhaustion over at most D+2 points; O(n) a step, few steps. A single point gets a radius of its

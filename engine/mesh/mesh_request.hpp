@@ -19,11 +19,13 @@ enum class MeshMethod {
 
 // For the method certificate. With lo <= F <= hi on the cell of a vertex as in certificate/interval.hpp: hi <= ratio^2
 // lo everywhere, and hi <= focus^2 lo in each Steiner cell that matters to scales of interest, those with hi > from
-// and lo < to.
+// and lo < to. `clipped`: of cells clipped to the ball of clip_factor enclosing radii (domain.hpp), which is the
+// domain.
 struct RatioGoal {
-    double ratio;     // > sqrt 2
-    double focus;     // > 1; 0: there are no scales of interest
-    double from, to;  // 0 < from < to
+    double ratio;          // > sqrt 2
+    double focus;          // > 1; 0: there are no scales of interest
+    double from, to;       // 0 < from < to
+    bool clipped = false;  // of cells clipped to the ball of the domain, a hair larger than the smallest enclosing one
 };
 
 struct MeshRequest {

@@ -140,7 +140,7 @@ template <int D> [[gnu::cold]] Verdict QualityRule<D>::judge_medial(VertexId p, 
     CellView view;
     if (!view_cell(u, bound2, &view)) return Verdict::out_of_memory;
     if (!(view.clipped.distance2 > bound2) && view.leaves_domain)
-        offer_poles<D>(store_, domain_, u, store_.list_top(), view.cells, &view.clipped);
+        offer_poles<D>(store_, domain_, store_.point(u), u, store_.list_top(), view.cells, &view.clipped);
     if (!(view.clipped.distance2 > bound2)) return Verdict::good;
     this->split_towards(u, view.clipped, square_root(view.clipped.distance2), split);
     return Verdict::bad;

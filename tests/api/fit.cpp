@@ -89,6 +89,7 @@ Fitted fit_in(std::size_t bytes, int dim, const inputs::Points& points, netmesh_
 
     Session direct(dim);
     direct.request.certificate = goal;
+    direct.request.whole_cells = report.mesh.clipped == 0 ? 1 : 0;
     direct.request.seed = asked.seed;
     REQUIRE(direct.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
     netmesh_persist_request persist = persist_by(asked.filter, asked.k, asked.values);
@@ -164,6 +165,7 @@ TEST_CASE("what another filter certifies does not end the climb: finer meshes ce
     REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
     Session coarsest(2);
     coarsest.request.certificate.ratio = 4;
+    coarsest.request.whole_cells = 1;
     REQUIRE(coarsest.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
     netmesh_persist_request persist = persist_by(NETMESH_FILTER_FUNCTION);
     persist.function = &function;

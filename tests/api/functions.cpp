@@ -120,6 +120,7 @@ TEST_CASE("filters by neighbours certify no more than the complete filter's rati
                                           : set % 3 == 1 ? inputs::clusters(dim, n, set)
                                                          : inputs::shell(dim, n, 1, 1.1, set);
             Session session(dim);
+            session.request.whole_cells = 1;
             // Meshes by quality and by the certificate, from coarse to fine.
             if (set % 2 == 0)
                 session.request.tau = dim == 4 ? 4 : 2.1 + 0.2 * static_cast<double>(set % 7);

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "grid.hpp"
+#include "textbook.hpp"
 
 using namespace netmesh;
 
@@ -13,30 +13,9 @@ namespace {
 
 template <int D>
 void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uint32_t zero_born_count) {
-    const auto simplices = oracle::all_faces(ball.cells());
-    const auto f = oracle::lower_star(simplices, value, zero_born_count);
-    const auto complete = oracle::diagram(f, D - 1, true);
+    const auto f = oracle::lower_star(oracle::all_faces(ball.cells()), value, zero_born_count);
     Block block(std::size_t{16} << 20);
-    for (std::uint32_t degree = 0; degree <= D; ++degree) {
-        for (const bool keep : {false, true}) {
-            std::vector<Pair> expected;
-            for (const Pair& p : complete) {
-                if (p.degree <= degree && (keep || p.birth != p.death)) expected.push_back(p);
-            }
-            const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-            Monitor monitor;
-            CountedPairs diagram;
-            REQUIRE(persist_lower_star<D>({ball.view(), value.data(), zero_born_count}, {degree, keep},
-                                          {block.arena, monitor}, &diagram) == Status::ok);
-            const PairList& out = diagram.pairs;
-            CHECK(diagram.simplices == simplices.size());
-            REQUIRE(oracle::same(expected, out));
-            CHECK(block.arena.high_mark() == high);
-            CHECK(out.count > 0);
-            CHECK(block.arena.low_mark() == block.arena.offset_of(out.pairs + out.count));
-            block.arena.release_low(low);
-        }
-    }
+    textbook::check_diagrams<D>({ball.view(), value.data(), zero_born_count}, f, block);
 }
 
 template <int D> void check_values(const grid::Ball<D>& ball, std::mt19937& random) {

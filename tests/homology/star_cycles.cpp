@@ -2,17 +2,13 @@
 // cycle is a sum of others up to what has died before.
 #include <doctest/doctest.h>
 
-#include "boundaries.hpp"
-#include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "grid.hpp"
-#include "homology/cycles/cycles.hpp"
+#include "textbook.hpp"
 
 using namespace netmesh;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <int D>
 Status run(const grid::Ball<D>& ball, const std::vector<double>& value, std::uint32_t zero_born, std::uint32_t degree,
@@ -21,45 +17,10 @@ Status run(const grid::Ball<D>& ball, const std::vector<double>& value, std::uin
     return lower_star_cycles<D>({ball.view(), value.data(), zero_born}, degree, pairs, {block.arena, monitor}, out);
 }
 
-// The simplices of a cycle as positions in the filtration, ascending.
-oracle::Column chain_of(const oracle::Boundaries& boundaries, const Cycle& cycle, std::uint32_t degree) {
-    oracle::Column chain;
-    for (std::uint32_t i = 0; i < cycle.count; ++i) {
-        const std::uint32_t* const vertices = cycle.simplices + std::size_t{i} * (degree + 1);
-        oracle::Simplex s(vertices, vertices + degree + 1);
-        std::sort(s.begin(), s.end());
-        chain.push_back(boundaries.index(s));
-    }
-    std::sort(chain.begin(), chain.end());
-    CHECK(std::adjacent_find(chain.begin(), chain.end()) == chain.end());
-    return chain;
-}
-
 template <int D>
 void check(const grid::Ball<D>& ball, const std::vector<double>& value, std::uint32_t zero_born, Block& block) {
     const auto f = oracle::lower_star(oracle::all_faces(ball.cells()), value, zero_born);
-    const oracle::Boundaries boundaries(f);
-    for (std::uint32_t degree = 0; degree <= D; ++degree) {
-        CAPTURE(degree);
-        const auto expected = oracle::diagram(f, std::min<std::uint32_t>(degree, D - 1), false);
-        const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-        Representatives found = {};
-        REQUIRE(run(ball, value, zero_born, degree, expected.size(), block, &found) == Status::ok);
-        const PairList& out = found.pairs;
-        REQUIRE(oracle::same(expected, out));
-        CHECK(block.arena.high_mark() == high);
-        for (std::uint64_t i = 0; i < out.count; ++i) {
-            CAPTURE(i);
-            const Pair& pair = out.pairs[i];
-            const auto chain = chain_of(boundaries, lower_star_cycle(found.store, block.arena, pair), pair.degree);
-            REQUIRE(!chain.empty());
-            if (pair.degree == 0) CHECK(chain.size() == (pair.death == infinity ? 1 : 2));
-            if (pair.degree > 0) CHECK(boundaries.boundary(chain).empty());
-            CHECK(f.values[chain.back()] == pair.birth);
-            CHECK(boundaries.death(chain) == pair.death);
-        }
-        block.arena.release_low(low);
-    }
+    textbook::check_cycles<D>({ball.view(), value.data(), zero_born}, f, block);
 }
 
 template <int D> void check_values(const grid::Ball<D>& ball, std::mt19937& random) {

@@ -6,6 +6,7 @@
 #include "disturbed.hpp"
 #include "grid.hpp"
 #include "homology/cycles/cycles.hpp"
+#include "parts.hpp"
 
 using namespace netmesh;
 
@@ -15,11 +16,19 @@ template <int D> struct Input {
     grid::Ball<D> ball;
     std::vector<double> value;
     std::uint32_t zero_born;
+    const parts::Part<D>* part = nullptr;
+
+    LowerStarFiltration<D> filtration() const {
+        return {ball.view(), value.data(), zero_born, part == nullptr ? nullptr : &part->view};
+    }
+    std::vector<oracle::Simplex> simplices() const {
+        return part == nullptr ? oracle::all_faces(ball.cells()) : part->simplices;
+    }
 };
 
 template <int D>
 Input<D> random_values(const grid::Ball<D>& ball, std::uint32_t levels, std::uint32_t zero_born, std::mt19937& random) {
-    Input<D> input = {ball, {}, zero_born};
+    Input<D> input = {ball, {}, zero_born, nullptr};
     for (std::uint32_t v = 0; v < ball.vertex_count; ++v) input.value.push_back(double(random() % levels));
     return input;
 }
@@ -37,8 +46,7 @@ template <int D>
 Status pairs(const Input<D>& input, std::uint32_t degree, bool keep_zero, const std::vector<Pair>& expected,
              const Work& work) {
     CountedPairs out;
-    const Status status = persist_lower_star<D>({input.ball.view(), input.value.data(), input.zero_born},
-                                                {degree, keep_zero}, work, &out);
+    const Status status = persist_lower_star<D>(input.filtration(), {degree, keep_zero}, work, &out);
     if (status == Status::ok) {
         REQUIRE(oracle::same(expected, out.pairs));
         work.arena.release_low(0);
@@ -51,8 +59,7 @@ template <int D>
 Status cycles(const Input<D>& input, const std::vector<Pair>& expected, std::vector<std::vector<std::uint32_t>>* seen,
               const Work& work) {
     Representatives found;
-    const Status status = lower_star_cycles<D>({input.ball.view(), input.value.data(), input.zero_born}, D,
-                                               expected.size(), work, &found);
+    const Status status = lower_star_cycles<D>(input.filtration(), D, expected.size(), work, &found);
     if (status != Status::ok) return status;
     const PairList& out = found.pairs;
     REQUIRE(oracle::same(expected, out));
@@ -71,8 +78,7 @@ Status cycles(const Input<D>& input, const std::vector<Pair>& expected, std::vec
 // Pairs with and without those of zero length, cycles, and components alone, for which stars are opened but not swept.
 template <int D> void check_sizes(const Input<D>& input, std::size_t dense) {
     const std::size_t enough = std::size_t{8} << 20;
-    const oracle::Explicit listed(
-        oracle::lower_star(oracle::all_faces(input.ball.cells()), input.value, input.zero_born));
+    const oracle::Explicit listed(oracle::lower_star(input.simplices(), input.value, input.zero_born));
     for (const bool keep_zero : {false, true}) {
         const auto expected = general(listed, D - 1, keep_zero);
         const auto outcome = disturbed::by_size(enough, keep_zero ? dense / 2 : dense, [&](const Work& work) {
@@ -116,6 +122,24 @@ TEST_CASE_TEMPLATE_DEFINE("columns in blocks of all sizes, in six dimensions", T
 }
 TEST_CASE_TEMPLATE_APPLY(blocks_6, Dimensions<6, 6>);
 
+namespace {
+
+template <int D> void check_part_sizes(const grid::Ball<D>& ball, std::mt19937& random) {
+    const auto all = oracle::all_faces(ball.cells());
+    const parts::Part<D> part(ball, parts::collapse(all, all.size() / 6, false, random), random);
+    auto input = random_values(ball, 1000, 10, random);
+    input.part = &part;
+    check_sizes(input, 2000);
+}
+
+}  // namespace
+
+TEST_CASE("parts in blocks of all sizes") {
+    std::mt19937 random(65);
+    check_part_sizes(grid::freudenthal<2>({9, 8}, random), random);
+    check_part_sizes(grid::freudenthal<3>({4, 4, 4}, random), random);
+    for_each_dimension<4, 4>([&](auto dim) { check_part_sizes(grid::freudenthal<dim>({2, 2, 2, 1}, random), random); });
+}
 TEST_CASE("large links in blocks of all sizes") {
     std::mt19937 random(62);
     for (const bool apex_first : {false, true}) {
@@ -141,7 +165,7 @@ namespace {
 
 template <int D>
 void check_refused(const grid::Ball<D>& ball, const std::vector<double>& value, Status expected, bool surface = true) {
-    const Input<D> input = {ball, value, 0};
+    const Input<D> input = {ball, value, 0, nullptr};
     Block block(std::size_t{1} << 20);
     Monitor monitor;
     std::vector<std::vector<std::uint32_t>> seen;

@@ -8,7 +8,9 @@
 #include "common/block.hpp"
 #include "common/last_words.hpp"
 #include "complexes.hpp"
+#include "grid.hpp"
 #include "homology/lower_star/front.hpp"
+#include "homology/lower_star/lower_star.hpp"
 #include "homology/matrix/listed_columns.hpp"
 #include "homology/matrix/reduction.hpp"
 #include "homology/pair_writer.hpp"
@@ -98,6 +100,29 @@ TEST_CASE("pivots of listed columns that are not theirs") {
     }
     start.push_back(static_cast<std::uint32_t>(row.size()));
     check_listed<CoboundaryMatrix, KeptSources>({start.data(), row.data()}, c.of[2].count, c.of[1].count);
+}
+
+// One triangle of a square, of which a vertex of the other one is said to be whole, or its own one to be absent.
+TEST_CASE("parts whose vertices contradict their cells") {
+    const auto square = grid::link<2>({{0, 1, 2}, {1, 2, 3}}, 4);
+    const auto words_with = [&](std::vector<std::uint8_t> vertex) {
+        return last_words([&] {
+            Block block(1 << 16);
+            Monitor monitor;
+            const std::uint8_t cell[] = {1, 0};
+            const double value[] = {0, 1, 2, 3};
+            const Subcomplex<2> part = {cell, {}, vertex.data()};
+            CountedPairs out;
+            const auto status =
+                persist_lower_star<2>({square.view(), value, 0, &part}, {1}, {block.arena, monitor}, &out);
+            if (status != Status::ok || out.simplices != 7) std::abort();
+        });
+    };
+    constexpr std::uint8_t absent = VertexPart::absent, cut = VertexPart::cut, whole = VertexPart::whole;
+    CHECK(words_with({whole, cut, cut, absent}) == "lived");
+    CHECK(has(words_with({whole, cut, whole, absent}), "not all cells of a whole vertex"));
+    CHECK(has(words_with({absent, cut, cut, absent}), "a part has a cell without one of its vertices"));
+    CHECK(has(words_with({whole, cut, cut, 3}), "neither absent, cut nor whole"));
 }
 
 TEST_CASE("pivots and killers against the textbook") {

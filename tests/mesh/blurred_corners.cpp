@@ -74,6 +74,28 @@ TEST_CASE("two points in units in the last place whose size check refused") {
     CHECK(session.check() == NETMESH_OK);
 }
 
+// Corners are counted with their error bounds, as the certificate counts them.
+TEST_CASE("the certificate reaches its ratio where coordinates hardly resolve distances") {
+    for (const int dim : dimensions(2, 4)) {
+        int meshed = 0;
+        for (std::uint64_t seed = 1; seed <= (dim == 2 ? 200 : dim == 3 ? 30 : 10); ++seed)
+            for (const double ratio : {1.9, 2.25}) {
+                if (dim == 4 && ratio < 2) continue;
+                CAPTURE(dim);
+                CAPTURE(seed);
+                CAPTURE(ratio);
+                Session session(dim);
+                session.request.certificate.ratio = ratio;
+                const netmesh_status status = session.mesh_and_persist(cluster(dim, dim == 2 ? 10 : 6, 2500, seed));
+                REQUIRE((status == NETMESH_OK || status == NETMESH_TOO_CLOSE));
+                if (status != NETMESH_OK) continue;
+                ++meshed;
+                CHECK(session.report().diagram.certified_ratio <= ratio);
+            }
+        CHECK(meshed > 4);
+    }
+}
+
 // 6.5 sqrt(D) (2 / (tau - 2) + 1) units, at least 64: 193.04 for 2.1 in the plane.
 TEST_CASE("near 2 tau asks for more than 64 units in the last place between points") {
     for (const double units : {65., 190., 196.})

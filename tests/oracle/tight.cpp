@@ -47,6 +47,7 @@ template <int D> void within_ratio(const inputs::Points& points, double ratio) {
     Session session(D);
     session.bounds = true;
     session.request.certificate.ratio = ratio;
+    session.request.whole_cells = 1;
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_TIGHT, 0, values),
                                          NETMESH_PURPOSE_PERSIST) == NETMESH_OK);

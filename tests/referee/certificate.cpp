@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "nerve.hpp"
+
 namespace referee {
 namespace {
 
@@ -65,9 +67,42 @@ double enclosing_radius(const Mesh& mesh) {
     return most;
 }
 
+// In doubles but for what is beyond the limit, which is decided exactly: half of d, or the promise.
+void judge_clipped(const Mesh& mesh, const Diagram& diagram, const Hull& hull, Verdict* verdict) {
+    const double rho = enclosing_radius(mesh);
+    const Nerve nerve(mesh);
+    for (std::uint32_t v = 0; v < mesh.count(); v++) {
+        if (!nerve.has({v})) continue;
+        double d;
+        const std::vector<NearestInput> inputs = nearest_inputs(mesh, v, &d);
+        const bool is_input = mesh.markers[v] == input_marker;
+        double low = is_input ? diagram.nearest(v) / 2 : d / 2;
+        if (!is_input && !hull.has[v]) {
+            const Reach own = diagram.reach(v, {mesh.centre, mesh.radius, mesh.vertices[v], square(exact(d)) / 4});
+            if (!own.beyond) low = std::max(low, d - own.farthest);
+        }
+        low = std::min(low, rho);
+        const double most = low * mesh.ratio * mesh.ratio * (1 + 2 * corner_room);
+        double high = rho;
+        bool beyond = rho > most;
+        for (const NearestInput& near : inputs) {
+            const Reach reach =
+                diagram.reach(v, {mesh.centre, mesh.radius, mesh.vertices[near.input], square(exact(most))});
+            high = std::min(high, reach.farthest);
+            beyond = beyond && reach.beyond;
+        }
+        const double ratio = std::sqrt(high / low);
+        verdict->worst_ratio = std::max(verdict->worst_ratio, ratio);
+        if (beyond)
+            verdict->add("certificate",
+                         "the clipped cell of vertex " + count_text(v) + " has the ratio " + number_text(ratio));
+    }
+}
+
 }  // namespace
 
 void judge_certificate(const Mesh& mesh, const Diagram& diagram, const Hull& hull, Verdict* verdict) {
+    if (mesh.clipped) return judge_clipped(mesh, diagram, hull, verdict);
     const std::size_t count = mesh.count();
     const double rho = enclosing_radius(mesh);
     std::vector<double> out(count, 0), from_inputs(count);

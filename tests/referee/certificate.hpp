@@ -6,6 +6,8 @@
 //   another v         d(x) >= s, as x is no nearer to an input than to v, and d(x) >= d(v) - s, so at least the larger
 //                     of d(v) / 2 and d(v) - R; at most |x - n|, which is largest at a corner;
 //   an unbounded cell at least d(v) / 2, and nothing above.
+// In a mesh that says `# clipped` cells end at the domain's ball: the largest distances are those of clipped cells
+// (voronoi.hpp), and a vertex whose cell does not meet the ball (nerve.hpp) counts nowhere.
 // Where vertices have values t, sampled points x of the domain are compared with them: d(x) <= C t(v), and
 // d(x) >= t(v) / C outside of the in-balls of inputs.
 #pragma once

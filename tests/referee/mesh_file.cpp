@@ -34,6 +34,10 @@ std::string keep_remark(const std::string& line, Mesh* mesh, std::vector<double>
         mesh->thesis_cages = true;
         return rest == " thesis" ? "" : "cages of an unknown kind: " + line;
     }
+    if (name == "clipped") {
+        mesh->clipped = true;
+        return rest.empty() && mesh->ratio > 0 ? "" : "clipped, and not behind a ratio: " + line;
+    }
     if (name != "domain" && name != "tau" && name != "ratio" && name != "eps" && name != "cell-size" &&
         name != "cage" && name != "boundary-net")
         return {};
@@ -167,6 +171,7 @@ void write_mesh(const std::string& stem, const Mesh& mesh) {
         out << ' ' << mesh.radius << '\n';
         if (mesh.tau > 0) out << "# tau " << mesh.tau << '\n';
         if (mesh.ratio > 0) out << "# ratio " << mesh.ratio << '\n';
+        if (mesh.clipped) out << "# clipped\n";
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
         if (mesh.least_size > 0) out << "# cell-size " << mesh.least_size << ' ' << mesh.growth << '\n';
         if (mesh.net > 0) out << "# boundary-net " << mesh.net << '\n';

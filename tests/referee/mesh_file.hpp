@@ -28,6 +28,7 @@ struct Mesh {
     Point centre = {};
     double radius = 0;
     double tau = 0, ratio = 0, eps = 0;  // 0: the file does not say
+    bool clipped = false;                // the ratio is that of cells clipped to the domain
     double least_size = 0, growth = 0;   // of `# cell-size`
     double net = 0;                      // of `# boundary-net`
     std::vector<CageLine> cages;

@@ -23,6 +23,7 @@ const std::vector<Method>& methods() {
         {"netmesh finished", {"mesh", "--method", "netmesh", "--finish"}, true, false, true},
         {"refine", {"mesh", "--method", "refine"}, true, false, false},
         {"persist", {"persist", "--max-degree", "0"}, true, false, false},
+        {"persist with whole cells", {"persist", "--max-degree", "0", "--whole-cells"}, true, false, false},
     };
     return all;
 }

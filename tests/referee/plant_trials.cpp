@@ -32,7 +32,8 @@ std::vector<GroundKind> ground_kinds(int dim) {
         {caged, "cages", {"mesh", "--method", "netmesh", "--tau", tau}},
         {sized, "eps", {"mesh", "--tau", tau, "--eps", choose(dim, "0.6", "1", "1.5")}},
         {sized, "cell-size", {"mesh", "--tau", tau, "--cell-size", choose(dim, "0.2,0.3", "0.6,0.3", "1.2,0.3")}},
-        {certified, "ratio", {"persist", "--max-degree", "0"}},
+        {certified, "ratio", {"persist", "--max-degree", "0", "--whole-cells"}},
+        {clipped, "clipped ratio", {"persist", "--max-degree", "0"}},
     };
     // Their shells have 120 and 1,000 vertices in R^4.
     if (dim < 4) {
@@ -69,6 +70,7 @@ Points ground_points(unsigned ground, int dim, Random& random) {
 // A mesh of that kind that the referee accepts; empty when there is none in a few tries.
 std::vector<GoodMesh> good_mesh(const Tool& tool, const Settings& settings, const GroundKind& kind, int dim,
                                 Random& random) {
+    const bool is_persist = kind.ground == certified || kind.ground == clipped;
     for (int trial = 0; trial < 12; trial++) {
         GoodMesh made = {kind.ground, {}, {}, 0};
         made.wanted.points = ground_points(kind.ground, dim, random);
@@ -79,12 +81,12 @@ std::vector<GoodMesh> good_mesh(const Tool& tool, const Settings& settings, cons
         write_points(tool.path("ground.txt"), made.wanted.points, dim);
         std::vector<std::string> arguments = kind.arguments;
         arguments.insert(arguments.begin() + 1, tool.path("ground.txt"));
-        arguments.insert(arguments.end(),
-                         {kind.ground == certified ? "--mesh" : "-o", tool.path("ground.node"), "--quiet"});
-        if (kind.ground == certified) arguments.insert(arguments.end(), {"-o", tool.path("ground.pers")});
+        arguments.insert(arguments.end(), {is_persist ? "--mesh" : "-o", tool.path("ground.node"), "--quiet"});
+        if (is_persist) arguments.insert(arguments.end(), {"-o", tool.path("ground.pers")});
         if (tool.run(arguments, settings.seconds).exit != done) continue;
         if (!read_mesh(tool.path("ground"), &made.mesh).empty()) continue;
         if (made.wanted.has_cages && made.mesh.cages.size() < 2) continue;
+        if (made.mesh.clipped != (kind.ground == clipped)) continue;
         const Verdict verdict = judge(made.mesh, made.wanted, random);
         if (!verdict.good() || tool.check(made.mesh, &made.wanted.points).exit != done) continue;
         made.worst = verdict.worst_ratio;

@@ -14,9 +14,10 @@ enum Ground : unsigned {
     caged = 4,          // --method netmesh, with cages
     netted = 8,         // --method refine, with a boundary net
     sized = 16,         // with --eps
-    certified = 32,     // the mesh of `persist`, with a ratio and values
+    certified = 32,     // the mesh of `persist --whole-cells`, with a ratio and values
     thesis = 64,        // --method netmesh --cages thesis
-    meshes = plain | caged | netted | sized | certified | thesis,
+    clipped = 128,      // the mesh of `persist`: its cells are clipped to the domain
+    meshes = plain | caged | netted | sized | certified | thesis | clipped,
     all_grounds = triangulation | meshes
 };
 

@@ -59,7 +59,29 @@ bool less_ratio(Mesh* mesh, const Planter& p) {
 bool ratio_becomes_tau(Mesh* mesh, const Planter& p) {
     mesh->tau = 2 + 1e-3 * p.random.unit();
     mesh->ratio = 0;
+    mesh->clipped = false;
     mesh->values.clear();
+    return true;
+}
+
+// Whole cells near the sphere reach farther than their clipped parts.
+bool clipped_becomes_whole(Mesh* mesh, const Planter&) {
+    mesh->clipped = false;
+    return true;
+}
+
+// More of the cells counts, where nothing was refined.
+bool larger_ball(Mesh* mesh, const Planter& p) {
+    mesh->radius *= p.random.between(1.2, 2);
+    return true;
+}
+
+bool ball_leaves_out_an_input(Mesh* mesh, const Planter&) {
+    double reach = 0;
+    for (std::uint32_t v = 0; v < mesh->count(); v++)
+        if (mesh->markers[v] == input_marker)
+            reach = std::fmax(reach, distance(mesh->vertices[v], mesh->centre, mesh->dim));
+    mesh->radius = reach * (1 - 1e-9);
     return true;
 }
 
@@ -124,13 +146,16 @@ const std::vector<Plant>& remark_plants() {
         {"a cell-size in a mesh that was not refined to it", plain | netted, false, false, size_of_none},
         {"the boundary net is said to be finer", netted, false, false, less_net},
         {"the boundary net is said to be coarser", netted, false, false, more_net},
-        {"a boundary net that is not there", plain | caged | sized | certified, false, false, net_of_none},
-        {"the ratio is less than a cell's", certified, false, false, less_ratio},
-        {"tau in place of the ratio", certified, false, false, ratio_becomes_tau},
+        {"a boundary net that is not there", plain | caged | sized | certified | clipped, false, false, net_of_none},
+        {"the ratio is less than a cell's", certified | clipped, false, false, less_ratio},
+        {"the ratio of clipped cells is said of whole ones", clipped, false, false, clipped_becomes_whole},
+        {"the ball that cells are clipped to is larger", clipped, false, false, larger_ball},
+        {"the ball that cells are clipped to leaves out an input", clipped, true, false, ball_leaves_out_an_input},
+        {"tau in place of the ratio", certified | clipped, false, false, ratio_becomes_tau},
         {"the domain is larger", plain | caged | sized, false, false, larger_domain},
         {"the domain reaches beyond the hull", meshes, true, false, domain_beyond_hull},
-        {"the domain is a third", plain | caged | sized | certified | thesis, true, false, smaller_domain},
-        {"the domain leaves out an input", plain | caged | sized | certified | thesis, true, false,
+        {"the domain is a third", plain | caged | sized | certified | clipped | thesis, true, false, smaller_domain},
+        {"the domain leaves out an input", plain | caged | sized | certified | clipped | thesis, true, false,
          domain_a_little_smaller},
         {"the domain is a dot", meshes, true, false, domain_is_a_dot},
         {"the domain is beside the inputs", meshes, true, false, domain_beside},

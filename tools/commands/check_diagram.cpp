@@ -199,6 +199,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     if (made.fit) {
         promised.ratio.reset();
         promised.focus = promised.from = promised.to = 0;
+        promised.memory_bytes = 0;  // what the mesh was fitted in need not hold its check too
     }
     Session session(promised, cloud.dim);
     outcome = check_mesh(promised, files, run, session);

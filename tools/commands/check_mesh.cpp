@@ -101,6 +101,7 @@ void set_promises(const Options& options, const NodeFile& node, requests::Mesh* 
     mesh->size_growth = options.size_at_inputs > 0 ? options.size_growth : node.size_growth;
     mesh->net_spacing = options.net_spacing > 0 ? options.net_spacing : node.net_spacing;
     mesh->certificate = goal_of(options, options.ratio.value_or(node.ratio));
+    mesh->whole_cells = options.whole_cells || !node.clipped ? 1 : 0;
 }
 
 // What the engine's checkers have found to hold; `error`: asked of a function's diagram, or 0.
@@ -111,7 +112,8 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double err
     checked->push_back("facets shared by two, cells positively oriented, spheres empty, hull convex");
     checked->push_back(files.neighbours.name + " names the cells behind the facets");
     if (is_mesh && ratio > 0) {
-        checked->push_back("certified ratio at most " + rounded_text(ratio, 6) + " by the bounds of every cell");
+        checked->push_back("certified ratio at most " + rounded_text(ratio, 6) + " by the bounds of every cell" +
+                           (mesh.whole_cells == 0 ? ", clipped" : ""));
     } else if (is_mesh) {
         checked->push_back("aspect ratio at most " + rounded_text(report.aspect_ratio_max, 6) + " (tau " +
                            rounded_text(tau(mesh), 6) + ")");

@@ -149,7 +149,8 @@ SimplexList complex_of(const Options& options, const Engine& engine, const Point
     const MeshFiles files = files_of(EngineMesh(engine));
     if (source_of(options) == NETMESH_SOURCE_DELAUNAY) return alpha_complex(files, top);
     const NodeFile& node = files.node;
-    return lower_stars(files.cells, node.attributes, zero_born(node, diagram.filter, diagram.k), top);
+    std::uint64_t unknown = 0;
+    return mesh_complex(files, node.attributes, zero_born(node, diagram.filter, diagram.k), top, &unknown);
 }
 
 std::string checked_text(const Options& options, const SimplexList& complex) {

@@ -68,6 +68,7 @@ EngineMesh::EngineMesh(const Engine& engine) : engine_(engine) {
     cell_count = report.mesh.cells;
     tau = report.mesh.tau;
     ratio = report.mesh.certificate.ratio;
+    clipped = report.mesh.clipped != 0;
     eps = report.mesh.sizes.eps;
     for (std::uint32_t k = 0; k <= dim; k++) domain[k] = report.mesh.domain[k];
     if (vertex_count > 0) has_values = vertex(0).has_value != 0;
@@ -104,6 +105,8 @@ MeshFiles files_of(const EngineMesh& mesh) {
         node.attributes.push_back(vertex.value);
         node.markers.push_back(static_cast<std::uint8_t>(vertex.marker));
     }
+    if (mesh.domain[mesh.dim] > 0) node.domain.assign(mesh.domain, mesh.domain + mesh.dim + 1);
+    node.clipped = mesh.clipped;
     files.cells.columns = mesh.dim + 1;
     for (std::uint64_t c = 0; c < mesh.cell_count; c++) {
         const netmesh_cell cell = mesh.cell(c);

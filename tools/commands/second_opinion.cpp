@@ -78,15 +78,18 @@ Outcome CellJury::judge_ratio() {
                                              " follows from the cells of the mesh");
     const HeadLine* const from = claim_.file.head ? claim_.file.head->find("certified-from") : nullptr;
     double have = 0;
-    if (from == nullptr || (parse_finite(from->value, &have) && agrees(have, opinion_.from))) return {};
-    return claim_.file.wrong(from->number, quoted("# " + head_text(*from)) + " where " + shown(opinion_.from) +
+    if (from == nullptr) return {};
+    const bool is_number = parse_finite(from->value, &have);
+    const Real due = std::min(std::max<Real>(have, opinion_.from.least), opinion_.from.most);
+    if (is_number && agrees(have, due)) return {};
+    return claim_.file.wrong(from->number, quoted("# " + head_text(*from)) + " where " + shown(due) +
                                                " follows from the cells of the mesh");
 }
 
 // Interleaving, by what the function takes at places of the cells: F <= c t and t <= c F on each of them.
 Outcome CellJury::judge_cells() {
     const bool basic = choice_of(claim_.made).filter == NETMESH_FILTER_BASIC;
-    const Real c = ratio_ * (1 + opinion_.tolerance), from = opinion_.from * (1 + opinion_.tolerance);
+    const Real c = ratio_ * (1 + opinion_.tolerance), from = opinion_.from.most * (1 + opinion_.tolerance);
     for (std::size_t v = 0; v < values_.size(); v++) {
         const CellRange seen = opinion_.seen[v];
         const Real most = basic && values_[v] == 0 ? from : c * values_[v];
@@ -213,9 +216,27 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
     return judge_cycles(claim, complex, checked);
 }
 
+// The pairs of a mesh's filter by these values.
+Outcome judge_mesh_pairs(const DiagramClaim& claim, const MeshFiles& files, const std::vector<double>& values,
+                         double slack, std::vector<std::string>* checked) {
+    const std::uint32_t first = zero_born(files.node, filter_of(claim.made), claim.made.k.value_or(1));
+    std::uint64_t unknown = 0;
+    const SimplexList simplices = mesh_complex(files, values, first, *claim.made.max_degree + 1, &unknown);
+    if (unknown == 0) return judge_pairs(claim, simplices, slack, checked);
+    const std::string why =
+        "to working precision it is open whether " + grouped_text(unknown) + " faces of Voronoi cells meet the domain";
+    if (!claim.cycles_path.empty()) return usage_error("--representatives: " + why + ", which leaves cycles open");
+    checked->push_back("no second opinion on the pairs: " + why);
+    return {};
+}
+
 // Of the filter by a function: its error is large enough, and the bars are those of its values.
 Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunReport* run) {
     const Options& made = claim.made;
+    if (files.node.clipped) {
+        run->checked->push_back("no second opinion: functions are looked at on whole cells alone");
+        return {};
+    }
     const netmesh_diagram_report& diagram = run->engine->diagram;
     const FunctionClaim said = {*made.function, *made.lipschitz, *made.cut, diagram.certified_error};
     const FunctionOpinion opinion = function_opinion(files, said);
@@ -254,19 +275,18 @@ Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files
         return {};
     }
     if (filter_of(claim.made) == NETMESH_FILTER_FUNCTION) return judge_function(claim, files, run);
-    const std::uint32_t first = zero_born(files.node, filter_of(claim.made), claim.made.k.value_or(1));
     const double cost = opinion_cost(files);
     if (cost > cost_max) {
         run->checked->push_back("no second opinion on the values: cells times inputs are " + rounded_text(cost, 3) +
                                 ", more than " + rounded_text(cost_max, 3));
         if (files.node.attribute_count != 1) return {};
         // The pairs can still be looked at, with the values as the mesh has them.
-        return judge_pairs(claim, lower_stars(files.cells, files.node.attributes, first, top), 0, &*run->checked);
+        return judge_mesh_pairs(claim, files, files.node.attributes, 0, &*run->checked);
     }
     CellJury jury(claim, files, run->engine->diagram.certified_ratio);
     const Outcome outcome = jury.judge(&*run->checked);
     if (!outcome.good()) return outcome;
-    return judge_pairs(claim, lower_stars(files.cells, jury.values(), first, top), jury.slack(), &*run->checked);
+    return judge_mesh_pairs(claim, files, jury.values(), jury.slack(), &*run->checked);
 }
 
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run) {

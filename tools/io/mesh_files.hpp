@@ -23,6 +23,7 @@ public:
     std::uint64_t vertex_count = 0, cell_count = 0;
     double tau = 0;                              // bound asked for; 0 for a Delaunay triangulation
     double ratio = 0;                            // asked of the certificate instead; 0: not asked for
+    bool clipped = false;                        // the ratio is that of cells clipped to the domain
     double eps = 0;                              // of over-refinement; 0 when there was none
     double size_at_inputs = 0, size_growth = 0;  // the same by the distance to the inputs
     double net_spacing = 0;                      // of the boundary net; 0: not chosen
@@ -35,7 +36,8 @@ public:
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
-// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# eps E` and `# cell-size A B` for an over-refined
+// `# domain c1 .. cD r` and `# tau T` or `# ratio C`, for a mesh, `# clipped` behind a ratio of cells that are clipped
+// to the domain, `# eps E` and `# cell-size A B` for an over-refined
 // one, `# boundary-net S` where a boundary net's spacing was chosen, `# cage V R` for each cage: its centre's id and
 // its radius; before the first of them `# cages thesis` where they are of that kind.
 void write_node(const MeshSource& mesh, TextWriter& out);
@@ -58,6 +60,7 @@ struct NodeFile {
     std::uint64_t first_id = 0;          // 0 or 1
     std::vector<double> domain;          // dim + 1 numbers, or empty
     double tau = 0, ratio = 0, eps = 0;  // 0 when the file does not say
+    bool clipped = false;                // its cells are clipped to the domain
     double size_at_inputs = 0, size_growth = 0, net_spacing = 0;
     std::vector<netmesh_cage> cages;  // centres counted from 0; no parents
     netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;

@@ -15,9 +15,10 @@ constexpr std::string_view marker = "# netmesh diagram 1: degree birth death";
 constexpr std::string_view any_marker = "# netmesh diagram ";
 
 // In the order of the file.
-constexpr const char* option_names[] = {
-    "filter", "k",     "values", "function", "lipschitz", "cut", "error", "method",     "finish", "tau",    "fit",
-    "memory", "ratio", "focus",  "from",     "to",        "eps", "theta", "max-degree", "all",    "bounds", "seed"};
+constexpr const char* option_names[] = {"filter", "k",           "values", "function", "lipschitz", "cut",
+                                        "error",  "method",      "finish", "tau",      "fit",       "memory",
+                                        "ratio",  "whole-cells", "focus",  "from",     "to",        "eps",
+                                        "theta",  "max-degree",  "all",    "bounds",   "seed"};
 
 bool is_option(std::string_view name) {
     return std::any_of(std::begin(option_names), std::end(option_names), [&](const char* o) { return name == o; });
@@ -63,6 +64,7 @@ void add_mesh_options(const Options& options, HeadWriter* head) {
         head->add_count("memory", options.memory_bytes);
     }
     if (refines_by_certificate(options)) head->add("ratio", options.ratio.value_or(0));
+    if (clips_cells(options) && options.whole_cells) head->add("whole-cells");
     if (!has_scales_of_interest(options)) return;
     if (!options.fit) head->add("focus", options.focus);
     head->add("from", options.from);

@@ -3,8 +3,8 @@
 // are allowed. They come in this order; what does not apply is left out.
 //
 //   of the file         version
-//   options of persist  filter k values function lipschitz cut error method finish tau fit memory ratio focus from to
-//                       eps theta max-degree all bounds seed
+//   options of persist  filter k values function lipschitz cut error method finish tau fit memory ratio whole-cells
+//                       focus from to eps theta max-degree all bounds seed
 //   of the input        dim points duplicates input
 //   of the result       domain certified-ratio certified-from certified-error value-error reference
 //

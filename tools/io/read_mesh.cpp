@@ -31,7 +31,16 @@ Complaint keep_size(const std::vector<double>& numbers, NodeFile* node) {
     return {};
 }
 
-// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# eps E`, `# cell-size A B`, `# boundary-net S`, `# cages thesis` and
+Complaint keep_clipped(std::size_t words, NodeFile* node) {
+    if (words != 1) return "clipped is a word alone";
+    if (node->clipped) return "clipped is said twice";
+    if (node->domain.empty() || !(node->ratio > 0)) return "clipped stands behind a domain and a ratio";
+    node->clipped = true;
+    return {};
+}
+
+// `# domain c1 .. cD r`, `# tau T`, `# ratio C`, `# clipped`, `# eps E`, `# cell-size A B`, `# boundary-net S`, `#
+// cages thesis` and
 // `# cage V R`; other comments say nothing.
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
@@ -40,6 +49,7 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
         if (words.size() == 2 && words[1] == "thesis") return {};
         return "cages of a kind that is not known: " + std::string(raw);
     }
+    if (!words.empty() && words[0] == "clipped") return keep_clipped(words.size(), node);
     static constexpr std::string_view known[] = {"domain", "tau", "ratio", "eps", "cell-size", "boundary-net", "cage"};
     if (words.empty() || std::find(std::begin(known), std::end(known), words[0]) == std::end(known)) return {};
     std::vector<double> numbers;

@@ -7,6 +7,7 @@ void write_node(const MeshSource& mesh, TextWriter& out) {
         out << "# domain";
         for (std::uint32_t k = 0; k <= mesh.dim; k++) out << ' ' << mesh.domain[k];
         mesh.ratio > 0 ? out << "\n# ratio " << mesh.ratio << '\n' : out << "\n# tau " << mesh.tau << '\n';
+        if (mesh.ratio > 0 && mesh.clipped) out << "# clipped\n";
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
         if (mesh.size_at_inputs > 0) out << "# cell-size " << mesh.size_at_inputs << ' ' << mesh.size_growth << '\n';
         if (mesh.net_spacing > 0) out << "# boundary-net " << mesh.net_spacing << '\n';

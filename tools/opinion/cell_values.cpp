@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "tools/opinion/clipped_cells.hpp"
+#include "tools/opinion/clipped_nerve.hpp"
 
 namespace netmesh::tool {
 
@@ -24,6 +28,9 @@ Real distance(const Place& a, const Place& b) { return std::sqrt(distance2(a, b)
 
 // Inputs whose distances from a vertex differ by less are equally near.
 constexpr Real tie = 1e-12L;
+// The engine proves bounds of what clipped cells reach. Most are larger by 1e-11 of it or less, some by 1e-7; by this
+// factor they may be. Less than a cell reaches is wrong, whatever the bound.
+constexpr Real reach_slack = 1 + 0x1p-9L;
 
 }  // namespace
 
@@ -60,8 +67,17 @@ public:
 private:
     bool is_input(std::size_t v) const { return node_.markers[v] == 0; }
     bool is_exempt(std::size_t v) const { return node_.markers[v] == 2; }
+    bool is_bounded(std::size_t v) const { return node_.clipped || !is_exempt(v); }
+    // Not when its clipped cell is empty, or may be.
+    bool counts(std::size_t v) const { return !node_.clipped || meeting_[v] == Meeting::meets; }
     void find_nearest();
+    void clip_cells();
+    // Of a clipped cell the places that stand for corners: it reaches as far as they do from v and its nearest inputs.
     template <class Visit> void for_each_corner(std::size_t v, Visit&& visit) const {
+        if (!ends_.empty() && clipped_->is_cut(v)) {
+            for (std::size_t i = 0; i < ends_[v].size(); i++) visit(ends_[v][i], end_values_[v][i]);
+            return;
+        }
         for (const std::uint32_t c : star_[v])
             if (!corners_[c].empty()) visit(corners_[c], corner_values_[c]);
     }
@@ -71,15 +87,30 @@ private:
     void look(std::size_t v, CellRange* seen);
 
     Real own_value(std::size_t v, std::uint32_t nearest) const;
-    CellRange range_of(std::size_t v, std::uint32_t nearest) const;
-    // Both for each input that may count as v's nearest.
+    // What a certificate may make of a cell: it takes an exempt vertex's for unbounded or not, and what a cut cell
+    // reaches as it is or for more.
+    struct Reading {
+        bool modest;
+        Real own, far;  // factors of how far the cell is from its vertex and from the nearest input
+    };
+    CellRange range_of(std::size_t v, std::uint32_t nearest, const Reading& reading) const;
+    // Both for each input that may count as v's nearest, by each reading.
     template <class Visit> void for_each_nearest(std::size_t v, Visit&& visit) const {
-        for (const std::uint32_t p : nearest_[v]) visit(range_of(v, p), own_value(v, p));
+        const bool is_cut = node_.clipped && clipped_->is_cut(v);
+        for (const std::uint32_t p : nearest_[v]) {
+            visit(range_of(v, p, plain), own_value(v, p));
+            for (const Real own : {1.0L, reach_slack}) {
+                for (const Real far : {1.0L, reach_slack})
+                    if (is_cut) visit(range_of(v, p, {false, own, far}), own_value(v, p));
+            }
+        }
     }
     bool has_ratio(std::size_t v) const { return choice_.filter != NETMESH_FILTER_BASIC || !is_input(v); }
     Real certified(Real t, const CellRange& range, Real ratio) const;
     // Of the cells of clumps: the distance from an input at distance d to the cell of v.
-    Real away(std::size_t v, Real d) const { return is_exempt(v) ? d / 2 : std::max(d / 2, d - function_radius(v)); }
+    Real away(std::size_t v, Real d, const Reading& reading = plain) const {
+        return is_exempt(v) && reading.modest ? d / 2 : std::max(d / 2, d - reading.own * function_radius(v));
+    }
     void gather_clumps();
     void find_ratio();
     void find_values(Real claimed);
@@ -96,10 +127,15 @@ private:
     std::vector<std::vector<std::uint32_t>> star_;     // Delaunay cells around each vertex
     std::vector<std::vector<std::uint32_t>> nearest_;  // inputs of each vertex, ties in all
     std::vector<Real> neighbour_;                      // distance to the nearest other vertex
-    std::vector<Real> half_;                           // tight: half of the distance from an input to the next
-    std::vector<std::uint32_t> clump_;                 // the input whose clump a vertex is in
-    std::vector<CellRange> clump_range_;               // of an input
+    std::optional<ClippedCells> clipped_;
+    std::vector<Meeting> meeting_;               // of each cell with the ball
+    std::vector<std::vector<Place>> ends_;       // of cells that are cut
+    std::vector<std::vector<Real>> end_values_;  // of the function there
+    std::vector<Real> half_;                     // tight: half of the distance from an input to the next
+    std::vector<std::uint32_t> clump_;           // the input whose clump a vertex is in
+    std::vector<CellRange> clump_range_;         // of an input
     CellOpinion found_;
+    static constexpr Reading plain = {true, 1, 1};
     static constexpr std::uint32_t nobody = UINT32_MAX;
 };
 
@@ -123,8 +159,25 @@ CellWalk::CellWalk(const MeshFiles& files, const FilterChoice& choice, std::uint
         corner_values_.push_back(known ? function_(corners_.back()) : 0);
     }
     find_nearest();
-    if (choice.filter == NETMESH_FILTER_TIGHT) gather_clumps();
     found_.places = corners_.size() + 2 * count;
+    if (node_.clipped) clip_cells();
+    if (choice.filter == NETMESH_FILTER_TIGHT) gather_clumps();
+}
+
+void CellWalk::clip_cells() {
+    meeting_ = clipped_nerve(files_, 0).vertices;
+    clipped_.emplace(files_, places_, corners_, star_);
+    ends_.resize(places_.size());
+    end_values_.resize(places_.size());
+    for (std::size_t v = 0; v < places_.size(); v++) {
+        if (!clipped_->is_cut(v) || meeting_[v] == Meeting::apart) continue;
+        std::vector<Place> from = {places_[v]};
+        for (const std::uint32_t p : nearest_[v]) from.push_back(places_[p]);
+        ends_[v] = clipped_->places(v, from);
+        for (const Place& x : ends_[v]) end_values_[v].push_back(function_(x));
+        if (ends_[v].empty()) meeting_[v] = Meeting::unknown;
+        found_.places += ends_[v].size();
+    }
 }
 
 void CellWalk::find_nearest() {
@@ -155,7 +208,7 @@ Real CellWalk::farthest_corner(std::size_t v, const Place& from) const {
 
 // A place of v's bounded cell near the one that is nearest to `goal`: steps towards the corner that leads there most.
 Place CellWalk::towards(std::size_t v, const Place& goal) const {
-    Place x = places_[v];
+    Place x = node_.clipped && !clipped_->holds(places_[v]) ? ends_[v][0] : places_[v];
     for (int step = 0; step < 50; step++) {
         const Place* best = nullptr;
         Real best_slope = 0;
@@ -174,9 +227,10 @@ Place CellWalk::towards(std::size_t v, const Place& goal) const {
 void CellWalk::look(std::size_t v, CellRange* seen) {
     const auto show = [&](Real f) { *seen = {std::min(seen->lo, f), std::max(seen->hi, f)}; };
     *seen = {unbounded, 0};
-    show(function_(places_[v]));
+    if (!counts(v)) return;
+    if (!node_.clipped || clipped_->holds(places_[v])) show(function_(places_[v]));
     for_each_corner(v, [&](const Place&, Real f) { show(f); });
-    if (!is_exempt(v)) show(function_(towards(v, places_[nearest_[v][0]])));
+    if (is_bounded(v)) show(function_(towards(v, places_[nearest_[v][0]])));
     // Balls stand for the cells of inputs, and for those of clumps, where the distance to the points goes down to 0.
     const bool in_ball = !by_neighbours_ && (is_input(v) || (!clump_.empty() && clump_[v] != nobody));
     if (in_ball) seen->lo = unbounded;
@@ -190,17 +244,19 @@ Real CellWalk::own_value(std::size_t v, std::uint32_t nearest) const {
     return std::min(s, function_.cut());
 }
 
-CellRange CellWalk::range_of(std::size_t v, std::uint32_t nearest) const {
+CellRange CellWalk::range_of(std::size_t v, std::uint32_t nearest, const Reading& reading) const {
     const Real cut = function_.cut();
     const auto within = [&](Real lo, Real hi) { return CellRange{std::min(lo, cut), std::min(hi, cut)}; };
     if (!clump_.empty() && clump_[v] != nobody) return within(clump_range_[clump_[v]].lo, clump_range_[clump_[v]].hi);
+    const bool endless = is_exempt(v) && reading.modest;
     if (by_neighbours_) {
         const Real f = function_.uncut(places_[v]);
-        return is_exempt(v) ? within(f / 2, unbounded) : within(away(v, f), f + function_radius(v));
+        return within(away(v, f, reading), endless ? unbounded : f + reading.own * function_radius(v));
     }
-    if (is_input(v)) return within(neighbour_[v] / 2, function_radius(v));
+    if (is_input(v)) return within(neighbour_[v] / 2, reading.own * function_radius(v));
     const Real d = distance(places_[v], places_[nearest]);
-    return within(away(v, d), is_exempt(v) ? unbounded : farthest_corner(v, places_[nearest]));
+    const Real far = endless ? unbounded : reading.far * farthest_corner(v, places_[nearest]);
+    return within(away(v, d, reading), far);
 }
 
 // An input p and the vertices nearest to it within half of its distance to the next input. F is at most hi on their
@@ -216,7 +272,7 @@ void CellWalk::gather_clumps() {
     clump_range_.assign(inputs, {unbounded, 0});
     for (std::size_t v = 0; v < places_.size(); v++) {
         const std::uint32_t p = nearest_[v][0];
-        const bool joins = !is_exempt(v) && distance(places_[v], places_[p]) <= half_[p];
+        const bool joins = !is_exempt(v) && counts(v) && distance(places_[v], places_[p]) <= half_[p];
         clump_.push_back(joins ? p : nobody);
         if (!joins) continue;
         CellRange& range = clump_range_[p];
@@ -232,7 +288,7 @@ void CellWalk::gather_clumps() {
         for (const std::uint32_t c : star_[v]) {
             for (std::uint32_t i = 0; i < columns; i++) {
                 const std::uint32_t u = files_.cells.entries[c * columns + i];
-                if (clump_[u] == clump_[v]) continue;
+                if (clump_[u] == clump_[v] || !counts(u)) continue;
                 Real& lo = clump_range_[clump_[v]].lo;
                 lo = std::min(lo, away(u, distance(places_[clump_[v]], places_[u])));
             }
@@ -248,20 +304,29 @@ Real CellWalk::certified(Real t, const CellRange& range, Real ratio) const {
 
 void CellWalk::find_ratio() {
     for (std::size_t v = 0; v < places_.size(); v++) {
-        Span span = {unbounded, 1};
+        if (!counts(v)) {
+            if (meeting_[v] == Meeting::unknown) found_.ratio.most = unbounded;
+            continue;
+        }
+        Span span = {unbounded, 1}, reach = {unbounded, 0};
         for_each_nearest(v, [&](const CellRange& range, Real t) {
             const Real ratio = choice_.values == NETMESH_VALUES_THESIS ? std::max(range.hi / t, t / range.lo)
                                                                        : std::sqrt(range.hi / range.lo);
             span = {std::min(span.least, ratio), std::max(span.most, ratio)};
-            if (!has_ratio(v)) found_.from = std::max(found_.from, range.hi);
+            reach = {std::min(reach.least, range.hi), std::max(reach.most, range.hi)};
         });
-        if (!has_ratio(v)) continue;
-        found_.ratio = {std::max(found_.ratio.least, span.least), std::max(found_.ratio.most, span.most)};
+        Span& all = has_ratio(v) ? found_.ratio : found_.from;
+        const Span& own = has_ratio(v) ? span : reach;
+        all = {std::max(all.least, own.least), std::max(all.most, own.most)};
     }
 }
 
 void CellWalk::find_values(Real claimed) {
     for (std::size_t v = 0; v < places_.size(); v++) {
+        if (!counts(v)) {
+            found_.values.push_back({0, unbounded});
+            continue;
+        }
         Span span = {unbounded, 0};
         for_each_nearest(v, [&](const CellRange& range, Real own) {
             const Real t = has_ratio(v) ? certified(own, range, claimed) : 0;
@@ -284,7 +349,7 @@ CellOpinion CellWalk::take(Real claimed) {
         for (const Real x : places_[v]) magnitude = std::max(magnitude, std::fabs(x));
     }
     const Real unit = 0x1p-52L * std::sqrt(static_cast<Real>(node_.cloud.dim)) * magnitude;
-    found_.tolerance += std::min<Real>(5.2L * unit / nearest, 5.2L / 24);
+    found_.tolerance += std::min<Real>((node_.clipped ? 64 : 5.2L) * unit / nearest, 5.2L / 24);
     return std::move(found_);
 }
 
@@ -298,7 +363,9 @@ std::uint32_t zero_born(const NodeFile& node, netmesh_filter filter, std::uint32
 
 double opinion_cost(const MeshFiles& files) {
     const double vertices = static_cast<double>(files.node.cloud.rows()) + files.cells.lines.size();
-    return vertices * input_count(files.node);
+    // Faces of cells that the ball cuts, with what each takes.
+    const double columns = files.cells.columns, faces = files.cells.lines.size() * columns * std::exp2(columns - 1);
+    return vertices * input_count(files.node) + (files.node.clipped ? 25 * faces : 0);
 }
 
 CellOpinion cell_opinion(const MeshFiles& files, const FilterChoice& choice, std::uint32_t k, double claimed) {

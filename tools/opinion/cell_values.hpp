@@ -12,7 +12,7 @@
 
 namespace netmesh::tool {
 
-// The function lies between lo and hi on a vertex's cell; an infinite lo is no claim.
+// The function lies between lo and hi on a vertex's cell; an infinite lo is no claim, nor is a hi of 0.
 struct CellRange {
     Real lo, hi;
 };
@@ -40,9 +40,9 @@ struct Span {
 };
 
 struct CellOpinion {
-    std::vector<Span> values;  // t of each vertex
+    std::vector<Span> values;  // t of each vertex; any number of one whose clipped cell is empty, or may be
     Span ratio = {1, 1};
-    Real from = 0;
+    Span from = {0, 0};
     // What F surely takes on the cell: least and largest value found at the vertex, at the corners of its cell and at
     // the place of the cell that is nearest to the nearest input. No formula for intervals enters.
     std::vector<CellRange> seen;
@@ -51,7 +51,8 @@ struct CellOpinion {
     // adds to its bounds, and what follows from its corners' coordinates being doubles. A corner c is off by up to
     // u |c|, u = 2^-53, and the engine adds 4.2 u |c| to what cells reach and takes it from how near they come. All
     // those lengths are at least half of the least distance n of two vertices: 10.4 u sqrt(D) magnitude / n of them.
-    // Refinement keeps n above 24 sqrt(D) units in the last place.
+    // Refinement keeps n above 24 sqrt(D) units in the last place. Where a clipped cell ends on the sphere, sums of
+    // products with the ball's radius cancel: there are more of those units.
     Real tolerance = 1e-9L;
 };
 

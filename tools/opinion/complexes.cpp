@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "tools/opinion/clipped_nerve.hpp"
 #include "tools/opinion/spheres.hpp"
 
 namespace netmesh::tool {
@@ -50,6 +51,19 @@ SimplexList lower_stars(const CellTable& cells, const std::vector<double>& value
         if (face.size() == 1 && face[0] < zero_born) value = 0;
         list.push_back({face, value});
     }
+    return list;
+}
+
+SimplexList mesh_complex(const MeshFiles& files, const std::vector<double>& values, std::uint32_t zero_born,
+                         std::uint32_t top, std::uint64_t* unknown) {
+    *unknown = 0;
+    SimplexList list = lower_stars(files.cells, values, zero_born, top);
+    if (!list || !files.node.clipped) return list;
+    const ClippedNerve nerve = clipped_nerve(files, top);
+    *unknown = nerve.unknown;
+    if (nerve.unknown > 0) return {};
+    const auto is_out = [&](const FilteredSimplex& s) { return nerve.simplices.count(s.vertices) == 0; };
+    list->erase(std::remove_if(list->begin(), list->end(), is_out), list->end());
     return list;
 }
 

@@ -20,6 +20,11 @@ using SimplexList = std::optional<std::vector<FilteredSimplex>>;
 SimplexList lower_stars(const CellTable& cells, const std::vector<double>& values, std::uint32_t zero_born,
                         std::uint32_t top);
 
+// The complex of a filter on a mesh: of a clipped one only the simplices count whose dual faces meet the ball. Nothing
+// and *unknown > 0 where for so many it cannot be told whether they do.
+SimplexList mesh_complex(const MeshFiles& files, const std::vector<double>& values, std::uint32_t zero_born,
+                         std::uint32_t top, std::uint64_t* unknown);
+
 // The alpha complex: a face enters at the radius of its smallest circumscribed sphere when none of the vertices that it
 // has a cofacet with lies inside, otherwise with its first cofacet. Where the sphere does not tell, both must be the
 // same. Nothing and *is_flat where they are not, or the vertices of a face are affinely dependent to working precision.

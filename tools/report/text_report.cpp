@@ -60,7 +60,8 @@ std::string mesh_lines(const netmesh_mesh_report& mesh) {
     }
     if (mesh.is_mesh != 0) {
         text += "quality  aspect ratio at most " + rounded_text(mesh.aspect_ratio_max, 5);
-        text += mesh.certificate.ratio > 0 ? ", refined by the certificate to " + goal_text(mesh.certificate) + "\n"
+        text += mesh.certificate.ratio > 0 ? ", refined by the certificate to " + goal_text(mesh.certificate) +
+                                                 (mesh.clipped != 0 ? ", for clipped cells\n" : "\n")
                                            : " (tau " + rounded_text(mesh.tau, 5) + ")\n";
         if (mesh.sizes.ratio_max > 0)
             text += "size     cells reach " + rounded_text(mesh.sizes.ratio_max, 5) + " of the size asked for\n";

@@ -34,11 +34,12 @@ private:
     StarCycles<D>* cycles_;
 };
 
-// The component of a cell at a critical facet (`none`: outside), by following the gradient to a cell with an upper
-// vertex, outside, or to a critical cell. A cell is critical only when no facet is free: then the lower cells around v
-// have no boundary, so they are all cells of the star, one of them is critical, and v stands for its component.
+// The component of a cell at a critical facet (`none`, or not in the part: outside), by following the gradient to a
+// cell with an upper vertex, outside, or to a critical cell. A cell is critical only when no facet is free: then the
+// lower cells around v have no boundary, so they are all cells of the star, one of them is critical, and v stands for
+// its component.
 template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, VertexId v) {
-    while (cell != none) {
+    while (cell != none && ball_.has(cell)) {
         const VertexId* p = ball_.complex.vertices(cell);
         std::uint32_t labels[D + 1] = {};
         std::uint32_t k = 0;

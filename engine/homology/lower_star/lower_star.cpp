@@ -1,10 +1,8 @@
-// Lower-star persistence for D >= 3 (surface.cpp does D = 2): the links of all vertices tell degree 0 and the stars
-// where more can happen; a sweep over those finds the rest.
-#include <type_traits>
-
+// Lower-star persistence (surface.cpp does D = 2 where a whole disc is filtered and no cycles are wanted): the links of
+// all vertices tell degree 0 and the stars where more can happen; a sweep over those finds the rest.
+#include "homology/lower_star/lower_star.hpp"
 #include "homology/cycles/cycles.hpp"
 #include "homology/lower_star/link.hpp"
-#include "homology/lower_star/lower_star.hpp"
 #include "homology/lower_star/merge_tree.hpp"
 #include "homology/lower_star/surface.hpp"
 #include "homology/lower_star/sweep.hpp"
@@ -22,6 +20,7 @@ public:
           zero_born_count_(filtration.zero_born_count), sweeps_(request.max_degree > 0) {
         ball_.complex = filtration.complex;
         ball_.value = filtration.value;
+        ball_.part = filtration.part;
         ball_.vertex_count = ball_.outside = filtration.complex.vertex_count;
     }
     Status run(CycleWriter* cycles = nullptr);
@@ -40,6 +39,7 @@ private:
     Status classify_links(JoinList& joins);
     bool classify_small_link(Link<D>& link, VertexId v, JoinList& joins);
     Status classify_stars(JoinList& joins);
+    std::uint32_t lowest_neighbour() const;
     bool count_star(VertexId v, const std::uint32_t* counts, bool regular);
 
     Arena& arena_;
@@ -76,13 +76,11 @@ template <int D> bool LowerStars<D>::count_star(VertexId v, const std::uint32_t*
         ball_.flags[v] |= TriangulatedBall<D>::irregular;
         return true;
     }
-    if constexpr (D > 2) {  // surfaces come here for their cycles alone, which such pairs have none of
-        std::uint32_t paired = 1;
-        for (std::uint32_t k = 1; k < D && writer_.keeps_zero(); ++k) {
-            paired = counts[k] - paired;
-            for (std::uint32_t i = 0; i < paired; ++i) {
-                if (!writer_.add(ball_.value[v], ball_.value[v], k)) return false;
-            }
+    std::uint32_t paired = 1;
+    for (std::uint32_t k = 1; k < D && writer_.keeps_zero(); ++k) {
+        paired = counts[k] - paired;
+        for (std::uint32_t i = 0; i < paired; ++i) {
+            if (!writer_.add(ball_.value[v], ball_.value[v], k)) return false;
         }
     }
     return true;
@@ -109,12 +107,18 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
     for (VertexId v(0); v < ball_.vertex_count; ++v) {
         if (ball_.begin[v] == ball_.begin[v + 1]) return Status::invalid_argument;
+        if ((ball_.flags[v] & TriangulatedBall<D>::absent) != 0) {
+            below_[v] = above_[v] = ball_.outside;
+            continue;
+        }
         if (!link.read(ball_, v, labels_)) return Status::internal;
         below_[v] = link.lowest();
         above_[v] = link.highest() == none ? v : link.highest();
         if (link.bound() > star_bound_) star_bound_ = link.bound();
+        const bool cut = (ball_.flags[v] & TriangulatedBall<D>::cut) != 0;
+        if (cut) above_[v] = ball_.outside;
         if constexpr (Link<D>::tells_all) {
-            if (!link.small()) {
+            if (cut || !link.small()) {
                 ball_.flags[v] |= TriangulatedBall<D>::large;
                 any_large_ = true;
             } else if (!classify_small_link(link, v, joins)) {
@@ -127,13 +131,25 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
     return Status::ok;
 }
 
+// The lowest of the lower neighbours in the open star, `none` if there are none.
+template <int D> std::uint32_t LowerStars<D>::lowest_neighbour() const {
+    std::uint32_t best = none;
+    for (std::uint32_t i = 1; i < star_.count(); ++i) {
+        if (star_.dimension(i) == 1 && (best == none || ball_.rank[star_.vertex(i)] < ball_.rank[best]))
+            best = star_.vertex(i);
+    }
+    return best;
+}
+
 // Where Link does not tell enough: lower stars in full.
 template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
     for (VertexId v(0); v < ball_.vertex_count; ++v) {
         if constexpr (Link<D>::tells_all) {
             if ((ball_.flags[v] & TriangulatedBall<D>::large) == 0) continue;
         }
+        if ((ball_.flags[v] & TriangulatedBall<D>::absent) != 0) continue;
         if (!star_.open(ball_, v)) return Status::internal;
+        if ((ball_.flags[v] & TriangulatedBall<D>::cut) != 0) below_[v] = lowest_neighbour();
         const std::uint32_t first = below_[v] == none ? 0 : star_.piece(ball_.slot[below_[v]]);
         for (std::uint32_t i = 1; i < star_.count(); ++i) {
             if (star_.dimension(i) != 1 || star_.piece(i) != i || i == first) continue;
@@ -179,6 +195,15 @@ template <int D> Status LowerStars<D>::run_with_cycles(std::uint64_t pair_count,
     return run(&cycles);
 }
 
+template <class Stars, int D>
+Status persist_with(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work,
+                    CountedPairs* out) {
+    Stars stars(filtration, request, work);
+    const Status status = write_diagram(stars, work.arena, &out->pairs);
+    out->simplices = stars.simplex_count();
+    return status;
+}
+
 }  // namespace
 
 template <int D>
@@ -186,11 +211,10 @@ Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramReque
                           CountedPairs* out) {
     if (filtration.complex.vertex_count == 0 || filtration.complex.cell_count == 0) return Status::invalid_argument;
     if (request.max_degree > D - 1) request.max_degree = D - 1;
-    using Stars = std::conditional_t<D == 2, Surface, LowerStars<D == 2 ? 3 : D>>;
-    Stars stars(filtration, request, work);
-    const Status status = write_diagram(stars, work.arena, &out->pairs);
-    out->simplices = stars.simplex_count();
-    return status;
+    if constexpr (D == 2) {
+        if (filtration.part == nullptr) return persist_with<Surface>(filtration, request, work, out);
+    }
+    return persist_with<LowerStars<D>>(filtration, request, work, out);
 }
 
 template <int D>

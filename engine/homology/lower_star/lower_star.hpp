@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "complex/subcomplex.hpp"
 #include "complex/triangulation.hpp"
 #include "homology/persistence.hpp"
 #include "memory/work.hpp"
@@ -15,13 +16,19 @@ template <int D> struct LowerStarFiltration {
     TriangulationView<D> complex;
     const double* value;  // [complex.vertex_count], no NaN; may contain ties of any number
     std::uint32_t zero_born_count;
+    // The simplices that there are; null: all of the complex. An absent vertex has a value too, of which only its being
+    // a number matters.
+    const Subcomplex<D>* part = nullptr;
 };
 
 // The diagram in degrees 0..max_degree (larger counts as D-1); all simplices are counted.
 //
 // Requires: the cells triangulate a ball whose vertex links are spheres or balls (any Delaunay triangulation or mesh),
-// every vertex is in a cell. The only essential class is then one of degree 0.
-// O(simplices) plus the reduction of the critical simplices. out_of_memory, cancelled, internal (not a ball).
+// every vertex is in a cell. A part is closed under faces and has the homology of a point (over Z/2); its simplices
+// alone are counted and paired. The only essential class is then one of degree 0.
+// O(simplices) plus the reduction of the critical simplices; a part adds O(2^D) look-ups for each cell that is not in,
+// at each of its vertices that is cut. out_of_memory, cancelled, internal (not a ball, or a part that is seen not to be
+// closed).
 template <int D>
 Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work,
                           CountedPairs* out);

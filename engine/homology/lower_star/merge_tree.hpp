@@ -64,8 +64,9 @@ inline bool note_component(double birth, double death, std::uint32_t vertex, std
     return writer.add(birth, death, 0, cycle);
 }
 
-// Degree 0. below[v]: a lower link vertex of v or none; becomes the union-find. joins: sorted by rank; those to lower
-// vertices count. cycles: null when none are wanted. False: out of memory.
+// Degree 0. below[v]: a lower link vertex of v, none if there is none, vertices.count if v is absent, which is no
+// vertex at all then; becomes the union-find. joins: sorted by rank; those to lower vertices count. cycles: null when
+// none are wanted. False: out of memory.
 inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, const JoinList* const* joins, int lists,
                           const std::uint32_t* rank, PairWriter& writer, CycleWriter* cycles = nullptr) {
     std::size_t next[2] = {0, 0};
@@ -80,6 +81,7 @@ inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, con
     for (std::uint32_t r = 0; r < vertices.count; ++r) {
         const std::uint32_t v = vertices.order[r], u = below[v];
         const double time = vertices.value[v];
+        if (u == vertices.count) continue;
         if (u == none) {
             below[v] = v;
         } else if (v < vertices.zero_born_count) {

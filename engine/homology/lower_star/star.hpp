@@ -33,7 +33,9 @@ public:
     bool reserve(const TriangulatedBall<D>& ball, std::uint64_t simplices_max, Arena& arena);
 
     // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for the upper
-    // ones. The links' vertices must have been counted (Link::read). False when the cells are not those of a ball.
+    // ones. The links' vertices must have been counted (Link::read). Of a vertex that the part cuts, only what is in
+    // the part is listed, and a neighbour by no edge of it has no label. False when the cells are not those of a ball,
+    // or the part is not closed.
     bool open(const TriangulatedBall<D>& ball, VertexId v);
     void close(const TriangulatedBall<D>& ball);
     // The gradient. Returns how many simplices are critical.
@@ -76,7 +78,10 @@ public:
 private:
     std::uint32_t label_of(const TriangulatedBall<D>& ball, std::uint32_t u);
     void clear_table(std::uint32_t cell_count, bool hull);
-    bool add_faces(FacetId incidence, const std::uint32_t* labels, std::uint32_t k);
+    template <bool only_listed>
+    bool add_faces(const TriangulatedBall<D>& ball, FacetId incidence, const std::uint32_t* labels, std::uint32_t k);
+    bool add_listed_faces(const TriangulatedBall<D>& ball, VertexId v);
+    bool is_listed(const TriangulatedBall<D>& ball, VertexId v, const std::uint32_t* labels, std::uint32_t which) const;
     std::uint32_t add(std::uint32_t dimension, std::uint32_t label, std::uint32_t origin) {
         const std::uint32_t i = count_++;
         form_[i] = label << 3 | dimension;
@@ -145,6 +150,7 @@ template <int D> void Star<D>::clear_table(std::uint32_t cell_count, bool hull) 
 
 template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v) {
     const bool hull = (ball.flags[v] & TriangulatedBall<D>::on_hull) != 0;
+    const bool cut = (ball.flags[v] & TriangulatedBall<D>::cut) != 0;
     rank_ = ball.rank[v];
     count_ = seen_count_ = 0;
     clear_table(ball.begin[v + 1] - ball.begin[v], hull);
@@ -153,6 +159,7 @@ template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v)
         ball.prefetch(t + 16);
         const VertexId* p = ball.complex.vertices(ball.incidence[t].cell());
         const std::uint32_t at = ball.incidence[t].position();
+        if (cut && !ball.has(ball.incidence[t].cell())) continue;
         if (count_ + D > capacity_) return false;
         std::uint32_t slots[D];
         for (std::uint32_t j = 0; j < D; ++j) {
@@ -163,9 +170,42 @@ template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v)
         sort_small<D>(slots);
         std::uint32_t k = 0;
         for (std::uint32_t j = 0; j < D; ++j) k += slots[j] != upper ? 1 : 0;
-        if (k > 0 && !add_faces(ball.incidence[t], slots, k)) return false;
+        if (k > 0 && !add_faces<false>(ball, ball.incidence[t], slots, k)) return false;
+    }
+    return !cut || add_listed_faces(ball, v);
+}
+
+// The faces of v that no cell of the part has: among those of the cells that are not in, what the part lists. When a
+// face is looked at, its own faces have been, since the cells of the part came before.
+template <int D> bool Star<D>::add_listed_faces(const TriangulatedBall<D>& ball, VertexId v) {
+    for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
+        const CellId cell = ball.incidence[t].cell();
+        if (ball.has(cell)) continue;
+        if (count_ + D > capacity_) return false;
+        const VertexId* p = ball.complex.vertices(cell);
+        std::uint32_t labels[D], k = 0;
+        for (int j = 0; j <= D; ++j) {
+            if (p[j] == v || ball.rank[p[j]] > rank_) continue;
+            const std::uint32_t edge[] = {p[j] < v ? p[j] : v, p[j] < v ? v : p[j]};
+            if (ball.slot[p[j]] == 0 && ball.part->faces.contains(edge, 2)) label_of(ball, p[j]);
+            if (ball.slot[p[j]] != 0) labels[k++] = ball.slot[p[j]];
+        }
+        insertion_sort(labels, k, Ascending{});
+        if (k > 1 && !add_faces<true>(ball, ball.incidence[t], labels, k)) return false;
     }
     return true;
+}
+
+// Whether the part lists the simplex of v and those labels that `which` has bits of.
+template <int D>
+bool Star<D>::is_listed(const TriangulatedBall<D>& ball, VertexId v, const std::uint32_t* labels,
+                        std::uint32_t which) const {
+    std::uint32_t vertices[D + 1] = {v}, n = 1;
+    for (std::uint32_t j = 0; j < D; ++j) {
+        if ((which >> j & 1) != 0) vertices[n++] = vertex(labels[j]);
+    }
+    insertion_sort(vertices, n, Ascending{});
+    return n <= D && ball.part->faces.contains(vertices, n);
 }
 
 template <int D> void Star<D>::close(const TriangulatedBall<D>& ball) {
@@ -190,23 +230,39 @@ template <int D> std::uint32_t Star<D>::simplex_of(const std::uint32_t* labels, 
     return i;
 }
 
-template <int D> bool Star<D>::add_faces(FacetId incidence, const std::uint32_t* labels, std::uint32_t k) {
-    std::uint32_t ids[1u << D];
+// All faces at the star's vertex of a cell, given by its k labels there; of a cell that is not in, those that the part
+// lists. False: no room, or a face that is listed without its own faces.
+template <int D>
+template <bool only_listed>
+bool Star<D>::add_faces(const TriangulatedBall<D>& ball, FacetId incidence, const std::uint32_t* labels,
+                        std::uint32_t k) {
+    std::uint32_t ids[1u << D];  // `none`: not in
     ids[0] = 0;
     for (std::uint32_t j = 0; j < k; ++j) {
         const std::uint32_t bit = 1u << j;
         ids[bit] = labels[j];
         for (std::uint32_t rest = 1; rest < bit; ++rest) {
             const std::uint32_t parent = ids[rest];
+            if constexpr (only_listed) {
+                ids[rest | bit] = none;
+                if (parent == none) continue;
+            }
             std::uint32_t* place = place_of(parent, labels[j]);
             if (*place == 0) {
+                if constexpr (only_listed) {
+                    const VertexId v = ball.complex.vertices(incidence.cell())[incidence.position()];
+                    if (!is_listed(ball, v, labels, rest | bit)) continue;
+                }
                 if (count_ == capacity_ || count_ > table_mask_ - (table_mask_ >> 3)) return false;
                 const std::uint32_t i = add(dimension(parent) + 1, labels[j], incidence.word());
                 *place = i;
                 std::uint32_t* facet = facets_ + std::size_t{i} * D;
                 *facet++ = parent;
                 for (std::uint32_t b = 0; b < j; ++b) {
-                    if ((rest >> b & 1) != 0) *facet++ = ids[(rest ^ 1u << b) | bit];
+                    if ((rest >> b & 1) == 0) continue;
+                    const std::uint32_t id = ids[(rest ^ 1u << b) | bit];
+                    if (only_listed && id == none) return false;
+                    *facet++ = id;
                 }
                 for (std::uint32_t f = 0; f < dimension(i); ++f) {
                     ++cofaces_[facets(i)[f]];

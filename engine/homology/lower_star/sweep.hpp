@@ -123,8 +123,7 @@ template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {
     return column_words_ != nullptr && outer_ != nullptr;
 }
 
-// A star is visited because it is irregular or because a column waits there. In the plane there are no columns, and it
-// is swept for cycles alone, which pairs of length zero have none of.
+// A star is visited because it is irregular or because a column waits there. In the plane there are no columns.
 template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     const VertexId v(ball_.order[r]);
     irregular_ = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
@@ -135,8 +134,8 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     work_ += star_.count() / 2;
     for (std::uint32_t i = 0; i < star_.count(); ++i) star_.owner(i) = none;
     Status status = critical_ > 0 ? components_.unite_critical_facets(v) : Status::ok;
+    if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
     if constexpr (D > 2) {
-        if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
         if (status == Status::ok) status = reduce_columns_at(r);
     }
     star_.close(ball_);

@@ -4,10 +4,21 @@
 // The ball is thought of as closed to a sphere by a vertex `outside`, later than all others, which is joined to the
 // hull. Every link is then a (D-1)-sphere, and by Alexander duality the part of it above a vertex knows the homology of
 // the part below.
+//
+// When only a part K of the ball is filtered, with the homology of a point, it is thought of as standing in that same
+// sphere. K_a are the simplices of K that have entered. By duality a class of degree D-1 of K_a is a component of the
+// rest of the sphere, all open simplices that are not in K_a. The rest of the sphere beyond K itself, with `outside`,
+// is in one piece, as K has no class of degree D-1; it is in the complement at all times, and what is joined to it is
+// joined to `outside`. The open star of a vertex is connected, and as long as the vertex has not entered all of it is
+// in the complement. So a cell that is not in K stands for `outside`, and so does a vertex with a simplex that is not
+// in K, from the moment when it leaves. The link of such a vertex, as far as it is in K, has no dual in the link sphere
+// that knows only which vertices are above; its star is opened in full. Stars that are in K with all of their simplices
+// are what they would be without a part.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 
+#include "complex/subcomplex.hpp"
 #include "complex/triangulation.hpp"
 #include "memory/arena.hpp"
 
@@ -30,10 +41,11 @@ template <int D> std::uint64_t simplices_bound(std::uint32_t lower, const std::u
 }
 
 template <int D> struct TriangulatedBall {
-    static constexpr std::uint8_t on_hull = 1, irregular = 2, large = 4;
+    static constexpr std::uint8_t on_hull = 1, irregular = 2, large = 4, cut = 8, absent = 16;
 
     TriangulationView<D> complex;
-    const double* value;  // [vertex_count]
+    const double* value;        // [vertex_count]
+    const Subcomplex<D>* part;  // null: everything is in
     std::uint32_t vertex_count;
     std::uint32_t outside;     // == vertex_count
     std::uint32_t degree_max;  // most cells around a vertex
@@ -44,6 +56,8 @@ template <int D> struct TriangulatedBall {
     std::uint8_t* flags;       // [vertex_count]
     std::uint32_t* slot;       // [vertex_count] labels in the star at work; all 0 between stars
 
+    // Whether the cell is in the part.
+    bool has(CellId cell) const { return part == nullptr || part->cell[cell] != 0; }
     // Asks for the vertices of the cell of incidence t, or of the last one.
     void prefetch(std::uint32_t t) const {
         const std::uint32_t last = begin[vertex_count] - 1;
@@ -59,6 +73,8 @@ template <int D> struct TriangulatedBall {
         slot = arena.take_high<std::uint32_t>(n);
         if (begin == nullptr || incidence == nullptr || flags == nullptr || slot == nullptr || m >= none) return false;
         for (std::size_t v = 0; v < n; ++v) begin[v] = flags[v] = 0, slot[v] = 0;
+        if (part != nullptr) flag_part();
+        NETMESH_VALIDATE_WHOLE(part_violation());
         begin[n] = 0;
         for (CellId c(0); c < complex.cell_count; ++c) {
             const VertexId* p = complex.vertices(c);
@@ -76,7 +92,28 @@ template <int D> struct TriangulatedBall {
         return true;
     }
 
+#ifdef NETMESH_VALIDATE
+    // Whether no cell that is in has an absent vertex, and none that is not in has one that is whole.
+    const char* part_violation() const {
+        for (CellId c(0); part != nullptr && c < complex.cell_count; ++c) {
+            for (int i = 0; i <= D; ++i) {
+                const std::uint8_t vertex = part->vertex[complex.vertices(c)[i]];
+                if (vertex > VertexPart::whole) return "a vertex is neither absent, cut nor whole";
+                if (vertex == (has(c) ? VertexPart::absent : VertexPart::whole))
+                    return "a part has a cell without one of its vertices, or not all cells of a whole vertex";
+            }
+        }
+        return nullptr;
+    }
+#endif
+
 private:
+    void flag_part() {
+        for (std::size_t v = 0; v < vertex_count; ++v) {
+            if (part->vertex[v] == VertexPart::cut) flags[v] = cut;
+            if (part->vertex[v] == VertexPart::absent) flags[v] = absent;
+        }
+    }
     void place(CellId c) {
         const VertexId* p = complex.vertices(c);
         for (std::uint32_t i = 0; i <= D; ++i) {

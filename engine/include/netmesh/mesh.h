@@ -97,7 +97,7 @@ typedef struct netmesh_certificate_goal {
 typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
 
 /* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes,
- * certificate, size_at_inputs, size_growth, net_spacing and cage_kind of it. */
+ * certificate, size_at_inputs, size_growth, net_spacing, cage_kind and whole_cells of it. */
 typedef struct netmesh_mesh_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
@@ -129,6 +129,10 @@ typedef struct netmesh_mesh_request {
      * magnitude, or the radius above 2^511. */
     double net_spacing;
     netmesh_cage_kind cage_kind; /* THESIS: D at most 4, tau given and at least 3.4, PURPOSE_MESH without audits */
+    /* Of a mesh refined by the certificate. 0: for cells clipped to a ball, the domain, a hair larger than the smallest
+     * one around the points; nothing is refined outside, and filters with clips_cells are filtered on the nerve of the
+     * clipped cells. 1: for whole cells; what other filters, which take cells whole, certify is better then. */
+    uint32_t whole_cells;
 } netmesh_mesh_request;
 
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim);
@@ -150,13 +154,12 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* request);
  * sqrt(2 + tau) needs it. PURPOSE_TIGHT over-refines to e = tight_eps / (3 (1 + tight_eps)) times f_P (7.5) in a
  * domain of at least 3.1 + 4 e enclosing radii: hundreds (D = 2) to tens of thousands (D = 3) of vertices a point.
  * Meshes with cages are neither for persistence nor over-refined; finished ones are.
- * With certificate.ratio the mesh has about half of the vertices for the same certified ratio. No aspect ratio is
- * promised then; the report's tau is 0. For a ratio below 2 distances must be 64 / (ratio^2 / 2 - 1) units, and with
- * scales of interest focus_from must be 64 / k units, k = focus_ratio^2 / 2 - 1, or
- * (focus_ratio^2 - 1) / (focus_ratio^2 + 1) when focus_ratio is at most sqrt 2 (INVALID_ARGUMENT, FOCUS_FROM).
- * Replaces what the context held, also on failure.
- * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last two the context holds a
- * valid Delaunay mesh of what was inserted so far (report.complete is 0). */
+ * With certificate.ratio the mesh has a third of the vertices for the same certified ratio, half with whole_cells. No
+ * aspect ratio is promised then; the report's tau is 0. For a ratio below 2 distances must be 64 / (ratio^2 / 2 - 1)
+ * units, and with scales of interest focus_from must be 64 / k units, k = focus_ratio^2 / 2 - 1, or (focus_ratio^2 - 1)
+ * / (focus_ratio^2 + 1) when focus_ratio is at most sqrt 2 (INVALID_ARGUMENT, FOCUS_FROM). Replaces what the context
+ * held, also on failure. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED; on the last
+ * two the context holds a valid Delaunay mesh of what was inserted so far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request* request);
 
 /* A mesh made elsewhere, or read from a file. */

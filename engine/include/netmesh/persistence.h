@@ -62,6 +62,7 @@ typedef struct netmesh_filter_info {
     uint32_t has_goal;            /* 1: its meshes may be refined by a netmesh_certificate_goal */
     uint32_t has_representatives; /* 1: cycles can be had, by netmesh_represent or the request */
     uint32_t bounds_by_scale;     /* 1: netmesh_bound_bars goes by the bounds of cells; 0: by the certified ratio */
+    uint32_t clips_cells;         /* 1: of a mesh refined for clipped cells it filters those; 0: all cells, whole */
 } netmesh_filter_info;
 
 /* Row `index` of the table, from 0 on, in the order of netmesh_filter without NONE. */
@@ -106,11 +107,11 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * needs a Delaunay triangulation, the others a mesh without cages; one mesh serves every k. Replaces the diagram, also
  * when it fails.
  * Memory above the mesh: below 8 bytes a simplex, for alpha about 25 bytes a simplex plus fill, 8 more on grids.
- * KNN and KDISTANCE, k >= 2: on a mesh on which COMPLETE certifies c the certified_ratio is at most sqrt(2 + s c^2), s
- * = 1 for KNN and sqrt(k / (k - 1)) for KDISTANCE. For FUNCTION: the sublevel sets of a function (8.6). certified_ratio
- * is infinite where f is too small for its change across a Voronoi cell; a distance_factor keeps it finite.
- * certified_error is finite, at most lipschitz times the domain's radius; infinite where what is said of
- * the function cannot be: at a vertex it is less than cut and lipschitz allow so far from the domain's sphere.
+ * KNN and KDISTANCE, k >= 2: on a mesh on which COMPLETE certifies c with whole cells the certified_ratio is at most
+ * sqrt(2 + s c^2), s = 1 for KNN and sqrt(k / (k - 1)) for KDISTANCE. For FUNCTION: the sublevel sets of a function
+ * (8.6). certified_ratio is infinite where f is too small for its change across a Voronoi cell; a distance_factor keeps
+ * it finite. certified_error is finite, at most lipschitz times the domain's radius; infinite where what is said of the
+ * function cannot be: at a vertex it is less than cut and lipschitz allow so far from the domain's sphere.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
  * is not finite), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190
  * in space, 2^640 in R^6, of which all coordinates are multiples), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays
@@ -210,6 +211,7 @@ typedef struct netmesh_fit_request {
     uint32_t k;
     const netmesh_function* function; /* its evaluate is called for each vertex of each mesh that is tried, twice with
                                          scales of interest */
+    uint32_t whole_cells;             /* as of netmesh_mesh_request; filters without clips_cells have whole cells */
 } netmesh_fit_request;
 
 void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes, uint32_t dim);

@@ -76,7 +76,10 @@ typedef struct netmesh_mesh_report {
     netmesh_audit_report audit;
     uint64_t touches; /* by point location, whatever made it look: distances to inputs, inputs compared with D-balls
                          (audit LOCATION), cells, domains and vertices passed; 0 after load */
-    uint64_t reserved[3];
+    uint32_t clipped; /* 1: refined for cells clipped to the domain's ball; netmesh_persist with a filter that
+                         clips_cells makes its radius a little smaller, to that of the ball that it clips to */
+    uint32_t reserved_word;
+    uint64_t reserved[2];
 } netmesh_mesh_report;
 
 typedef struct netmesh_diagram_report {

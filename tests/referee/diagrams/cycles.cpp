@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+
+#include "../nerve.hpp"
 
 namespace referee {
 namespace {
@@ -31,8 +34,11 @@ bool near(double a, double b, double slack) {
 }  // namespace
 
 bool lower_star(const Mesh& mesh, bool inputs_first, int top, std::size_t most, ValuedComplex* out) {
+    if (mesh.cells.size() > most) return false;
     std::map<Simplex, double> entries;
     const std::size_t size = static_cast<std::size_t>(top) + 2;
+    std::optional<Nerve> nerve;
+    if (mesh.clipped) nerve.emplace(mesh);
     for (const Entries& cell : mesh.cells) {
         std::vector<std::uint32_t> vertices(cell.begin(), cell.begin() + mesh.dim + 1);
         std::sort(vertices.begin(), vertices.end());
@@ -44,7 +50,7 @@ bool lower_star(const Mesh& mesh, bool inputs_first, int top, std::size_t most, 
                 value = std::max(value, mesh.values[vertices[i]]);
             }
             if (inputs_first && simplex.size() == 1 && mesh.markers[simplex[0]] == input_marker) value = 0;
-            entries[simplex] = value;
+            if (!nerve || nerve->has(simplex)) entries[simplex] = value;
         });
         if (entries.size() > most) return false;
     }

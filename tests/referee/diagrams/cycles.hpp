@@ -14,7 +14,8 @@ struct ValuedComplex {
 };
 
 // The mesh that was filtered: a simplex enters with the largest value of its vertices, but with `inputs_first` each
-// input's own vertex at 0. False: more than `most` simplices.
+// input's own vertex at 0. Of a clipped mesh only the simplices whose dual faces meet the ball enter (nerve.hpp).
+// False: more than `most` simplices.
 bool lower_star(const Mesh& mesh, bool inputs_first, int top, std::size_t most, ValuedComplex* out);
 
 // Rips and Cech complexes of points, radii rounded, and those within 2^-40 of one another taken for equal.

@@ -45,7 +45,8 @@ std::string check_files(const Tool& tool, const Way& way, const Made& made, unsi
     if (made.has_cycles) words.insert(words.end(), {"--representatives", tool.path("trial.cycles")});
     outcome = tool.run(words, seconds);
     const bool declined = outcome.message.find("simplices, which are too many") != std::string::npos ||
-                          outcome.message.find("flat to the precision") != std::string::npos;
+                          outcome.message.find("flat to the precision") != std::string::npos ||
+                          outcome.message.find("faces of Voronoi cells meet the domain") != std::string::npos;
     if (outcome.exit == done || outcome.exit == out_of_time || outcome.exit == memory_exit || declined) return {};
     return "the second opinion of `check` exits with " + count_text(outcome.exit) + ": " + outcome.message;
 }

@@ -58,6 +58,7 @@ std::vector<Way> ways_to_persist(int dim, std::size_t k, double width, Random& r
         return k == 1 ? std::sqrt(2 + t) : std::sqrt(2 + s * (2 + t));
     };
     ways.on_mesh("complete", {{"bounds", ""}}, std::sqrt(2 + standard));
+    ways.on_mesh("complete", {{"whole-cells", ""}, {"bounds", ""}}, std::sqrt(2 + standard));
     ways.on_mesh("complete", {{"seed", seed}, {"max-degree", "0"}}, std::sqrt(2 + standard)).top = 0;
     ways.on_mesh("complete", {{"ratio", exact_text(goal)}, {"bounds", ""}}, goal);
     ways.on_mesh("complete",

@@ -113,6 +113,32 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
     }
 }
 
+// What the diagram was fitted in did not hold the check of its mesh too; where the basic filter's ratio begins was
+// asked to be what the loosest bounds of clipped cells say.
+TEST_CASE("provenance: fitted diagrams are checked with their meshes") {
+    const Folder folder;
+    folder.run("sample sphere -n 40 -o p.txt");
+    for (const std::string ways : {"--fit --memory 256K --bounds", "--fit --memory 1M --bounds",
+                                   "--filter basic --fit --memory 512K", "--filter basic --fit --memory 1M --bounds"}) {
+        CAPTURE(ways);
+        CHECK(folder.run("persist p.txt --quiet -o d.pers --mesh m.node " + ways).exit == 0);
+        const Result check = folder.run("check d.pers --mesh m.node");
+        CHECK(check.err == "");
+        CHECK(check.exit == 0);
+    }
+}
+
+// Of a cell of collinear points the direction to the pole of its face is nothing but rounding.
+TEST_CASE("provenance: clipped cells of collinear points have a second opinion") {
+    const Folder folder;
+    folder.write("p.txt", "0 0 0\n4 0 -1\n8 0 -2\n12 0 -3\n16 0 -4\n20 0 -5\n");
+    for (const std::string ways : {"--ratio 2.8 --bounds", "--ratio 4 --focus 1.6 --from 2.2 --to 13 --bounds"}) {
+        CAPTURE(ways);
+        CHECK(folder.run("persist p.txt --quiet -o d.pers --mesh m.node " + ways).exit == 0);
+        CHECK(folder.run("check d.pers --mesh m.node --quiet").err == "");
+    }
+}
+
 // The second opinion knew centres of balls as places and cut what it allows for rounding at 1e-3.
 TEST_CASE("provenance: points as near to one another as their coordinates resolve have a second opinion too") {
     const Folder folder;

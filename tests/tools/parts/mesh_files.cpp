@@ -80,6 +80,47 @@ TEST_CASE("node of a mesh: domain, tau and filter values") {
     CHECK(node.first_id == 0);
 }
 
+TEST_CASE("node of a mesh of clipped cells") {
+    Square square;
+    square.ratio = 2.25;
+    square.clipped = true;
+    CHECK(text_of(write_node, square).rfind("4 2 0 1\n", 0) == 0);  // without a domain there is no mesh
+    square.domain[2] = 1;
+    const std::string text = text_of(write_node, square);
+    CHECK(text.rfind("# domain 0 0 1\n# ratio 2.25\n# clipped\n4 2 0 1\n", 0) == 0);
+    NodeFile node;
+    REQUIRE(parse_node(text, &node).good());
+    CHECK(node.clipped);
+    square.clipped = false;
+    NodeFile whole;
+    REQUIRE(parse_node(text_of(write_node, square), &whole).good());
+    CHECK(!whole.clipped);
+    square.clipped = true;
+    square.ratio = 0;
+    square.tau = 2.5;
+    CHECK(text_of(write_node, square).find("clipped") == std::string::npos);
+}
+
+TEST_CASE("clipped stands alone, once, behind a domain and a ratio") {
+    const struct {
+        const char* head;
+        const char* where;
+    } faults[] = {{"# domain 0 0 1\n# ratio 2.25\n# clipped 1\n", "m.node:3: clipped is a word alone"},
+                  {"# domain 0 0 1\n# ratio 2.25\n# clipped\n# clipped\n", "m.node:4: clipped is said twice"},
+                  {"# domain 0 0 1\n# clipped\n# ratio 2.25\n", "m.node:2: clipped stands behind"},
+                  {"# domain 0 0 1\n# tau 2.5\n# clipped\n", "m.node:3: clipped stands behind"},
+                  {"# ratio 2.25\n# clipped\n# domain 0 0 1\n", "m.node:2: clipped stands behind"},
+                  {"# clipped\n", "m.node:1: clipped stands behind"}};
+    for (const auto& fault : faults) {
+        NodeFile node;
+        node.cloud.name = "m.node";
+        const Outcome outcome = parse_node(std::string(fault.head) + "1 2 0 1\n0 0 0 0\n", &node);
+        CAPTURE(outcome.message);
+        CHECK(outcome.exit == Exit::data);
+        CHECK(outcome.message.find(fault.where) == 0);
+    }
+}
+
 TEST_CASE("cages in a node file and in fields of a vtu") {
     Square square;
     square.domain[2] = 1;
