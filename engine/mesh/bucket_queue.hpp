@@ -25,8 +25,9 @@ public:
     // The same with another squared distance in place of the vertex's own.
     void push(VertexId v, double nearest2) {
         Vertex<D>& vertex = store_->vertex(v);
-        if (vertex.queued) return;
-        vertex.queued = 1;
+        const bool is_there = vertex.queued != 0;
+        vertex.queued = listed;
+        if (is_there) return;
         vertex.next = none;
         int b = count - 1 - (top_ - exponent_of(nearest2));
         if (b < 0) b = 0;
@@ -40,6 +41,10 @@ public:
         filled_[b / 64] |= std::uint64_t{1} << (b % 64);
     }
 
+    // v, which is in the queue, is surely good: it is passed over when its turn comes, unless it is pushed until then.
+    // Others keep their turns.
+    void pass_over(VertexId v) { store_->vertex(v).queued = listed | passed_over; }
+
     // The next vertex, `none` when there is none.
     VertexId pop() {
         for (int w = 0; w < count / 64; ++w) {
@@ -52,8 +57,10 @@ public:
                 bucket.tail = none;
                 filled_[w] &= filled_[w] - 1;
             }
+            const bool is_good = (store_->vertex(v).queued & passed_over) != 0;
             store_->vertex(v).queued = 0;
-            return v;
+            if (!is_good) return v;
+            --w;  // there may be more in this word
         }
         return none;
     }
@@ -81,6 +88,7 @@ public:
 
 private:
     static constexpr int count = 512;
+    static constexpr std::uint8_t listed = 1, passed_over = 8;  // in Vertex::queued
     struct Bucket {
         VertexId head, tail;
     };

@@ -255,7 +255,7 @@ template <int D> void CertificateRule<D>::clip(VertexId v, CellView* view) const
             offer(cell.centre);
         else
             visit_crossings<D>(
-                store_, ball, v, c, [](const Cell<D>&, const Cell<D>&) { return true; }, offer);
+                store_, ball, v, c, 0, [](const Cell<D>&, const Cell<D>&) { return true; }, offer);
     }
 }
 

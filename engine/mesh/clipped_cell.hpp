@@ -60,6 +60,16 @@ template <int D> struct CutCorners {
     bool reach_beyond(double s2) const { return unknown || far.distance2 > s2; }
 };
 
+// Where the cut meets the edge between corners at these heights, one of them above 0.
+template <int D> void cut_edge(const Cell<D>& cell, double here, const Cell<D>& other, double there, double* x) {
+    // From the nearer end, as the other one may be farther away than its digits reach.
+    const bool swap = other.radius2 < cell.radius2;
+    const double* const a = swap ? other.centre : cell.centre;
+    const double* const b = swap ? cell.centre : other.centre;
+    const double t = swap ? there / (there - here) : here / (here - there);
+    for (int k = 0; k < D; ++k) x[k] = a[k] + t * (b[k] - a[k]);
+}
+
 // Offers those corners of Vor(w) after the cut that corner c of it gives rise to: itself, and where its edges are cut
 // but for those that lead to a corner with a smaller index.
 template <int D>
@@ -79,15 +89,40 @@ template <int D>
         if (n < c || !(other.radius2 < infinity)) continue;
         const double there = cut.height(other.centre);
         if (here > 0 ? there > 0 : !(there > 0)) continue;
-        // From the nearer end, as the other one may be farther away than its digits reach.
-        const bool swap = other.radius2 < cell.radius2;
-        const double* const a = swap ? other.centre : cell.centre;
-        const double* const b = swap ? cell.centre : other.centre;
-        const double t = swap ? there / (there - here) : here / (here - there);
         double x[D];
-        for (int k = 0; k < D; ++k) x[k] = a[k] + t * (b[k] - a[k]);
+        cut_edge<D>(cell, here, other, there, x);
         corners->offer(x, distance2<D>(x, cut.origin()), c);
     }
+}
+
+// May a corner of Vor(v) after the cut, whose origin is v, be farther from v than the cut's distance s? What is between
+// corners within s cannot. star[-1 - k], k < count: the cells at v.
+template <int D>
+[[gnu::noinline]] bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, const CellId* star,
+                                        std::uint32_t count) {
+    const double s2 = cut.distance2();
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const CellId c = star[-1 - static_cast<std::ptrdiff_t>(k)];
+        const Cell<D>& cell = store.cell(c);
+        if (is_within(cell, s2)) continue;
+        if (!(cell.radius2 < infinity)) {
+            if (!store.is_ghost(c)) return true;
+            continue;
+        }
+        const double here = cut.height(cell.centre);
+        if (!(here > 0)) return true;
+        for (int i = 0; i <= D; ++i) {
+            if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
+            const Cell<D>& other = store.cell(cell.neighbour[i].cell());
+            if (!(other.radius2 < infinity)) continue;
+            const double there = cut.height(other.centre);
+            double x[D];
+            if (there > 0) continue;
+            cut_edge<D>(cell, here, other, there, x);
+            if (distance2<D>(x, cut.origin()) > s2) return true;
+        }
+    }
+    return false;
 }
 
 // A point of Vor(w) within the ball at distance s from u, the cut's origin, on the way to the farthest corner after the
@@ -173,6 +208,7 @@ void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, 
     *found = Corner<D>{};
     const CellId* const star = store.list_top();
     const Cut<D> cut(ball, u, bound2);
+    if (u == store.point(v) && !may_reach_beyond<D>(store, cut, v, star, count)) return;
     CutCorners<D> corners;
     for (std::uint32_t k = 0; k < count; ++k)
         offer_cut_corners<D>(store, cut, v, star[-1 - static_cast<std::ptrdiff_t>(k)], &corners);

@@ -130,7 +130,7 @@ template <int D> void ReachProof<D>::measure(const double* u, Corner<D>* farthes
             farthest->offer(cell.centre, distance2<D>(cell.centre, u), c);
         else
             visit_crossings<D>(
-                store_, ball_, v_, c, [](const Cell<D>&, const Cell<D>&) { return true; },
+                store_, ball_, v_, c, 0, [](const Cell<D>&, const Cell<D>&) { return true; },
                 [&](const double* z) { farthest->offer(z, distance2<D>(z, u), c); });
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "delaunay/sphere.hpp"
 #include "mesh/domain.hpp"
 #include "numerics/vector.hpp"
 
@@ -21,31 +22,38 @@ template <int D> struct Corner {
     }
 };
 
+// Is the cell's corner, seen from its vertices, surely no farther than the root of least2?
+template <int D> bool is_within(const Cell<D>& cell, double least2) {
+    return cell.radius2 * (1 + 0x1p-20) <= least2 && static_cast<double>(cell.error) <= corner_error_max;
+}
+
 // Calls visit(z) where edges of v's cell that end in corner c, which is outside the ball, cross its sphere: of edges
-// for which is_wanted(cell c, the cell of the other end). For stores in use and for vertices inside the hull: behind
-// each facet of c is a cell, infinite ones too.
+// for which is_wanted(cell c, the cell of the other end), but for those seen from the other end: it is outside too, not
+// within the root of least2, and has a smaller index. For stores in use and for vertices inside the hull: behind each
+// facet of c is a cell, infinite ones too.
 template <int D, class IsWanted, class Visit>
-void visit_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, IsWanted&& is_wanted,
-                     Visit&& visit) {
+void visit_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, double least2,
+                     IsWanted&& is_wanted, Visit&& visit) {
     const Cell<D>& cell = store.cell(c);
     for (int i = 0; i <= D; ++i) {
         if (cell.vertex[i] == v) continue;
         const CellId n = cell.neighbour[i].cell();
         const Cell<D>& other = store.cell(n);
         if (!(other.radius2 < infinity) || !is_wanted(cell, other)) continue;
-        if (n < c && !ball.contains(other.centre)) continue;  // seen from the other end
+        if (n < c && !is_within(other, least2) && !ball.contains(other.centre)) continue;
         double z[2][D];
         const int crossings = sphere_crossings<D>(ball, cell.centre, other.centre, z);
         for (int j = 0; j < crossings; ++j) visit(z[j]);
     }
 }
 
-// Offers the crossings from there, but for those that cannot be farther than least2 (squared).
+// Offers the crossings from there, but for those that cannot be farther than least2 (squared). To be called for all
+// corners outside that are not within the root of that.
 template <int D>
 void offer_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, double least2,
                      Corner<D>* corner) {
     visit_crossings<D>(
-        store, ball, v, c,
+        store, ball, v, c, least2,
         [&](const Cell<D>& cell, const Cell<D>& other) {
             // A crossing is no farther from v than the farther end.
             const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;

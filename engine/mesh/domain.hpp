@@ -34,7 +34,17 @@ void smallest_enclosing_ball(const double* points, std::uint32_t count, double* 
 // end, as the other one may be farther away than its digits reach.
 template <int D>
 inline int sphere_crossings(const Domain<D>& domain, const double* a, const double* b, double (&z)[2][D]) {
-    if (domain.distance2(b) < domain.distance2(a)) {
+    double a2 = 0, b2 = 0, between = 0;
+    for (int k = 0; k < D; ++k) {
+        const double e = a[k] - domain.centre[k], f = b[k] - domain.centre[k];
+        a2 += e * e;
+        b2 += f * f;
+        between += e * f;
+    }
+    const double least2 = b2 < a2 ? b2 : a2;
+    // Both ends outside and leading away from the nearer one, as surely as digits tell: the usual case outside.
+    if (least2 > domain.radius * domain.radius && between - least2 > 0x1p-30 * (a2 + b2)) return 0;
+    if (b2 < a2) {
         const double* const nearer = b;
         b = a;
         a = nearer;
@@ -48,6 +58,9 @@ inline int sphere_crossings(const Domain<D>& domain, const double* a, const doub
     }
     const double rest = from2 - domain.radius * domain.radius;
     if ((rest > 0 && !(along < 0)) || !(length2 > 0)) return 0;  // outside and leading away, or no segment
+    // Passes by, well apart: told without a root.
+    const double level = rest * length2;
+    if (level > 0x1p-900 && along * along < level * (1 - 0x1p-30)) return 0;
     // Distances from a, with no more than squares of lengths on the way, so that any scale will do.
     const double length = square_root(length2), height = along / length;
     const double root2 = height * height - rest;

@@ -343,6 +343,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
     const bool fits = kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         ++cells;
+        if (is_within(cell, least2)) return;
         if (!(cell.radius2 < infinity)) {
             leaves_ball = true;
         } else if (ball.contains(cell.centre)) {

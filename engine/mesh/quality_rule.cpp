@@ -84,10 +84,22 @@ template <int D> [[gnu::cold]] Status QualityRule<D>::check_goal() {
     return Status::invalid_argument;
 }
 
-// Cells that were good enough while an input was waiting are looked at again.
+// Cells that were good enough while an input was waiting are looked at again: in the order of their vertices, those
+// that no corner can make bad left out.
 template <int D> Status QualityRule<D>::finish_mesh() {
-    for (VertexId v(0); v < store_.state.vertex_count && has_waited_; ++v)
-        if (store_.vertex(v).marker != Marker::exempt) queue_.push(v);
+    if (!has_waited_) return Status::ok;
+    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
+        if (store_.vertex(v).cell == none || store_.vertex(v).marker == Marker::exempt) continue;
+        queue_.push(v);
+        if (!this->may_be_blurred(store_.vertex(v))) queue_.pass_over(v);
+    }
+    for (CellId c(0); c < store_.state.cell_slots; ++c) {
+        const Cell<D>& cell = store_.cell(c);
+        for (int i = 0; i <= D && store_.is_live(c); ++i) {
+            if (cell.vertex[i] == none || store_.vertex(cell.vertex[i]).marker == Marker::exempt) continue;
+            if (!is_within(cell, this->least_beyond2(store_.vertex(cell.vertex[i])))) queue_.push(cell.vertex[i]);
+        }
+    }
     return this->clean();
 }
 
@@ -198,6 +210,7 @@ template <int D> bool QualityRule<D>::view_cell(VertexId v, double least2, CellV
     return kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         ++view->cells;
+        if (!certify_ && is_within(cell, least2)) return;
         if (!(cell.radius2 < infinity)) {  // so flat that its corner is not known
             view->leaves_domain = true;
             return;

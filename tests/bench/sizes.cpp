@@ -13,6 +13,7 @@
 #include "common/mesh_requests.hpp"
 #include "mesh/mesh_points.hpp"
 #include "mesh/quality.hpp"
+#include "vocabulary/dimension.hpp"
 
 using namespace netmesh;
 
@@ -105,13 +106,8 @@ template <int D> Trial mesh(const inputs::Points& points, double tau, std::uint6
 }
 
 Trial mesh(int dim, const inputs::Points& points, double tau, std::uint64_t seed) {
-    switch (dim) {
-    case 2: return mesh<2>(points, tau, seed);
-    case 3: return mesh<3>(points, tau, seed);
-    case 4: return mesh<4>(points, tau, seed);
-    case 5: return mesh<5>(points, tau, seed);
-    default: return mesh<6>(points, tau, seed);
-    }
+    return with_dimension(static_cast<std::uint32_t>(dim),
+                          [&](auto dimension) { return mesh<decltype(dimension)::value>(points, tau, seed); });
 }
 
 void measure(const Row& row, double tau, std::uint64_t seeds) {
@@ -148,6 +144,7 @@ int main(int argc, char** argv) {
                 "cells/v", "us/v", "s", "worst");
     for (const Row& row : rows) {
         if (std::strncmp(row.name, name, std::strlen(name)) != 0) continue;
+        if (!serves_dimension(static_cast<std::uint32_t>(row.dim))) continue;
         for (const double tau : row.taus)
             if (tau > 0 && (!(only > 0) || tau == only)) measure(row, tau, seeds);
     }
