@@ -31,15 +31,22 @@ template <int D>
 
 // Is a vertex inside of the cage nearest to x?
 template <int D> [[gnu::cold]] bool is_in_cage_cell(const Store<D>& store, const Cage& cage, const double* x) {
-    double inside2 = infinity, outside2 = infinity;
+    const double* nearest = store.point(cage.centre);
+    double inside2 = distance2<D>(x, nearest), y[D];
     for (VertexId v(0); v < store.state.vertex_count; ++v) {
-        if (store.vertex(v).cell == none) continue;
         const double* const p = store.point(v);
-        const double d2 = distance2<D>(x, p);
-        double& nearest2 = is_inside<D>(store, cage, p) ? inside2 : outside2;
-        if (d2 < nearest2) nearest2 = d2;
+        if (store.vertex(v).cell == none || !is_inside<D>(store, cage, p) || !(distance2<D>(x, p) < inside2)) continue;
+        inside2 = distance2<D>(x, p);
+        nearest = p;
     }
-    return inside2 <= outside2 * (1 + 0x1p-30);
+    for (int k = 0; k < D; ++k) y[k] = x[k] - nearest[k];
+    const double length = square_root(inside2);
+    for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        const double* const p = store.point(v);
+        if (store.vertex(v).cell == none || is_inside<D>(store, cage, p)) continue;
+        if (is_nearer_to<D>(p, nearest, y, length)) return false;
+    }
+    return true;
 }
 
 }  // namespace

@@ -15,16 +15,10 @@ bool is_in_cell(const Store<D>& store, VertexId v, const double* x, const CellId
     const double* const p = store.point(v);
     double y[D];
     for (int k = 0; k < D; ++k) y[k] = x[k] - p[k];
-    const double slack = 0x1p-30 * dot<D>(y, y);
+    const double length = square_root(dot<D>(y, y));
     for (std::uint32_t s = 0; s < count; ++s)
         for (const VertexId w : store.cell(star[-1 - static_cast<std::ptrdiff_t>(s)]).vertex) {
-            if (w == v || w == none) continue;
-            double nearer = 0;  // |y|^2 - |y - e|^2
-            for (int k = 0; k < D; ++k) {
-                const double e = store.point(w)[k] - p[k];
-                nearer += e * (2 * y[k] - e);
-            }
-            if (nearer > slack) return false;
+            if (w != v && w != none && is_nearer_to<D>(store.point(w), p, y, length)) return false;
         }
     return true;
 }

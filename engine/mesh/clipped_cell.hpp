@@ -19,6 +19,18 @@
 
 namespace netmesh {
 
+// Is the place y from p, |y| = length, nearer to w than to p? By the angle of y and w - p, so that it is as sharp for
+// neighbours of p that are far nearer than the place as for others; to 2^-30, for places are poles with roundings.
+template <int D> bool is_nearer_to(const double* w, const double* p, const double* y, double length) {
+    double nearer = 0, apart2 = 0;  // |y|^2 - |y - e|^2
+    for (int k = 0; k < D; ++k) {
+        const double e = w[k] - p[k];
+        nearer += e * (2 * y[k] - e);
+        apart2 += e * e;
+    }
+    return nearer > 0 && nearer > 0x1p-30 * length * square_root(apart2);
+}
+
 // That half-space.
 template <int D> class Cut {
 public:

@@ -112,3 +112,25 @@ TEST_CASE("near 2 tau asks for more than 64 units in the last place between poin
     CHECK(finest_distance<6>(4) == resolution);
     CHECK(finest_distance<2>(2 + 0x1p-40) == 0x1p-26);
 }
+
+// Cells a trillionth of the domain wide, some of them at its sphere: a pole on the far side of it, to which directions
+// from one cell or the next are the same but for 1e-12, belongs to neither.
+TEST_CASE("the ratio that is reported of pairs a trillionth apart is that of their cells") {
+    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_HIERARCHY})
+        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+            CAPTURE(seed);
+            inputs::Random random(seed);
+            inputs::Points points;
+            for (int pair = 0; pair < 4; ++pair) {
+                const double x = random.uniform(), y = random.uniform();
+                const auto [c, s] = inputs::turn(random.below(360), 360);
+                points.insert(points.end(), {x, y, x + 1e-12 * c, y + 1e-12 * s});
+            }
+            Session session(2);
+            session.request.method = method;
+            REQUIRE(session.mesh(points) == NETMESH_OK);
+            CHECK(session.report().mesh.aspect_ratio_max <= session.report().mesh.tau);
+            CHECK(session.report().mesh.aspect_ratio_max > 1);
+            CHECK(session.check() == NETMESH_OK);
+        }
+}
