@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tools/opinion/cell_search.hpp"
 #include "tools/opinion/clipped_cells.hpp"
 #include "tools/opinion/clipped_nerve.hpp"
 
@@ -47,13 +48,28 @@ FilteredFunction::FilteredFunction(const NodeFile& node, netmesh_filter filter, 
     if (inputs_.size() == 1) cut_ = magnitude;
 }
 
-Real FilteredFunction::uncut(const Place& x) const {
-    std::vector<Real> squares;
-    for (const Place& p : inputs_) squares.push_back(distance2(p, x));
+std::vector<std::pair<Real, std::uint32_t>> FilteredFunction::nearest(const Place& x) const {
+    std::vector<std::pair<Real, std::uint32_t>> squares;
+    for (std::uint32_t i = 0; i < inputs_.size(); i++) squares.emplace_back(distance2(inputs_[i], x), i);
     std::partial_sort(squares.begin(), squares.begin() + k_, squares.end());
+    squares.resize(k_);
+    return squares;
+}
+
+Real FilteredFunction::value_of(const std::vector<std::pair<Real, std::uint32_t>>& nearest) const {
     Real sum = 0;
-    for (std::uint32_t i = 0; i < k_; i++) sum += squares[i];
-    return std::sqrt(mean_ ? sum / k_ : squares[k_ - 1]);
+    for (const auto& input : nearest) sum += input.first;
+    return std::sqrt(mean_ ? sum / k_ : nearest.back().first);
+}
+
+Real FilteredFunction::operator()(const Place& x, Place* source) const {
+    const auto inputs = nearest(x);
+    *source = inputs_[inputs.back().second];
+    for (std::size_t k = 0; k < x.size() && mean_; k++) {
+        (*source)[k] = 0;
+        for (const auto& input : inputs) (*source)[k] += inputs_[input.second][k] / k_;
+    }
+    return std::min(cut_, value_of(inputs));
 }
 
 namespace {
@@ -69,21 +85,29 @@ private:
     bool is_exempt(std::size_t v) const { return node_.markers[v] == 2; }
     bool is_bounded(std::size_t v) const { return node_.clipped || !is_exempt(v); }
     // Not when its clipped cell is empty, or may be.
+    bool is_cut(std::size_t v) const { return node_.clipped && clipped_->is_cut(v); }
     bool counts(std::size_t v) const { return !node_.clipped || meeting_[v] == Meeting::meets; }
     void find_nearest();
     void clip_cells();
     // Of a clipped cell the places that stand for corners: it reaches as far as they do from v and its nearest inputs.
     template <class Visit> void for_each_corner(std::size_t v, Visit&& visit) const {
-        if (!ends_.empty() && clipped_->is_cut(v)) {
-            for (std::size_t i = 0; i < ends_[v].size(); i++) visit(ends_[v][i], end_values_[v][i]);
+        if (is_cut(v)) {
+            for (const Known& end : ends_[v]) visit(end);
             return;
         }
         for (const std::uint32_t c : star_[v])
-            if (!corners_[c].empty()) visit(corners_[c], corner_values_[c]);
+            if (!corners_[c].empty()) visit(known_[c]);
     }
     Real farthest_corner(std::size_t v, const Place& from) const;
     Real function_radius(std::size_t v) const { return farthest_corner(v, places_[v]); }
     Place towards(std::size_t v, const Place& goal) const;
+    // Adds places of v's cell.
+    template <class Nearest> void search(std::size_t v, Nearest&& nearest_to, std::vector<Known>* known) {
+        const std::size_t before = known->size();
+        seek_most(function_, known);
+        seek_least(function_, places_[nearest_[v][0]], nearest_to, known);
+        found_.places += known->size() - before;
+    }
     void look(std::size_t v, CellRange* seen);
 
     Real own_value(std::size_t v, std::uint32_t nearest) const;
@@ -96,12 +120,11 @@ private:
     CellRange range_of(std::size_t v, std::uint32_t nearest, const Reading& reading) const;
     // Both for each input that may count as v's nearest, by each reading.
     template <class Visit> void for_each_nearest(std::size_t v, Visit&& visit) const {
-        const bool is_cut = node_.clipped && clipped_->is_cut(v);
         for (const std::uint32_t p : nearest_[v]) {
             visit(range_of(v, p, plain), own_value(v, p));
             for (const Real own : {1.0L, reach_slack}) {
                 for (const Real far : {1.0L, reach_slack})
-                    if (is_cut) visit(range_of(v, p, {false, own, far}), own_value(v, p));
+                    if (is_cut(v)) visit(range_of(v, p, {false, own, far}), own_value(v, p));
             }
         }
     }
@@ -123,17 +146,16 @@ private:
     // Of a cell that is flat to the digits of its vertices no corner is known, an empty place: the cells beside it have
     // the same corner, nearly.
     std::vector<Place> places_, corners_;
-    std::vector<Real> corner_values_;
+    std::vector<Known> known_;                         // of the function at corners
     std::vector<std::vector<std::uint32_t>> star_;     // Delaunay cells around each vertex
     std::vector<std::vector<std::uint32_t>> nearest_;  // inputs of each vertex, ties in all
     std::vector<Real> neighbour_;                      // distance to the nearest other vertex
     std::optional<ClippedCells> clipped_;
-    std::vector<Meeting> meeting_;               // of each cell with the ball
-    std::vector<std::vector<Place>> ends_;       // of cells that are cut
-    std::vector<std::vector<Real>> end_values_;  // of the function there
-    std::vector<Real> half_;                     // tight: half of the distance from an input to the next
-    std::vector<std::uint32_t> clump_;           // the input whose clump a vertex is in
-    std::vector<CellRange> clump_range_;         // of an input
+    std::vector<Meeting> meeting_;          // of each cell with the ball
+    std::vector<std::vector<Known>> ends_;  // of cells that are cut
+    std::vector<Real> half_;                // tight: half of the distance from an input to the next
+    std::vector<std::uint32_t> clump_;      // the input whose clump a vertex is in
+    std::vector<CellRange> clump_range_;    // of an input
     CellOpinion found_;
     static constexpr Reading plain = {true, 1, 1};
     static constexpr std::uint32_t nobody = UINT32_MAX;
@@ -156,10 +178,10 @@ CellWalk::CellWalk(const MeshFiles& files, const FilterChoice& choice, std::uint
         Sphere ball;
         const bool known = smallest_circumsphere(points, &ball);
         corners_.push_back(known ? ball.centre() : Place());
-        corner_values_.push_back(known ? function_(corners_.back()) : 0);
+        known_.push_back(known ? known_at(function_, corners_.back()) : Known());
     }
     find_nearest();
-    found_.places = corners_.size() + 2 * count;
+    found_.places = corners_.size() + count;
     if (node_.clipped) clip_cells();
     if (choice.filter == NETMESH_FILTER_TIGHT) gather_clumps();
 }
@@ -168,15 +190,18 @@ void CellWalk::clip_cells() {
     meeting_ = clipped_nerve(files_, 0).vertices;
     clipped_.emplace(files_, places_, corners_, star_);
     ends_.resize(places_.size());
-    end_values_.resize(places_.size());
     for (std::size_t v = 0; v < places_.size(); v++) {
         if (!clipped_->is_cut(v) || meeting_[v] == Meeting::apart) continue;
         std::vector<Place> from = {places_[v]};
         for (const std::uint32_t p : nearest_[v]) from.push_back(places_[p]);
-        ends_[v] = clipped_->places(v, from);
-        for (const Place& x : ends_[v]) end_values_[v].push_back(function_(x));
-        if (ends_[v].empty()) meeting_[v] = Meeting::unknown;
-        found_.places += ends_[v].size();
+        const auto shape = clipped_->shape(v);
+        for (Place& x : clipped_->places(*shape, from)) ends_[v].push_back(known_at(function_, std::move(x)));
+        if (ends_[v].empty()) {
+            meeting_[v] = Meeting::unknown;
+            continue;
+        }
+        search(
+            v, [&](const Place& goal) { return clipped_->nearest(*shape, goal); }, &ends_[v]);
     }
 }
 
@@ -202,35 +227,50 @@ void CellWalk::find_nearest() {
 
 Real CellWalk::farthest_corner(std::size_t v, const Place& from) const {
     Real far2 = 0;
-    for_each_corner(v, [&](const Place& corner, Real) { far2 = std::max(far2, distance2(corner, from)); });
+    for_each_corner(v, [&](const Known& corner) { far2 = std::max(far2, distance2(corner.x, from)); });
     return std::sqrt(far2);
 }
 
-// A place of v's bounded cell near the one that is nearest to `goal`: steps towards the corner that leads there most.
+// A place of v's cell, which lies in the ball or is bounded, near the one that is nearest to `goal`: a mean of corners
+// whose weights go from the corner that leads there least to the one that leads there most.
 Place CellWalk::towards(std::size_t v, const Place& goal) const {
-    Place x = node_.clipped && !clipped_->holds(places_[v]) ? ends_[v][0] : places_[v];
-    for (int step = 0; step < 50; step++) {
-        const Place* best = nullptr;
-        Real best_slope = 0;
-        for_each_corner(v, [&](const Place& corner, Real) {
+    std::vector<const Place*> corners;
+    for_each_corner(v, [&](const Known& corner) { corners.push_back(&corner.x); });
+    if (corners.empty()) return {};
+    std::vector<Real> weight(corners.size(), 0);
+    std::size_t start = 0;
+    for (std::size_t i = 1; i < corners.size(); i++)
+        if (distance2(*corners[i], goal) < distance2(*corners[start], goal)) start = i;
+    weight[start] = 1;
+    Place x = *corners[start];
+    for (int step = 0; step < 200; step++) {
+        std::size_t best = 0, worst = 0;
+        Real most = -unbounded, least = unbounded;
+        for (std::size_t i = 0; i < corners.size(); i++) {
             Real slope = 0;
-            for (std::size_t k = 0; k < x.size(); k++) slope += (goal[k] - x[k]) * (corner[k] - x[k]);
-            if (slope > best_slope) best_slope = slope, best = &corner;
-        });
-        if (best == nullptr) break;
-        const Real share = std::min<Real>(1, best_slope / distance2(x, *best));
-        for (std::size_t k = 0; k < x.size(); k++) x[k] += share * ((*best)[k] - x[k]);
+            for (std::size_t k = 0; k < x.size(); k++) slope += (goal[k] - x[k]) * ((*corners[i])[k] - x[k]);
+            if (slope > most) most = slope, best = i;
+            if (weight[i] > 0 && slope < least) least = slope, worst = i;
+        }
+        if (!(most > 1e-9L * distance2(x, goal))) break;
+        const Real share = std::min(weight[worst], (most - least) / distance2(*corners[best], *corners[worst]));
+        weight[best] += share;
+        weight[worst] -= share;
+        for (std::size_t k = 0; k < x.size(); k++) x[k] += share * ((*corners[best])[k] - (*corners[worst])[k]);
     }
     return x;
 }
 
 void CellWalk::look(std::size_t v, CellRange* seen) {
-    const auto show = [&](Real f) { *seen = {std::min(seen->lo, f), std::max(seen->hi, f)}; };
     *seen = {unbounded, 0};
     if (!counts(v)) return;
-    if (!node_.clipped || clipped_->holds(places_[v])) show(function_(places_[v]));
-    for_each_corner(v, [&](const Place&, Real f) { show(f); });
-    if (is_bounded(v)) show(function_(towards(v, places_[nearest_[v][0]])));
+    std::vector<Known> known;
+    for_each_corner(v, [&](const Known& corner) { known.push_back(corner); });
+    if (!node_.clipped || clipped_->holds(places_[v])) known.push_back(known_at(function_, places_[v]));
+    if (is_bounded(v) && !is_cut(v))
+        search(
+            v, [&](const Place& goal) { return towards(v, goal); }, &known);
+    for (const Known& place : known) *seen = {std::min(seen->lo, place.f), std::max(seen->hi, place.f)};
     // Balls stand for the cells of inputs, and for those of clumps, where the distance to the points goes down to 0.
     const bool in_ball = !by_neighbours_ && (is_input(v) || (!clump_.empty() && clump_[v] != nobody));
     if (in_ball) seen->lo = unbounded;

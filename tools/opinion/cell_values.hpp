@@ -4,6 +4,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "tools/filters.hpp"
@@ -22,10 +23,17 @@ class FilteredFunction {
 public:
     FilteredFunction(const NodeFile& node, netmesh_filter filter, std::uint32_t k);
     Real operator()(const Place& x) const { return std::min(cut_, uncut(x)); }
-    Real uncut(const Place& x) const;
+    Real uncut(const Place& x) const { return value_of(nearest(x)); }
+    // Also where the value comes from: the k-th nearest input or the mean of the nearest k. Near x the function's
+    // square is the squared distance to that place plus a constant.
+    Real operator()(const Place& x, Place* source) const;
+    bool is_least_of_distances() const { return mean_ || k_ == 1; }  // each to a source, with a constant
     Real cut() const { return cut_; }
 
 private:
+    std::vector<std::pair<Real, std::uint32_t>> nearest(const Place& x) const;  // squares, inputs; ascending
+    Real value_of(const std::vector<std::pair<Real, std::uint32_t>>& nearest) const;
+
     std::vector<Place> inputs_;
     bool mean_;
     std::uint32_t k_;
@@ -43,8 +51,9 @@ struct CellOpinion {
     std::vector<Span> values;  // t of each vertex; any number of one whose clipped cell is empty, or may be
     Span ratio = {1, 1};
     Span from = {0, 0};
-    // What F surely takes on the cell: least and largest value found at the vertex, at the corners of its cell and at
-    // the place of the cell that is nearest to the nearest input. No formula for intervals enters.
+    // What F surely takes on the cell: least and largest value found at the vertex, at the corners of its cell, where
+    // the sphere crosses edges, at poles of faces, and at places of the cell nearest to inputs: to the vertex's nearest
+    // one, then to those that are nearest where F is least so far. No formula for intervals enters.
     std::vector<CellRange> seen;
     std::uint64_t places = 0;  // at which F was looked at
     // Share by which numbers of the engine may differ from these: 1e-9, which is far more than the roundings that it

@@ -328,33 +328,106 @@ TEST_CASE("opinion: of a function, an error that is too small and forged values 
     CHECK(made.refuses("where the function is"));
 }
 
+namespace {
+
+// What the function takes at sampled places of each vertex's cell, in the ball where cells are clipped to it.
+std::vector<CellRange> sampled_cells(const MeshFiles& files, netmesh_filter filter, std::uint32_t k) {
+    const NodeFile& node = files.node;
+    const FilteredFunction function(node, filter, k);
+    const std::vector<double>& x = node.cloud.coordinates;
+    std::vector<CellRange> seen(node.cloud.rows(), {HUGE_VALL, 0});
+    const auto look = [&](double across, double along) {
+        std::size_t best = 0;
+        const auto apart2 = [&](std::size_t v) {
+            return (x[2 * v] - across) * (x[2 * v] - across) + (x[2 * v + 1] - along) * (x[2 * v + 1] - along);
+        };
+        for (std::size_t v = 1; v < seen.size(); v++)
+            if (apart2(v) < apart2(best)) best = v;
+        const Real f = function({across, along});
+        seen[best] = {std::min(seen[best].lo, f), std::max(seen[best].hi, f)};
+    };
+    const double cx = node.domain[0], cy = node.domain[1], radius = node.domain[2];
+    for (int turn = 0; turn < 2000; turn++)
+        look(cx + radius * (1 - 1e-12) * std::cos(turn * 0.00314159), cy + radius * std::sin(turn * 0.00314159));
+    for (int i = -200; i <= 200; i++)
+        for (int j = -200; j <= 200; j++)
+            if (!node.clipped || i * i + j * j <= 200 * 200) look(cx + radius * i / 200, cy + radius * j / 200);
+    return seen;
+}
+
+struct ScaleStep {
+    Real from, next, low, high, ratio;
+};
+// Does what was sampled break this claim by shares? `balls`: cells of inputs are there as balls before their values,
+// which are as large as the scale.
+bool is_broken(const ScaleStep& step, const MeshFiles& files, const std::vector<CellRange>& sampled, bool balls,
+               Real below, Real above) {
+    for (std::size_t v = 0; v < sampled.size(); v++) {
+        const Real t = files.node.attributes[v], enters = std::max(step.from, t), absent = std::min(step.next, t);
+        if (t < step.next && sampled[v].hi * (1 - above) > std::min(std::max(step.high, enters), step.ratio * enters))
+            return true;
+        if (balls && files.node.markers[v] == 0) continue;
+        if (t >= step.from && sampled[v].lo < (1 - below) * std::max(std::min(step.low, absent), absent / step.ratio))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+// Sampling tells which forgeries are false: all of those have to be refused that the least value on a cell shows, as it
+// is found exactly, and all that the largest one does, which is found nearly.
 TEST_CASE("opinion: forged ratios by scale") {
     for (const std::vector<std::string>& making : makings) {
         if (making.back() != "--bounds") continue;
+        CAPTURE(making[0]);
         Made made(command(making));
-        std::size_t low = 0, high = 0, ratio = 0, steps = 0;
-        for (BoundLine& line : made.file.bounds) {
-            const std::size_t from = line.text.find("# scale ") == 0 ? 8 : std::string::npos;
-            if (from == std::string::npos) continue;
+        const netmesh_filter filter = filter_of(made.options);
+        const std::uint32_t k = made.options.k.value_or(1);
+        const std::vector<CellRange> sampled = sampled_cells(made.files, filter, k);
+        const auto number = [](const std::string& text, const std::string& name) {
+            return std::strtod(text.c_str() + text.find(" " + name + " ") + name.size() + 2, nullptr);
+        };
+        std::size_t due = 0, missed = 0, steps = 0, low = 0, high = 0, ratio = 0;
+        for (std::size_t i = 0; i < made.file.bounds.size(); i++) {
+            BoundLine& line = made.file.bounds[i];
+            if (line.text.find("# scale ") != 0) continue;
             steps++;
             const std::string right = line.text;
-            const auto forged = [&](const std::string& name, const std::string& value) {
+            const bool last = i + 1 == made.file.bounds.size() || made.file.bounds[i + 1].text.find("# scale ") != 0;
+            const ScaleStep said = {number(right, "scale"),
+                                    last ? HUGE_VALL : number(made.file.bounds[i + 1].text, "scale"),
+                                    number(right, "low"), number(right, "high"), number(right, "ratio")};
+            CHECK(!is_broken(said, made.files, sampled, k == 1, 1e-9L, 1e-9L));
+            const auto forge = [&](const std::string& name, Real ScaleStep::*claimed, double value) {
+                ScaleStep forged = said;
+                forged.*claimed = value;
                 const std::size_t at = right.find(" " + name + " ") + name.size() + 2;
-                line.text = right.substr(0, at) + value + right.substr(std::min(right.find(' ', at), right.size()));
-                const bool refused = made.judge().exit == Exit::check;
+                line.text = right.substr(0, at) + number_text(value) +
+                            right.substr(std::min(right.find(' ', at), right.size()));
+                const bool is_refused = made.judge().exit == Exit::check;
                 line.text = right;
-                return refused;
+                const bool is_due = is_broken(forged, made.files, sampled, k == 1, 1e-9L, 0.04L);
+                due += is_due;
+                missed += is_due && !is_refused;
+                return is_refused;
             };
-            low += forged("low", "1e9") ? 1 : 0;
-            high += forged("high", "0") ? 1 : 0;
-            ratio += forged("ratio", "1") ? 1 : 0;
+            low += forge("low", &ScaleStep::low, 1e9);
+            high += forge("high", &ScaleStep::high, 0);
+            ratio += forge("ratio", &ScaleStep::ratio, 1);
+            for (const double more : {1.02, 1.1, 1.3, 1.6}) {
+                forge("low", &ScaleStep::low, static_cast<double>(said.low * more));
+                forge("high", &ScaleStep::high, static_cast<double>(said.high / more));
+                forge("ratio", &ScaleStep::ratio, std::max(1.0, static_cast<double>(said.ratio / more)));
+            }
         }
-        // Steps in which nothing happens, as the first and the last, may claim anything.
         CHECK(steps > 10);
-        // Of clipped cells fewer are of Steiner points, and those of inputs have balls for what is low.
-        CHECK(low * 1.0 >= steps * (made.files.node.clipped ? 0.55 : 0.667));
+        CHECK(missed == 0);
+        // Scales at which no cell is to be judged, as the first and the last, may claim anything.
         CHECK(3 * high >= 2 * steps);
         CHECK(3 * ratio >= 2 * steps);
+        CHECK(due > 4 * steps);
+        if (!made.files.node.clipped) CHECK(3 * low >= 2 * steps);
         CHECK(made.judge().good());
     }
 }
