@@ -50,6 +50,14 @@ FilteredFunction::FilteredFunction(const NodeFile& node, netmesh_filter filter, 
 
 std::vector<std::pair<Real, std::uint32_t>> FilteredFunction::nearest(const Place& x) const {
     std::vector<std::pair<Real, std::uint32_t>> squares;
+    if (k_ == 1) {
+        squares.emplace_back(unbounded, 0);
+        for (std::uint32_t i = 0; i < inputs_.size(); i++) {
+            const Real square = distance2(inputs_[i], x);
+            if (square < squares[0].first) squares[0] = {square, i};
+        }
+        return squares;
+    }
     for (std::uint32_t i = 0; i < inputs_.size(); i++) squares.emplace_back(distance2(inputs_[i], x), i);
     std::partial_sort(squares.begin(), squares.begin() + k_, squares.end());
     squares.resize(k_);
