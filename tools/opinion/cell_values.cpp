@@ -1,12 +1,14 @@
 #include "tools/opinion/cell_values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "tools/opinion/cell_search.hpp"
 #include "tools/opinion/clipped_cells.hpp"
 #include "tools/opinion/clipped_nerve.hpp"
+#include "tools/opinion/corner_error.hpp"
 
 namespace netmesh::tool {
 
@@ -29,9 +31,9 @@ Real distance(const Place& a, const Place& b) { return std::sqrt(distance2(a, b)
 
 // Inputs whose distances from a vertex differ by less are equally near.
 constexpr Real tie = 1e-12L;
-// The engine proves bounds of what clipped cells reach. Most are larger by 1e-11 of it or less, some by 1e-7; by this
-// factor they may be. Less than a cell reaches is wrong, whatever the bound.
-constexpr Real reach_slack = 1 + 0x1p-9L;
+// What a corner's shape may add to its distances, over its radius, is counted from here on: less is within the
+// tolerance.
+constexpr Real excess_min = 1e-9L;
 
 }  // namespace
 
@@ -106,8 +108,13 @@ private:
         for (const std::uint32_t c : star_[v])
             if (!corners_[c].empty()) visit(known_[c]);
     }
-    Real farthest_corner(std::size_t v, const Place& from) const;
-    Real function_radius(std::size_t v) const { return farthest_corner(v, places_[v]); }
+    // What the cell reaches from a place, and that share of what a proof in doubles may say beyond it.
+    Real farthest_corner(std::size_t v, const Place& from, Real share) const;
+    Real function_radius(std::size_t v, Real share) const { return farthest_corner(v, places_[v], share); }
+    Real cut_excess(std::size_t v, const Place& from, Real reach) const;
+    bool has_excess(std::size_t v) const {
+        return is_cut(v) || choice_.filter == NETMESH_FILTER_TIGHT || std::any_of(star_[v].begin(), star_[v].end(), [&](auto c) { return excess_[c] > 0; });
+    }
     Place towards(std::size_t v, const Place& goal) const;
     // Adds places of v's cell.
     template <class Nearest> void search(std::size_t v, Nearest&& nearest_to, std::vector<Known>* known) {
@@ -119,28 +126,26 @@ private:
     void look(std::size_t v, CellRange* seen);
 
     Real own_value(std::size_t v, std::uint32_t nearest) const;
-    // What a certificate may make of a cell: it takes an exempt vertex's for unbounded or not, and what a cut cell
-    // reaches as it is or for more.
+    // What a certificate may make of a cell: it takes an exempt vertex's for unbounded or not, and what a cell reaches
+    // as it is or for as much as a proof may say.
     struct Reading {
         bool modest;
-        Real own, far;  // factors of how far the cell is from its vertex and from the nearest input
+        Real own, far;  // shares of that excess, of the distances from the vertex and from the nearest input
     };
     CellRange range_of(std::size_t v, std::uint32_t nearest, const Reading& reading) const;
     // Both for each input that may count as v's nearest, by each reading.
     template <class Visit> void for_each_nearest(std::size_t v, Visit&& visit) const {
         for (const std::uint32_t p : nearest_[v]) {
             visit(range_of(v, p, plain), own_value(v, p));
-            for (const Real own : {1.0L, reach_slack}) {
-                for (const Real far : {1.0L, reach_slack})
-                    if (is_cut(v)) visit(range_of(v, p, {false, own, far}), own_value(v, p));
-            }
+            for (int shares = 0; shares < 4 && has_excess(v); shares++)
+                visit(range_of(v, p, {!is_cut(v), shares % 2 * 1.0L, shares / 2 * 1.0L}), own_value(v, p));
         }
     }
     bool has_ratio(std::size_t v) const { return choice_.filter != NETMESH_FILTER_BASIC || !is_input(v); }
     Real certified(Real t, const CellRange& range, Real ratio) const;
     // Of the cells of clumps: the distance from an input at distance d to the cell of v.
-    Real away(std::size_t v, Real d, const Reading& reading = plain) const {
-        return is_exempt(v) && reading.modest ? d / 2 : std::max(d / 2, d - reading.own * function_radius(v));
+    Real away(std::size_t v, Real d, const Reading& reading) const {
+        return is_exempt(v) && reading.modest ? d / 2 : std::max(d / 2, d - function_radius(v, reading.own));
     }
     void gather_clumps();
     void find_ratio();
@@ -154,7 +159,9 @@ private:
     // Of a cell that is flat to the digits of its vertices no corner is known, an empty place: the cells beside it have
     // the same corner, nearly.
     std::vector<Place> places_, corners_;
-    std::vector<Known> known_;                         // of the function at corners
+    std::vector<Known> known_;  // of the function at corners
+    std::vector<Real> error_;   // of corners, over the radius
+    std::vector<Real> excess_;  // what a proof may add to distances from corners; 0 when within the tolerance
     std::vector<std::vector<std::uint32_t>> star_;     // Delaunay cells around each vertex
     std::vector<std::vector<std::uint32_t>> nearest_;  // inputs of each vertex, ties in all
     std::vector<Real> neighbour_;                      // distance to the nearest other vertex
@@ -163,9 +170,9 @@ private:
     std::vector<std::vector<Known>> ends_;  // of cells that are cut
     std::vector<Real> half_;                // tight: half of the distance from an input to the next
     std::vector<std::uint32_t> clump_;      // the input whose clump a vertex is in
-    std::vector<CellRange> clump_range_;    // of an input
+    std::array<std::vector<CellRange>, 2> clump_range_;  // of an input, without excess and with it
     CellOpinion found_;
-    static constexpr Reading plain = {true, 1, 1};
+    static constexpr Reading plain = {true, 0, 0};
     static constexpr std::uint32_t nobody = UINT32_MAX;
 };
 
@@ -186,6 +193,10 @@ CellWalk::CellWalk(const MeshFiles& files, const FilterChoice& choice, std::uint
         Sphere ball;
         const bool known = smallest_circumsphere(points, &ball);
         corners_.push_back(known ? ball.centre() : Place());
+        const CornerError error = known ? corner_error(points, ball) : CornerError();
+        error_.push_back(error.shape + error.coordinates);
+        // Twice: the corner is off by that much, and a proof adds as much.
+        excess_.push_back(2 * error.shape > excess_min ? 2 * error.shape * ball.radius : 0);
         known_.push_back(known ? known_at(function_, corners_.back()) : Known());
     }
     find_nearest();
@@ -233,10 +244,47 @@ void CellWalk::find_nearest() {
     }
 }
 
-Real CellWalk::farthest_corner(std::size_t v, const Place& from) const {
-    Real far2 = 0;
-    for_each_corner(v, [&](const Known& corner) { far2 = std::max(far2, distance2(corner.x, from)); });
-    return std::sqrt(far2);
+Real CellWalk::farthest_corner(std::size_t v, const Place& from, Real share) const {
+    if (is_cut(v)) {
+        Real far2 = 0;
+        for (const Known& end : ends_[v]) far2 = std::max(far2, distance2(end.x, from));
+        return std::sqrt(far2) + (share > 0 ? share * cut_excess(v, from, std::sqrt(far2)) : 0);
+    }
+    Real far = 0;
+    for (const std::uint32_t c : star_[v])
+        if (!corners_[c].empty()) far = std::max(far, distance(corners_[c], from) + share * excess_[c]);
+    return far;
+}
+
+// The engine proves what a clipped cell reaches from u: it cuts the cell by the half-space of the places in the ball
+// that are at s or more from u, with s a little more than the reach it has measured, and shows that what is left does
+// not go beyond s or has nothing of the ball. As corners are off by d it has to cut at a half-space for a smaller s,
+// s^2 - S; when this is still more than the reach, what is left is as it should be. So s need not be more than the
+// reach times 1 + S / (2 reach^2). It tries 2^-38 and then 2^6 times as much a step: at most 2^6 times what is needed,
+// up to the 2^-20 that its own test asks for (S is far less for most cells than it can be). The reach it then states
+// counts errors of corners twice, as they are and as they are allowed for.
+//
+// With c the ball's centre and r its radius, |x - c|^2 - r^2 - |x - u|^2 + s^2 changes by 2 |u - c| a unit of length. It
+// is 2 (x - u) (u - c) and three squares, in doubles off by less than 2^-44 of all those terms; both may count twice.
+Real CellWalk::cut_excess(std::size_t v, const Place& from, Real reach) const {
+    const Real away = distance(from, clipped_->centre()), radius = clipped_->radius();
+    Real wide = 0, most = 0, doubt = 0;
+    bool is_known = true;
+    for (const std::uint32_t c : star_[v]) {
+        is_known = is_known && !corners_[c].empty();
+        if (corners_[c].empty()) continue;
+        const Real length = distance(corners_[c], places_[v]);
+        wide = std::max(wide, length);
+        most = std::max(most, error_[c]);
+        doubt = std::max(doubt, error_[c] * length);
+    }
+    // In the ball an edge's place is in doubt by its share of the end beyond.
+    doubt = std::min(doubt, 3 * most * reach);
+    const Real both = 2 * (wide + distance(from, places_[v]));
+    const Real rounding = 0x1p-44L * (2 * both * away + away * away + radius * radius + reach * reach);
+    const Real slack = 4 * away * doubt + 8 * rounding;
+    const Real needed = is_known ? std::max(0x1p-38L, slack / (2 * reach * reach)) : 1;
+    return std::min(0x1p-20L, 0x1p6L * needed) * reach + 2 * doubt;
 }
 
 // A place of v's cell, which lies in the ball or is bounded, near the one that is nearest to `goal`: a mean of corners
@@ -295,15 +343,18 @@ Real CellWalk::own_value(std::size_t v, std::uint32_t nearest) const {
 CellRange CellWalk::range_of(std::size_t v, std::uint32_t nearest, const Reading& reading) const {
     const Real cut = function_.cut();
     const auto within = [&](Real lo, Real hi) { return CellRange{std::min(lo, cut), std::min(hi, cut)}; };
-    if (!clump_.empty() && clump_[v] != nobody) return within(clump_range_[clump_[v]].lo, clump_range_[clump_[v]].hi);
+    if (!clump_.empty() && clump_[v] != nobody) {
+        const CellRange& range = clump_range_[reading.far > 0][clump_[v]];
+        return within(range.lo, range.hi);
+    }
     const bool endless = is_exempt(v) && reading.modest;
     if (by_neighbours_) {
         const Real f = function_.uncut(places_[v]);
-        return within(away(v, f, reading), endless ? unbounded : f + reading.own * function_radius(v));
+        return within(away(v, f, reading), endless ? unbounded : f + function_radius(v, reading.own));
     }
-    if (is_input(v)) return within(neighbour_[v] / 2, reading.own * function_radius(v));
+    if (is_input(v)) return within(neighbour_[v] / 2, function_radius(v, reading.own));
     const Real d = distance(places_[v], places_[nearest]);
-    const Real far = endless ? unbounded : reading.far * farthest_corner(v, places_[nearest]);
+    const Real far = endless ? unbounded : farthest_corner(v, places_[nearest], reading.far);
     return within(away(v, d, reading), far);
 }
 
@@ -317,28 +368,30 @@ void CellWalk::gather_clumps() {
             if (p != q) half_[p] = std::min(half_[p], distance(places_[p], places_[q]) / 2);
         }
     }
-    clump_range_.assign(inputs, {unbounded, 0});
     for (std::size_t v = 0; v < places_.size(); v++) {
         const std::uint32_t p = nearest_[v][0];
         const bool joins = !is_exempt(v) && counts(v) && distance(places_[v], places_[p]) <= half_[p];
         clump_.push_back(joins ? p : nobody);
-        if (!joins) continue;
-        CellRange& range = clump_range_[p];
-        Real other = unbounded;
-        for (std::uint32_t q = 0; q < inputs; q++) {
-            if (q != p) other = std::min(other, distance(places_[v], places_[q]));
-        }
-        range.lo = std::min(range.lo, away(v, other));
-        range.hi = std::max(range.hi, farthest_corner(v, places_[p]));
     }
-    for (std::size_t v = 0; v < places_.size(); v++) {
-        if (clump_[v] == nobody) continue;
-        for (const std::uint32_t c : star_[v]) {
-            for (std::uint32_t i = 0; i < columns; i++) {
-                const std::uint32_t u = files_.cells.entries[c * columns + i];
-                if (clump_[u] == clump_[v] || !counts(u)) continue;
-                Real& lo = clump_range_[clump_[v]].lo;
-                lo = std::min(lo, away(u, distance(places_[clump_[v]], places_[u])));
+    for (const int share : {0, 1}) {
+        std::vector<CellRange>& ranges = clump_range_[share];
+        const Reading reading = {true, static_cast<Real>(share), static_cast<Real>(share)};
+        ranges.assign(inputs, {unbounded, 0});
+        for (std::size_t v = 0; v < places_.size(); v++) {
+            const std::uint32_t p = clump_[v];
+            if (p == nobody) continue;
+            Real other = unbounded;
+            for (std::uint32_t q = 0; q < inputs; q++) {
+                if (q != p) other = std::min(other, distance(places_[v], places_[q]));
+            }
+            ranges[p].lo = std::min(ranges[p].lo, away(v, other, reading));
+            ranges[p].hi = std::max(ranges[p].hi, farthest_corner(v, places_[p], reading.far));
+            for (const std::uint32_t c : star_[v]) {
+                for (std::uint32_t i = 0; i < columns; i++) {
+                    const std::uint32_t u = files_.cells.entries[c * columns + i];
+                    if (clump_[u] == p || !counts(u)) continue;
+                    ranges[p].lo = std::min(ranges[p].lo, away(u, distance(places_[p], places_[u]), reading));
+                }
             }
         }
     }

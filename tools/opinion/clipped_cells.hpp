@@ -34,6 +34,8 @@ public:
     ClippedCells(const MeshFiles& files, const std::vector<Place>& places, const std::vector<Place>& corners,
                  const std::vector<std::vector<std::uint32_t>>& star);
 
+    const Place& centre() const { return centre_; }
+    Real radius() const { return radius_; }
     bool holds(const Place& x) const { return distance2(x, centre_) <= radius_ * radius_; }
     // Not all of v's cell is known to be in the ball.
     bool is_cut(std::size_t v) const { return cut_[v]; }
