@@ -113,7 +113,8 @@ private:
     Real function_radius(std::size_t v, Real share) const { return farthest_corner(v, places_[v], share); }
     Real cut_excess(std::size_t v, const Place& from, Real reach) const;
     bool has_excess(std::size_t v) const {
-        return is_cut(v) || choice_.filter == NETMESH_FILTER_TIGHT || std::any_of(star_[v].begin(), star_[v].end(), [&](auto c) { return excess_[c] > 0; });
+        return is_cut(v) || choice_.filter == NETMESH_FILTER_TIGHT ||
+               std::any_of(star_[v].begin(), star_[v].end(), [&](auto c) { return excess_[c] > 0; });
     }
     Place towards(std::size_t v, const Place& goal) const;
     // Adds places of v's cell.
@@ -166,10 +167,10 @@ private:
     std::vector<std::vector<std::uint32_t>> nearest_;  // inputs of each vertex, ties in all
     std::vector<Real> neighbour_;                      // distance to the nearest other vertex
     std::optional<ClippedCells> clipped_;
-    std::vector<Meeting> meeting_;          // of each cell with the ball
-    std::vector<std::vector<Known>> ends_;  // of cells that are cut
-    std::vector<Real> half_;                // tight: half of the distance from an input to the next
-    std::vector<std::uint32_t> clump_;      // the input whose clump a vertex is in
+    std::vector<Meeting> meeting_;                       // of each cell with the ball
+    std::vector<std::vector<Known>> ends_;               // of cells that are cut
+    std::vector<Real> half_;                             // tight: half of the distance from an input to the next
+    std::vector<std::uint32_t> clump_;                   // the input whose clump a vertex is in
     std::array<std::vector<CellRange>, 2> clump_range_;  // of an input, without excess and with it
     CellOpinion found_;
     static constexpr Reading plain = {true, 0, 0};
@@ -262,10 +263,11 @@ Real CellWalk::farthest_corner(std::size_t v, const Place& from, Real share) con
 // s^2 - S; when this is still more than the reach, what is left is as it should be. So s need not be more than the
 // reach times 1 + S / (2 reach^2). It tries 2^-38 and then 2^6 times as much a step: at most 2^6 times what is needed,
 // up to the 2^-20 that its own test asks for (S is far less for most cells than it can be). The reach it then states
-// counts errors of corners twice, as they are and as they are allowed for.
+// counts errors of corners twice, as they are and as they are allowed for, and roundings of places on edges.
 //
-// With c the ball's centre and r its radius, |x - c|^2 - r^2 - |x - u|^2 + s^2 changes by 2 |u - c| a unit of length. It
-// is 2 (x - u) (u - c) and three squares, in doubles off by less than 2^-44 of all those terms; both may count twice.
+// With c the ball's centre and r its radius, |x - c|^2 - r^2 - |x - u|^2 + s^2 changes by 2 |u - c| a unit of length.
+// It is 2 (x - u) (u - c) and three squares, in doubles off by less than 2^-44 of all those terms; both may count
+// twice.
 Real CellWalk::cut_excess(std::size_t v, const Place& from, Real reach) const {
     const Real away = distance(from, clipped_->centre()), radius = clipped_->radius();
     Real wide = 0, most = 0, doubt = 0;
@@ -284,7 +286,7 @@ Real CellWalk::cut_excess(std::size_t v, const Place& from, Real reach) const {
     const Real rounding = 0x1p-44L * (2 * both * away + away * away + radius * radius + reach * reach);
     const Real slack = 4 * away * doubt + 8 * rounding;
     const Real needed = is_known ? std::max(0x1p-38L, slack / (2 * reach * reach)) : 1;
-    return std::min(0x1p-20L, 0x1p6L * needed) * reach + 2 * doubt;
+    return std::min(0x1p-20L, 0x1p6L * needed) * reach + 2 * doubt + 0x1p-43L * both;
 }
 
 // A place of v's cell, which lies in the ball or is bounded, near the one that is nearest to `goal`: a mean of corners

@@ -61,7 +61,8 @@ struct CellOpinion {
     // u |c|, u = 2^-53, and the engine adds 4.2 u |c| to what cells reach and takes it from how near they come. All
     // those lengths are at least half of the least distance n of two vertices: 10.4 u sqrt(D) magnitude / n of them.
     // Refinement keeps n above 24 sqrt(D) units in the last place. Where a clipped cell ends on the sphere, sums of
-    // products with the ball's radius cancel: there are more of those units.
+    // products with the ball's radius cancel: there are more of those units. Not what the shape of a nearly flat cell
+    // adds to the error of its corner (corner_error.hpp): that is in the spans.
     Real tolerance = 1e-9L;
 };
 

@@ -1,10 +1,10 @@
 // How far off a corner of a Voronoi cell may be where it was found in doubles, as proven from its Delaunay cell alone.
 //
-// Edges e_i from a vertex p_0 of the cell, R the radius of the ball around it, u = 2^-53. The corner is p_0 + x with e_i
-// . x = |e_i|^2 / 2, by Cramer's rule. The products of a minor of k rows have absolute values that add up to at most
-// k! / k^(k/2) times the product of the edges' lengths, the permanent's largest value on unit vectors. |e_i|^2 / 2 <=
-// R |e_i| stands in one row for a numerator, so the products of one add up to at most D c_(D-1) R times the product of
-// all lengths. At most m = (D+1)(D+2)/2 + D + 8 roundings take part in each of them: two for an entry, D + 6 for
+// Edges e_i from a vertex p_0 of the cell, R the radius of the ball around it, u = 2^-53. The corner is p_0 + x with
+// e_i . x = |e_i|^2 / 2, by Cramer's rule. The products of a minor of k rows have absolute values that add up to at
+// most k! / k^(k/2) times the product of the edges' lengths, the permanent's largest value on unit vectors. |e_i|^2 / 2
+// <= R |e_i| stands in one row for a numerator, so the products of one add up to at most D c_(D-1) R times the product
+// of all lengths. At most m = (D+1)(D+2)/2 + D + 8 roundings take part in each of them: two for an entry, D + 6 for
 // |e_i|^2 / 2, those of sums and products of minors, the quotient. So with V = |det E| each coordinate of x is off by
 // at most
 //

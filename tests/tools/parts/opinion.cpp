@@ -14,6 +14,7 @@
 #include "tools/io/cycle_file.hpp"
 #include "tools/opinion/cell_values.hpp"
 #include "tools/opinion/complexes.hpp"
+#include "tools/opinion/corner_error.hpp"
 #include "tools/opinion/spheres.hpp"
 
 using namespace netmesh::tool;
@@ -179,6 +180,15 @@ TEST_CASE("opinion: radii of alpha, Rips and Cech complexes") {
 
 namespace {
 
+PointCloud two_rings() {
+    PointCloud points = cloud_of(2, {});
+    for (int i = 0; i < 24; i++) {
+        points.coordinates.push_back(std::cos(0.2618 * i) * (1 + 0.1 * (i % 3)));
+        points.coordinates.push_back(std::sin(0.2618 * i) * (1 + 0.07 * (i % 4)));
+    }
+    return points;
+}
+
 // A diagram with the mesh that it was made on, as files would have them.
 struct Made {
     Options options;
@@ -187,14 +197,9 @@ struct Made {
     std::string cycles_path;
     RunReport run;
 
-    explicit Made(const std::vector<std::string>& arguments) {
+    explicit Made(const std::vector<std::string>& arguments, const PointCloud& points = two_rings()) {
         CHECK(parse_options(arguments, &options).good());
-        PointCloud points = cloud_of(2, {});
-        for (int i = 0; i < 24; i++) {
-            points.coordinates.push_back(std::cos(0.2618 * i) * (1 + 0.1 * (i % 3)));
-            points.coordinates.push_back(std::sin(0.2618 * i) * (1 + 0.07 * (i % 4)));
-        }
-        Session session(options, 2);
+        Session session(options, points.dim);
         CHECK(session.run(0, points, [&](Session& s) { return persist_as_asked(s, options, points); }).good());
         const Engine& engine = session.engine();
         run.engine = engine.report();
@@ -207,7 +212,7 @@ struct Made {
         CHECK(parse_head(text.text(), file.name, &file.head).good());
         file.bounds = bound_lines(text.text());
         file.lines.assign(file.bars.size(), 1);
-        options = settled(options, 2);
+        options = settled(options, points.dim);
         take_mesh(EngineMesh(engine));
         cycles_path = "/tmp/netmesh-cycles-" + std::to_string(getpid());
         TextWriter cycles;
@@ -225,7 +230,7 @@ struct Made {
         files.node.cloud.name = "m.node";
         CHECK(parse_node(node.text(), &files.node).good());
         files.cells.name = "m.ele";
-        files.cells.columns = 3;
+        files.cells.columns = files.node.cloud.dim + 1;
         CHECK(parse_cell_table(ele.text(), {0, mesh.vertex_count, false}, &files.cells).good());
     }
     void write(const std::string& cycles) const { std::ofstream(cycles_path) << cycles; }
@@ -309,6 +314,110 @@ TEST_CASE("opinion: what the engine made is confirmed; forged values, ratios and
         made.file.bars.resize(made.file.bars.size() - 2);
         CHECK(made.refuses("is missing"));
     }
+}
+
+TEST_CASE("opinion: reaches of clipped cells may be a hair too large, and no more") {
+    Made made(command({"--bounds"}));
+    CHECK(made.judge().good());
+    const CellOpinion opinion =
+        cell_opinion(made.files, choice_of(made.options), 1, made.run.engine->diagram.certified_ratio);
+    std::size_t planted = 0;
+    for (std::size_t v = 0; v < opinion.values.size(); v++) {
+        const Span due = opinion.values[v];
+        if (!(due.most > due.least) || !(due.most < 1e300L)) continue;
+        CHECK(due.most <= due.least * (1 + 0x1p-28L));
+        double& value = made.files.node.attributes[v];
+        const double right = value;
+        for (const Real wrong : {due.most * (1 + 1.1e-9L), due.least * (1 - 1.1e-9L)}) {
+            value = static_cast<double>(wrong);
+            CHECK(made.refuses("follows from the vertex's cell"));
+            planted++;
+        }
+        value = right;
+    }
+    CHECK(planted > 10);
+}
+
+namespace {
+
+// By Cramer's rule in doubles, from one of three vertices: how far from the true corner, over the radius.
+Real corner_in_doubles(const std::vector<Place>& points, std::size_t first, const Sphere& sphere) {
+    double e[2][2], half[2];
+    for (std::size_t i = 0; i < 2; i++) {
+        const Place& to = points[(first + i + 1) % 3];
+        for (std::size_t k = 0; k < 2; k++)
+            e[i][k] = static_cast<double>(to[k]) - static_cast<double>(points[first][k]);
+        half[i] = (e[i][0] * e[i][0] + e[i][1] * e[i][1]) / 2;
+    }
+    const double determinant = e[0][0] * e[1][1] - e[0][1] * e[1][0];
+    const double x[2] = {(half[0] * e[1][1] - e[0][1] * half[1]) / determinant,
+                         (e[0][0] * half[1] - half[0] * e[1][0]) / determinant};
+    Real off2 = 0;
+    for (std::size_t k = 0; k < 2; k++) {
+        const Real off = points[first][k] - sphere.point[k] + x[k] - static_cast<Real>(sphere.offset[k].high);
+        off2 += off * off;
+    }
+    return std::sqrt(off2) / sphere.radius;
+}
+
+}  // namespace
+
+TEST_CASE("opinion: errors of corners in doubles, by the shapes of their cells") {
+    Real worst = 0;
+    std::size_t judged = 0, flat = 0;
+    for (int turn = 0; turn < 4000; turn++) {
+        std::vector<Place> points(3, Place(2));
+        for (int i = 0; i < 3; i++)
+            for (int k = 0; k < 2; k++) {
+                const double x = std::sin(12.9898 * (turn + 1) + 78.233 * (2 * i + k));
+                points[i][k] = k == 0 ? std::ldexp(x, -(turn % 32)) : x;
+            }
+        Sphere sphere;
+        REQUIRE(smallest_circumsphere(points, &sphere));
+        const Real shape = corner_error(points, sphere).shape;
+        Real most = 0;
+        for (std::size_t first = 0; first < 3; first++) most = std::max(most, corner_in_doubles(points, first, sphere));
+        CHECK(shape < 0x1p-22L);
+        flat += shape == 0;  // too flat from each vertex: the corner is found with more digits
+        if (turn % 32 >= 12) continue;
+        judged++;
+        CHECK(most <= shape);
+        worst = std::max(worst, most / shape);
+    }
+    CHECK(judged > 1000);
+    CHECK(flat > 100);
+    CHECK(worst > 1e-3L);
+}
+
+// Pairs beside which nothing is refined further: some cells are so flat that a proof adds more than the tolerance.
+TEST_CASE("opinion: nearly flat cells are allowed their own corners' errors, others nothing") {
+    PointCloud points = cloud_of(2, {});
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 2; k++)
+            points.coordinates.push_back(std::sin(1.7 * (i / 2) + 2.3 * k + 1) + (i % 2) * 1e-7 * std::cos(k + i));
+    Made made(command({"--method", "netmesh", "--finish"}), points);
+    CHECK(made.judge().message == "");
+    const CellOpinion opinion =
+        cell_opinion(made.files, choice_of(made.options), 1, made.run.engine->diagram.certified_ratio);
+    const Real tolerance = opinion.tolerance;
+    std::size_t planted = 0, plain = 0;
+    for (std::size_t v = 0; v < opinion.values.size(); v++) {
+        const Span due = opinion.values[v];
+        CHECK(due.most <= due.least * (1 + 0x1p-20L));
+        plain += due.most == due.least;
+        if (!(due.most > due.least * (1 + 1e-9L)) || planted == 10) continue;
+        double& value = made.files.node.attributes[v];
+        const double right = value;
+        for (const Real wrong : {due.most * (1 + 1.1L * tolerance), due.least * (1 - 1.1L * tolerance)}) {
+            value = static_cast<double>(wrong);
+            CHECK(made.refuses("follows from the vertex's cell"));
+        }
+        value = right;
+        planted++;
+    }
+    std::printf("planted %zu plain %zu of %zu tol %g\n", planted, plain, opinion.values.size(), (double)tolerance);
+    CHECK(planted > 0);
+    CHECK(2 * plain > opinion.values.size());
 }
 
 TEST_CASE("opinion: of a function, an error that is too small and forged values are not confirmed") {
