@@ -69,7 +69,7 @@ struct CellOpinion {
 // Vertices 0 .. zero_born - 1 enter at 0, before their stars.
 std::uint32_t zero_born(const NodeFile& node, netmesh_filter filter, std::uint32_t k);
 
-// Steps that cell_opinion takes: cells times inputs.
+// Steps that cell_opinion takes, but for a small factor: cells times inputs.
 double opinion_cost(const MeshFiles& files);
 // For the filters on meshes of distances to points. The mesh is taken to be Delaunay. `claimed` is the certified ratio
 // that is to be judged: certified values follow from it.
