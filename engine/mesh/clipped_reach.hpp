@@ -58,11 +58,18 @@ struct NeededReach {
 
 // Lowers out_radius[v] and reach[v], as of measure_cells, to what holds in the ball: R_v of the clipped cell or more,
 // and the largest distance of a point of it from v's nearest input or more. Both stay what they are for exempt vertices
-// and where the whole cell is in the ball; they are by less than 2^-30 too large, relatively, but for the errors of
-// corners and where both kinds of above meet. Of a cell outside of the ball they say nothing, and what is not needed
-// may stay. Uses the marks `queued`, which must be 0 and are again, and those of cells. Needs a compact store and room
-// for the star of a vertex in its gap. O(cells) and, of what the sphere crosses, a few walks over each star.
-// out_of_memory.
+// and where the whole cell is in the ball. Of a cell outside of the ball they say nothing, and what is not needed may
+// stay.
+//
+// How much they are too large: s has to be so much more than the reach t that the half-space of a true edge, moved by
+// the bounds of corners and by roundings, is still one for more than t: s^2 - t^2 >= S = 4 |u - c| d + 8 e. s/t - 1 is
+// tried from 2^-38 on, 2^6 times as much a step, so it is at most 2^6 times the larger of 2^-38 and S / (2 t^2) where
+// that is below 2^-20; 2 d are added for the corners themselves. For most cells that is 2^-32. Where the cut cell is
+// outside of the ball but hardly so, few steps may not find the plane, and s is one that is larger; tests have found
+// none (filtration/clipped_cells.cpp).
+//
+// Uses the marks `queued`, which must be 0 and are again, and those of cells. Needs a compact store and room for the
+// star of a vertex in its gap. O(cells) and, of what the sphere crosses, a few walks over each star. out_of_memory.
 template <int D>
 Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReach& needed, double* out_radius,
                         double* reach);

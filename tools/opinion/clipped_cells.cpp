@@ -1,6 +1,7 @@
 #include "tools/opinion/clipped_cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -57,10 +58,27 @@ struct Flat {
     Real chord2;  // of the sphere that the ball's has in the flat, the radius squared; negative: there is none
 
     bool find(const Star& star, const Set& face);
+    bool is_edge() const { return q.size() + 1 == foot.size(); }
     // What of d is in the flat's directions.
     Place along(Place d) const {
         for (std::size_t j = 0; j < 2 * q.size(); j++) add(&d, -dot(d, q[j % q.size()]), q[j % q.size()]);
         return d;
+    }
+    Place foot_of(const Place& to) const {
+        Place y = along(to);
+        for (std::size_t i = 0; i < q.size(); i++) add(&y, h[i], q[i]);
+        return y;
+    }
+    // Of its sphere, the first one the farthest from p, the second one the nearest. `centre`: of the ball.
+    std::array<Place, 2> poles(const Place& p, const Place& centre) const {
+        const Place away = difference(centre, p);
+        Place direction = is_edge() ? some_direction() : along(away);
+        if (!(dot(direction, direction) > lost * lost * dot(away, away))) direction = some_direction();
+        const Real share = std::sqrt(chord2 / dot(direction, direction));
+        std::array<Place, 2> pole = {foot, foot};
+        add(&pole[0], share, direction);
+        add(&pole[1], -share, direction);
+        return pole;
     }
     Place some_direction() const {
         Place best;
@@ -113,6 +131,12 @@ Real power_of(const Place& x, const Place& centre, Real radius) {
 
 }  // namespace
 
+struct CellShape {
+    std::size_t vertex;
+    Star star;
+    std::vector<std::pair<Set, Flat>> faces;
+};
+
 std::vector<HullFacet> hull_facets(const CellTable& cells) {
     std::map<std::vector<std::uint32_t>, HullFacet> alone;
     for (std::size_t c = 0; c < cells.lines.size(); c++) {
@@ -149,15 +173,13 @@ ClippedCells::ClippedCells(const MeshFiles& files, const std::vector<Place>& pla
     }
 }
 
-std::vector<Place> ClippedCells::places(std::size_t v, const std::vector<Place>& from) const {
+std::shared_ptr<const CellShape> ClippedCells::shape(std::size_t v) const {
     const std::uint32_t columns = files_.cells.columns;
     const std::size_t dim = columns - 1;
     std::map<std::uint32_t, std::uint16_t> position;
     std::set<Set> faces;
     Star star = {{}, difference(centre_, places_[v]), power_of(places_[v], centre_, radius_)};
-    std::vector<Place> found;
     for (const std::uint32_t c : star_[v]) {
-        if (!corners_[c].empty() && holds(corners_[c])) found.push_back(corners_[c]);
         Set others;
         for (std::uint32_t i = 0; i < columns; i++) {
             const std::uint32_t u = files_.cells.entries[c * columns + i];
@@ -174,33 +196,64 @@ std::vector<Place> ClippedCells::places(std::size_t v, const std::vector<Place>&
             faces.insert(std::move(face));
         }
     }
-    std::vector<Real> farthest;
-    for (const Place& q : from) {
-        farthest.push_back(0);
-        for (const Place& y : found) farthest.back() = std::max(farthest.back(), distance2(y, q));
-    }
+    const auto shape = std::make_shared<CellShape>();
     for (const Set& face : faces) {
         Flat flat;
-        if (!flat.find(star, face) || flat.chord2 < 0) continue;
-        for (std::size_t i = 0; i < from.size(); i++) {
-            const bool is_edge = face.size() + 1 == dim;
-            const Place q = difference(from[i], places_[v]), away = difference(star.centre, q);
-            Place direction = is_edge ? flat.some_direction() : flat.along(away);
-            if (!(dot(direction, direction) > lost * lost * dot(away, away))) direction = flat.some_direction();
-            const Real share = std::sqrt(flat.chord2 / dot(direction, direction));
-            for (const int side : {1, -1}) {
-                if (side < 0 && !is_edge) break;
-                Place y = flat.foot;
-                add(&y, side * share, direction);
-                const Real far = distance2(y, q);
-                if (far <= farthest[i] || !star.holds(y, face)) continue;
-                farthest[i] = far;
-                add(&y, 1, places_[v]);
-                found.push_back(y);
-            }
+        if (flat.find(star, face) && flat.chord2 >= 0) shape->faces.emplace_back(face, std::move(flat));
+    }
+    shape->vertex = v;
+    shape->star = std::move(star);
+    return shape;
+}
+
+std::vector<Place> ClippedCells::places(const CellShape& shape, const std::vector<Place>& from) const {
+    const Place& origin = places_[shape.vertex];
+    std::vector<Place> found;
+    for (const std::uint32_t c : star_[shape.vertex])
+        if (!corners_[c].empty() && holds(corners_[c])) found.push_back(corners_[c]);
+    const auto offer = [&](const Set& face, Place y) {
+        if (!shape.star.holds(y, face)) return;
+        add(&y, 1, origin);
+        found.push_back(std::move(y));
+    };
+    for (const auto& [face, flat] : shape.faces) {
+        for (const Place& q : from) {
+            const std::array<Place, 2> pole = flat.poles(difference(q, origin), shape.star.centre);
+            offer(face, pole[0]);
+            if (!flat.is_edge()) continue;
+            offer(face, pole[1]);
+            break;
         }
     }
     return found;
+}
+
+Place ClippedCells::nearest(const CellShape& shape, const Place& q) const {
+    const Place& origin = places_[shape.vertex];
+    const Place goal = difference(q, origin);
+    Place best;
+    Real least2 = HUGE_VALL;
+    for (const std::uint32_t c : star_[shape.vertex]) {
+        if (corners_[c].empty() || !holds(corners_[c]) || !(distance2(corners_[c], q) < least2)) continue;
+        least2 = distance2(corners_[c], q);
+        best = difference(corners_[c], origin);
+    }
+    for (const auto& [face, flat] : shape.faces) {
+        const Place foot = flat.foot_of(goal);
+        const bool is_foot = distance2(foot, shape.star.centre) <= radius_ * radius_;
+        const std::array<Place, 2> pole = flat.poles(goal, shape.star.centre);
+        for (const int side : {1, 0}) {
+            const Place& y = is_foot ? foot : pole[side];
+            const Real far2 = distance2(y, goal);
+            if (far2 < least2 && shape.star.holds(y, face)) {
+                least2 = far2;
+                best = y;
+            }
+            if (is_foot || !flat.is_edge()) break;
+        }
+    }
+    if (!best.empty()) add(&best, 1, origin);
+    return best;
 }
 
 }  // namespace netmesh::tool

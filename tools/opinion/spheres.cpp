@@ -57,8 +57,9 @@ std::vector<std::pair<std::size_t, std::size_t>> spanning_tree(const std::vector
 }
 
 // d_j with e_i . d_j = 1 where i = j, else 0, as well as it comes out: orthogonal directions of the edges, each made
-// orthogonal to those before it twice, then back substitution. Not a number where an edge depends on those before.
-std::vector<WidePlace> dual_edges(const std::vector<WidePlace>& edges) {
+// orthogonal to those before it twice, then back substitution. Not a number where an edge depends on those before. The
+// volume that they span is that of the orthogonal directions.
+std::vector<WidePlace> dual_edges(const std::vector<WidePlace>& edges, Real* volume) {
     const std::size_t n = edges.size();
     std::vector<WidePlace> across = edges, dual(n);
     for (std::size_t i = 0; i < n; i++) {
@@ -67,6 +68,8 @@ std::vector<WidePlace> dual_edges(const std::vector<WidePlace>& edges) {
             add(&across[i], -(dot(across[i], q) / dot(q, q)), q);
         }
     }
+    *volume = 1;
+    for (const WidePlace& q : across) *volume *= length(q);
     // across_j . e_i = 0 for i < j: the last is dual but for its length.
     for (std::size_t j = n; j-- > 0;) {
         const Wide unit = dot(across[j], edges[j]);
@@ -133,7 +136,7 @@ bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere) {
         half[edges.size() - 1] = {twice.high / 2, twice.low / 2};
         reach = std::max(reach, std::sqrt(distance2(points[0], points[to])) * 1.01L);
     }
-    const std::vector<WidePlace> dual = dual_edges(edges);
+    const std::vector<WidePlace> dual = dual_edges(edges, &sphere->volume);
     const Real share = static_cast<Real>(wide_error()) * (2 * static_cast<Real>(dim) + 5);
     Real most = 0;
     for (std::size_t i = 0; i < n; i++) {

@@ -19,7 +19,8 @@ struct Sphere {
     Place point;
     WidePlace offset;
     Real radius = 0;
-    Real error = 0;  // the true centre is no farther away; at most 2^-45 times the radius
+    Real error = 0;   // the true centre is no farther away; at most 2^-45 times the radius
+    Real volume = 1;  // of the parallelepiped that the points span
 
     Place centre() const;
     Real distance_to_centre(const Place& place) const;

@@ -354,12 +354,19 @@ TEST_CASE("clipped: cells reach as far as sampled places, and no farther than pl
         const ClippedNerve nerve = clipped_nerve(files, 0);
         const Place goal = moved(centre, radius / 3, chance.direction(d));
         std::vector<Real> own(places.size()), far(places.size()), seen_own(places.size()), seen_far(places.size());
+        std::vector<Real> seen_near(places.size(), HUGE_VALL);
+        std::vector<Place> nearest(places.size());
         std::size_t cut = 0, foreign = 0, empty = 0;
         for (std::size_t v = 0; v < places.size(); v++) {
             if (!cells.is_cut(v)) continue;
             cut++;
-            const std::vector<Place> ends = cells.places(v, {places[v], goal});
-            for (const Place& x : ends) {
+            const auto shape = cells.shape(v);
+            const std::vector<Place> ends = cells.places(*shape, {places[v], goal});
+            std::vector<Place> all = ends;
+            nearest[v] = cells.nearest(*shape, goal);
+            if (nearest[v].empty() != ends.empty()) empty++;
+            if (!nearest[v].empty()) all.push_back(nearest[v]);
+            for (const Place& x : all) {
                 const Real apart = std::sqrt(distance2(x, places[v]));
                 own[v] = std::max(own[v], apart);
                 far[v] = std::max(far[v], std::sqrt(distance2(x, goal)));
@@ -379,12 +386,15 @@ TEST_CASE("clipped: cells reach as far as sampled places, and no farther than pl
             if (!cells.is_cut(v)) continue;
             seen_own[v] = std::max(seen_own[v], std::sqrt(distance2(x, places[v])));
             seen_far[v] = std::max(seen_far[v], std::sqrt(distance2(x, goal)));
+            seen_near[v] = std::min(seen_near[v], std::sqrt(distance2(x, goal)));
         }
         for (std::size_t v = 0; v < places.size(); v++) {
             if (!(seen_own[v] > 0)) continue;
             met++;
             if (seen_own[v] > own[v] * (1 + 1e-12L) || seen_far[v] > far[v] * (1 + 1e-12L)) beyond++;
             if (seen_own[v] > 0.7L * own[v]) tight++;
+            const Real near = nearest[v].empty() ? HUGE_VALL : std::sqrt(distance2(nearest[v], goal));
+            if (seen_near[v] < near * (1 - 1e-12L)) beyond++;
         }
         CHECK(beyond == 0);
         CHECK(met > 10);
@@ -411,8 +421,9 @@ TEST_CASE("clipped: what a filter is said to take on a cell, and its certificate
         CHECK(opinion.ratio.least <= c);
         CHECK(opinion.ratio.most < 1.1L * opinion.ratio.least);
         const std::vector<Place> places = places_of(files);
-        std::size_t wrong = 0, absent = 0, judged = 0;
+        std::size_t wrong = 0, absent = 0, judged = 0, missed = 0;
         Real used = 1;
+        std::vector<Real> least(places.size(), HUGE_VALL);
         for (std::size_t v = 0; v < places.size(); v++)
             if (opinion.values[v].most > 1e300L) absent++;
         CHECK(absent > 3);
@@ -426,6 +437,7 @@ TEST_CASE("clipped: what a filter is said to take on a cell, and its certificate
             if (!(opinion.values[v].most < 1e300L)) wrong++;
             if (std::min(f, cut) > c * opinion.values[v].most * (1 + 1e-9L) || t > c * f * (1 + 1e-9L)) wrong++;
             used = std::max(used, std::max(std::min(f, cut) / t, t / f));
+            least[v] = std::min(least[v], f);
         }
         CHECK(wrong == 0);
         CHECK(judged > 15000);
@@ -434,7 +446,10 @@ TEST_CASE("clipped: what a filter is said to take on a cell, and its certificate
             const CellRange seen = opinion.seen[v];
             if (seen.hi > c * opinion.values[v].most * (1 + 1e-9L)) wrong++;
             if (opinion.values[v].least > c * seen.lo * (1 + 1e-9L)) wrong++;
+            // What a Steiner vertex's cell holds of the function is looked for where it is least.
+            if (v >= inputs.rows() && least[v] < seen.lo * (1 - 1e-12L)) missed++;
         }
+        CHECK(missed == 0);
         CHECK(wrong == 0);
     }
 }
