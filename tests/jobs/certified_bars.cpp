@@ -43,17 +43,17 @@ template <int D> Pairs diagram(const Cells<D>& cells, const std::vector<double>&
 
 template <int D>
 std::vector<BarBounds> bounded(const Cells<D>& cells, const std::vector<double>& value,
-                               const std::vector<Interval>& interval, const Pairs& pairs) {
+                               const std::vector<Interval>& interval, const Pairs& pairs, Spacing spacing = {}) {
     Block block(std::size_t{1} << 24);
     Monitor monitor;
     std::vector<BarBounds> bounds(pairs.size());
     ScaleCurve curve;
     const FilterBounds filter = {value.data(), interval.data(), cells.vertex_count};
     const BarList bars = {pairs.data(), pairs.size()};
-    REQUIRE(bound_by_scale(filter, bars, block.arena, bounds.data(), &curve) == Status::ok);
+    REQUIRE(bound_by_scale(filter, bars, spacing, block.arena, bounds.data(), &curve) == Status::ok);
     const std::size_t used = block.arena.bytes_used();
-    REQUIRE(find_certified_bars<D>({cells.view(), filter, 0, bars}, {block.arena, monitor}, bounds.data()) ==
-            Status::ok);
+    REQUIRE(find_certified_bars<D>({cells.view(), filter, 0, bars, nullptr, spacing}, {block.arena, monitor},
+                                   bounds.data()) == Status::ok);
     CHECK(block.arena.bytes_used() == used);
     return bounds;
 }
