@@ -49,6 +49,7 @@ public:
         const Status status = mesh_and_persist(asked);
         if (status != Status::ok) return status;
         climbed->certified = climbed->reached = context_->diagram.certified_error;
+        context_->diagram.fitted_error = error;
         return request_.bounds != 0 ? static_cast<Status>(bound()) : Status::ok;
     }
     Status make(const RatioGoal& goal, Climbed* climbed) const {

@@ -31,7 +31,7 @@ public:
         const double last = larger(from, larger(last_key(by_value_, *next), last_key(by_low_, *next)));
         return {from,
                 lowest(from),
-                highest(last),
+                spacing_.is_difference() ? larger(highest(last), from) : highest(last),
                 psi(phi(last)),
                 from < 0 ? infinity : largest(from, *next, 1, [](double a, double b) { return quotient(a, b); }),
                 largest(from, *next, 0, [](double a, double b) { return difference(a, b); })};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/asked_function.hpp"
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/io/cycle_file.hpp"
@@ -238,7 +239,8 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
         return {};
     }
     const netmesh_diagram_report& diagram = run->engine->diagram;
-    const FunctionClaim said = {*made.function, *made.lipschitz, *made.cut, diagram.certified_error};
+    const FunctionClaim said = {[&](const double* x) { return function_at(made, x); }, *made.lipschitz, *made.cut,
+                                diagram.certified_error};
     const FunctionOpinion opinion = function_opinion(files, said);
     const bool has_values = files.node.attribute_count == 1,
                are_own = std::isinf(diagram.certified_ratio) || choice_of(made).values == NETMESH_VALUES_THESIS;
