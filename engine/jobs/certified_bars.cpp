@@ -22,8 +22,12 @@ public:
     // A sequence through scale s.
     void go_through(double s);
     int scales() const { return scales_; }
-    // -1: before all.
-    double scale(int i) const { return i < 0 ? spacing_.least() : scale_[i]; }
+    // -1: before all births, scales(): after all finite deaths; of a function of any sign where its values begin and
+    // end.
+    double scale(int i) const {
+        if (i < 0) return spacing_.is_difference() ? by_low_.first() : 0;
+        return i < scales_ ? scale_[i] : spacing_.is_difference() ? by_high_.last() : infinity;
+    }
     // 2 i: in X_i, 2 i + 1: in Y_i, and in nothing before.
     int level(const Interval& cell) const {
         int y = 0;
@@ -91,8 +95,7 @@ bool claim_of(const CoverSequence& covers, const Pair& bar, int number, Claim* c
     const int first = (born + 1) / 2, last = dies / 2 - 1;
     if (first > last) return false;
     const int before = born / 2 - 1, after = (dies + 1) / 2;
-    *claim = {covers.scale(before), covers.scale(first), covers.scale(last),
-              after < covers.scales() ? covers.scale(after) : infinity, number};
+    *claim = {covers.scale(before), covers.scale(first), covers.scale(last), covers.scale(after), number};
     return true;
 }
 
