@@ -96,8 +96,6 @@ Outcome check_function(const Options& options) {
     }
     if (options.fit && options.error > 0)
         return usage_error("--fit finds the least error that fits in --memory; leave --error out");
-    if (options.fit && (options.ratio || options.from > 0 || options.to > 0))
-        return usage_error("--fit of --filter function goes by the error: --ratio, --from and --to do not go with it");
     if ((options.error > 0 || options.fit) && options.values == NETMESH_VALUES_CERTIFIED)
         return usage_error(std::string(options.fit ? "--fit" : "--error") +
                            " of a function goes with --values thesis, the function's own, whose error is the least");
@@ -126,8 +124,10 @@ public:
         for (std::uint64_t v = 0; v < report_.mesh.vertices; v++) {
             const netmesh_vertex vertex = mesh_.vertex(v);
             points_.emplace_back(vertex.coordinates, vertex.coordinates + report_.input.dim);
-            values_.push_back(function_at(options, vertex.coordinates));
             depths_.push_back(depth(domain_, vertex.coordinates));
+            // What was read of vertices outside is not asked for.
+            const bool is_out = options.vertex_function && depths_.back() < 0;
+            values_.push_back(is_out ? *options.cut : function_at(options, vertex.coordinates));
         }
     }
     Outcome check_edges() const {

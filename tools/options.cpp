@@ -202,6 +202,9 @@ bool clips_cells(const Options& options) {
 
 Outcome check_ratio(const Options& options) {
     const bool focused = options.focus > 0 || options.from > 0 || options.to > 0;
+    if (fits_error(options) && (options.ratio || focused))
+        return usage_error(
+            "--fit of a function goes by its error: --ratio, --focus, --from and --to do not go with it");
     if (options.command == Command::persist && (options.ratio || focused || (options.fit && !fits_error(options))) &&
         !refines_by_certificate(options)) {
         return usage_error(

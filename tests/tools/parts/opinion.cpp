@@ -330,7 +330,8 @@ TEST_CASE("opinion: of a function, an error that is too small and forged values 
         "# scale " + std::to_string(low) + " low " + std::to_string(low - 9) + " high 9 reach 9 error ";
     made.file.bounds = {{1, step + std::to_string(certified + 1e-5)}};
     CHECK(made.judge().message == "");
-    for (const std::string wrong : {step + "0.01", "# scale -9 low -9 high -0.4 reach 9 error 9", step + "x"}) {
+    for (const std::string& wrong :
+         {step + "0.01", std::string("# scale -9 low -9 high -0.4 reach 9 error 9"), step + "x"}) {
         CAPTURE(wrong);
         made.file.bounds = {{1, wrong}};
         CHECK(made.judge().exit == Exit::check);
