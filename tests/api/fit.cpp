@@ -273,6 +273,7 @@ TEST_CASE("by the error: what is exact or impossible is not refined, and what do
     REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
     const netmesh_report cone_report = session.report();
     CHECK(cone_report.diagram.certified_error < 1e-8);
+    CHECK(cone_report.diagram.fitted_error > 0x1p-33 * 0.05);
     CHECK(cone_report.memory.peak_bytes < (std::size_t{1} << 22));
 
     const auto refused = [&](netmesh_field field) {
