@@ -375,7 +375,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"--function", persist | check, "EXPR", apply_function,
          "of filter function: numbers, x y z w or x1 .. x6, + - * / ^N ( ) sqrt abs min max: 'sqrt(x*x + y*y) - 1'"},
         {"--values-at", persist | check, "FILE", apply_path<&Options::values_at>,
-         "of filter function, in place of --function: its values at the vertices of the mesh, one a line in their order;\n"
+         "of filter function, in place of --function: its values at the vertices of the mesh, one a line;\n"
          "                    those outside of the domain count as --cut, whatever they are"},
         {"--lipschitz", persist | check, "L", apply_lipschitz,
          "the function changes by at most L a unit of length in the domain; neighbouring vertices are looked at"},

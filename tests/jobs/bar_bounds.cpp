@@ -156,7 +156,7 @@ Filter signed_filter(inputs::Random& random, double* error) {
 }  // namespace
 
 TEST_CASE(
-    "bounds by value, of any sign, are phi and psi^-; the shift at a is that of cells whose interval contains a") {
+    "bounds by differences are phi and psi^- of any sign, the shift at a that of cells that have a in their interval") {
     inputs::Random random(43);
     int below_all = 0, steps = 0;
     for (int i = 0; i < 400; ++i) {
@@ -227,7 +227,7 @@ TEST_CASE(
 }
 
 // Why a bar is not real for being longer than twice the shift at its birth.
-TEST_CASE("by value a bar is real when it dies after psi(phi(birth)), not after twice its own shift") {
+TEST_CASE("by differences a bar is real when it dies after psi(phi(birth)), not after twice its own shift") {
     const double t[] = {0, 6};
     const Interval interval[] = {{0, 1}, {1, 6}};
     const Pair bar = {0, 5, 0, 0};
