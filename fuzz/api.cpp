@@ -158,11 +158,14 @@ private:
         require(r.diagram.present != 0);
         require(!laddered || r.diagram.certified_ratio <= r.mesh.certificate.ratio);
         netmesh_mesh_request made = c.mesh_request();
+        made.tau = made.domain_factor = 0;  // a mesh for an error has the dimension's tau
         made.certificate = r.mesh.certificate;
         made.whole_cells = r.mesh.clipped == 0 ? 1 : 0;
         // Meshes for an error are smaller than bounds on sizes allow; those are held to the sizes asked for alone.
         require(r.diagram.fitted_error == 0 || request.by_error != 0);
-        if (r.diagram.fitted_error == 0) require(checked(15, made, c) != NETMESH_CHECK_FAILED);
+        Choices all = c;
+        all.sets_bytes = false;  // a shorter request would not say what the mesh was made for
+        if (r.diagram.fitted_error == 0) require(checked(15, made, all) != NETMESH_CHECK_FAILED);
     }
     void persist() {
         const Choices c = choose();
