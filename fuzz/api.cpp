@@ -141,6 +141,16 @@ private:
         if (tape_.byte() & 1) request.values = NETMESH_VALUES_THESIS;
         request.whole_cells = tape_.rarely() ? 1 : 0;
         request.k = tape_.below(4);
+        netmesh::requests::Function f;
+        f.evaluate = fuzz::function_of;
+        f.user = &well_;
+        f.lipschitz = f.cut = 1;
+        if (tape_.byte() & 1) {
+            request.filter = NETMESH_FILTER_FUNCTION;
+            request.function = handed_.over<netmesh_function>(f, c);
+            request.by_error = tape_.byte() & 1;
+            if (request.by_error != 0 && !tape_.rarely()) request.ratio = request.focus_from = request.focus_to = 0;
+        }
         if (tape_.rarely()) request.points = nullptr;
         if (ended(netmesh_fit(context_, maybe<netmesh_fit_request>(request, c))) != NETMESH_OK) return;
         const netmesh_report r = report();
@@ -148,9 +158,14 @@ private:
         require(r.diagram.present != 0);
         require(!laddered || r.diagram.certified_ratio <= r.mesh.certificate.ratio);
         netmesh_mesh_request made = c.mesh_request();
+        made.tau = made.domain_factor = 0;  // a mesh for an error has the dimension's tau
         made.certificate = r.mesh.certificate;
         made.whole_cells = r.mesh.clipped == 0 ? 1 : 0;
-        require(checked(15, made, c) != NETMESH_CHECK_FAILED);
+        // Meshes for an error are smaller than bounds on sizes allow; those are held to the sizes asked for alone.
+        require(r.diagram.fitted_error == 0 || request.by_error != 0);
+        Choices all = c;
+        all.sets_bytes = false;  // a shorter request would not say what the mesh was made for
+        if (r.diagram.fitted_error == 0) require(checked(15, made, all) != NETMESH_CHECK_FAILED);
     }
     void persist() {
         const Choices c = choose();
@@ -291,6 +306,12 @@ private:
         const Choices c = choose();
         netmesh::requests::Bounds request;
         request.monitor = c.monitor;
+        // The function of the last diagram, unless another byte says so.
+        netmesh::requests::Function f;
+        f.evaluate = fuzz::function_of;
+        f.user = &well_;
+        f.lipschitz = f.cut = tape_.rarely() ? tape_.number() : 1;
+        if (tape_.byte() & 1) request.function = handed_.over<netmesh_function>(f, c);
         ended(netmesh_bound_bars(context_, maybe<netmesh_bounds_request>(request, c)));
     }
     void analyse() {

@@ -12,6 +12,7 @@
 #include "tools/io/points.hpp"
 #include "tools/io/provenance.hpp"
 #include "tools/io/vine_file.hpp"
+#include "tools/vertex_function.hpp"
 
 using namespace netmesh::tool;
 using fuzz::require;
@@ -131,12 +132,26 @@ void read_complex(std::string_view content) {
     }
 }
 
+void read_vertex_values(std::string_view content) {
+    for (const std::size_t count : {1, 3}) {
+        PointCloud cloud;
+        cloud.name = name;
+        cloud.dim = 2;
+        cloud.coordinates.resize(2 * count);
+        std::vector<double> values;
+        std::vector<std::uint64_t> lines;
+        if (!ended(parse_vertex_values(content, name, cloud, &values, &lines))) continue;
+        require(values.size() == count && lines.size() == count && lines[0] > 0);
+        for (const double value : values) require(std::isfinite(value));
+    }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
-    switch (data[0] % 11) {
+    switch (data[0] % 12) {
     case 0: read_points_by(parse_text_points, content); break;
     case 1: read_points_by(parse_npy_points, content); break;
     case 2: read_points_by(parse_off_points, content); break;
@@ -150,6 +165,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
     case 9: read_vines(content); break;
     case 10: read_cycles(content); break;
+    case 11: read_vertex_values(content); break;
     default: read_complex(content); break;
     }
     return 0;

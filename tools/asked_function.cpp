@@ -5,12 +5,13 @@
 
 #include "tools/commands/output.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/vertex_function.hpp"
 
 namespace netmesh::tool {
 
 AskedFunction::AskedFunction(const Options& options)
-    : options_(options), function_(requests::Function()),
-      is_asked_(filter_of(options) == NETMESH_FILTER_FUNCTION && options.function) {
+    : options_(options), function_(requests::Function()), error_(options.error),
+      is_asked_(filter_of(options) == NETMESH_FILTER_FUNCTION && (options.function || options.vertex_function)) {
     if (!is_asked_) return;
     function_.evaluate = evaluate;
     function_.user = this;
@@ -19,7 +20,7 @@ AskedFunction::AskedFunction(const Options& options)
 }
 
 void AskedFunction::set_sizes(requests::Mesh* mesh) {
-    if (!is_asked_ || options_.error == 0) return;
+    if (!is_asked_ || error_ == 0) return;
     mesh->sizes.size = size;
     mesh->sizes.user = this;
 }
@@ -47,7 +48,7 @@ double depth(const std::vector<double>& domain, const double* x) {
 
 double AskedFunction::evaluate(void* self, const double* x) {
     const AskedFunction& asked = *static_cast<const AskedFunction*>(self);
-    const double f = (*asked.options_.function)(x);
+    const double f = function_at(asked.options_, x);
     return std::isfinite(f) && depth(asked.domain_, x) < 0 ? asked.function_.cut : f;
 }
 
@@ -59,21 +60,45 @@ double AskedFunction::size(void* self, const double* x) {
         function.evaluate = [](void* at_cut, const double*) { return *static_cast<const double*>(at_cut); };
         function.user = &cut;
     }
-    return netmesh_size_for_error(&function, asked.options_.error, x);
+    return netmesh_size_for_error(&function, asked.error_, x);
 }
+
+double function_at(const Options& options, const double* x) {
+    return options.vertex_function ? (*options.vertex_function)(x) : (*options.function)(x);
+}
+
+namespace {
+
+// A mesh that is read is not made to anything.
+Outcome check_values_at(const Options& options) {
+    if (options.function) return usage_error("--function and --values-at both say what the function is");
+    if (options.command != Command::persist) return {};
+    for (const auto& [name, value] : options.given) {
+        for (const char* const other : {"--tau", "--method", "--finish", "--audit", "--seed", "--error", "--fit"})
+            if (name == other) return usage_error(name + " does not go with --values-at, whose mesh is there already");
+    }
+    return {};
+}
+
+}  // namespace
 
 Outcome check_function(const Options& options) {
     const bool is_it = filter_of(options) == NETMESH_FILTER_FUNCTION;
-    if (!is_it && (options.function || options.lipschitz || options.cut || options.error > 0))
-        return usage_error("--function, --lipschitz, --cut and --error go with --filter function");
+    const bool has_values = !options.values_at.empty();
+    if (!is_it && (options.function || has_values || options.lipschitz || options.cut || options.error > 0))
+        return usage_error("--function, --values-at, --lipschitz, --cut and --error go with --filter function");
     if (!is_it) return {};
-    if (!options.function || !options.lipschitz || !options.cut)
-        return usage_error("--filter function needs --function, --lipschitz and --cut");
-    if (options.fit) return usage_error("--fit does not go with --filter function; --error says how fine the mesh is");
-    if (!options.svg.empty())
-        return usage_error("--svg draws radii on a logarithmic scale; values of a function may be negative");
-    if (options.error > 0 && options.values == NETMESH_VALUES_CERTIFIED)
-        return usage_error("--error goes with --values thesis, the function's own, whose error is the least");
+    if (!(options.function || has_values) || !options.lipschitz || !options.cut)
+        return usage_error("--filter function needs --function or --values-at, --lipschitz and --cut");
+    if (has_values) {
+        const Outcome outcome = check_values_at(options);
+        if (!outcome.good()) return outcome;
+    }
+    if (options.fit && options.error > 0)
+        return usage_error("--fit finds the least error that fits in --memory; leave --error out");
+    if ((options.error > 0 || options.fit) && options.values == NETMESH_VALUES_CERTIFIED)
+        return usage_error(std::string(options.fit ? "--fit" : "--error") +
+                           " of a function goes with --values thesis, the function's own, whose error is the least");
     if (options.error > 0 && options.method == NETMESH_METHOD_HIERARCHY && !options.finish)
         return usage_error("--error goes with --method netmesh only where --finish removes the cages");
     return {};
@@ -99,8 +124,10 @@ public:
         for (std::uint64_t v = 0; v < report_.mesh.vertices; v++) {
             const netmesh_vertex vertex = mesh_.vertex(v);
             points_.emplace_back(vertex.coordinates, vertex.coordinates + report_.input.dim);
-            values_.push_back((*options.function)(vertex.coordinates));
             depths_.push_back(depth(domain_, vertex.coordinates));
+            // What was read of vertices outside is not asked for.
+            const bool is_out = options.vertex_function && depths_.back() < 0;
+            values_.push_back(is_out ? *options.cut : function_at(options, vertex.coordinates));
         }
     }
     Outcome check_edges() const {
@@ -149,7 +176,11 @@ private:
         const std::vector<double> centre(domain_.begin(), domain_.end() - 1);
         return "; the domain is the ball of radius " + rounded_text(domain_.back(), 6) + " about " + place_text(centre);
     }
-    std::string place(std::size_t v) const { return place_text(points_[v]); }
+    // Values that were read have lines.
+    std::string place(std::size_t v) const {
+        return place_text(points_[v]) +
+               (options_.vertex_function ? " (" + options_.vertex_function->where(v) + ")" : "");
+    }
     static std::string place_text(const std::vector<double>& place) {
         std::string text;
         for (const double x : place) text += (text.empty() ? "(" : ", ") + rounded_text(x, 6);

@@ -1,5 +1,5 @@
-// The function of --function, --lipschitz and --cut as the library takes it, and what can be seen of whether it is as
-// these say.
+// The function of --function or --values-at, --lipschitz and --cut as the library takes it, and what can be seen of
+// whether it is as these say.
 #pragma once
 #include <vector>
 
@@ -17,8 +17,9 @@ public:
 
     // Null where none is asked for.
     const netmesh_function* get() const { return is_asked_ ? &function_ : nullptr; }
-    // The sizes that --error asks of a mesh.
+    // The sizes that --error asks of a mesh, or an error that --fit has found.
     void set_sizes(requests::Mesh* mesh);
+    void set_error(double error) { error_ = error; }
     // The domain of the mesh whose diagram is next. Outside of it the function counts as the cut: so the expression has
     // to have its Lipschitz constant in the domain alone.
     void set_domain(const netmesh_report& report);
@@ -33,8 +34,12 @@ private:
     const Options& options_;
     netmesh_function function_;
     std::vector<double> domain_;  // centre, radius
+    double error_;                // 0: none
     bool is_asked_, is_even_ = false;
 };
+
+// At x, by the expression or by the values at vertices.
+double function_at(const Options& options, const double* x);
 
 // What is wrong with these options together, before anything is read; and in `dim` dimensions.
 Outcome check_function(const Options& options);

@@ -12,10 +12,12 @@ const std::vector<CommandEntry>& command_entries() {
          "Every vertex but the boundary's gets a Voronoi cell whose aspect ratio, clipped to the domain, is at most "
          "tau.\n"},
         {Command::delaunay, "delaunay", "POINTS", 1, "Delaunay triangulation", ""},
-        {Command::persist, "persist", "POINTS", 1, "persistence diagram",
+        {Command::persist, "persist", "POINTS | MESH.node --values-at FILE", 1, "persistence diagram",
          "Prints lines `degree birth death`, radii, inf for the essential class, behind comments `# name value` that "
          "say how\n"
-         "the diagram was made, by the names of these options, of what points, and what is certified of it.\n"},
+         "the diagram was made, by the names of these options, of what points, and what is certified of it.\n"
+         "With --values-at FILE it is that of a function that is known at the vertices of MESH.node, a mesh that the\n"
+         "command mesh has made; cells no larger than E / L (--cell-size) are for an error of E.\n"},
         {Command::homology, "homology", "FILE", 1, "persistent homology of a filtered complex",
          "One simplex a line: its vertices, whole numbers from 0, then the value at which it enters: `3 1 4 0.5` is a\n"
          "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth "
@@ -344,7 +346,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"--to", persist | check, "B", apply_to, "largest radius of interest"},
         {"--fit", persist, nullptr, apply_switch<&Options::fit>,
          "the least ratio that fits in --memory, of the radii --from to --to if given, for any filter on a mesh but "
-         "tight; --ratio C is where it begins (4)"},
+         "tight; --ratio C is where it begins (4); of filter function the least error"},
         {"--method", persist | check, "M", apply_method,
          "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
         {"--method", mesh | size, "M", apply_method,
@@ -372,6 +374,9 @@ const std::vector<OptionEntry>& option_entries() {
          "with --values FILE: the complex that the vineyard was made of"},
         {"--function", persist | check, "EXPR", apply_function,
          "of filter function: numbers, x y z w or x1 .. x6, + - * / ^N ( ) sqrt abs min max: 'sqrt(x*x + y*y) - 1'"},
+        {"--values-at", persist | check, "FILE", apply_path<&Options::values_at>,
+         "of filter function, in place of --function: its values at the vertices of the mesh, one a line;\n"
+         "                    those outside of the domain count as --cut, whatever they are"},
         {"--lipschitz", persist | check, "L", apply_lipschitz,
          "the function changes by at most L a unit of length in the domain; neighbouring vertices are looked at"},
         {"--cut", persist | check, "C", apply_cut,

@@ -177,16 +177,21 @@ netmesh_filter default_filter(Command command) {
 }
 
 FilterChoice choice_of(const Options& options) {
-    // An error that is asked for is that of a function's own values.
+    // An error that is asked for, or the least that fits, is that of a function's own values.
+    const bool is_least_error = options.error > 0 || (options.fit && options.filter == NETMESH_FILTER_FUNCTION);
     return {options.filter.value_or(default_filter(options.command)),
-            options.values.value_or(options.error > 0 ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED)};
+            options.values.value_or(is_least_error ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED)};
+}
+
+bool fits_error(const Options& options) {
+    return options.fit && !options.method && !options.finish && about(filter_of(options)).needs_function != 0;
 }
 
 bool refines_by_certificate(const Options& options) {
     if (options.command != Command::persist || options.method || options.finish) return false;
     const FilterChoice choice = choice_of(options);
     const netmesh_filter_info& filter = about(choice.filter);
-    if (options.fit) return filter.source == NETMESH_SOURCE_MESH && filter.has_eps == 0;
+    if (options.fit) return filter.source == NETMESH_SOURCE_MESH && filter.has_eps == 0 && filter.needs_function == 0;
     return (filter.has_goal != 0 || (filter.has_eps != 0 && options.ratio)) &&
            choice.values == NETMESH_VALUES_CERTIFIED;
 }
@@ -197,7 +202,10 @@ bool clips_cells(const Options& options) {
 
 Outcome check_ratio(const Options& options) {
     const bool focused = options.focus > 0 || options.from > 0 || options.to > 0;
-    if (options.command == Command::persist && (options.ratio || focused || options.fit) &&
+    if (fits_error(options) && (options.ratio || focused))
+        return usage_error(
+            "--fit of a function goes by its error: --ratio, --focus, --from and --to do not go with it");
+    if (options.command == Command::persist && (options.ratio || focused || (options.fit && !fits_error(options))) &&
         !refines_by_certificate(options)) {
         return usage_error(
             options.fit ? "--fit is for filters on a mesh but tight, without --method"

@@ -2,6 +2,7 @@
 // are declared: the parser and the help text both come from there.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +14,8 @@
 #include "tools/outcome.hpp"
 
 namespace netmesh::tool {
+
+class VertexFunction;
 
 enum class Command { none, mesh, delaunay, persist, homology, distance, size, check, sample, vineyard };
 
@@ -55,7 +58,10 @@ struct Options {
     std::optional<Expression> function;    // of the filter function
     std::optional<double> lipschitz, cut;  // of that
     double error = 0;                      // asked of its diagram; 0: not given
-    std::size_t memory_bytes = 0;          // 0: reserved lazily
+    std::string values_at;  // in place of the expression: a file of values at the vertices of a mesh; of a head the
+                            // fingerprint of the values
+    std::shared_ptr<const VertexFunction> vertex_function;  // what was read of it
+    std::size_t memory_bytes = 0;                           // 0: reserved lazily
     std::uint64_t seed = 1;
 
     std::uint32_t dim = 0;               // size, sample
@@ -83,6 +89,8 @@ netmesh_filter default_filter(Command command);
 FilterChoice choice_of(const Options& options);
 inline netmesh_filter filter_of(const Options& options) { return choice_of(options).filter; }
 
+// Whether --fit goes by the additive error of a function's diagram.
+bool fits_error(const Options& options);
 // Whether the mesh is refined by the certificate, and what is wrong with the options that say how.
 bool refines_by_certificate(const Options& options);
 // Whether its cells are clipped unless --whole-cells says otherwise.

@@ -72,7 +72,8 @@ requests::Persist persist_request(const Options& options, const DiagramRequest& 
 requests::Fit fit_request(const Options& options, std::uint32_t dim) {
     requests::Fit fit(dim);
     fit.seed = options.seed;
-    fit.ratio = options.ratio.value_or(default_fit_ratio);
+    fit.by_error = choice_of(options).filter == NETMESH_FILTER_FUNCTION ? 1 : 0;
+    fit.ratio = fit.by_error != 0 ? 0 : options.ratio.value_or(default_fit_ratio);
     fit.focus_from = options.from;
     fit.focus_to = options.to;
     fit.max_degree = max_degree_of(options, dim);

@@ -6,13 +6,16 @@
 namespace netmesh {
 namespace {
 
-Status bound(netmesh_context* context, Monitor& monitor, BoundedBars* bars) {
+Status bound(netmesh_context* context, const netmesh_function* function, Monitor& monitor, BoundedBars* bars) {
     const KeptDiagram& diagram = context->diagram;
     const Work work = {context->arena, monitor};
     const Filter* const filter = find_filter(diagram.filter);
-    const BoundBarsRequest request = {{diagram.filter, values_of(diagram.values), diagram.k},
-                                      {diagram.pairs.in(context), diagram.pairs.count}};
-    if (filter == nullptr || !filter->has(filter_trait::bounds_by_scale))
+    const BoundBarsRequest request = {{diagram.filter, values_of(diagram.values), diagram.k, function},
+                                      {diagram.pairs.in(context), diagram.pairs.count},
+                                      diagram.vertex_values.in(context),
+                                      diagram.certified_error};
+    const bool has_cells = filter != nullptr && filter->has(filter_trait::bounds_by_scale);
+    if (!has_cells || (filter->has(filter_trait::needs_function) && function == nullptr))
         return bound_bars_by_ratio({diagram.certified_ratio, diagram.value_error,
                                     diagram.filter == NETMESH_FILTER_FUNCTION ? diagram.certified_error : -1,
                                     filter == nullptr || filter->source != FilterSource::points},
@@ -34,13 +37,21 @@ extern "C" netmesh_status netmesh_bound_bars(netmesh_context* context, const net
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
     if (!context->diagram.present) return finish(context, Status::no_result, "there is no diagram");
+    netmesh_function function = {};
+    const bool has_function = request.function != nullptr && context->diagram.filter == NETMESH_FILTER_FUNCTION;
+    if (has_function) {
+        const Complaint complaint = read_function(request.function, &function);
+        if (complaint.text != nullptr) return refuse(context, complaint);
+    }
     if (context->bounds.present) return finish(context, Status::ok);
     const std::size_t low = context->arena.low_mark();
     Monitor monitor = monitor_of(request.monitor);
     BoundedBars bars = {};
-    const Status status = bound(context, monitor, &bars);
+    const Status status = bound(context, has_function ? &function : nullptr, monitor, &bars);
     if (status != Status::ok) {
         context->arena.release_low(low);
+        if (status == Status::invalid_argument || status == Status::not_finite)
+            return refuse(context, NETMESH_FIELD_FUNCTION, "not the function that the diagram is of");
         return finish(context, status);
     }
     context->bounds.present = true;

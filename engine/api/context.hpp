@@ -75,7 +75,7 @@ struct KeptDiagram {
     Slice<double> vertex_values;  // of a filter on meshes: one for each vertex
     std::uint64_t simplices = 0;
     double certified_ratio = 0, certified_ratio_best = 0, certified_from = 0, certified_focus = 0;
-    double certified_error = 0, value_error = 0;
+    double certified_error = 0, value_error = 0, fitted_error = 0;
 };
 
 struct KeptBounds {

@@ -118,6 +118,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("diagram.certified_ratio_best", real, diagram.certified_ratio_best, diagram, 0, 0),
         ONE("diagram.from", real, diagram.certified_from, diagram, 0, 0),
         ONE("diagram.certified_error", real, diagram.certified_error, diagram, on_request | positive, 0),
+        ONE("diagram.fitted_error", real, diagram.fitted_error, diagram, on_request | positive, 0),
         ONE("diagram.focus", real, diagram.certified_focus, diagram, on_request | positive, 0),
         ONE("diagram.value_error", real, diagram.value_error, diagram, on_request | positive, 0),
         ONE("diagram.simplices", uint64, diagram.simplices, diagram, 0, 0),

@@ -41,11 +41,24 @@ public:
     FitRun(netmesh_context* context, const netmesh_fit_request& request, const FilterRequest& filter)
         : context_(context), request_(request), filter_(filter) {}
 
+    // By the error: 0 for none.
+    Status make(double error, Climbed* climbed) const {
+        Sizes sizes = {filter_.function, error};
+        netmesh_mesh_request asked = mesh_request();
+        if (error > 0) asked.sizes = {0, Sizes::at, &sizes};
+        const Status status = mesh_and_persist(asked);
+        if (status != Status::ok) return status;
+        climbed->certified = climbed->reached = context_->diagram.certified_error;
+        context_->diagram.fitted_error = error;
+        return request_.bounds != 0 ? static_cast<Status>(bound()) : Status::ok;
+    }
     Status make(const RatioGoal& goal, Climbed* climbed) const {
         const bool focused = request_.focus_to > 0;
-        netmesh_status status = mesh(goal);
-        if (status == NETMESH_OK) status = persist();
-        if (status != NETMESH_OK) return static_cast<Status>(status);
+        netmesh_mesh_request asked = mesh_request();
+        asked.certificate = {goal.ratio, goal.focus, goal.from, goal.to};
+        asked.whole_cells = request_.whole_cells != 0 || !find_filter(filter_.filter)->has(filter_trait::clips_cells);
+        const Status status = mesh_and_persist(asked);
+        if (status != Status::ok) return status;
         KeptDiagram& diagram = context_->diagram;
         climbed->certified = diagram.certified_ratio;
         if (focused) {
@@ -64,7 +77,22 @@ public:
     }
 
 private:
-    netmesh_status mesh(const RatioGoal& goal) const {
+    // What a caller's size function would be.
+    struct Sizes {
+        const netmesh_function* function;
+        double error;
+        static double at(void* self, const double* x) {
+            const Sizes& sizes = *static_cast<const Sizes*>(self);
+            return netmesh_size_for_error(sizes.function, sizes.error, x);
+        }
+    };
+
+    Status mesh_and_persist(const netmesh_mesh_request& asked) const {
+        netmesh_status status = netmesh_mesh(context_, &asked);
+        if (status == NETMESH_OK) status = persist();
+        return static_cast<Status>(status);
+    }
+    netmesh_mesh_request mesh_request() const {
         netmesh_mesh_request asked;
         netmesh_mesh_request_init(&asked, sizeof asked, request_.dim);
         asked.monitor = request_.monitor;
@@ -72,9 +100,7 @@ private:
         asked.point_count = request_.point_count;
         asked.seed = request_.seed;
         asked.purpose = NETMESH_PURPOSE_PERSIST;
-        asked.certificate = {goal.ratio, goal.focus, goal.from, goal.to};
-        asked.whole_cells = request_.whole_cells != 0 || !find_filter(filter_.filter)->has(filter_trait::clips_cells);
-        return netmesh_mesh(context_, &asked);
+        return asked;
     }
     netmesh_status persist() const {
         netmesh_persist_request asked;
@@ -92,6 +118,7 @@ private:
         netmesh_bounds_request asked;
         netmesh_bounds_request_init(&asked, sizeof asked);
         asked.monitor = request_.monitor;
+        asked.function = request_.function;
         return netmesh_bound_bars(context_, &asked);
     }
 
@@ -106,6 +133,9 @@ Complaint complaint_about(const netmesh_fit_request& request) {
     if (request.ratio != 0 && !is_valid_ratio(request.ratio))
         return {NETMESH_FIELD_RATIO, "ratio is not a finite number above the root of 2"};
     const bool focused = request.focus_from != 0 || request.focus_to != 0;
+    if (request.by_error != 0 && request.ratio != 0) return {NETMESH_FIELD_RATIO, "by_error does not go with a ratio"};
+    if (request.by_error != 0 && focused)
+        return {NETMESH_FIELD_FOCUS_FROM, "by_error does not go with scales of interest"};
     return focused ? complaint_about_focus(request.focus_from, request.focus_to) : Complaint{};
 }
 
@@ -120,6 +150,8 @@ Complaint read_filter(const netmesh_fit_request& request, FilterRequest* filter,
     const std::uint32_t k = request.k > 1 ? request.k : 1;
     *filter = {row->id, values_of(request.values), row->has(filter_trait::needs_k) ? k : 0, function};
     if (filter->k > request.point_count) return {NETMESH_FIELD_K, "k is more than the number of points"};
+    if (request.by_error != 0 && !row->has(filter_trait::needs_function))
+        return {NETMESH_FIELD_FILTER, "by_error is of the filter by a function"};
     if (!row->has(filter_trait::needs_function)) return {};
     return read_function(request.function, function);
 }
@@ -139,9 +171,15 @@ extern "C" netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fi
     FilterRequest filter;
     const Complaint about_filter = read_filter(request, &filter, &function);
     if (about_filter.text != nullptr) return refuse(context, about_filter);
-    const RatioLadder ladder(request.ratio != 0 ? request.ratio : coarsest_ratio, request.focus_from, request.focus_to);
     const FitRun run(context, request, filter);
-    const Status status = fit(ladder, [&](const RatioGoal& goal, Climbed* climbed) { return run.make(goal, climbed); });
+    Status status;
+    if (request.by_error != 0) {
+        status = fit(ErrorLadder(), [&](double error, Climbed* climbed) { return run.make(error, climbed); });
+    } else {
+        const RatioLadder ladder(request.ratio != 0 ? request.ratio : coarsest_ratio, request.focus_from,
+                                 request.focus_to);
+        status = fit(ladder, [&](const RatioGoal& goal, Climbed* climbed) { return run.make(goal, climbed); });
+    }
     if (status != Status::ok) clear(context);  // a mesh or a diagram of which a part is missing is no answer
     return static_cast<netmesh_status>(status);
 }

@@ -84,7 +84,7 @@ netmesh_status netmesh_get_scale_step(const netmesh_context* context, uint64_t i
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     const ScaleStep* const s = item_of(context, context->bounds.present, context->bounds.steps, index);
     if (s == nullptr) return NETMESH_INVALID_ARGUMENT;
-    return give_item({0, s->from, s->low, s->high, s->reach, s->ratio}, step);
+    return give_item({0, s->from, s->low, s->high, s->reach, s->ratio, s->error}, step);
 }
 
 netmesh_status netmesh_get_vine_point(const netmesh_context* context, uint64_t index, netmesh_vine_point* point) {

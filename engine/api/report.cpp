@@ -143,6 +143,7 @@ void report_diagram(const netmesh_context* context, netmesh_diagram_report* to) 
     to->certified_focus = diagram.certified_focus;
     to->value_error = diagram.value_error;
     to->certified_error = diagram.certified_error;
+    to->fitted_error = diagram.fitted_error;
 }
 
 void report_bounds(const netmesh_context* context, netmesh_bounds_report* to) {

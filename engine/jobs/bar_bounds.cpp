@@ -7,6 +7,7 @@ namespace {
 
 class Interleaving {
 public:
+    explicit Interleaving(Spacing spacing) : spacing_(spacing) {}
     Status open(const FilterBounds& filter, Arena& arena) {
         const auto t = [&](std::uint32_t v) { return filter.value[v]; };
         const auto lo = [&](std::uint32_t v) { return filter.interval[v].lo; };
@@ -17,62 +18,70 @@ public:
         return room ? Status::ok : Status::out_of_memory;
     }
     double phi(double b) const { return larger(highest(b), b); }
-    double psi(double a) const { return larger(by_low_.largest_up_to(a), a); }
+    double psi(double a) const { return larger(by_low_.largest_up_to(a, spacing_.least()), a); }
     double psi_inverse(double b) const { return smaller(lowest(b), b); }
     // The step that begins at scale `from`, where the next one begins; infinity for the last.
     ScaleStep step(double from, double* next) const {
         constexpr double growth = 1 + 0x1p-4;
-        const double high = highest(from) * growth, reach = psi(phi(from)) * growth;
+        const double high = spacing_.after(highest(from), growth), reach = spacing_.after(psi(phi(from)), growth);
         const auto grown = [&](double a) { return a > from && (highest(a) > high || psi(phi(a)) > reach); };
         *next = smaller(begin_of_lowest(from, growth), smaller(by_value_.key_or_infinity(by_value_.first_where(grown)),
                                                                by_low_.key_or_infinity(by_low_.first_where(grown))));
         // From the last key on `highest` is constant, and psi(phi(a)) is constant or a.
         const double last = larger(from, larger(last_key(by_value_, *next), last_key(by_low_, *next)));
-        return {from, lowest(from), highest(last), psi(phi(last)), largest_ratio(from, *next)};
+        return {from,
+                lowest(from),
+                spacing_.is_difference() ? larger(highest(last), from) : highest(last),
+                psi(phi(last)),
+                from < 0 ? infinity : largest(from, *next, 1, [](double a, double b) { return quotient(a, b); }),
+                largest(from, *next, 0, [](double a, double b) { return difference(a, b); })};
     }
     double first_scale() const { return smaller(by_value_.first(), by_low_.first()); }
 
 private:
     static double larger(double a, double b) { return a > b ? a : b; }
     static double smaller(double a, double b) { return a < b ? a : b; }
-    // Before `next`, 0 for none.
-    static double last_key(const ValueTable& table, double next) {
+    // Before `next`, what is before all scales for none.
+    double last_key(const ValueTable& table, double next) const {
         const std::uint32_t i = table.keys_until(next, true);
-        return i > 0 ? table.key(i - 1) : 0;
+        return i > 0 ? table.key(i - 1) : spacing_.least();
     }
-    // phi(a) = max(a, highest(a)), psi^-(a) = min(a, lowest(a)). At 0 any number does as lowest, so what comes later.
-    double highest(double a) const { return by_value_.largest_up_to(a); }
-    double lowest(double a) const { return a > 0 ? lows_.least_from(a) : lows_.least_after(0); }
+    // phi(a) = max(a, highest(a)), psi^-(a) = min(a, lowest(a)). At a distance of 0 any number does as lowest, so what
+    // comes later.
+    double highest(double a) const { return by_value_.largest_up_to(a, spacing_.least()); }
+    double lowest(double a) const {
+        return a > 0 || spacing_.is_difference() ? lows_.least_from(a) : lows_.least_after(0);
+    }
     // Where `lowest` first has grown by so much: just after a key, as psi^- is continuous from the left. Infinity when
     // no key is left.
     double begin_of_lowest(double from, double growth) const {
-        const double enough = lowest(from) * growth;
+        const double enough = spacing_.after(lowest(from), growth);
         if (!(enough < infinity)) return infinity;
         return next_up(lows_.key(lows_.first_where([&](double a) { return lowest(a) > enough; }) - 1));
     }
-    // The largest c(a) for a in [from, next): phi(a) / a is largest at `from` or a key, a / psi^-(a) at a key or just
-    // before `next`.
-    double largest_ratio(double from, double next) const {
-        double ratio = larger(ratio_above(from), ratio_below(next));
+    // The largest c(a), or e(a), for a in [from, next): phi(a) is farthest above a at `from` or a key, psi^-(a) below
+    // at a key or just before `next`. A step that ends at infinity has no lowest there, so what is below ends at a key.
+    template <class Apart> double largest(double from, double next, double least, Apart&& apart) const {
+        double most = larger(least, larger(apart(highest(from), from), apart(next, lowest(next))));
         for (std::uint32_t i = by_value_.keys_until(from, true); by_value_.key_or_infinity(i) < next; ++i) {
             const double a = by_value_.key(i);
-            ratio = larger(ratio, larger(ratio_above(a), ratio_below(a)));
+            most = larger(most, larger(apart(highest(a), a), apart(a, lowest(a))));
         }
-        return ratio;
+        return most;
     }
-    double ratio_above(double a) const { return quotient(highest(a), a); }
-    double ratio_below(double a) const { return quotient(a, lowest(a)); }
     static double quotient(double a, double b) { return !(a > b) ? 1 : b > 0 ? a / b * up : infinity; }
+    static double difference(double a, double b) { return a > b ? (a - b) * up : 0; }
 
+    Spacing spacing_;
     ValueTable by_value_, by_low_, lows_;  // hi by t, t by lo, lo by t
 };
 
 }  // namespace
 
-Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
+Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Spacing spacing, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve) {
     const HighScope scope(arena);
-    Interleaving interleaving;
+    Interleaving interleaving(spacing);
     Status status = interleaving.open(filter, arena);
     *curve = {arena.take_low<ScaleStep>(0), 0};
     if (curve->steps == nullptr) status = Status::out_of_memory;
@@ -91,7 +100,7 @@ Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& ar
                      after,
                      death > after ? 1u : 0u,
                      0};
-        if (birth == 0) bounds[i].birth_low = 0;
+        if (birth == 0 && !spacing.is_difference()) bounds[i].birth_low = 0;
     }
     return Status::ok;
 }
@@ -147,7 +156,9 @@ Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& are
     }
     *curve = {arena.take_low<ScaleStep>(ratio > 1 ? 1 : 0), ratio > 1 ? 1u : 0u};
     if (curve->steps == nullptr) return Status::out_of_memory;
-    if (ratio > 1) curve->steps[0] = {from, has_ratio ? 0 : -infinity, infinity, infinity, ratio};
+    if (ratio > 1)
+        curve->steps[0] = {from,  has_ratio ? 0 : -infinity,           infinity, infinity,
+                           ratio, is_additive ? bound.error : infinity};
     return Status::ok;
 }
 

@@ -8,6 +8,12 @@
 // likewise, and a bar of the filter stands for a class of F when its death is after psi(phi(birth)). A bad cell spoils
 // only the scales from its value to its hi.
 //
+// None of that takes products: it holds for values of any sign, and only the steps of the curve differ (Spacing). At a
+// the shift is e(a) = max(phi(a) - a, a - psi^-(a)) at most, which is no more than the largest hi_v - t_v or t_v - lo_v
+// of the cells whose interval contains a. But a bar longer than 2 e(birth) need not be real, as one longer than 2 e for
+// the additive bound e of all cells is: phi(birth) may lie in the interval of a cell that is worse. With t_u = 0, hi_u
+// = 1, lo_w = 1, t_w = 6 and birth 0 e(0) = 1, and what dies before psi(phi(0)) = 6 may be no true bar.
+//
 // The basic filter's inputs are there from the start, t_v = 0 <= hi_v = R_v, and the same holds: phi(b) is never below
 // the largest R_v of an input, and a true bar that dies before need not be in the diagram.
 #pragma once
@@ -39,12 +45,26 @@ struct BarList {
     std::uint64_t count;
 };
 
+// How far apart scales are that belong to one step, or of a bar that is worth work: a factor; or a difference.
+struct Spacing {
+    double difference = 0;  // of a factor of 2, and as much of it as a factor is above 1; 0: factors, of values >= 0
+
+    bool is_difference() const { return difference > 0; }
+    double before(double x, double factor) const {
+        return is_difference() ? x - difference * (factor - 1) : x / factor;
+    }
+    double after(double x, double factor) const { return is_difference() ? x + difference * (factor - 1) : x * factor; }
+    // What comes before all scales.
+    double least() const { return is_difference() ? -infinity : 0; }
+};
+
 // For each scale a from `from` up to the next step's: phi(a) <= max(high, a), psi^-(a) >= min(low, a), psi(phi(a)) <=
 // max(reach, a), and a birth or death at a is off by the factor c(a) = max(phi(a) / a, a / psi^-(a)) <= ratio at most.
 // Before the first step all is exact: c = 1. From the scale on from which the filter's own ratio c holds c(a) <= c, as
 // hi_v <= c t_v and t_v <= c lo_v. (0.1.0 said sqrt(psi(phi(a)) / a), see DESIGN.md.)
 struct ScaleStep {
     double from, low, high, reach, ratio;
+    double error;  // the same as a difference: e(a) <= error
 };
 
 struct ScaleCurve {
@@ -53,9 +73,11 @@ struct ScaleCurve {
 };
 
 // bounds[i] of bar i, and the curve. Deaths at infinity are exact. A step comes where one of the three bounds has grown
-// by a 16th; their number is bounded by the logarithm of the spread of scales. O((vertices + bars + steps) log
-// vertices). Scratch: 48 bytes a vertex. out_of_memory.
-Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Arena& arena, BarBounds* bounds,
+// by a 16th, of itself or of the spacing's difference; their number is bounded by the logarithm of the spread of
+// scales, or by their range over the difference. A birth at 0 is exact where the spacing is a factor: of distances.
+// O((vertices
+// + bars + steps) log vertices). Scratch: 48 bytes a vertex. out_of_memory.
+Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Spacing spacing, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 
 // What holds at every scale: the ratio; how far values are at most from those that it speaks of, relative to these;

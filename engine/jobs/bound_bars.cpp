@@ -20,6 +20,13 @@ Status measure(const FilteredMesh<D>& mesh, const FilterRequest& request, const 
                : status;
 }
 
+// Is it the function that the diagram is of?
+bool is_same(const BoundBarsRequest& request, const FilterBounds& filter, double error) {
+    bool same = request.value != nullptr && request.error == error;
+    for (std::uint32_t v = 0; same && v < filter.count; ++v) same = request.value[v] == filter.value[v];
+    return same;
+}
+
 }  // namespace
 
 template <int D>
@@ -32,13 +39,27 @@ Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, 
     Status status = clip_cells<D>(mesh, request.filter, work, &cells);
     const FilteredMesh<D> filtered = cells.of(mesh);
     if (status == Status::ok) status = measure<D>(filtered, request.filter, work, &evaluation);
-    const FilterBounds bounds = {evaluation.value, evaluation.interval, mesh.vertices()};
-    if (status == Status::ok) status = bound_by_scale(bounds, request.bars, work.arena, out->bounds, &out->curve);
     if (status != Status::ok) return status;
     const Filter& filter = evaluated_filter(request.filter.filter, request.filter.k);
+    const FilterBounds bounds = {evaluation.value, evaluation.interval, mesh.vertices()};
+    Spacing spacing;
+    if (filter.has(filter_trait::needs_function)) {
+        const double error = evaluation.certificate.error;
+        if (!is_same(request, bounds, error)) return Status::invalid_argument;
+        // Either all is exact, or what is said of the function cannot be and no interval holds.
+        if (!(error > 0 && error < infinity)) {
+            status = bound_by_ratio({evaluation.certificate.ratio, 0, error}, request.bars, work.arena, out->bounds,
+                                    &out->curve);
+            if (status == Status::ok) scope.keep_low_from_now();
+            return status;
+        }
+        spacing.difference = error;
+    }
+    status = bound_by_scale(bounds, request.bars, spacing, work.arena, out->bounds, &out->curve);
+    if (status != Status::ok) return status;
     const std::uint32_t zero_born = filter.has(filter_trait::zero_at_inputs) ? mesh.inputs : 0;
-    status =
-        find_certified_bars<D>({mesh.store.view(), bounds, zero_born, request.bars, filtered.part}, work, out->bounds);
+    status = find_certified_bars<D>({mesh.store.view(), bounds, zero_born, request.bars, filtered.part, spacing}, work,
+                                    out->bounds);
     if (status == Status::ok) scope.keep_low_from_now();
     return status;
 }

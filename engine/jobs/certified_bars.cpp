@@ -8,7 +8,8 @@ namespace netmesh {
 namespace {
 
 constexpr int sequences_max = 8;
-constexpr double shortest = 1.25;  // death over birth of a bar worth a sequence
+// By the spacing: as a factor, or a quarter of its difference.
+constexpr double shortest = 1.25;  // from birth to death of a bar worth a sequence
 constexpr double stride = 1.25;    // between scales of a sequence where no cell lies across
 
 // The scales b_0 < b_1 < ... of a sequence of covers.
@@ -16,11 +17,17 @@ class CoverSequence {
 public:
     static constexpr int scales_max = 96;
 
+    explicit CoverSequence(Spacing spacing) : spacing_(spacing) {}
     Status open(const FilterBounds& filter, Arena& arena);
-    // A sequence through scale s > 0.
+    // A sequence through scale s.
     void go_through(double s);
     int scales() const { return scales_; }
-    double scale(int i) const { return scale_[i]; }
+    // -1: before all births, scales(): after all finite deaths; of a function of any sign where its values begin and
+    // end.
+    double scale(int i) const {
+        if (i < 0) return spacing_.is_difference() ? by_low_.first() : 0;
+        return i < scales_ ? scale_[i] : spacing_.is_difference() ? by_high_.last() : infinity;
+    }
     // 2 i: in X_i, 2 i + 1: in Y_i, and in nothing before.
     int level(const Interval& cell) const {
         int y = 0;
@@ -32,6 +39,7 @@ private:
     ValueTable by_low_, by_high_;  // largest hi up to a lo, least lo from a hi on
     double scale_[scales_max];
     int scales_ = 0;
+    Spacing spacing_;
 };
 
 Status CoverSequence::open(const FilterBounds& filter, Arena& arena) {
@@ -49,15 +57,18 @@ void CoverSequence::go_through(double s) {
     for (double b = s; count < half && b >= by_high_.first();) {
         below[count++] = b;
         // The largest scale whose Y is in the X of this one.
-        const double least = by_high_.least_after(b) * down;
-        b = least < b / stride ? least : b / stride;
+        const double first = by_high_.least_after(b),
+                     least = spacing_.is_difference() ? -next_up(-first) : first * down;
+        const double next = spacing_.before(b, stride);
+        b = first < infinity && least < next ? least : next;
     }
     scales_ = 0;
     while (count > 0) scale_[scales_++] = below[--count];
     if (scales_ == 0) scale_[scales_++] = s;
     const double top = by_high_.last();
     while (scales_ < scales_max && scale_[scales_ - 1] < top) {
-        const double b = scale_[scales_ - 1] * stride, most = by_low_.largest_up_to(scale_[scales_ - 1]);
+        const double b = spacing_.after(scale_[scales_ - 1], stride);
+        const double most = by_low_.largest_up_to(scale_[scales_ - 1], spacing_.least());
         const double next = most > b ? most : b;
         scale_[scales_++] = next < top ? next : top;
     }
@@ -84,8 +95,7 @@ bool claim_of(const CoverSequence& covers, const Pair& bar, int number, Claim* c
     const int first = (born + 1) / 2, last = dies / 2 - 1;
     if (first > last) return false;
     const int before = born / 2 - 1, after = (dies + 1) / 2;
-    *claim = {before >= 0 ? covers.scale(before) : 0, covers.scale(first), covers.scale(last),
-              after < covers.scales() ? covers.scale(after) : infinity, number};
+    *claim = {covers.scale(before), covers.scale(first), covers.scale(last), covers.scale(after), number};
     return true;
 }
 
@@ -194,28 +204,77 @@ void Ledger::conclude(BarBounds* bounds) const {
 }
 
 // Where the next sequence goes through: the middle, then the quarters, of the longest bar worth it that has no claim,
-// as far as no sequence went near there; 0 for nowhere.
-double next_scale(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree, const double* gone,
-                  int sequences) {
-    double best = shortest, scale = 0;
-    for (std::uint64_t i = 0; i < bars.count; ++i) {
-        const Pair& bar = bars.pairs[i];
-        if (bar.degree < least_degree || ledger.claims(i) || !(bar.birth > 0) || !(bar.death < infinity)) continue;
-        const double ratio = bar.death / bar.birth;
-        if (!(ratio > best)) continue;
-        const double from = square_root(bar.birth), to = square_root(bar.death), middle = from * to;
-        const double tries[] = {middle, square_root(middle) * to, from * square_root(middle)};
+// as far as no sequence went near there.
+class NextScale {
+public:
+    explicit NextScale(Spacing spacing) : spacing_(spacing) {}
+
+    // False: nowhere.
+    bool find(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree, double* scale) {
+        double best = spacing_.after(spacing_.is_difference() ? 0 : 1, shortest);
+        bool found = false;
+        for (std::uint64_t i = 0; i < bars.count; ++i) {
+            const Pair& bar = bars.pairs[i];
+            if (bar.degree < least_degree || ledger.claims(i) || !(bar.death < infinity)) continue;
+            if (!spacing_.is_difference() && !(bar.birth > 0)) continue;
+            const double length = spacing_.is_difference() ? bar.death - bar.birth : bar.death / bar.birth;
+            if (!(length > best) || !find_in(bar, scale)) continue;
+            best = length;
+            found = true;
+        }
+        if (found) gone_[count_++] = *scale;
+        return found;
+    }
+
+private:
+    bool find_in(const Pair& bar, double* scale) const {
+        double tries[3];
+        if (spacing_.is_difference()) {
+            const double quarter = 0.25 * (bar.death - bar.birth);
+            tries[0] = bar.birth + 2 * quarter;
+            tries[1] = bar.birth + 3 * quarter;
+            tries[2] = bar.birth + quarter;
+        } else {
+            const double from = square_root(bar.birth), to = square_root(bar.death);
+            tries[0] = from * to;
+            tries[1] = square_root(tries[0]) * to;
+            tries[2] = from * square_root(tries[0]);
+        }
         for (const double s : tries) {
             bool near = false;
-            for (int k = 0; k < sequences; ++k) near = near || (s < gone[k] * 1.05 && gone[k] < s * 1.05);
+            for (int k = 0; k < count_; ++k)
+                near = near || (s < spacing_.after(gone_[k], 1.05) && gone_[k] < spacing_.after(s, 1.05));
             if (near) continue;
-            best = ratio;
-            scale = s;
-            break;
+            *scale = s;
+            return true;
         }
+        return false;
     }
-    return scale;
-}
+
+    Spacing spacing_;
+    double gone_[sequences_max];
+    int count_ = 0;
+};
+
+// The filter's values as shares of a half, in their order.
+class HalfShare {
+public:
+    HalfShare(const FilterBounds& filter, Spacing spacing) {
+        for (std::uint32_t v = 0; v < filter.count; ++v) {
+            const double t = filter.value[v];
+            if (t > largest_) largest_ = t;
+            if (t < least_) least_ = t;
+        }
+        if (!spacing.is_difference()) least_ = 0;
+    }
+    double of(double t) const {
+        const double whole = largest_ - least_;
+        return whole > 0 ? 0.5 * ((t - least_) / whole) : 0;
+    }
+
+private:
+    double largest_ = -infinity, least_ = infinity;
+};
 
 }  // namespace
 
@@ -225,26 +284,22 @@ Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& w
     const BarList& bars = request.bars;
     if (bars.count == 0) return Status::ok;
     const ArenaScope scope(work.arena);
-    CoverSequence covers;
+    CoverSequence covers(request.spacing);
     Ledger ledger;
     Status status = covers.open(filter, work.arena);
     if (status == Status::ok) status = ledger.open(bars, bounds, work.arena);
     double* const level = work.arena.take_low<double>(filter.count);
     if (status == Status::ok && level == nullptr) status = Status::out_of_memory;
     if (status != Status::ok) return status;
-    double largest = 0;
-    for (std::uint32_t v = 0; v < filter.count; ++v)
-        if (filter.value[v] > largest) largest = filter.value[v];
     const std::uint32_t top_degree = bars.pairs[bars.count - 1].degree, least_degree = request.zero_born > 0 ? 1 : 0;
-    double gone[sequences_max];
-    for (int number = 0; number < sequences_max; ++number) {
-        const double s = next_scale(ledger, bars, least_degree, gone, number);
-        if (!(s > 0)) break;
-        gone[number] = s;
-        covers.go_through(s);
+    const HalfShare share(filter, request.spacing);
+    NextScale next(request.spacing);
+    double scale;
+    for (int number = 0; number < sequences_max && next.find(ledger, bars, least_degree, &scale); ++number) {
+        covers.go_through(scale);
         // The filter's values order the simplices of a level, which keeps the reduction short.
         for (std::uint32_t v = 0; v < filter.count; ++v)
-            level[v] = covers.level(filter.interval[v]) + (largest > 0 ? 0.5 * (filter.value[v] / largest) : 0);
+            level[v] = covers.level(filter.interval[v]) + share.of(filter.value[v]);
         const ArenaScope run(work.arena);
         CountedPairs found = {};
         status = persist_lower_star<D>({request.complex, level, request.zero_born, request.part}, {top_degree}, work,

@@ -34,6 +34,7 @@ template <int D> struct CertifiedBarsRequest {
     std::uint32_t zero_born;  // as in homology/lower_star/lower_star.hpp: inputs of covers that begin with balls
     BarList bars;
     const Subcomplex<D>* part = nullptr;  // what is filtered of the complex; null: all of it
+    Spacing spacing = {};
 };
 
 // Marks more of the bars as certain, with bounds[i] as proven, in degrees that have no zero-born classes. Sequences of

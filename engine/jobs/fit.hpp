@@ -1,4 +1,5 @@
-// Budget mode: the best certificate that fits in the block, on a ladder of ratios that does not depend on the block.
+// Budget mode: the best certificate that fits in the block, on a ladder of ratios, or of errors, that does not depend
+// on the block.
 //
 // Rungs are climbed one by one, those left out that are reached already, until one does not fit; what certifies most is
 // kept. The results seen do not depend on the block but for their number: what is next is a matter of the results
@@ -24,6 +25,10 @@ public:
     // from, to: scales of interest, 0 for none.
     RatioLadder(double coarsest, double from, double to) : coarsest_(coarsest), from_(from), to_(to) {}
 
+    // What was certified of rung 0; this ladder does not depend on it.
+    void begin_at(double) {}
+    // A status that says that a rung cannot be had, nor any after it, whatever the block.
+    static bool ends_with(Status) { return false; }
     bool has(int rung) const {
         const double ratio = ratio_of(rung);
         return is_focused() ? ratio > 1 + 0x1p-10 : is_certifiable(ratio);
@@ -34,13 +39,15 @@ public:
         return {coarsest_, ratio_of(rung), from_, to_};
     }
 
-    // What rung asks for, of the scales of interest if there are any. By square roots alone.
-    double ratio_of(int rung) const {
+    // What rung asks for, of the scales of interest if there are any.
+    double ratio_of(int rung) const { return 1 + lowered(coarsest_ - 1, rung); }
+    double bound_of(int rung) const { return ratio_of(rung); }
+    // By square roots alone.
+    static double lowered(double x, int rung) {
         const double eighth = square_root(square_root(square_root(0.5)));
-        double excess = coarsest_ - 1;
-        for (; rung >= rungs_a_halving; rung -= rungs_a_halving) excess *= 0.5;
-        for (; rung > 0; --rung) excess *= eighth;
-        return 1 + excess;
+        for (; rung >= rungs_a_halving; rung -= rungs_a_halving) x *= 0.5;
+        for (; rung > 0; --rung) x *= eighth;
+        return x;
     }
 
 private:
@@ -50,29 +57,50 @@ private:
     double coarsest_, from_, to_;
 };
 
+// Rungs of additive errors of a function's diagram, steps as above: rung 0 asks for nothing, and what it certifies
+// begins the ladder.
+class ErrorLadder {
+public:
+    void begin_at(double certified) { coarsest_ = certified; }
+    static bool ends_with(Status status) {
+        return status == Status::invalid_argument;
+    }  // below what coordinates resolve
+    // Down to 2^-32: what is finer is below what coordinates resolve where cells are a hundredth of the domain wide.
+    bool has(int rung) const {
+        return rung == 0 || (coarsest_ > 0 && coarsest_ < infinity && rung <= 32 * RatioLadder::rungs_a_halving);
+    }
+    // 0: nothing is asked.
+    double goal(int rung) const { return rung == 0 ? 0 : bound_of(rung); }
+    double bound_of(int rung) const { return RatioLadder::lowered(coarsest_, rung); }
+
+private:
+    double coarsest_ = 0;
+};
+
 // What came of a rung.
 struct Climbed {
-    double reached = 0;    // the least ratio of the ladder that the mesh is known to keep
-    double certified = 0;  // what counts: the ratio that its diagram certifies, may be infinite
+    double reached = 0;    // the least bound of the ladder that the mesh is known to keep
+    double certified = 0;  // what counts: the ratio or error that its diagram certifies, may be infinite
 };
 
 // climb(goal, &climbed) makes the result of a goal in place of the one before, or says why not: a Status, of which
 // out_of_memory ends the climb. Without ok there is no result: not even the coarsest fits, or what climb says.
-template <class Climb> Status fit(const RatioLadder& ladder, Climb&& climb) {
+template <class Ladder, class Climb> Status fit(Ladder ladder, Climb&& climb) {
     int best = -1, held = -1;  // the rung that certifies most, the one whose result there is; -1: none
     double certified = 0;
     for (int rung = 0; ladder.has(rung);) {
         Climbed climbed;
         const Status status = climb(ladder.goal(rung), &climbed);
         held = status == Status::ok ? rung : -1;
-        if (status == Status::out_of_memory) break;
+        if (status == Status::out_of_memory || (best >= 0 && ladder.ends_with(status))) break;
         if (status != Status::ok) return status;
+        if (rung == 0) ladder.begin_at(climbed.certified);
         if (best < 0 || climbed.certified < certified || !(certified < infinity)) {
             best = rung;
             certified = climbed.certified;
         }
         do ++rung;
-        while (ladder.has(rung) && ladder.ratio_of(rung) >= climbed.reached);
+        while (ladder.has(rung) && ladder.bound_of(rung) >= climbed.reached);
     }
     if (best < 0) return Status::out_of_memory;
     Climbed again;

@@ -24,10 +24,10 @@ public:
     double first() const { return key_[0]; }
     double last() const { return key_[count_ - 1]; }
 
-    // After open_largest: over keys <= x, 0 for none.
-    double largest_up_to(double x) const {
+    // After open_largest: over keys <= x, 0 or `otherwise` for none.
+    double largest_up_to(double x, double otherwise = 0) const {
         const std::uint32_t n = keys_until(x, false);
-        return n > 0 ? extreme_[n - 1] : 0;
+        return n > 0 ? extreme_[n - 1] : otherwise;
     }
     // After open_least: over keys >= x (> x), infinity for none.
     double least_from(double x) const { return least(keys_until(x, true)); }

@@ -16,8 +16,8 @@ inline bool is_finite(double x) { return (bits_of(x) & 0x7FF0000000000000u) != 0
 inline double absolute(double x) { return x < 0 ? -x : x; }
 inline double square_root(double x) { return __builtin_sqrt(x); }
 
-// The next larger double, x >= 0 and finite.
-inline double next_up(double x) { return double_of_bits(bits_of(x + 0.0) + 1); }
+// The next larger double, x finite.
+inline double next_up(double x) { return double_of_bits(bits_of(x + 0.0) + (x < 0 ? ~std::uint64_t{0} : 1)); }
 
 constexpr double infinity = __builtin_huge_val();
 constexpr double unit_roundoff = 0x1p-53;

@@ -106,7 +106,7 @@ TEST_CASE("the basic filter's bounds begin where its ratio does") {
 
 // The step of a scale; before the first one, one in which all is exact.
 static netmesh_scale_step step_at(const std::vector<netmesh_scale_step>& steps, double alpha) {
-    netmesh_scale_step at = {0, 0, HUGE_VAL, 0, 0, 1};
+    netmesh_scale_step at = {0, 0, HUGE_VAL, 0, 0, 1, 0};
     for (const netmesh_scale_step& step : steps)
         if (step.from <= alpha) at = step;
     return at;

@@ -149,6 +149,148 @@ TEST_CASE("more memory never certifies less, whatever the filter, and the block 
     CHECK(improved > 100);
 }
 
+namespace {
+
+// Of any sign, its Lipschitz constant 1; nowhere below the cut outside of the domain of points of the unit cube.
+struct Basins {
+    int dim;
+    std::vector<double> middles;
+    static double at(void* self, const double* x) {
+        const Basins& b = *static_cast<const Basins*>(self);
+        double least = HUGE_VAL;
+        for (std::size_t i = 0; i < b.middles.size(); i += static_cast<std::size_t>(b.dim)) {
+            double d2 = 0;
+            for (int k = 0; k < b.dim; ++k) d2 += (x[k] - b.middles[i + k]) * (x[k] - b.middles[i + k]);
+            least = std::min(least, std::fabs(std::sqrt(d2) - 0.1));
+        }
+        return least - 0.15;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("by the error: more memory never has a larger one, and the mesh is the one for its rung") {
+    int improved = 0, first = 0;
+    for (std::uint64_t set = 0; set < 10; ++set) {
+        CAPTURE(set);
+        const int dim = set % 5 == 4 ? 3 : 2;
+        const inputs::Points points = inputs::uniform(dim, dim == 3 ? 5 : 4 + 3 * set, 300 + set);
+        Basins basins = {dim, {}};
+        inputs::Random random(set);
+        for (int i = 0; i < 3 * dim; ++i) basins.middles.push_back(0.4 + 0.2 * random.uniform());
+        netmesh::requests::Function function;
+        function.evaluate = Basins::at;
+        function.user = &basins;
+        function.lipschitz = 1;
+        function.cut = 0.02;
+        netmesh::requests::Fit asked(static_cast<std::uint32_t>(dim));
+        asked.filter = NETMESH_FILTER_FUNCTION;
+        asked.function = &function;
+        asked.by_error = 1;
+        asked.bounds = set % 2;
+        asked.values = set % 4 == 3 ? NETMESH_VALUES_CERTIFIED : NETMESH_VALUES_THESIS;
+        asked.points = points.data();
+        asked.point_count = points.size() / static_cast<std::size_t>(dim);
+        double last = HUGE_VAL, rung_above = HUGE_VAL;
+        std::size_t bytes = 20000;
+        for (int block = 0; block < 24; ++block) {
+            bytes += block >= 20 ? 16 : bytes / 4;
+            CAPTURE(bytes);
+            Session session(dim);
+            session.reserve(bytes);
+            const netmesh_status status = netmesh_fit(session.context, &asked);
+            if (status == NETMESH_OUT_OF_MEMORY) {
+                CHECK(last == HUGE_VAL);
+                continue;
+            }
+            REQUIRE(status == NETMESH_OK);
+            const netmesh_report report = session.report();
+            const double error = report.diagram.certified_error, rung = report.diagram.fitted_error;
+            CHECK(report.memory.peak_bytes <= bytes);
+            CHECK(error <= last);
+            improved += last < HUGE_VAL && error < last;
+            first += rung == 0;
+            last = error;
+            if (rung > 0 && asked.values == NETMESH_VALUES_THESIS) CHECK(error <= rung);
+            // Eight rungs halve the error.
+            if (rung > 0 && rung_above < HUGE_VAL && rung < rung_above) {
+                const double eighths = 8 * std::log2(rung_above / rung);
+                CHECK(std::fabs(eighths - std::round(eighths)) < 1e-6);
+            }
+            if (rung > 0) rung_above = rung;
+            auto bounds = netmesh::sized<netmesh_bar_bounds>();
+            CHECK((netmesh_get_bar_bounds(session.context, 0, &bounds) == NETMESH_OK) == (asked.bounds != 0));
+            if (block % 5 != 0) continue;
+            struct Sized {
+                const netmesh_function* function;
+                double error;
+                static double at(void* self, const double* x) {
+                    return netmesh_size_for_error(static_cast<Sized*>(self)->function, static_cast<Sized*>(self)->error,
+                                                  x);
+                }
+            } sized = {&function, rung};
+            Session direct(dim);
+            direct.reserve(2 * bytes);
+            direct.request.seed = asked.seed;
+            if (rung > 0) direct.request.sizes = {0, Sized::at, &sized};
+            REQUIRE(direct.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+            netmesh_persist_request persist = persist_by(NETMESH_FILTER_FUNCTION, 1, asked.values);
+            persist.function = &function;
+            REQUIRE(direct.persist(persist) == NETMESH_OK);
+            CHECK(direct.report().fingerprint == report.fingerprint);
+            CHECK(direct.report().diagram.certified_error == error);
+        }
+    }
+    CHECK(improved > 60);
+    CHECK(first > 5);
+}
+
+TEST_CASE("by the error: what is exact or impossible is not refined, and what does not go together is refused") {
+    const inputs::Points points = inputs::uniform(2, 12);
+    const auto constant = [](void* value, const double*) { return *static_cast<double*>(value); };
+    double value = 1;
+    netmesh::requests::Function function;
+    function.evaluate = constant;
+    function.user = &value;
+    Session session(2);
+    session.reserve(std::size_t{1} << 18);
+    netmesh_fit_request asked = session.fit_request(points);
+    asked.filter = NETMESH_FILTER_FUNCTION;
+    asked.function = &function;
+    asked.by_error = 1;
+    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    CHECK(session.report().diagram.certified_error == 0);
+    CHECK(session.report().diagram.fitted_error == 0);
+    value = -1;  // below the cut beyond the sphere too
+    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    CHECK(session.report().diagram.certified_error == HUGE_VAL);
+    CHECK(session.report().diagram.fitted_error == 0);
+    // A cone down to the cut in one point: sizes shrink towards it, and the ladder ends.
+    const auto cone = [](void*, const double* x) { return std::hypot(x[0] - 0.5, x[1] - 0.5); };
+    function.evaluate = cone;
+    function.lipschitz = 1;
+    session.reserve(std::size_t{1} << 23);
+    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    const netmesh_report cone_report = session.report();
+    CHECK(cone_report.diagram.certified_error < 1e-8);
+    CHECK(cone_report.diagram.fitted_error > 0x1p-33 * 0.05);
+    CHECK(cone_report.memory.peak_bytes < (std::size_t{1} << 22));
+
+    const auto refused = [&](netmesh_field field) {
+        CHECK(netmesh_fit(session.context, &asked) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == field);
+    };
+    asked.ratio = 3;
+    refused(NETMESH_FIELD_RATIO);
+    asked.ratio = 0;
+    asked.focus_from = 1;
+    asked.focus_to = 2;
+    refused(NETMESH_FIELD_FOCUS_FROM);
+    asked.focus_from = asked.focus_to = 0;
+    asked.filter = NETMESH_FILTER_COMPLETE;
+    refused(NETMESH_FIELD_FILTER);
+}
+
 TEST_CASE("what another filter certifies does not end the climb: finer meshes certify more of a function") {
     const auto nearly_constant = [](void*, const double* x) { return 1 + 0.01 * std::hypot(x[0] - 0.5, x[1] - 0.5); };
     const inputs::Points points = inputs::uniform(2, 12);

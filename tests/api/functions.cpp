@@ -109,6 +109,109 @@ TEST_CASE("every function has a finite error, unless what is said of it cannot b
     CHECK(netmesh_size_for_error(&f, 0.5, low) == HUGE_VAL);
 }
 
+// Bars by the bounds of cells: the function is asked again, and has to be the one of the diagram.
+TEST_CASE("bounds of a function's bars: by cells with the function, by the one error without") {
+    int narrower = 0;
+    for (const int dim : dimensions(2, 4)) {
+        CAPTURE(dim);
+        Session session(dim);
+        const inputs::Points points = inputs::uniform(dim, 30);
+        REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        const double radius = session.report().mesh.domain[dim];
+        // A cone over the first input, where cells are small, and the wall that the cut needs.
+        struct Pit {
+            const netmesh_report report;
+            const double* middle;
+            double depth;
+            std::uint64_t calls;
+            static double at(void* self, const double* x) {
+                Pit& p = *static_cast<Pit*>(self);
+                ++p.calls;
+                double d2 = 0, away2 = 0;
+                for (std::uint32_t k = 0; k < p.report.input.dim; ++k) {
+                    d2 += (x[k] - p.middle[k]) * (x[k] - p.middle[k]);
+                    away2 += (x[k] - p.report.mesh.domain[k]) * (x[k] - p.report.mesh.domain[k]);
+                }
+                const double wall = std::sqrt(away2) - p.report.mesh.domain[p.report.input.dim];
+                return std::max(std::fabs(std::sqrt(d2) - 0.2) - p.depth, wall);
+            }
+        } pit = {session.report(), points.data(), 0.5 * radius, 0};
+        const netmesh_function f = {sizeof f, Pit::at, &pit, 1, 0, 0};
+        netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
+        request.values = NETMESH_VALUES_THESIS;
+        REQUIRE(session.persist(f, request) == NETMESH_OK);
+        const double error = session.report().diagram.certified_error;
+        const std::vector<netmesh_pair> pairs = session.pairs();
+        REQUIRE(session.bound_bars() == NETMESH_OK);
+        const auto by_one = read_all(session.context, netmesh_get_bar_bounds);
+        const std::uint64_t vertices = session.report().mesh.vertices;
+        pit.calls = 0;
+        REQUIRE(session.bound_bars(f) == NETMESH_OK);  // they are there already
+        CHECK(pit.calls == 0);
+        REQUIRE(session.persist(f, request) == NETMESH_OK);
+        // Not the function that the diagram is of.
+        const auto refused = [&](const netmesh_function& other, netmesh_field field) {
+            CHECK(session.bound_bars(other) == NETMESH_INVALID_ARGUMENT);
+            CHECK(session.detail().field == field);
+            auto none = netmesh::sized<netmesh_bar_bounds>();
+            CHECK(netmesh_get_bar_bounds(session.context, 0, &none) == NETMESH_INVALID_ARGUMENT);
+            CHECK(session.pairs().size() == pairs.size());
+        };
+        netmesh_function other = f;
+        other.lipschitz = 0.5;
+        refused(other, NETMESH_FIELD_FUNCTION);
+        other = f;
+        other.cut = 0.1;
+        refused(other, NETMESH_FIELD_FUNCTION);
+        other = f;
+        other.evaluate = undefined;
+        refused(other, NETMESH_FIELD_FUNCTION);
+        other.evaluate = nullptr;
+        refused(other, NETMESH_FIELD_FUNCTION);
+        pit.depth *= 1.0001;
+        refused(f, NETMESH_FIELD_FUNCTION);
+        pit.depth = 0.5 * radius;
+        pit.calls = 0;
+        REQUIRE(session.bound_bars(f) == NETMESH_OK);
+        CHECK(pit.calls == vertices);
+        const auto by_cell = read_all(session.context, netmesh_get_bar_bounds);
+        double widest = 0;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            // Bars that covers alone tell have their bounds, of which one may be wider.
+            if (by_cell[i].certain == (pairs[i].death > by_cell[i].certain_after)) {
+                CHECK(by_cell[i].birth_low >= by_one[i].birth_low);
+                CHECK(by_cell[i].birth_high <= by_one[i].birth_high);
+            }
+            CHECK(std::isfinite(by_cell[i].birth_low));
+            CHECK(by_cell[i].certain_after <= by_one[i].certain_after);
+            CHECK(by_cell[i].certain >= by_one[i].certain);
+            CHECK(by_cell[i].birth_low <= pairs[i].birth);
+            CHECK(by_cell[i].birth_high >= pairs[i].birth);
+            narrower += by_cell[i].birth_high - by_cell[i].birth_low < 1.5 * error;
+        }
+        for (const netmesh_scale_step& step : read_all(session.context, netmesh_get_scale_step)) {
+            CHECK(step.error <= error);
+            widest = std::max(widest, step.error);
+        }
+        CHECK(widest > 0.5 * error);
+        // Nothing is open about a constant; nothing is known where what is said of the function cannot be.
+        other = f;
+        other.evaluate = [](void*, const double*) { return 3.0; };
+        REQUIRE(session.persist(other, request) == NETMESH_OK);
+        REQUIRE(session.bound_bars(other) == NETMESH_OK);
+        auto b = read_all(session.context, netmesh_get_bar_bounds)[0];
+        CHECK(b.birth_low == doctest::Approx(0));
+        CHECK(b.birth_high == doctest::Approx(0));
+        other.evaluate = [](void*, const double*) { return -3.0; };
+        REQUIRE(session.persist(other, request) == NETMESH_OK);
+        REQUIRE(session.bound_bars(other) == NETMESH_OK);
+        b = read_all(session.context, netmesh_get_bar_bounds)[0];
+        CHECK(b.birth_low == -HUGE_VAL);
+        CHECK(b.birth_high == HUGE_VAL);
+    }
+    CHECK(narrower > 0);
+}
+
 TEST_CASE("filters by neighbours certify no more than the complete filter's ratio lets them") {
     double closest[2] = {0, 0};  // the share of the bound that is used
     for (const int dim : dimensions(2, 4)) {

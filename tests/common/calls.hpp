@@ -50,6 +50,12 @@ public:
         r.monitor = request.monitor;
         return netmesh_bound_bars(context, &r);
     }
+    netmesh_status bound_bars(const netmesh_function& function) {
+        netmesh::requests::Bounds r;
+        r.monitor = request.monitor;
+        r.function = &function;
+        return netmesh_bound_bars(context, &r);
+    }
     netmesh_status persist(netmesh_function function, netmesh_persist_request r) {
         r.filter = NETMESH_FILTER_FUNCTION;
         r.function = &function;

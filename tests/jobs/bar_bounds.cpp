@@ -91,7 +91,7 @@ void compare(const Filter& filter, inputs::Random& random) {
     Block block(std::size_t{1} << 20);
     ScaleCurve curve;
     REQUIRE(bound_by_scale({filter.t.data(), filter.interval.data(), static_cast<std::uint32_t>(filter.t.size())},
-                           {pairs.data(), pairs.size()}, block.arena, bounds.data(), &curve) == Status::ok);
+                           {pairs.data(), pairs.size()}, {}, block.arena, bounds.data(), &curve) == Status::ok);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const BarBounds& b = bounds[i];
         CHECK(b.birth_low == filter.psi_inverse(pairs[i].birth));
@@ -132,6 +132,113 @@ TEST_CASE("bounds by scale are phi and psi^-, the curve holds them") {
         CAPTURE(i);
         compare(i % 3 == 2 ? fine_filter(random) : coarse_filter(random, i % 3 == 0), random);
     }
+}
+
+namespace {
+
+// Of any sign, in eighths and sixteenths, so that many are equal and all sums exact. The values lie in their intervals.
+Filter signed_filter(inputs::Random& random, double* error) {
+    Filter filter;
+    *error = 0;
+    const double range = std::ldexp(1, static_cast<int>(random.below(5)));
+    for (std::uint64_t left = 1 + random.below(40); left > 0; --left) {
+        const double t = range * (static_cast<double>(random.below(33)) - 16) / 8;
+        const double below = static_cast<double>(random.below(9)) / 16,
+                     above = static_cast<double>(random.below(9)) / 16;
+        const bool is_exact = random.below(3) == 0;
+        filter.t.push_back(t);
+        filter.interval.push_back({is_exact ? t : t - below, is_exact ? t : t + above});
+        if (!is_exact) *error = std::max({*error, below, above});
+    }
+    return filter;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "bounds by differences are phi and psi^- of any sign, the shift at a that of cells that have a in their interval") {
+    inputs::Random random(43);
+    int below_all = 0, steps = 0;
+    for (int i = 0; i < 400; ++i) {
+        CAPTURE(i);
+        double error;
+        const Filter filter = signed_filter(random, &error);
+        if (!(error > 0)) continue;
+        std::set<double> scales = {0};
+        for (std::size_t v = 0; v < filter.t.size(); ++v)
+            for (const double a : {filter.t[v], filter.interval[v].lo, filter.interval[v].hi})
+                scales.insert({a, std::nextafter(a, -HUGE_VAL), std::nextafter(a, HUGE_VAL), a + 1.0 / 32});
+        std::vector<Pair> pairs;
+        for (const double a : scales) pairs.push_back({a, a + 1, 0, 0});
+        std::vector<BarBounds> bounds(pairs.size());
+        Block block(std::size_t{1} << 20);
+        ScaleCurve curve;
+        const FilterBounds given = {filter.t.data(), filter.interval.data(),
+                                    static_cast<std::uint32_t>(filter.t.size())};
+        REQUIRE(bound_by_scale(given, {pairs.data(), pairs.size()}, {error}, block.arena, bounds.data(), &curve) ==
+                Status::ok);
+        for (std::size_t p = 0; p < pairs.size(); ++p) {
+            const BarBounds& b = bounds[p];
+            const double birth = pairs[p].birth, death = pairs[p].death;
+            CHECK(b.birth_low == filter.psi_inverse(birth));
+            CHECK(b.birth_high == filter.phi(birth));
+            CHECK(b.death_low == filter.psi_inverse(death));
+            CHECK(b.death_high == filter.phi(death));
+            CHECK(b.certain_after == filter.psi(filter.phi(birth)));
+            CHECK(b.certain == (death > b.certain_after));
+            double here = 0;
+            for (std::size_t v = 0; v < filter.t.size(); ++v) {
+                const Interval cell = filter.interval[v];
+                if (cell.lo <= birth && birth <= cell.hi)
+                    here = std::max({here, cell.hi - filter.t[v], filter.t[v] - cell.lo});
+            }
+            CHECK(b.birth_high - birth <= here);
+            CHECK(birth - b.birth_low <= here);
+            CHECK(b.certain_after - birth <= 2 * error);
+            below_all += birth < 0 && b.birth_high < 0;
+        }
+        steps += static_cast<int>(curve.count);
+        for (std::uint64_t s = 0; s < curve.count; ++s) {
+            const ScaleStep& step = curve.steps[s];
+            const double next = s + 1 < curve.count ? curve.steps[s + 1].from : HUGE_VAL, grown = error / 16;
+            CHECK(step.from < next);
+            double shift = 0, ratio = 1;
+            for (auto a = scales.lower_bound(step.from); a != scales.end() && *a < next; ++a) {
+                const double low = filter.psi_inverse(*a), high = filter.phi(*a), reach = filter.psi(high);
+                CHECK(low >= std::min(step.low, *a));
+                CHECK(high <= std::max(step.high, *a));
+                CHECK(reach <= std::max(step.reach, *a));
+                CHECK(low <= std::min(step.low, *a) + grown);
+                CHECK(high + grown >= std::max(step.high, *a));
+                CHECK(reach + grown >= std::max(step.reach, *a));
+                shift = std::max({shift, high - *a, *a - low});
+                if (*a > 0) ratio = std::max({ratio, high / *a, low > 0 ? *a / low : HUGE_VAL});
+            }
+            CHECK(shift <= step.error);
+            CHECK(shift * (1 + 1e-9) + 1e-12 >= step.error);
+            CHECK(step.error <= error * (1 + 1e-9));
+            CHECK(ratio <= step.ratio);
+        }
+        for (const double a : scales)
+            if (a < curve.steps[0].from) CHECK((filter.phi(a) == a && filter.psi_inverse(a) == a));
+    }
+    CHECK(below_all > 1000);
+    CHECK(steps > 1000);
+}
+
+// Why a bar is not real for being longer than twice the shift at its birth.
+TEST_CASE("by differences a bar is real when it dies after psi(phi(birth)), not after twice its own shift") {
+    const double t[] = {0, 6};
+    const Interval interval[] = {{0, 1}, {1, 6}};
+    const Pair bar = {0, 5, 0, 0};
+    Block block(std::size_t{1} << 16);
+    ScaleCurve curve;
+    BarBounds bounds;
+    REQUIRE(bound_by_scale({t, interval, 2}, {&bar, 1}, {5}, block.arena, &bounds, &curve) == Status::ok);
+    CHECK(bounds.birth_high == 1);
+    CHECK(bounds.birth_low == 0);
+    CHECK(bounds.certain_after == 6);
+    CHECK(bounds.certain == 0);
 }
 
 TEST_CASE("bounds by one ratio") {

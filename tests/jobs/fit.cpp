@@ -166,3 +166,51 @@ TEST_CASE("what is not a lack of memory ends the climb") {
         CHECK(jobs == stop + 1);
     }
 }
+
+TEST_CASE("the ladder of errors: from what the first mesh certifies, in steps of an eighth of a halving") {
+    // Meshes certify a share of what they are asked for; the block holds `rungs` of them.
+    const auto climb = [](double first, double share, int rungs, Status end, std::vector<double>* asked) {
+        return fit(ErrorLadder(), [=](double error, Climbed* climbed) {
+            if (static_cast<int>(asked->size()) >= rungs) return end;
+            asked->push_back(error);
+            climbed->certified = climbed->reached = error > 0 ? share * error : first;
+            return Status::ok;
+        });
+    };
+    std::vector<double> asked;
+    CHECK(climb(0.7, 0.99, 20, Status::invalid_argument, &asked) == Status::invalid_argument);  // nor the best again
+    REQUIRE(asked.size() == 20);
+    CHECK(asked[0] == 0);
+    for (std::size_t i = 1; i < asked.size(); ++i)
+        CHECK(asked[i] == doctest::Approx(0.7 * std::exp2(-static_cast<double>(i) / 8)).epsilon(1e-12));
+    // What is reached is left out: a mesh that is twice as good as asked for spares seven or eight rungs.
+    asked.clear();
+    climb(0.7, 0.5, 6, Status::out_of_memory, &asked);
+    for (std::size_t i = 2; i < asked.size(); ++i) {
+        CHECK(asked[i] < 0.51 * asked[i - 1]);
+        CHECK(asked[i] > 0.45 * asked[i - 1]);
+    }
+    // Down to 2^-32; what is exact or without a bound is not refined.
+    asked.clear();
+    CHECK(climb(1, 1, 1000, Status::internal, &asked) == Status::ok);
+    CHECK(asked.size() == 257);
+    CHECK(asked.back() == 0x1p-32);
+    for (const double first : {0.0, static_cast<double>(infinity)}) {
+        asked.clear();
+        CHECK(climb(first, 1, 1000, Status::internal, &asked) == Status::ok);
+        CHECK(asked.size() == 1);
+    }
+    // A size that coordinates do not resolve ends the climb, as a lack of memory does; the best is made again.
+    int made = 0;
+    double held = -1;
+    CHECK(fit(ErrorLadder(), [&](double error, Climbed* climbed) {
+              if (error > 0 && error < 0.3) return Status::invalid_argument;
+              ++made;
+              held = error;
+              climbed->certified = climbed->reached = error > 0 ? error : 1;
+              return Status::ok;
+          }) == Status::ok);
+    CHECK(held > 0.3);
+    CHECK(held < 0.3 * 1.1);
+    CHECK(made > 13);
+}

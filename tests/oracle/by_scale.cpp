@@ -32,7 +32,7 @@ Curve old_curve(const Session& session, const Diagram& truth) {
         for (const auto& [degree, list] : bars)
             for (const auto& [birth, death] : list) scales.insert({birth, death});
     for (const double a : scales) {
-        netmesh_scale_step step = {0, a, 0, HUGE_VAL, 0, 1};
+        netmesh_scale_step step = {0, a, 0, HUGE_VAL, 0, 1, 0};
         for (std::size_t i = 0; i < now.steps.size() && now.steps[i].from <= a && a > 0; ++i)
             step.ratio = std::sqrt(std::max(now.steps[i].reach, a) / a);
         if (a > 0 && a < HUGE_VAL) old.steps.push_back(step);

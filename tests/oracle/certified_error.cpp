@@ -1,8 +1,9 @@
 // The additive bound of the filter by a function against the truth: sublevel sets of random Lipschitz functions on a
 // fine grid, by GUDHI's cubical complexes and bottleneck distance. The distance is at most certified_error and what the
 // grid is too coarse to tell; where a mesh was made for an error, certified_error is at most that, and every bar that
-// is said to be real has a true one of its own within its bounds. NETMESH_FUNCTION_SETS functions (24) in the plane and
-// in space, every tenth in R^4.
+// is said to be real has a true one of its own within its bounds, those by its own cells; and every true bar longer
+// than twice the error lies within the bounds of some bar. NETMESH_FUNCTION_SETS functions (24) in the plane and in
+// space, every tenth in R^4.
 #include <doctest/doctest.h>
 #include <gudhi/Bottleneck.h>
 
@@ -158,8 +159,7 @@ bool all_have_partners(const Session& session, Bars truth, double doubt) {
         auto b = netmesh::sized<netmesh_bar_bounds>();
         REQUIRE(netmesh_get_bar_bounds(session.context, i, &b) == NETMESH_OK);
         // A bar may be so short that the grid has none for it.
-        if (b.certain == 0 || pairs[i].death - pairs[i].birth <= 2 * (session.report().diagram.certified_error + doubt))
-            continue;
+        if (b.certain == 0 || b.death_low - b.birth_high <= 2 * doubt) continue;
         fits.emplace_back();
         for (std::size_t t = 0; t < all.size(); ++t)
             if (all[t].first == pairs[i].degree && all[t].second.first >= b.birth_low - doubt &&
@@ -187,7 +187,27 @@ bool all_have_partners(const Session& session, Bars truth, double doubt) {
     return true;
 }
 
+// True bars too long to be missed: is each within the bounds of a bar?
+bool all_are_found(const Session& session, const Bars& truth, double doubt) {
+    const std::vector<netmesh_pair> pairs = session.pairs();
+    std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
+    const double error = session.report().diagram.certified_error;
+    for (const auto& [degree, list] : truth)
+        for (const auto& bar : list) {
+            if (bar.second - bar.first <= 2 * error + 4 * doubt) continue;
+            bool found = false;
+            for (std::size_t i = 0; i < pairs.size() && !found; ++i)
+                found = pairs[i].degree == degree && bar.first >= bounds[i].birth_low - doubt &&
+                        bar.first <= bounds[i].birth_high + doubt && bar.second >= bounds[i].death_low - doubt &&
+                        bar.second <= bounds[i].death_high + doubt;
+            if (!found) return false;
+        }
+    return true;
+}
+
 struct Seen {
+    std::uint64_t real_of_all = 0, real_by_cell = 0, bars = 0;  // by the one error, by cells
+    double narrower = 0;                                        // sum of the bounds' widths over that of all
     int functions = 0, positive = 0, negative = 0, constant = 0, sized = 0;
     double closest = 0;  // the largest share of the bound that was used, where the grid tells
 };
@@ -211,8 +231,18 @@ void judge(int dim, std::uint64_t set, Seen* seen) {
     const Bars truth = on_grid(shape, dim == 2 ? 180 : dim == 3 ? 40 : 14, &doubt);
     const auto agree = [&] {
         REQUIRE(session.persist(function, request) == NETMESH_OK);
-        REQUIRE(session.bound_bars() == NETMESH_OK);
         const double error = session.report().diagram.certified_error;
+        const std::vector<netmesh_pair> pairs = session.pairs();
+        REQUIRE(session.bound_bars(function) == NETMESH_OK);
+        const auto bounds = read_all(session.context, netmesh_get_bar_bounds);
+        for (std::size_t i = 0; i < pairs.size() && error > 0; ++i) {
+            seen->bars++;
+            seen->real_by_cell += bounds[i].certain;
+            seen->real_of_all += pairs[i].death - pairs[i].birth > 2 * error * (1 + 1e-9);
+            seen->narrower += (bounds[i].birth_high - bounds[i].birth_low) / (2 * error);
+            CHECK(bounds[i].certain_after <= pairs[i].birth + 2 * error * (1 + 1e-9));
+        }
+        CHECK(all_are_found(session, truth, doubt));
         CHECK(std::isfinite(error));
         CHECK(error <= shape.lipschitz * shape.radius * (1 + 1e-9));
         const double distance = distance_of(dim, truth, bars_of(session));
@@ -256,7 +286,11 @@ TEST_CASE("random Lipschitz functions stay within their additive bound") {
         judge(set % 10 == 9 && has_four ? 4 : set % 2 == 0 ? 2 : 3, set, &seen);
     MESSAGE(seen.functions << " functions, " << seen.positive << " with a ratio, " << seen.negative
                            << " with negative births, " << seen.constant << " at the cut, " << seen.sized
-                           << " meshes for an error; the largest share of a bound that was used: " << seen.closest);
+                           << " meshes for an error; the largest share of a bound that was used: " << seen.closest
+                           << "; of " << seen.bars << " bars " << seen.real_by_cell << " are real by cells, "
+                           << seen.real_of_all << " by the one error, births within "
+                           << seen.narrower / static_cast<double>(seen.bars) << " of its width");
+    CHECK(seen.real_by_cell >= seen.real_of_all);
     CHECK(seen.sized > seen.functions / 2);
     CHECK(seen.negative > 0);
     CHECK(seen.closest > 0.1);

@@ -76,17 +76,25 @@ struct Sublevels {
     double (*evaluate)(void* user, const double* x);
     double lipschitz, cut;
 };
-netmesh_status persist_function(Run& run, const Sublevels& of, netmesh_persist_request request) {
+netmesh_function function_of(Run& run, const Sublevels& of) {
     netmesh::requests::Function function;
     function.evaluate = of.evaluate;
     function.user = &run;
     function.lipschitz = of.lipschitz;
     function.cut = of.cut;
+    return function;
+}
+netmesh_status persist_function(Run& run, const Sublevels& of, netmesh_persist_request request) {
+    const netmesh_function function = function_of(run, of);
     request.function = &function;
     return persist(run, request);
 }
 netmesh_status function(Run& run) {
     return persist_function(run, {distance_to_origin, 1.5, 1}, persist_by(NETMESH_FILTER_FUNCTION));
+}
+netmesh_status function_bounds(Run& run) {
+    const netmesh_status status = function(run);
+    return status == NETMESH_OK ? run.bound_bars(function_of(run, {distance_to_origin, 1.5, 1})) : status;
 }
 netmesh_status irregular(Run& run) {
     netmesh_persist_request all = persist_by(NETMESH_FILTER_FUNCTION, 0, NETMESH_VALUES_THESIS);
@@ -247,6 +255,7 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back(Job{"bounds", dim, few, bounds}.keeping_diagram().large(large));
         jobs->push_back(Job{"bounds-chain", dim, 3, chain}.keeping_diagram().large(large));
         jobs->push_back(Job{"function", dim, few, function}.large(large));
+        jobs->push_back(Job{"function-bounds", dim, few, function_bounds}.keeping_diagram().large(large).tries(100));
         const std::size_t some = by_dimension<std::size_t>(dim, {6, 24, 10, 6, 4});
         jobs->push_back(Job{"irregular", dim, some, irregular}.large(dim > 2).tries(60));
         const std::size_t more = by_dimension<std::size_t>(dim, {16, 24, 20, 14, 9});

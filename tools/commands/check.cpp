@@ -31,7 +31,8 @@ std::vector<FilterChoice> candidates(const Options& options) {
 
 Outcome mismatch(const std::string& what) { return {Exit::check, "netmesh: check failed: " + what}; }
 
-Outcome run_check(const Options& options) {
+Outcome run_check(const Options& given) {
+    Options options = given;
     const double start = platform::seconds_now();
     const std::string ending = ending_of(options.positionals[0]);
     if (ending != ".node" && ending != ".pers" && ending != ".vines") {
@@ -58,6 +59,7 @@ Outcome run_check(const Options& options) {
     if (ending == ".node") {
         MeshFiles files;
         outcome = read_mesh_files(options.positionals[0], &files);
+        if (outcome.good()) outcome = read_values_at(files.node, &options);
         if (outcome.good()) {
             Session session(options, files.node.cloud.dim);
             outcome = check_coordinates(options, files.node.cloud.dim);

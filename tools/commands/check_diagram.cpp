@@ -6,6 +6,7 @@
 #include "tools/commands/steps.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/provenance.hpp"
+#include "tools/vertex_function.hpp"
 
 namespace netmesh::tool {
 
@@ -156,6 +157,7 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     Session session(made, points.dim);
     outcome = session.run(plan_diagram(made, filter_of(made), points.dim, points.rows()), points,
                           [&](Session& s) { return persist_as_asked(s, made, points); });
+    if (outcome.good()) outcome = check_claims(made, session.engine());
     if (!outcome.good()) return explain_refusal(file, outcome);
     if (file.head) {  // other points have other bars, so this comes first
         const Head due = head_of(made, session.engine().report());
@@ -164,8 +166,8 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     }
     const Reproduction again(file, points, made, session);
     if (outcome.good())
-        outcome = again.compare(
-            {"domain", "certified-ratio", "certified-from", "certified-error", "value-error", "reference"});
+        outcome = again.compare({"domain", "certified-ratio", "certified-from", "certified-error", "fitted-error",
+                                 "value-error", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said());
@@ -186,21 +188,38 @@ Outcome compare_inputs_with(const DiagramFile& file, const NodeFile& node) {
                                                              std::to_string(inputs) + " inputs");
 }
 
+// Are they the values and vertices that the head speaks of? Other ones have other bars, so this comes first.
+Outcome compare_values(const DiagramFile& file, const VertexFunction& values, const std::string& path) {
+    if (!file.head) return {};
+    const HeadLine &of_values = *file.head->find("values-at"), &of_mesh = *file.head->find("mesh");
+    if (of_mesh.value != values.mesh_fingerprint())
+        return file.wrong(of_mesh.number,
+                          "the vertices of this mesh have the fingerprint " + values.mesh_fingerprint());
+    if (of_values.value != values.values_fingerprint())
+        return file.wrong(of_values.number,
+                          "the values of " + shown_name(path) + " have the fingerprint " + values.values_fingerprint());
+    return {};
+}
+
 Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
     MeshFiles files;
     Outcome outcome = read_mesh_files(open.mesh_path, &files);
     if (!outcome.good()) return outcome;
     const PointCloud& cloud = files.node.cloud;
-    const Options made = settled(open, cloud.dim);
+    Options made = settled(open, cloud.dim);
     if (file.head) outcome = compare_inputs_with(file, files.node);
+    if (outcome.good()) outcome = read_values_at(files.node, &made);
+    if (outcome.good() && made.vertex_function) outcome = compare_values(file, *made.vertex_function, made.values_at);
     if (outcome.good()) outcome = check_coordinates(made, cloud.dim);
     if (!outcome.good()) return outcome;
     Options promised = open;  // of the mesh; what a fit reached is in the mesh's own file
     if (made.fit) {
         promised.ratio.reset();
         promised.focus = promised.from = promised.to = 0;
+        if (fits_error(made) && file.head) parse_finite(file.head->find("fitted-error")->value, &promised.error);
         promised.memory_bytes = 0;  // what the mesh was fitted in need not hold its check too
     }
+    promised.vertex_function = made.vertex_function;
     Session session(promised, cloud.dim);
     outcome = check_mesh(promised, files, run, session);
     if (!outcome.good()) return outcome;
@@ -210,13 +229,16 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
         if (status == NETMESH_OK) status = make_diagram(s, made, diagram, cloud);
         return status == NETMESH_OK && !file.bounds.empty() ? bound_bars(s) : status;
     });
+    if (outcome.good()) outcome = check_claims(made, session.engine());
     if (!outcome.good()) return explain_refusal(file, outcome);
     const Reproduction again(file, cloud, made, session);
     outcome = again.compare(
         {"dim", "domain", "certified-ratio", "certified-from", "certified-error", "value-error", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
-    run->checked->push_back(again.said() + "; how the mesh was made is for --points alone to tell");
+    run->checked->push_back(again.said() + (made.vertex_function
+                                                ? ", of the values in " + shown_name(made.values_at)
+                                                : "; how the mesh was made is for --points alone to tell"));
     outcome = check_vertex_values(made, files, run, session);
     return outcome.good() ? second_opinion_on_mesh({file, made, cycles}, files, run) : outcome;
 }
@@ -228,6 +250,7 @@ Options making_of(const Options& options, const DiagramFile& file) {
     made.positionals = options.positionals;
     made.points_path = options.points_path;
     made.mesh_path = options.mesh_path;
+    made.values_at = options.values_at;
     made.json = options.json;
     made.quiet = options.quiet;
     made.representatives.clear();
@@ -250,6 +273,17 @@ Outcome check_diagram(const Options& options, RunReport* run) {
         return {};
     }
     const Options made = making_of(options, file);
+    const bool is_of_values = file.head && !file.head->options.values_at.empty();
+    if (is_of_values && made.values_at.empty()) {
+        if (made.mesh_path.empty() && made.points_path.empty()) {
+            run->checked->push_back(file.name +
+                                    " says how it was made; --mesh and --values-at are what to check that with");
+            return {};
+        }
+        return usage_error(file.name + " is of values at the vertices of a mesh: --values-at FILE says which");
+    }
+    if (!made.values_at.empty() && made.mesh_path.empty())
+        return usage_error("--values-at goes with --mesh, at whose vertices the values are");
     for (Outcome (*check)(const Options&) :
          {check_together, check_accuracy, check_ratio, check_max_degree, check_function}) {
         outcome = check(made);

@@ -6,6 +6,7 @@
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/vertex_function.hpp"
 
 namespace netmesh::tool {
 
@@ -143,18 +144,33 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double err
 
 }  // namespace
 
+Outcome settle_mesh(const Options& options, MeshFiles* files, Session* session) {
+    const NodeFile& node = files->node;
+    const Outcome outcome = settle_markers(files);
+    if (!outcome.good()) return outcome;
+    if (node.cage_kind == NETMESH_CAGES_THESIS && node.cloud.dim > 4)
+        return data_error(node.cloud.name + ": there are cages of the thesis in dimensions 2, 3 and 4 only");
+    set_promises(options, node, &session->mesh());
+    return {};
+}
+
+Outcome read_values_at(const NodeFile& node, Options* options) {
+    if (options->values_at.empty()) return {};
+    const auto function = std::make_shared<VertexFunction>();
+    const Outcome outcome = VertexFunction::read(options->values_at, node.cloud, function.get());
+    if (outcome.good()) options->vertex_function = function;
+    return outcome;
+}
+
 Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Session& session) {
     const NodeFile& node = files.node;
-    Outcome outcome = settle_markers(&files);
+    Outcome outcome = settle_mesh(options, &files, &session);
     PointCloud points;
     if (outcome.good() && !options.points_path.empty()) {
         outcome = read_points(options.points_path, &points);
         if (outcome.good()) outcome = compare_inputs(files, points);
     }
     if (!outcome.good()) return outcome;
-    if (node.cage_kind == NETMESH_CAGES_THESIS && node.cloud.dim > 4)
-        return data_error(node.cloud.name + ": there are cages of the thesis in dimensions 2, 3 and 4 only");
-    set_promises(options, node, &session.mesh());
     const std::size_t plan = plan_diagram(options, NETMESH_FILTER_COMPLETE, node.cloud.dim, node.cloud.rows());
     outcome = session.run(plan, node.cloud, [&](Session& s) {
         const netmesh_status status = load_mesh(s, files);

@@ -22,6 +22,13 @@ Outcome mismatch(const std::string& what);  // Exit::check
 // The mesh of the files, with its cages, taken over by the engine.
 netmesh_status load_mesh(Session& session, const MeshFiles& files);
 
+// Before a mesh of files is loaded: markers, inputs first, and to session.mesh() what it promises, by the options and,
+// where they say nothing, the file.
+Outcome settle_mesh(const Options& options, MeshFiles* files, Session* session);
+
+// The values of --values-at, of the vertices of this mesh, into options->vertex_function; nothing without the option.
+Outcome read_values_at(const NodeFile& node, Options* options);
+
 // Everything that can be said about a mesh: all checkers of the engine, the .neigh file, the inputs (--points). What
 // holds goes to run->checked, what the engine measured to run->engine; the mesh stays in the session.
 Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Session& session);

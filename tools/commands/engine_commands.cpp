@@ -1,5 +1,6 @@
 // mesh, delaunay and persist: points in, a few calls of the engine, files out.
 #include "platform/clock.hpp"
+#include "tools/commands/check_parts.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/diagram_checks.hpp"
@@ -65,14 +66,37 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
                            options.weighted_path});
 }
 
-// Everything that can be wrong before the work begins; reads the points in between.
-Outcome read_input(const Options& options, PointCloud* cloud) {
+// What a command starts from.
+struct Input {
+    PointCloud cloud;  // the points, or the vertices of the mesh
+    MeshFiles mesh;    // with --values-at
+};
+
+Outcome read_mesh(Options* options, Input* input) {
+    const std::string& path = options->positionals[0];
+    if (ending_of(path) != ".node") return usage_error("--values-at goes with a mesh, MESH.node, not with " + path);
+    Outcome outcome = read_mesh_files(path, &input->mesh);
+    if (!outcome.good()) return outcome;
+    const NodeFile& node = input->mesh.node;
+    if (node.domain.empty())
+        return data_error(node.cloud.name + ": no mesh with a domain, as `netmesh mesh` makes it: no line `# domain`");
+    if (!node.cages.empty())
+        return data_error(node.cloud.name + ": a mesh with cages, which have no filter; --finish removes them");
+    input->cloud = node.cloud;
+    return read_values_at(node, options);
+}
+
+// Everything that can be wrong before the work begins; reads the points, or mesh and values, in between.
+Outcome read_input(Options* asked, Input* input) {
+    const Options& options = *asked;
+    PointCloud* const cloud = &input->cloud;
     Outcome outcome = check_accuracy(options);
     if (outcome.good()) outcome = check_ratio(options);
     if (outcome.good()) outcome = check_filter(options);
     if (outcome.good() && persists(options)) outcome = check_function(options);
     if (outcome.good()) outcome = check_outputs(options, 0);
-    if (outcome.good()) outcome = read_points(options.positionals[0], cloud);
+    const bool has_values = persists(options) && !options.values_at.empty();
+    if (outcome.good()) outcome = has_values ? read_mesh(asked, input) : read_points(options.positionals[0], cloud);
     if (outcome.good()) outcome = check_outputs(options, cloud->dim);
     if (outcome.good()) outcome = check_coordinates(options, cloud->dim);
     return outcome;
@@ -123,11 +147,12 @@ netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis
                         [&] { return session.engine().analyse(analysis, session.watched(request)); });
 }
 
-netmesh_status work(Session& session, const Options& options, const PointCloud& cloud, Measured* measured) {
+netmesh_status work(Session& session, const Options& options, const Input& input, Measured* measured) {
+    const PointCloud& cloud = input.cloud;
     const netmesh_source source = source_of(options);
     netmesh_status status;
     if (persists(options)) {
-        status = persist_as_asked(session, options, cloud);
+        status = persist_as_asked(session, options, cloud, options.vertex_function ? &input.mesh : nullptr);
     } else {
         status =
             source == NETMESH_SOURCE_MESH ? make_mesh(session, cloud) : make_triangulation(session, options, cloud);
@@ -229,11 +254,13 @@ std::vector<FileJob> mesh_jobs(const Options& options, const Measured& measured,
 
 }  // namespace
 
-Outcome run_engine_command(const Options& given) {
+Outcome run_engine_command(const Options& from) {
     const double start = platform::seconds_now();
-    PointCloud cloud;
-    Outcome outcome = read_input(given, &cloud);
+    Options given = from;
+    Input input;
+    Outcome outcome = read_input(&given, &input);
     if (!outcome.good()) return outcome;
+    const PointCloud& cloud = input.cloud;
     const Options options = suited(given, cloud.dim);
     RunReport run;
     run.options = &options;
@@ -241,7 +268,9 @@ Outcome run_engine_command(const Options& given) {
 
     Session session(options, cloud.dim);
     Measured measured;
-    const auto all_work = [&](Session& s) { return work(s, options, cloud, &measured); };
+    if (options.vertex_function) outcome = settle_mesh(options, &input.mesh, &session);
+    if (!outcome.good()) return outcome;
+    const auto all_work = [&](Session& s) { return work(s, options, input, &measured); };
     outcome = session.run(plan_of(options, cloud), cloud, all_work);
     if (outcome.good() && persists(options)) outcome = check_error(options, session.engine());
     if (!outcome.good()) return outcome;
@@ -254,9 +283,9 @@ Outcome run_engine_command(const Options& given) {
     Result result{EngineMesh(session.engine()), {}, {}};
     result.mesh.cage_kind = session.mesh().cage_kind;
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
-    result.mesh.size_at_inputs = options.size_at_inputs;
-    result.mesh.size_growth = options.size_growth;
-    result.mesh.net_spacing = options.net_spacing;
+    result.mesh.size_at_inputs = session.mesh().size_at_inputs;
+    result.mesh.size_growth = session.mesh().size_growth;
+    result.mesh.net_spacing = session.mesh().net_spacing;
     if (run.engine->mesh.is_mesh != 0 && ending_of(mesh_path) == ".vtu") result.mesh.measure();
     if (!persists(options)) return finish_run(mesh_jobs(options, measured, result.mesh), start, &run);
 

@@ -126,6 +126,7 @@ std::vector<Bar> bars_of(const Engine& engine) {
 
 Bounds bounds_of(const Engine& engine) {
     Bounds bounds;
+    bounds.by_error = engine.report().diagram.filter == NETMESH_FILTER_FUNCTION;
     engine.for_each_bar_bounds([&](std::uint64_t, const netmesh_bar_bounds& b) { bounds.bars.push_back(b); });
     engine.for_each_scale_step([&](std::uint64_t, const netmesh_scale_step& step) { bounds.steps.push_back(step); });
     return bounds;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/asked_function.hpp"
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/io/cycle_file.hpp"
@@ -125,26 +126,33 @@ Outcome CellJury::judge_step(const std::vector<double>& step, const std::string&
     return {};
 }
 
-Outcome CellJury::judge_steps(std::size_t* steps) {
-    struct Step {
-        std::vector<double> numbers;
-        const BoundLine* line;
-    };
-    std::vector<Step> list;
-    for (const BoundLine& line : claim_.file.bounds) {
+// {from, low, high, ratio or error} of a line of the certificate by scale.
+struct Step {
+    std::vector<double> numbers;
+    const BoundLine* line;
+};
+Outcome read_steps(const DiagramFile& file, const char* last, std::vector<Step>* list) {
+    for (const BoundLine& line : file.bounds) {
         if (line.text.rfind("# scale ", 0) != 0) continue;
         const std::vector<std::string_view> words = split_blanks(line.text);
         Step step = {{}, &line};
-        for (const char* name : {"scale", "low", "high", "ratio"}) {
+        for (const char* name : {"scale", "low", "high", last}) {
             const auto at = std::find(words.begin(), words.end(), name);
             double value = HUGE_VAL;
             if (at == words.end() || at + 1 == words.end() ||
                 (at[1] != "inf" && !parse_finite(std::string(at[1]), &value)))
-                return claim_.file.wrong(line.number, quoted(line.text) + " has no number for " + name);
+                return file.wrong(line.number, quoted(line.text) + " has no number for " + name);
             step.numbers.push_back(value);
         }
-        list.push_back(step);
+        list->push_back(step);
     }
+    return {};
+}
+
+Outcome CellJury::judge_steps(std::size_t* steps) {
+    std::vector<Step> list;
+    const Outcome read = read_steps(claim_.file, "ratio", &list);
+    if (!read.good()) return read;
     *steps = list.size();
     for (std::size_t i = 0; i < list.size(); i++) {
         const double next = i + 1 < list.size() ? list[i + 1].numbers[0] : HUGE_VAL;
@@ -230,6 +238,36 @@ Outcome judge_mesh_pairs(const DiagramClaim& claim, const MeshFiles& files, cons
     return {};
 }
 
+// Of the filter by a function, what CellJury::judge_step says of ratios: where the filter is at a value a of the step,
+// or below, the function is at most max(high, a) and a + error; where it is at a or above, at least min(low, a) and a -
+// error.
+Outcome judge_error_steps(const DiagramClaim& claim, const FunctionOpinion& opinion, const std::vector<double>& values,
+                          std::size_t* steps) {
+    std::vector<Step> list;
+    const Outcome read = read_steps(claim.file, "error", &list);
+    if (!read.good()) return read;
+    *steps = list.size();
+    for (std::size_t i = 0; i < list.size(); i++) {
+        const double from = list[i].numbers[0], low = list[i].numbers[1], high = list[i].numbers[2],
+                     error = list[i].numbers[3], next = i + 1 < list.size() ? list[i + 1].numbers[0] : HUGE_VAL;
+        for (std::size_t v = 0; v < values.size(); v++) {
+            const double t = values[v], at_least = std::max(from, t), at_most = std::min(next, t);
+            const Real slack = 1e-9L * (std::fabs(t) + std::fabs(*claim.made.cut) + std::min(error, 1e300));
+            const Real most = std::min(std::max(high, at_least), at_least + error) + slack;
+            const Real least = std::max(std::min(low, at_most), at_most - error) - slack;
+            const Real up = std::max(opinion.most[v], opinion.high[v]),
+                       down = std::min(opinion.least[v], opinion.low[v]);
+            const bool above = t < next && up > most, below = t >= from && down < least;
+            if (above || below)
+                return claim.file.wrong(list[i].line->number, quoted(list[i].line->text) + ": at vertex " +
+                                                                  std::to_string(v) + " of the mesh, of filter value " +
+                                                                  number_text(t) + ", the function is or may be " +
+                                                                  shown(above ? up : down));
+        }
+    }
+    return {};
+}
+
 // Of the filter by a function: its error is large enough, and the bars are those of its values.
 Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunReport* run) {
     const Options& made = claim.made;
@@ -238,7 +276,8 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
         return {};
     }
     const netmesh_diagram_report& diagram = run->engine->diagram;
-    const FunctionClaim said = {*made.function, *made.lipschitz, *made.cut, diagram.certified_error};
+    const FunctionClaim said = {[&](const double* x) { return function_at(made, x); }, *made.lipschitz, *made.cut,
+                                diagram.certified_error};
     const FunctionOpinion opinion = function_opinion(files, said);
     const bool has_values = files.node.attribute_count == 1,
                are_own = std::isinf(diagram.certified_ratio) || choice_of(made).values == NETMESH_VALUES_THESIS;
@@ -255,7 +294,11 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
         if (values[at] != static_cast<double>(opinion.values[at]))
             return {Exit::check, files.node.cloud.where(at) + ": check failed: filter value " +
                                      number_text(values[at]) + " where the function is " + shown(opinion.values[at])};
-    run->checked->push_back("second opinion: the function keeps to the error " + rounded_text(said.error, 6) + " at " +
+    std::size_t steps = 0;
+    const Outcome outcome = judge_error_steps(claim, opinion, values, &steps);
+    if (!outcome.good()) return outcome;
+    run->checked->push_back("second opinion: the function keeps to the error " + rounded_text(said.error, 6) +
+                            (steps > 0 ? ", and to " + grouped_text(steps) + " by value," : "") + " at " +
                             grouped_text(opinion.places + values.size()) +
                             " places of cells, and as far as --lipschitz lets it");
     return judge_pairs(claim, lower_stars(files.cells, values, 0, *made.max_degree + 1), 0, &*run->checked);

@@ -1,5 +1,7 @@
 #include "tools/commands/steps.hpp"
 
+#include "tools/commands/check_parts.hpp"
+
 namespace netmesh::tool {
 
 netmesh_status make_mesh(Session& session, const PointCloud& cloud) {
@@ -39,19 +41,43 @@ netmesh_status make_diagram(Session& session, const Options& options, const Diag
 
 namespace {
 
-// The best mesh and diagram for the memory. What was reached is what is checked.
+// The best mesh and diagram for the memory. What was reached is what is checked. A function has to know the domain,
+// which is that of any mesh of the points.
 netmesh_status fit(Session& session, const Options& options, const PointCloud& cloud) {
-    netmesh_status status = session.call(NETMESH_STAGE_REFINE, [&] {
-        return session.engine().fit(session.watched(fit_request(options, cloud.dim), cloud));
-    });
+    requests::Fit request = session.watched(fit_request(options, cloud.dim), cloud);
+    request.function = session.function().get();
+    netmesh_status status = NETMESH_OK;
+    if (request.function != nullptr) {
+        status = make_mesh(session, cloud);
+        session.function().set_domain(session.engine().report());
+    }
+    if (status == NETMESH_OK)
+        status = session.call(NETMESH_STAGE_REFINE, [&] { return session.engine().fit(request); });
+    if (status == NETMESH_OK && request.function != nullptr) {
+        session.function().set_error(session.engine().report().diagram.fitted_error);
+        session.function().set_sizes(&session.mesh());
+    }
     if (status == NETMESH_OK) session.mesh().certificate = session.engine().report().mesh.certificate;
     if (status == NETMESH_OK && !options.representatives.empty()) status = find_cycles(session);
     return status;
 }
 
+// What a filter needs of a mesh that is read: that it is a Delaunay triangulation.
+netmesh_status take_mesh(Session& session, const MeshFiles& mesh) {
+    const netmesh_status status = load_mesh(session, mesh);
+    if (status != NETMESH_OK) return status;
+    return session.call(NETMESH_STAGE_CHECK, [&] {
+        requests::Check check;
+        check.what = NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY;
+        check.mesh = &session.mesh();
+        return session.engine().check(session.watched(check));
+    });
+}
+
 }  // namespace
 
-netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud) {
+netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud,
+                                const MeshFiles* mesh) {
     if (options.fit) return fit(session, options, cloud);
     DiagramRequest diagram{choice_of(options), options.all, false};
     const netmesh_filter_info& filter = about(diagram.choice.filter);
@@ -59,7 +85,8 @@ netmesh_status persist_as_asked(Session& session, const Options& options, const 
     const bool cycles =
         filter.has_representatives != 0 && (!options.representatives.empty() || (on_points && options.check));
     diagram.cycles = on_points && cycles;
-    netmesh_status status = prepare_for(session, options, filter.filter, cloud);
+    netmesh_status status =
+        mesh != nullptr ? take_mesh(session, *mesh) : prepare_for(session, options, filter.filter, cloud);
     if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
     if (status == NETMESH_OK && session.function().has_missed(session.engine().report())) {
         status = make_mesh(session, cloud);
@@ -78,8 +105,11 @@ netmesh_status make_vineyard(Session& session, const requests::Vineyard& request
 }
 
 netmesh_status bound_bars(Session& session) {
-    return session.call(NETMESH_STAGE_CERTIFY,
-                        [&] { return session.engine().bound_bars(session.watched(requests::Bounds())); });
+    return session.call(NETMESH_STAGE_CERTIFY, [&] {
+        requests::Bounds bounds = session.watched(requests::Bounds());
+        bounds.function = session.function().get();
+        return session.engine().bound_bars(bounds);
+    });
 }
 
 netmesh_status find_cycles(Session& session) {

@@ -1,5 +1,6 @@
 // Calls of the engine that several commands make, each a step inside the work of a session.
 #pragma once
+#include "tools/io/mesh_files.hpp"
 #include "tools/io/vine_file.hpp"
 #include "tools/requests.hpp"
 #include "tools/session.hpp"
@@ -15,8 +16,9 @@ netmesh_status make_triangulation(Session& session, const Options& options, cons
 netmesh_status make_diagram(Session& session, const Options& options, const DiagramRequest& diagram,
                             const PointCloud& cloud);
 // What `persist` does with the points: the mesh where there is one, the diagram, and bounds and cycles as far as the
-// options ask for them.
-netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud);
+// options ask for them. `mesh`: one that was read, in place of one made of the points; `cloud` is that of its vertices.
+netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud,
+                                const MeshFiles* mesh = nullptr);
 // The vineyard of the mesh that the session holds; takes the vines out.
 netmesh_status make_vineyard(Session& session, const requests::Vineyard& request, Vines* vines);
 

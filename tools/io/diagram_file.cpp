@@ -16,7 +16,7 @@ bool comes_before(const Bar& a, const Bar& b) {
 void write_diagram(const std::vector<Bar>& bars, const Bounds& known, TextWriter& out) {
     for (const netmesh_scale_step& step : known.steps) {
         out << "# scale " << step.from << " low " << step.low << " high " << step.high << " reach " << step.reach
-            << " ratio " << step.ratio << '\n';
+            << (known.by_error ? " error " : " ratio ") << (known.by_error ? step.error : step.ratio) << '\n';
     }
     const std::vector<netmesh_bar_bounds>& bounds = known.bars;
     for (std::size_t i = 0; i < bars.size(); i++) {

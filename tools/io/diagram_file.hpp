@@ -27,9 +27,11 @@ bool comes_before(const Bar& a, const Bar& b);
 struct Bounds {
     std::vector<netmesh_bar_bounds> bars;
     std::vector<netmesh_scale_step> steps;
+    bool by_error = false;  // of a function: steps by differences
 };
 
-// With bounds, comments `# scale FROM low LOW high HIGH reach REACH ratio RATIO` (netmesh_scale_step) come first, and
+// With bounds, comments `# scale FROM low LOW high HIGH reach REACH ratio RATIO` (netmesh_scale_step) come first, of a
+// function with `error ERROR` in place of the ratio, and
 // every line ends in a comment: `# birth A B death C D real`, the last word where it is.
 void write_diagram(const std::vector<Bar>& bars, const Bounds& bounds, TextWriter& out);
 

@@ -68,6 +68,12 @@ std::string grouped_text(std::uint64_t value) {
     return text;
 }
 
+std::string hexadecimal(std::uint64_t value) {
+    std::string text(16, '0');
+    for (std::size_t i = 16; i-- > 0; value /= 16) text[i] = "0123456789abcdef"[value % 16];
+    return text;
+}
+
 std::string bytes_text(std::uint64_t bytes) {
     const char* const units[] = {"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
     double amount = static_cast<double>(bytes);

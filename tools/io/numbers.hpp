@@ -28,6 +28,8 @@ std::string number_text(double value);
 std::string rounded_text(double value, int digits);
 // 12345 -> 12,345
 std::string grouped_text(std::uint64_t value);
+// 16 digits
+std::string hexadecimal(std::uint64_t value);
 // 1536 -> 1.5 KiB
 std::string bytes_text(std::uint64_t bytes);
 

@@ -6,6 +6,7 @@
 #include "tools/asked_function.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/requests.hpp"
+#include "tools/vertex_function.hpp"
 
 namespace netmesh::tool {
 
@@ -15,10 +16,10 @@ constexpr std::string_view marker = "# netmesh diagram 1: degree birth death";
 constexpr std::string_view any_marker = "# netmesh diagram ";
 
 // In the order of the file.
-constexpr const char* option_names[] = {"filter", "k",           "values", "function", "lipschitz", "cut",
-                                        "error",  "method",      "finish", "tau",      "fit",       "memory",
-                                        "ratio",  "whole-cells", "focus",  "from",     "to",        "eps",
-                                        "theta",  "max-degree",  "all",    "bounds",   "seed"};
+constexpr const char* option_names[] = {"filter", "k",     "values",      "function", "values-at", "lipschitz",
+                                        "cut",    "error", "method",      "finish",   "tau",       "fit",
+                                        "memory", "ratio", "whole-cells", "focus",    "from",      "to",
+                                        "eps",    "theta", "max-degree",  "all",      "bounds",    "seed"};
 
 bool is_option(std::string_view name) {
     return std::any_of(std::begin(option_names), std::end(option_names), [&](const char* o) { return name == o; });
@@ -47,14 +48,8 @@ bool is_meshed(const Options& options) { return about(filter_of(options)).source
 bool is_by_scales(const Options& options) { return about(filter_of(options)).source == NETMESH_SOURCE_SCALES; }
 bool has_scales_of_interest(const Options& options) { return options.focus > 0 || options.from > 0 || options.to > 0; }
 
-std::string hexadecimal(std::uint64_t value) {
-    std::string text(16, '0');
-    for (std::size_t i = 16; i-- > 0; value /= 16) text[i] = "0123456789abcdef"[value % 16];
-    return text;
-}
-
 void add_mesh_options(const Options& options, HeadWriter* head) {
-    if (is_meshed(options) && !refines_by_certificate(options)) {
+    if (is_meshed(options) && !refines_by_certificate(options) && !fits_error(options)) {
         head->add("method", method_name(options.method.value_or(NETMESH_METHOD_SVR)));
         if (options.finish) head->add("finish");
     }
@@ -100,18 +95,23 @@ Head option_head(const Options& options) {
     if (filter.needs_k != 0) head.add_count("k", options.k.value_or(0));
     if (filter.has_values != 0) head.add("values", values_name(choice_of(options).values));
     if (filter.needs_function != 0) {
-        head.add("function", options.function ? options.function->text() : "");
+        if (options.values_at.empty())
+            head.add("function", options.function ? options.function->text() : "");
+        else  // what was read from a head is the fingerprint
+            head.add("values-at",
+                     options.vertex_function ? options.vertex_function->values_fingerprint() : options.values_at);
         head.add("lipschitz", options.lipschitz.value_or(0));
         head.add("cut", options.cut.value_or(0));
         if (options.error > 0) head.add("error", options.error);
     }
-    add_mesh_options(options, &head);
+    const bool is_made = options.values_at.empty();  // the mesh, from points
+    if (is_made) add_mesh_options(options, &head);
     if (filter.has_eps != 0 && !options.ratio) head.add("eps", options.eps);
     if (filter.has_theta != 0) head.add("theta", options.theta);
     head.add_count("max-degree", options.max_degree.value_or(0));
     if (options.all) head.add("all");
     if (options.bounds) head.add("bounds");
-    if (is_meshed(options) || is_by_scales(options)) head.add_count("seed", options.seed);
+    if ((is_meshed(options) && is_made) || is_by_scales(options)) head.add_count("seed", options.seed);
     return head.take();
 }
 
@@ -128,7 +128,10 @@ Head head_of(const Options& options, const netmesh_report& report) {
     head.add_count("dim", input.dim);
     head.add_count("points", input.points);
     head.add_count("duplicates", input.duplicates);
-    head.add("input", hexadecimal(input.fingerprint));
+    if (options.vertex_function)
+        head.add("mesh", options.vertex_function->mesh_fingerprint());
+    else
+        head.add("input", hexadecimal(input.fingerprint));
     if (report.mesh.is_mesh != 0) {
         std::string ball;
         for (std::uint32_t k = 0; k <= input.dim; k++) ball += (k > 0 ? " " : "") + number_text(report.mesh.domain[k]);
@@ -137,6 +140,7 @@ Head head_of(const Options& options, const netmesh_report& report) {
     head.add("certified-ratio", report.diagram.certified_ratio);
     if (report.diagram.certified_from > 0) head.add("certified-from", report.diagram.certified_from);
     if (report.diagram.filter == NETMESH_FILTER_FUNCTION) head.add("certified-error", report.diagram.certified_error);
+    if (fits_error(options)) head.add("fitted-error", report.diagram.fitted_error);
     if (has_value_error(report.diagram.filter)) head.add("value-error", report.diagram.value_error);
     head.add("reference", reference_name(report));
     lines = head.take();
@@ -235,18 +239,21 @@ Outcome HeadReader::take_options() {
 
 // Every line that is due once, and no other. Which are due is what the writer says.
 Outcome HeadReader::check_names() {
-    constexpr const char* facts[] = {"version", "dim", "points", "duplicates", "input", "certified-ratio", "reference"};
+    constexpr const char* facts[] = {"version", "dim", "points", "duplicates", "certified-ratio", "reference"};
     Head due = option_head(found_.options);
     for (const char* fact : facts) due.push_back({fact, ""});
     if (is_meshed(found_.options)) due.push_back({"domain", ""});
+    due.push_back({found_.options.values_at.empty() ? "input" : "mesh", ""});
     if (filter_of(found_.options) == NETMESH_FILTER_FUNCTION) due.push_back({"certified-error", ""});
+    if (fits_error(found_.options)) due.push_back({"fitted-error", ""});
     if (has_value_error(filter_of(found_.options))) due.push_back({"value-error", ""});
     for (const HeadLine& line : found_.lines) {
         if (find_line(found_.lines, line.name) != &line)
             return fault(line, "the head says that twice; leave one of the two lines out");
         if (find_line(due, line.name) != nullptr || line.name == "certified-from") continue;
-        if (!is_option(line.name) && line.name != "domain" && line.name != "certified-error" &&
-            line.name != "value-error")
+        constexpr const char* others[] = {"domain", "input", "mesh", "certified-error", "fitted-error", "value-error"};
+        if (!is_option(line.name) &&
+            std::none_of(std::begin(others), std::end(others), [&](const char* other) { return line.name == other; }))
             return fault(line, "not a line of a head; comments of your own go behind the bars or before the head");
         return fault(line, "contradicts the other lines: a diagram of " + choice_text(choice_of(found_.options)) +
                                " that is made as they say does not have it");
@@ -269,12 +276,14 @@ Outcome HeadReader::check_facts() {
     if (dim < NETMESH_DIM_MIN || dim > NETMESH_DIM_MAX) return fault(*found_.find("dim"), "must be from 2 to 6");
     if (count_of("duplicates") >= count_of("points"))
         return fault(*found_.find("duplicates"), "contradicts the number of points: fewer of them are duplicates");
-    if (!is_fingerprint(found_.find("input")->value))
-        return fault(*found_.find("input"), "must be 16 hexadecimal digits");
+    for (const char* name : {"input", "values-at", "mesh"}) {
+        const HeadLine* const line = found_.find(name);
+        if (line != nullptr && !is_fingerprint(line->value)) return fault(*line, "must be 16 hexadecimal digits");
+    }
     const HeadLine* const domain = found_.find("domain");
     if (domain != nullptr && !is_ball(domain->value, dim))
         return fault(*domain, "must be a centre of as many coordinates as # dim says, and a radius above 0");
-    for (const char* name : {"certified-ratio", "certified-from", "certified-error", "value-error"}) {
+    for (const char* name : {"certified-ratio", "certified-from", "certified-error", "fitted-error", "value-error"}) {
         const HeadLine* const line = found_.find(name);
         const double least = name == std::string_view("certified-ratio") ? 1 : 0;
         if (line != nullptr && !is_number(line->value, least))
@@ -317,8 +326,10 @@ Outcome check_contradiction(const Provenance& provenance, const std::string& fil
     const Head have = option_head(provenance.options);
     for (const auto& [name, value] : command_line.given) {
         const std::string bare = name.substr(std::min<std::size_t>(2, name.size()));
-        // Memory is a matter of the file only where a diagram was fitted to it.
-        if (!is_option(bare) || (bare == "memory" && !provenance.options.fit)) continue;
+        // Memory is a matter of the file only where a diagram was fitted to it; values are compared when they are read.
+        if (!is_option(bare) || (bare == "values-at" && !provenance.options.values_at.empty()) ||
+            (bare == "memory" && !provenance.options.fit))
+            continue;
         Options other = provenance.options;
         apply_option(&other, name, value);
         const Head given = option_head(other);

@@ -40,11 +40,14 @@ FunctionOpinion function_opinion(const MeshFiles& files, const FunctionClaim& cl
         if (!smallest_circumsphere(points, &ball)) continue;
         const Place corner = ball.centre();
         const Real there = std::min(cut, uncut(corner));
-        found.places++;
+        const bool is_known = !std::isnan(uncut(corner));
+        found.places += is_known ? 1 : 0;
         for (std::uint32_t i = 0; i < columns; i++) {
             const std::uint32_t v = files.cells.entries[c * columns + i];
-            found.least[v] = std::min(found.least[v], there);
-            found.most[v] = std::max(found.most[v], there);
+            if (is_known) {
+                found.least[v] = std::min(found.least[v], there);
+                found.most[v] = std::max(found.most[v], there);
+            }
             if (node.markers[v] == 2 || !is_inside(corner) || !is_inside(places[v])) continue;
             const Real f = uncut(places[v]), change = claim.lipschitz * ball.radius;
             found.low[v] = std::min(found.low[v], std::max(floor, f - change));

@@ -6,14 +6,18 @@
 
 namespace netmesh::tool {
 
-double LogScale::share(double radius) const {
-    if (!(radius > 0)) return 0;
-    return (std::log(radius) - low) / (high - low);
-}
+double ValueScale::of(double value) const { return is_linear ? value : value > 0 ? std::log(value) : low; }
 
-std::vector<double> LogScale::ticks() const {
+double ValueScale::value_at(double coordinate) const { return is_linear ? coordinate : std::exp(coordinate); }
+
+std::string ValueScale::label(double tick) const { return logarithm_label(tick); }
+
+std::string ValueScale::second_label(double tick) const { return is_linear ? "" : radius_label(tick); }
+
+std::vector<double> ValueScale::ticks() const {
     std::vector<double> ticks;
-    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) ticks.push_back(k * step);
+    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++)
+        ticks.push_back(std::fabs(k) < 0.5 ? 0 : k * step);
     return ticks;
 }
 
@@ -31,19 +35,22 @@ double step_for(double length) {
 
 }  // namespace
 
-LogScale scale_for(const std::vector<Bar>& bars) {
-    LogScale scale;
+ValueScale scale_for(const std::vector<Bar>& bars, bool is_linear) {
+    ValueScale scale;
+    scale.is_linear = is_linear;
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const Bar& bar : bars) {
-        scale.has_zero = scale.has_zero || bar.birth == 0;
-        for (const double radius : {bar.birth, bar.death}) {
-            if (!(radius > 0) || !std::isfinite(radius)) continue;
-            low = std::min(low, std::log(radius));
-            high = std::max(high, std::log(radius));
+        scale.has_zero = scale.has_zero || (bar.birth == 0 && !is_linear);
+        for (const double value : {bar.birth, bar.death}) {
+            if ((!(value > 0) && !is_linear) || !std::isfinite(value)) continue;
+            low = std::min(low, scale.of(value));
+            high = std::max(high, scale.of(value));
         }
     }
     if (low > high) low = high = 0;
-    const double room = std::max(0.04 * (high - low), 0.15);
+    // One value alone: as much about it as it is large.
+    const double least = !is_linear ? 0.15 : high > low ? 0 : std::max(std::fabs(low), 1e-300) * 0.5;
+    const double room = std::max(0.04 * (high - low), least);
     scale.low = low - room;
     scale.high = high + room;
     scale.step = step_for(scale.high - scale.low);
@@ -70,8 +77,8 @@ std::string radius_label(double logarithm) {
 
 std::string logarithm_label(double logarithm) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.6g", std::fabs(logarithm) < 1e-9 ? 0.0 : std::fabs(logarithm));
-    return (logarithm < -1e-9 ? "\xE2\x88\x92" : "") + std::string(text);
+    std::snprintf(text, sizeof text, "%.6g", std::fabs(logarithm));
+    return (logarithm < 0 ? "\xE2\x88\x92" : "") + std::string(text);
 }
 
 }  // namespace netmesh::tool

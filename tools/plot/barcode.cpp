@@ -19,33 +19,35 @@ constexpr double group_share = 1.4;  // at most this many times an equal share o
 constexpr double row_most = 9;
 constexpr double ratio_most = 10;      // of c(r), where the diagram has no ratio
 constexpr double least_ratio = 1.002;  // death / birth of a bar that is worth a row when there are too many
+constexpr double least_share = 0.001;  // of the picture's width, where the scale is linear
 
 struct Horizontal {
     const Panel& panel;
-    const LogScale& scale;
+    const ValueScale& scale;
     double left() const { return panel.x + (scale.has_zero ? zero_width : 0); }
     double right() const { return panel.x + panel.width - arrow_width; }
     double zero() const { return panel.x + 10; }
     double at(double radius) const {
-        if (radius == 0) return zero();
+        if (radius == 0 && !scale.is_linear) return zero();
         return left() + scale.share(radius) * (right() - left());
     }
 };
 
-double persistence(const Bar& bar) {
+double persistence(const Bar& bar, const ValueScale& scale) {
     if (!std::isfinite(bar.death)) return HUGE_VAL;
+    if (scale.is_linear) return bar.death - bar.birth;
     return bar.birth == 0 ? 1e300 * (bar.death > 0) : bar.death / bar.birth;
 }
 
-void draw_axis(Svg& svg, const Panel& panel, const Horizontal& x, const LogScale& scale) {
+void draw_axis(Svg& svg, const Panel& panel, const Horizontal& x, const ValueScale& scale) {
     const double bottom = panel.y + panel.height;
     for (const double tick : scale.ticks()) {
-        const double at = x.at(std::exp(tick));
+        const double at = x.at(scale.value_at(tick));
         svg.line(at, panel.y, at, bottom, rule, 1);
         if (scale.has_zero && at < x.left() + 6) continue;  // its label would touch that of 0
         svg.line(at, bottom, at, bottom + 5, ink, 1);
-        svg.text(at, bottom + 19, logarithm_label(tick), 12, ink, Anchor::middle);
-        svg.text(at, bottom + 34, radius_label(tick), 11, faint_ink, Anchor::middle);
+        svg.text(at, bottom + 19, scale.label(tick), 12, ink, Anchor::middle);
+        if (!scale.is_linear) svg.text(at, bottom + 34, scale.second_label(tick), 11, faint_ink, Anchor::middle);
     }
     svg.line(x.left(), bottom, panel.x + panel.width, bottom, ink, 1);
     if (scale.has_zero) {
@@ -59,8 +61,8 @@ void draw_axis(Svg& svg, const Panel& panel, const Horizontal& x, const LogScale
         svg.text(x.zero(), bottom + 34, "0", 11, faint_ink, Anchor::middle);
     }
     const double label = panel.x - 12;
-    svg.text(label, bottom + 19, "ln r", 12, ink, Anchor::end);
-    svg.text(label, bottom + 34, "radius r", 11, faint_ink, Anchor::end);
+    svg.text(label, bottom + 19, scale.is_linear ? "value v" : "ln r", 12, ink, Anchor::end);
+    if (!scale.is_linear) svg.text(label, bottom + 34, "radius r", 11, faint_ink, Anchor::end);
 }
 
 void draw_bar(Svg& svg, const Horizontal& x, const Bar& bar, double y, double thickness, bool certain) {
@@ -116,6 +118,7 @@ BarStyle style_of(const std::vector<Bar>& bars, const netmesh_report& report, co
     BarStyle style{report.diagram.certified_ratio, report.diagram.certified_from};
     style.has_flags = !bounds.bars.empty();
     style.steps = bounds.steps;
+    if (report.diagram.filter == NETMESH_FILTER_FUNCTION) style.error = report.diagram.certified_error;
     // Of equal bars all have to be real, as they are drawn alike.
     for (std::size_t first = 0, last; first < bounds.bars.size(); first = last) {
         bool all = true;
@@ -127,15 +130,17 @@ BarStyle style_of(const std::vector<Bar>& bars, const netmesh_report& report, co
 }
 
 double BarStyle::doubtful(double birth) const {
-    double reach = steps.empty() ? ratio * ratio * birth : birth;
+    const double by_one = is_additive() ? birth + 2 * error : ratio * ratio * birth;
+    double reach = steps.empty() ? by_one : birth;
     for (const netmesh_scale_step& step : steps) {
-        if (step.from <= birth) reach = std::isfinite(step.reach) ? step.reach : ratio * ratio * birth;
+        if (step.from <= birth) reach = std::isfinite(step.reach) ? step.reach : by_one;
     }
     return std::max(reach, birth);
 }
 
 bool BarStyle::certain(const Bar& bar) const {
     if (has_flags) return std::binary_search(real.begin(), real.end(), bar, comes_before);
+    if (is_additive()) return bar.death > bar.birth + 2 * error;
     const double start = std::max(bar.birth, from);
     return bar.birth == 0 ? bar.death > from : bar.death > ratio * ratio * start;
 }
@@ -149,7 +154,9 @@ std::string homology_label(std::uint32_t degree) {
     return text;
 }
 
-std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max_degree, std::size_t rows_max) {
+std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max_degree, std::size_t rows_max,
+                                 const ValueScale& scale) {
+    const double least = scale.is_linear ? least_share * (scale.high - scale.low) : least_ratio;
     std::vector<BarGroup> groups(max_degree + 1);
     for (std::uint32_t degree = 0; degree <= max_degree; degree++) groups[degree].degree = degree;
     for (const Bar& bar : bars) {
@@ -158,19 +165,19 @@ std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max
     for (BarGroup& group : groups) {
         group.total = group.shown.size();
         if (group.total > rows_max) {
-            std::stable_sort(group.shown.begin(), group.shown.end(), [](const Bar& a, const Bar& b) {
-                const double pa = persistence(a), pb = persistence(b);
+            std::stable_sort(group.shown.begin(), group.shown.end(), [&](const Bar& a, const Bar& b) {
+                const double pa = persistence(a, scale), pb = persistence(b, scale);
                 return pa != pb ? pa > pb : a.death > b.death;
             });
             group.shown.resize(rows_max);
-            while (!group.shown.empty() && persistence(group.shown.back()) < least_ratio) group.shown.pop_back();
+            while (!group.shown.empty() && persistence(group.shown.back(), scale) < least) group.shown.pop_back();
         }
         std::stable_sort(group.shown.begin(), group.shown.end(), comes_before);
     }
     return groups;
 }
 
-void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& groups, const LogScale& scale,
+void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& groups, const ValueScale& scale,
                   const BarStyle& style) {
     const Horizontal x{panel, scale};
     draw_axis(svg, panel, x, scale);
@@ -197,42 +204,61 @@ void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& gro
     }
 }
 
-void draw_ratio(Svg& svg, const Panel& panel, const LogScale& scale, const BarStyle& style) {
+namespace {
+
+// c(r) or e(v) in a step: what the step's bounds say at x, and where, between its ends, that is no line by the scale.
+double bound_at(const netmesh_scale_step& step, double x, bool is_additive) {
+    if (is_additive) return std::min(step.error, std::max({step.high - x, x - step.low, 0.0}));
+    return std::min(step.ratio, std::max({step.high / x, x / step.low, 1.0}));
+}
+std::vector<double> bends_of(const netmesh_scale_step& step, bool is_additive) {
+    if (is_additive)
+        return {0.5 * step.low + 0.5 * step.high, step.low, step.high, step.high - step.error, step.low + step.error};
+    return {std::sqrt(step.low) * std::sqrt(step.high), step.low, step.high, step.high / step.ratio,
+            step.low * step.ratio};
+}
+
+}  // namespace
+
+void draw_ratio(Svg& svg, const Panel& panel, const ValueScale& scale, const BarStyle& style) {
     const Horizontal x{panel, scale};
     const double bottom = panel.y + panel.height;
-    const double most = std::isfinite(style.ratio) && style.ratio > 1 ? style.ratio : ratio_most;
-    const auto y = [&](double ratio) {
-        return bottom - std::min(std::log(ratio) / std::log(most), 1.0) * panel.height;
+    const bool additive = style.is_additive();
+    const double least = additive ? 0 : 1, most = additive                                        ? style.error
+                                                  : std::isfinite(style.ratio) && style.ratio > 1 ? style.ratio
+                                                                                                  : ratio_most;
+    const auto y = [&](double bound) {
+        const double share = additive ? bound / most : std::log(bound) / std::log(most);
+        return bottom - std::min(share, 1.0) * panel.height;
     };
-    for (const double ratio : {1.0, most}) {
-        svg.line(x.left(), y(ratio), x.right(), y(ratio), rule, 1);
-        svg.text(panel.x - 12, y(ratio) + 4, rounded_text(ratio, 3), 11, faint_ink, Anchor::end);
+    for (const double bound : {least, most}) {
+        svg.line(x.left(), y(bound), x.right(), y(bound), rule, 1);
+        svg.text(panel.x - 12, y(bound) + 4, rounded_text(bound, 3), 11, faint_ink, Anchor::end);
     }
-    svg.text(panel.x - label_width, (panel.y + bottom) / 2 + 4, "c(r)", 14, ink, Anchor::start);
-    const double low = std::exp(scale.low), high = std::exp(scale.high);
+    svg.text(panel.x - label_width, (panel.y + bottom) / 2 + 4, additive ? "e(v)" : "c(r)", 14, ink, Anchor::start);
+    const double low = scale.value_at(scale.low), high = scale.value_at(scale.high);
     svg.begin_path();
     bool begun = false;
-    const auto go = [&](double radius, double ratio) {
-        begun ? svg.draw_to(x.at(radius), y(ratio)) : svg.move_to(x.at(radius), y(ratio));
+    const auto go = [&](double at, double bound) {
+        begun ? svg.draw_to(x.at(at), y(bound)) : svg.move_to(x.at(at), y(bound));
         begun = true;
     };
     if (style.steps[0].from > low) {
-        go(low, 1);
-        go(std::min(style.steps[0].from, high), 1);
+        go(low, least);
+        go(std::min(style.steps[0].from, high), least);
     }
     for (std::size_t i = 0; i < style.steps.size(); i++) {
         const netmesh_scale_step& step = style.steps[i];
         const double first = std::max(step.from, low);
         const double last = std::min(i + 1 < style.steps.size() ? style.steps[i + 1].from : high, high);
         if (!(first < last)) continue;
-        // Between these scales ln c(r) is a line in ln r.
+        // Between these ln c(r) is a line in ln r, and e(v) in v.
         std::vector<double> ends = {first, last};
-        for (const double end : {std::sqrt(step.low) * std::sqrt(step.high), step.low, step.high,
-                                 step.high / step.ratio, step.low * step.ratio}) {
+        for (const double end : bends_of(step, additive)) {
             if (end > first && end < last) ends.push_back(end);
         }
         std::sort(ends.begin(), ends.end());
-        for (const double end : ends) go(end, std::min(step.ratio, std::max({step.high / end, end / step.low, 1.0})));
+        for (const double end : ends) go(end, bound_at(step, end, additive));
     }
     svg.end_path("#d9b95c", 1.5);
 }

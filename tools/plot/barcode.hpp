@@ -19,6 +19,8 @@ struct BarStyle {
     std::vector<netmesh_scale_step> steps = {};  // the certificate by scale, when it is known
     bool has_flags = false;                      // then `real` tells which bars are
     std::vector<Bar> real = {};                  // sorted
+    double error = -1;                           // of values as they are, in place of a ratio: the additive bound
+    bool is_additive() const { return error >= 0; }
     // True when the exact diagram surely has a class for this bar.
     bool certain(const Bar& bar) const;
     // Death up to which a bar with this birth may be an artefact.
@@ -37,15 +39,17 @@ struct BarGroup {
     std::vector<Bar> shown;  // sorted by birth, then death
 };
 
-// The groups for degrees 0..max_degree. Of more than `rows_max` bars those with the largest death / birth are taken,
-// and of these only the ones that would be seen.
-std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max_degree, std::size_t rows_max);
+// The groups for degrees 0..max_degree. Of more than `rows_max` bars the longest by the scale are taken, by death /
+// birth or by their difference, and of these only the ones that would be seen.
+std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max_degree, std::size_t rows_max,
+                                 const ValueScale& scale);
 
-void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& groups, const LogScale& scale,
+void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& groups, const ValueScale& scale,
                   const BarStyle& style);
-// The certified ratio by scale, c(r) upwards on a log scale from 1, above the barcode's axis.
-void draw_ratio(Svg& svg, const Panel& panel, const LogScale& scale, const BarStyle& style);
-void draw_scatter(Svg& svg, const Panel& panel, const std::vector<Bar>& bars, const LogScale& scale,
+// The certified ratio by scale, c(r) upwards on a log scale from 1, or the additive bound e(v) from 0, above the
+// barcode's axis.
+void draw_ratio(Svg& svg, const Panel& panel, const ValueScale& scale, const BarStyle& style);
+void draw_scatter(Svg& svg, const Panel& panel, const std::vector<Bar>& bars, const ValueScale& scale,
                   const BarStyle& style);
 
 // "H" and the degree as a subscript.

@@ -49,6 +49,9 @@ std::string certificate(const netmesh_report& report) {
     const std::string reference = reference_name(report);
     const std::string of = reference.rfind("closed offsets", 0) == 0 ? "offsets" : reference;
     if (c == 1 && from == 0) return "certified ratio c = 1: the exact diagram of the " + of;
+    if (report.diagram.filter == NETMESH_FILTER_FUNCTION)
+        return "certified error e = " + rounded_text(report.diagram.certified_error, 4) +
+               ": births and deaths are within e of those of the " + reference;
     std::string text = "certified ratio c = " + rounded_text(c, 4);
     if (from > 0) text += " from radius " + rounded_text(from, 4);
     return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the " + of;
@@ -60,13 +63,22 @@ void draw_key(Svg& svg, double x, double y, const netmesh_report& report, const 
         svg.text(x + 9, y, homology_label(degree), 13, ink, Anchor::start);
         x += 44;
     }
-    if (report.diagram.certified_ratio <= 1) return;
+    if (style.is_additive() ? style.error <= 0 : report.diagram.certified_ratio <= 1) return;
     const double square = report.diagram.certified_ratio * report.diagram.certified_ratio;
     svg.rect(x + 8, y - 11, 22, 13, "#fbf3dc");
     if (style.has_flags) {
-        const std::string shown = style.has_curve() ? "; c(r): certified ratio at radius r" : "";
+        const std::string curve =
+            style.is_additive() ? "; e(v): certified error at value v" : "; c(r): certified ratio at radius r";
+        const std::string shown = style.has_curve() ? curve : "";
         svg.text(x + 38, y,
                  "too short to be surely real by scale; faint bars may be artefacts, every solid class is real" + shown,
+                 12, faint_ink, Anchor::start);
+        return;
+    }
+    if (style.is_additive()) {
+        svg.text(x + 38, y,
+                 "death \xE2\x88\x92 birth \xE2\x89\xA4 2 e = " + rounded_text(2 * style.error, 3) +
+                     ": drawn faint, may be an artefact; every solid class is real",
                  12, faint_ink, Anchor::start);
         return;
     }
@@ -82,7 +94,7 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     TextWriter out;
     Svg svg(out, page_width, page_height);
     const BarStyle style = style_of(bars, report, bounds);
-    const LogScale scale = scale_for(bars);
+    const ValueScale scale = scale_for(bars, style.is_additive());
     const std::string subject =
         report.input.dim == 0 ? "a complex of " + grouped_text(report.diagram.simplices) + " simplices"
                               : grouped_text(report.input.points) + " points in R" + superscript(report.input.dim);
@@ -95,7 +107,7 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
         barcode.y += ratio_height + 20;
         barcode.height -= ratio_height + 20;
     }
-    draw_barcode(svg, barcode, group_bars(bars, report.diagram.max_degree, rows_max), scale, style);
+    draw_barcode(svg, barcode, group_bars(bars, report.diagram.max_degree, rows_max, scale), scale, style);
     const Panel scatter{800, 112, 440, 520};
     draw_scatter(svg, scatter, bars, scale, style);
     draw_key(svg, 52, page_height - 26, report, style);

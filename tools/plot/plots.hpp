@@ -14,7 +14,8 @@ namespace netmesh::tool {
 // arrows; of a degree with many bars the barcode shows the longest (ratio death / birth) and says so, the diagram shows
 // all. Bars that surely are real by their bounds, or by the certified ratio c (death > c^2 birth), are drawn solid,
 // others faint; the diagram shows by birth up to which death a bar may be an artefact. With bounds by scale the
-// certified ratio c(r) stands above the barcode.
+// certified ratio c(r) stands above the barcode. Of a function's diagram values are drawn as they are, of any sign, the
+// band of what may be an artefact is death <= birth + 2 e for the additive bound e, and with bounds e(v) stands above.
 std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report, const Bounds& bounds = {});
 
 // A whole SVG document: for each degree a panel with k upwards against the radius on a natural-log scale; the longest

@@ -37,7 +37,7 @@ std::vector<Strip> strips_of(const Vines& vines, std::uint32_t degree) {
 
 class Plot {
 public:
-    Plot(Svg& svg, const Panel& panel, const LogScale& scale, const Vines& vines)
+    Plot(Svg& svg, const Panel& panel, const ValueScale& scale, const Vines& vines)
         : svg_(svg), panel_(panel), scale_(scale), first_(vines.k_first), count_(vines.ratios.size()) {}
 
     void axes(std::uint32_t degree, std::size_t total, std::size_t shown) const {
@@ -83,7 +83,7 @@ private:
     }
     Svg& svg_;
     const Panel& panel_;
-    const LogScale& scale_;
+    const ValueScale& scale_;
     std::uint32_t first_;
     std::size_t count_;
 };
@@ -93,7 +93,7 @@ private:
 std::string vineyard_picture(const Vines& vines, const netmesh_report& report) {
     std::vector<Bar> bars;
     for (const netmesh_vine_point& p : vines.points) bars.push_back({p.degree, p.birth, p.death});
-    const LogScale scale = scale_for(bars);
+    const ValueScale scale = scale_for(bars);
     TextWriter out;
     const netmesh_vineyard_report& vineyard = report.vineyard;
     const std::uint32_t panels = vineyard.max_degree + 1;

@@ -53,14 +53,15 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
     json.close('}');
 }
 
-// The certificate by scale (netmesh_scale_step); with the bars, in their order: birth from, to, death from, to, and
-// whether the bar is surely real.
+// The certificate by scale (netmesh_scale_step), with the error in place of the ratio for a function; with the bars, in
+// their order: birth from, to, death from, to, and whether the bar is surely real.
 void write_bounds(Json& json, const RunReport& run) {
     json.key("scale_steps");
     json.open('[');
     for (const netmesh_scale_step& step : run.bounds->steps) {
         json.open('[');
-        for (const double x : {step.from, step.low, step.high, step.reach, step.ratio}) json.value(x);
+        const double last = run.bounds->by_error ? step.error : step.ratio;
+        for (const double x : {step.from, step.low, step.high, step.reach, last}) json.value(x);
         json.close(']');
     }
     json.close(']');

@@ -131,16 +131,19 @@ netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, 
 typedef struct netmesh_bounds_request {
     uint32_t struct_bytes;
     netmesh_monitor monitor;
+    const netmesh_function* function; /* of a diagram of FUNCTION, as that was made: its evaluate is called again, once
+                                         for each vertex. Null: every bar has the certified_error of all */
 } netmesh_bounds_request;
 
 void netmesh_bounds_request_init(netmesh_bounds_request* request, size_t request_bytes);
 
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely
  * stands for a class of the true diagram; and the ratio as a function of scale. Where a filter's bounds_by_scale is
- * 1: by scale, and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; else by the
- * certified ratio, certified_error and value_error. The numbers stay with the diagram: 48 bytes a bar. Scratch: about
- * 110 bytes a vertex, 120 a bar, and what a diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole
- * on failure. NO_RESULT (no diagram), INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+ * 1: by scale, and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; of FUNCTION
+ * with the request's function alone. Else by the certified ratio, certified_error and value_error. The numbers stay
+ * with the diagram, and are not made again: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and what a
+ * diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure. NO_RESULT (no diagram),
+ * INVALID_ARGUMENT (FUNCTION: not the one of the diagram), OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_bounds_request* request);
 
 typedef struct netmesh_bar_bounds {
@@ -158,11 +161,14 @@ netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t i
  * `ratio`; c(alpha), the certified ratio at alpha, is max(high / alpha, alpha / low, 1) or `ratio`, whichever is less.
  * A bar born at alpha that dies after max(reach, alpha) is surely real. Bars without a true bar have death / c(death)
  * <= birth * c(birth); true bars without a bar have birth >= alpha / c(alpha), death <= alpha * c(alpha) for some
- * alpha. Before the first step c is 1. Steps ascend in all but ratio. O(1). */
+ * alpha. Before the first step c is 1. Steps ascend in all but ratio and error. Of FUNCTION, whose values may have any
+ * sign, the same by differences: e(alpha) is max(high - alpha, alpha - low, 0) or `error`, whichever is less; a bar
+ * longer than 2 e(birth) is not surely real for that alone, one that dies after max(reach, birth) is. O(1). */
 typedef struct netmesh_scale_step {
     uint32_t struct_bytes;
     double from, low, high, reach; /* radii; those but `from` may be infinite */
     double ratio;                  /* at most certified_ratio where from >= certified_from */
+    double error;                  /* of FUNCTION at most certified_error */
 } netmesh_scale_step;
 netmesh_status netmesh_get_scale_step(const netmesh_context* context, uint64_t index, netmesh_scale_step* step);
 
@@ -212,6 +218,7 @@ typedef struct netmesh_fit_request {
     const netmesh_function* function; /* its evaluate is called for each vertex of each mesh that is tried, twice with
                                          scales of interest */
     uint32_t whole_cells;             /* as of netmesh_mesh_request; filters without clips_cells have whole cells */
+    uint32_t by_error;                /* 1: of FUNCTION the least certified_error; ratio and focus are 0 then */
 } netmesh_fit_request;
 
 void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes, uint32_t dim);
@@ -221,10 +228,13 @@ void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes
  * focus_to the least certified_focus. Then the ratios of the ladder are asked of those scales alone, and R of
  * everything else. A larger block never certifies less. What comes out depends on the points, the request and the
  * block's size alone. Meshes are refined for the distance to the points; other filters are evaluated on them. Where all
- * ratios are infinite the finest mesh is kept. Leaves mesh and diagram as netmesh_mesh and netmesh_persist with the
- * report's certificate goal do; without OK the context is empty. Costs, beside the last run, about 5.3 such runs in the
- * plane, 3.4 in space, 2.4 in R^4, the one that does not fit, and another one where the last is not the best.
- * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (not even R fits), and what those calls say. */
+ * ratios are infinite the finest mesh is kept. With by_error the first mesh is one of quality alone; its
+ * certified_error e begins the ladder e 2^(-j/8), down to 2^-32 e, of errors that netmesh_size_for_error asks of the
+ * meshes after it; what is kept has the least certified_error. Its evaluate is called for each size too then. Leaves
+ * mesh and diagram as netmesh_mesh and netmesh_persist with the report's certificate goal do; without OK the context is
+ * empty. Costs, beside the last run, about 5.3 such runs in the plane, 3.4 in space, 2.4 in R^4, the one that does not
+ * fit, and another one where the last is not the best. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (not even R fits),
+ * and what those calls say. */
 netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fit_request* request);
 
 typedef struct netmesh_vineyard_request {

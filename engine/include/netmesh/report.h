@@ -104,7 +104,8 @@ typedef struct netmesh_diagram_report {
                                     bounds of a Steiner vertex's cell that matters to them; else 0 */
     double certified_error;      /* FUNCTION: each pair moves by at most this, finite whatever the function: the
                                     bottleneck distance to the diagram of its sublevel sets; other filters: 0, none */
-    uint64_t reserved[1];
+    double fitted_error;         /* of netmesh_fit with by_error: the error that sizes of the mesh were asked for; 0:
+                                    none were, or no such fit */
 } netmesh_diagram_report;
 
 /* Of netmesh_bound_bars. */

@@ -360,9 +360,14 @@ TEST_CASE("provenance: the function and the error of a diagram are checked") {
     refused("--function '5*x' --lipschitz 4 --cut -99", "--lipschitz 4: the function changes by");
     refused("--function 'z' --lipschitz 4 --cut -9", "column 1: coordinate 3 of points in 2 dimensions");
     refused("--function '1/(x-x)' --lipschitz 4 --cut -9", "not finite at a vertex");
-    refused("--function 'x' --lipschitz 4", "needs --function, --lipschitz and --cut");
-    refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M", "--fit");
-    refused("--function 'x' --lipschitz 4 --cut 0 --svg a.svg", "--svg");
+    refused("--function 'x' --lipschitz 4", "needs --function or --values-at, --lipschitz and --cut");
+    refused("--function 'x' --values-at p.txt --lipschitz 4 --cut 0", "--function and --values-at");
+    refused("--function 'x' --lipschitz 4 --cut 0 --fit", "--fit needs --memory");
+    refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M --error .1", "--error");
+    refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M --ratio 3", "--ratio");
+    refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M --from 1 --to 2", "--from");
+    refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M --method svr", "--fit");
+    refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M --values certified", "--values thesis");
     refused("--function 'x' --lipschitz 4 --cut -9 --error .1 --values certified", "--error");
     CHECK(folder.run("persist p.txt --cut 4").says("go with --filter function"));
     CHECK(folder.run("persist p.txt --filter function --function 'x*x + y*y - 1' --lipschitz 3 --cut 0 --error 1e-30")

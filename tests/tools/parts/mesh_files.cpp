@@ -283,9 +283,9 @@ TEST_CASE("pictures are whole documents that show what they should") {
     // The ratio by scale as a curve, cut at the diagram's where it is larger; not of a single ratio.
     Bounds bounds;
     bounds.bars.resize(bars.size());
-    bounds.steps = {{0, 0, HUGE_VAL, HUGE_VAL, HUGE_VAL, 2}};
+    bounds.steps = {{0, 0, HUGE_VAL, HUGE_VAL, HUGE_VAL, 2, 0}};
     CHECK(diagram_picture(bars, report, bounds).find("c(r)") == std::string::npos);
-    bounds.steps = {{0, 0, 0, 1, 1, HUGE_VAL}, {0, .6, .5, 1, 1, 1.8}, {0, 1.1, HUGE_VAL, 1, 1.1, 1}};
+    bounds.steps = {{0, 0, 0, 1, 1, HUGE_VAL, 0}, {0, .6, .5, 1, 1, 1.8, 0}, {0, 1.1, HUGE_VAL, 1, 1.1, 1, 0}};
     const std::string curve = diagram_picture(bars, report, bounds);
     CHECK(curve.find("c(r)") != std::string::npos);
     CHECK(curve.find("nan") == std::string::npos);

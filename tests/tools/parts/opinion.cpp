@@ -433,6 +433,20 @@ TEST_CASE("opinion: of a function, an error that is too small and forged values 
         CHECK(made.refuses("more than the error"));
     }
     error = certified;
+    // Steps of the error by value.
+    double low = HUGE_VAL;
+    for (const double t : made.files.node.attributes) low = std::min(low, t);
+    const std::string step =
+        "# scale " + std::to_string(low) + " low " + std::to_string(low - 9) + " high 9 reach 9 error ";
+    made.file.bounds = {{1, step + std::to_string(certified + 1e-5)}};
+    CHECK(made.judge().message == "");
+    for (const std::string& wrong :
+         {step + "0.01", std::string("# scale -9 low -9 high -0.4 reach 9 error 9"), step + "x"}) {
+        CAPTURE(wrong);
+        made.file.bounds = {{1, wrong}};
+        CHECK(made.judge().exit == Exit::check);
+    }
+    made.file.bounds.clear();
     double& value = made.files.node.attributes[made.files.node.attributes.size() / 2];
     value += 1e-6;
     CHECK(made.refuses("where the function is"));
