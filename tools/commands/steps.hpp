@@ -17,8 +17,8 @@ netmesh_status make_diagram(Session& session, const Options& options, const Diag
 // What `persist` does with the points: the mesh where there is one, the diagram, and bounds and cycles as far as the
 // options ask for them.
 netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud);
-// The vineyard of the mesh that the session holds; takes the vines out.
-netmesh_status make_vineyard(Session& session, const requests::Vineyard& request, Vines* vines);
+// The vineyard of the mesh that the session holds or of the points, whichever its filter goes by; takes the vines out.
+netmesh_status make_vineyard(Session& session, const VineyardRequest& vineyard, const PointCloud& cloud, Vines* vines);
 
 netmesh_status bound_bars(Session& session);
 netmesh_status find_cycles(Session& session);
