@@ -14,9 +14,9 @@ struct MappedDiagrams {
 };
 
 // A pair of the image begins with one of the source that lasts at least as long, and ends with one of the target that
-// began no later; of pairs with one birth (one death) the longest ones are taken, in their order. Each pair of the image
-// so joins a pair of the source and one of the target: to[source.count] is the target's or `none`. Scratch: 4 bytes for
-// each pair of image and target. out_of_memory; internal: these are no diagrams of such modules.
+// began no later; of pairs with one birth (one death) the longest ones are taken, in their order. Each pair of the
+// image so joins a pair of the source and one of the target: to[source.count] is the target's or `none`. Scratch: 4
+// bytes for each pair of image and target. out_of_memory; internal: these are no diagrams of such modules.
 Status match_induced(const MappedDiagrams& diagrams, Arena& arena, std::uint32_t* to);
 
 }  // namespace netmesh

@@ -167,8 +167,8 @@ public:
         while (set < first_[d]) --d;
         return d;
     }
-    // Calls f(subset) for the proper subsets of `set` of at least k vertices that have at most `span` vertices less than
-    // `largest`. A subset is reached by leaving out its missing vertices from the last to the first.
+    // Calls f(subset) for the proper subsets of `set` of at least k vertices that have at most `span` vertices less
+    // than `largest`. A subset is reached by leaving out its missing vertices from the last to the first.
     template <class F> void subsets(std::uint32_t set, std::uint32_t largest, std::uint32_t span, F f) const {
         const std::uint32_t d = dimension_of(set), top = dimension_of(largest);
         const std::uint32_t least = top > least_ + span ? top - span : least_;

@@ -23,8 +23,8 @@ struct VineList {
     std::uint64_t simplices, transpositions;
 };
 
-// Numbers the vines that have points and sorts the points, which stand in the order of steps. Vines are below raw_count.
-// Scratch: 36 bytes a vine. out_of_memory.
+// Numbers the vines that have points and sorts the points, which stand in the order of steps. Vines are below
+// raw_count. Scratch: 36 bytes a vine. out_of_memory.
 Status number_vines(VinePoint* points, std::uint64_t count, std::uint32_t raw_count, Arena& arena, VineList* out);
 
 // The diagrams of one filtration after the other, and the vines between them.

@@ -11,8 +11,8 @@ bool is_rips(netmesh_filter filter) { return has_edges(filter) && !is_barycentri
 
 // Dimension of the complex on n points, and of the nested sets in it.
 std::uint32_t skeleton_dimension(const PointsFilter& filter, std::uint64_t n) {
-    const std::uint64_t wanted =
-        is_barycentric(filter.filter) ? std::uint64_t{filter.k} + filter.max_degree : std::uint64_t{filter.max_degree} + 1;
+    const std::uint64_t wanted = is_barycentric(filter.filter) ? std::uint64_t{filter.k} + filter.max_degree
+                                                               : std::uint64_t{filter.max_degree} + 1;
     return static_cast<std::uint32_t>(wanted < n ? wanted : n - 1);
 }
 
@@ -78,7 +78,8 @@ Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram
     out->input_fingerprint = set.fingerprint;
     out->ratio = ratio_of(request.filter);
     bool done = false;
-    if (is_rips(request.filter.filter) && !request.representatives) status = persist_edges(request, set, work, out, &done);
+    if (is_rips(request.filter.filter) && !request.representatives)
+        status = persist_edges(request, set, work, out, &done);
     if (!done) status = persist_listed(request, set, work, out);
     if (status == Status::ok && has_edges(request.filter.filter)) note_edge_error(request, out);
     return status;

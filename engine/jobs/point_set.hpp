@@ -1,5 +1,5 @@
-// What jobs on points themselves share: the points without their copies, the sets of them that a filter begins with, and
-// how far rounding moves values.
+// What jobs on points themselves share: the points without their copies, the sets of them that a filter begins with,
+// and how far rounding moves values.
 #pragma once
 #include <cstdint>
 

@@ -124,15 +124,16 @@ Status Levels::follow(VineList* out) {
     const HighScope scope(work_.arena);
     std::uint64_t total = 0;
     for (std::uint32_t step = 0; step < steps(); ++step) total += diagram_[step].count;
-    VinePoint* const points = total <= none ? work_.arena.take_low<VinePoint>(static_cast<std::size_t>(total)) : nullptr;
+    VinePoint* const points =
+        total <= none ? work_.arena.take_low<VinePoint>(static_cast<std::size_t>(total)) : nullptr;
     std::uint32_t* vine[steps_max] = {};
     if (points == nullptr) return Status::out_of_memory;
     std::uint32_t raw_count = 0;
     VinePoint* point = points;
     for (std::uint32_t step = 0; step < steps(); ++step) {
         const PairList& here = diagram_[step];
-        std::uint32_t* const vines = vine[step] = work_.arena.take_high<std::uint32_t>(
-            static_cast<std::size_t>(here.count));
+        std::uint32_t* const vines = vine[step] =
+            work_.arena.take_high<std::uint32_t>(static_cast<std::size_t>(here.count));
         if (vines == nullptr) return Status::out_of_memory;
         for (std::uint64_t i = 0; i < here.count; ++i) vines[i] = none;
         if (step > 0) {

@@ -24,8 +24,12 @@ struct PointsVineyard {
 
 // The diagram at each k is that of persist_points without pairs of zero length. Sets of more points are fewer: at each
 // scale the chains for k + 1 are among those for k, and inclusion maps the homology of the former to that of the
-// latter. A vine goes through the bars that these maps match (diagram/induced_matching.hpp). Where it has points (b, d)
-// at k and (b', d') at k + 1, the image of the map has the bar (b', d), and it has no others.
+// latter. For Cech this is the map of the places themselves: let Z_k be the pairs of a place x and a point of the
+// chains of sets u, of k points and more, whose balls all hold x. Over a place stand the subsets of a largest set,
+// which are a cone, over a point of a chain the balls' intersection of its largest set, which is convex: both
+// projections are homotopy equivalences, and Z_(k+1) is in Z_k at every scale, so they go with the maps.
+// A vine goes through the bars that these maps match (diagram/induced_matching.hpp). Where it has points (b, d) at k
+// and (b', d') at k + 1, the image of the map has the bar (b', d), and it has no others.
 // One complex for all k, on nested sets that differ by at most max_degree + 2 points; put in order once. `out` is put
 // at the arena's low end, everything else is given back; without ok nothing stays. Memory: points_vineyard_bytes.
 // invalid_argument (k_last above the number of distinct points), not_finite, out_of_memory, cancelled, internal.

@@ -81,13 +81,15 @@ inline std::vector<std::vector<int>> map_ranks(const std::vector<PartSimplex>& a
                 for (std::size_t w = 0; w < v.size(); ++w) v[w] ^= leader[i][w];
             }
         }
-        if (zero) cycles.push_back({of[1][s]->value, Span::Vector(v.begin() + static_cast<std::ptrdiff_t>(front), v.end())});
+        if (zero)
+            cycles.push_back({of[1][s]->value, Span::Vector(v.begin() + static_cast<std::ptrdiff_t>(front), v.end())});
     }
     std::vector<std::vector<int>> ranks(scales.size(), std::vector<int>(scales.size()));
     Span boundaries(chains);
     std::size_t next = 0;
     for (std::size_t b = 0; b < scales.size(); ++b) {
-        for (; next < of[2].size() && of[2][next]->value <= scales[b]; ++next) boundaries.add(boundary(*of[2][next], 1, words));
+        for (; next < of[2].size() && of[2][next]->value <= scales[b]; ++next)
+            boundaries.add(boundary(*of[2][next], 1, words));
         Span both = boundaries;
         std::size_t cycle = 0;
         for (std::size_t a = 0; a <= b; ++a) {

@@ -12,6 +12,7 @@
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "filtration/point_complexes.hpp"
 #include "homology/map_ranks.hpp"
 #include "jobs/persist_points.hpp"
 #include "numerics/real.hpp"
@@ -87,8 +88,8 @@ void equals_separate_runs(int dim, const inputs::Points& points, netmesh_filter 
         Monitor monitor;
         PointsDiagram one;
         const std::uint32_t count = static_cast<std::uint32_t>(points.size() / static_cast<std::size_t>(dim));
-        const PointsRequest request = {
-            {kind, values, k, degree}, points.data(), count, static_cast<std::uint32_t>(dim), false, false};
+        const PointsRequest request = {{kind, values, k, degree},       points.data(), count,
+                                       static_cast<std::uint32_t>(dim), false,         false};
         REQUIRE(persist_points(request, {block.arena, monitor}, &one) == Status::ok);
         std::vector<Bar> expected;
         for (std::uint64_t i = 0; i < one.diagram.pairs.count; ++i) {
@@ -96,6 +97,7 @@ void equals_separate_runs(int dim, const inputs::Points& points, netmesh_filter 
             expected.emplace_back(pair.degree, pair.birth, pair.death);
         }
         CHECK(all.diagram(k) == expected);
+        CHECK(static_cast<double>(expected.size()) <= barycentric_pairs(count, k, degree));
         CHECK(all.ratios[k - k_first] == one.ratio);
         CHECK(all.value_error >= one.value_error);
         CHECK(all.value_error < 0x1p-40);
@@ -259,7 +261,8 @@ Compared compare_ranks(int dim, const inputs::Points& points, bool edges, std::u
                 for (std::size_t b = a; b < scales.size(); ++b) {
                     const auto alive = [&](const std::vector<Bar>& of) {
                         return static_cast<int>(std::count_if(of.begin(), of.end(), [&](const Bar& bar) {
-                            return std::get<0>(bar) == p && std::get<1>(bar) <= scales[a] && std::get<2>(bar) > scales[b];
+                            return std::get<0>(bar) == p && std::get<1>(bar) <= scales[a] &&
+                                   std::get<2>(bar) > scales[b];
                         }));
                     };
                     const int have = alive(bars);
@@ -272,6 +275,61 @@ Compared compare_ranks(int dim, const inputs::Points& points, bool edges, std::u
         }
     }
     return compared;
+}
+
+// The places of the square [-1, 2]^2 as a grid of points, by their distance to the k-th nearest input.
+class Places {
+public:
+    static constexpr int side = 450;
+    static constexpr double step = 3.0 / side;
+
+    Places(const inputs::Points& points, std::uint32_t k) : distance_(side * side) {
+        for (int i = 0; i < side * side; ++i) {
+            const double x = -1 + (i % side + 0.5) * step, y = -1 + (i / side + 0.5) * step;
+            std::vector<double> all;
+            for (std::size_t p = 0; p < points.size(); p += 2)
+                all.push_back(std::hypot(points[p] - x, points[p + 1] - y));
+            std::nth_element(all.begin(), all.begin() + (k - 1), all.end());
+            distance_[static_cast<std::size_t>(i)] = all[k - 1];
+        }
+    }
+    std::vector<bool> within(double radius) const {
+        std::vector<bool> is_in;
+        for (const double d : distance_) is_in.push_back(d <= radius);
+        return is_in;
+    }
+
+private:
+    std::vector<double> distance_;
+};
+
+// Components of `whole` that `part` meets; places next to each other in all eight directions or in four.
+int components_met(const std::vector<bool>& whole, const std::vector<bool>& part, bool diagonal) {
+    std::vector<bool> seen(whole.size());
+    std::vector<int> open;
+    int met = 0;
+    for (int first = 0; first < Places::side * Places::side; ++first) {
+        const auto is_new = [&](int i) {
+            return whole[static_cast<std::size_t>(i)] && !seen[static_cast<std::size_t>(i)];
+        };
+        if (!part[static_cast<std::size_t>(first)] || !is_new(first)) continue;
+        ++met;
+        open.push_back(first);
+        seen[static_cast<std::size_t>(first)] = true;
+        while (!open.empty()) {
+            const int x = open.back() % Places::side, y = open.back() / Places::side;
+            open.pop_back();
+            for (int dx = -1; dx <= 1; ++dx)
+                for (int dy = -1; dy <= 1; ++dy) {
+                    const int u = x + dx, v = y + dy;
+                    const bool out = u < 0 || v < 0 || u >= Places::side || v >= Places::side;
+                    if (out || (!diagonal && dx != 0 && dy != 0) || !is_new(v * Places::side + u)) continue;
+                    seen[static_cast<std::size_t>(v * Places::side + u)] = true;
+                    open.push_back(v * Places::side + u);
+                }
+        }
+    }
+    return met;
 }
 
 inputs::Points polygon(int corners, bool centre) {
@@ -332,7 +390,8 @@ TEST_CASE("the maps of two pairs of points") {
 
 TEST_CASE("ranks of the maps equal linear algebra on 200 small sets") {
     Compared sum[2];
-    const auto add = [&](int dim, const inputs::Points& points, bool edges, std::uint32_t k_last, std::uint32_t degree) {
+    const auto add = [&](int dim, const inputs::Points& points, bool edges, std::uint32_t k_last,
+                         std::uint32_t degree) {
         const Compared compared = compare_ranks(dim, points, edges, k_last, degree);
         sum[edges].images += compared.images;
         sum[edges].lost += compared.lost;
@@ -361,6 +420,58 @@ TEST_CASE("ranks of the maps equal linear algebra on 200 small sets") {
     }
 }
 
+// In the plane the rank in degree 0 is the number of components of the larger set that the smaller one meets; in degree
+// 1, by Alexander duality, that of components of the smaller one's complement that the larger one's meets, less one.
+TEST_CASE("the maps are those of the places within a radius of k + 1 and of k points") {
+    int compared[2] = {}, lost = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        CAPTURE(seed);
+        inputs::Points points = inputs::uniform(2, 6, seed);
+        if (seed > 6) {  // rings, whose holes are surrounded more than once
+            const inputs::Points ring = inputs::circle(8), moved = inputs::uniform(2, 8, seed);
+            points.clear();
+            for (std::size_t i = 0; i < ring.size(); ++i) points.push_back(0.5 + ring[i] / 2 + moved[i] / 10);
+        }
+        const Run all = run(2, points, {NETMESH_FILTER_BARYCENTRIC_CECH, FilterValues::certified, 1, 1}, 4);
+        REQUIRE(all.status == Status::ok);
+        std::vector<double> values;
+        for (const VinePoint& p : all.points) {
+            values.push_back(p.birth);
+            if (p.death < infinity) values.push_back(p.death);
+        }
+        std::sort(values.begin(), values.end());
+        std::vector<double> scales;  // so far from all changes that the grid has their topology
+        for (std::size_t i = 1; i < values.size(); ++i)
+            if (values[i] - values[i - 1] > 5 * Places::step) scales.push_back((values[i] + values[i - 1]) / 2);
+        for (std::uint32_t k = 1; k <= 3; ++k) {
+            CAPTURE(k);
+            const Places larger(points, k), smaller(points, k + 1);
+            const Bars bars = all.image(k);
+            for (const double a : scales) {
+                for (const double b : scales) {
+                    if (b < a) continue;
+                    CAPTURE(a);
+                    CAPTURE(b);
+                    std::vector<bool> part = smaller.within(a), whole = larger.within(b);
+                    int due[2] = {components_met(whole, part, true), 0}, have[2] = {};
+                    part.flip();
+                    whole.flip();
+                    due[1] = components_met(part, whole, false) - 1;
+                    for (const Bar& bar : bars) have[std::get<0>(bar)] += std::get<1>(bar) <= a && std::get<2>(bar) > b;
+                    for (const int p : {0, 1}) {
+                        CHECK(have[p] == due[p]);
+                        compared[p] += have[p];
+                    }
+                    for (const Bar& bar : all.diagram(k + 1)) lost += std::get<1>(bar) <= a && std::get<2>(bar) > b;
+                }
+            }
+        }
+    }
+    CHECK(compared[0] > 100);
+    CHECK(compared[1] > 0);
+    CHECK(lost > compared[0] + compared[1]);
+}
+
 TEST_CASE("what a range of k refuses") {
     const inputs::Points points = inputs::uniform(2, 5);
     CHECK(run(2, points, {NETMESH_FILTER_BARYCENTRIC_CECH, FilterValues::certified, 1, 1}, 5).status == Status::ok);
@@ -372,7 +483,8 @@ TEST_CASE("what a range of k refuses") {
           Status::invalid_argument);
     inputs::Points bad = points;
     bad[3] = infinity;
-    CHECK(run(2, bad, {NETMESH_FILTER_BARYCENTRIC_CECH, FilterValues::certified, 1, 1}, 2).status == Status::not_finite);
+    CHECK(run(2, bad, {NETMESH_FILTER_BARYCENTRIC_CECH, FilterValues::certified, 1, 1}, 2).status ==
+          Status::not_finite);
     // Every block is too small or large enough, and gives the same.
     const PointsFilter filter = {NETMESH_FILTER_BARYCENTRIC_RIPS, FilterValues::certified, 1, 1};
     const Run whole = run(2, points, filter, 3);

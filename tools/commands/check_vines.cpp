@@ -25,8 +25,8 @@ Outcome check_matches(const VineFile& file, const std::string& name) {
     for (std::size_t i = 1; i < file.vines.points.size(); i++) {
         const netmesh_vine_point &here = file.vines.points[i - 1], &next = file.vines.points[i];
         if (here.vine != next.vine) continue;
-        const bool good = next.k == here.k + 1 && here.birth <= next.birth && next.birth < here.death &&
-                          here.death <= next.death;
+        const bool good =
+            next.k == here.k + 1 && here.birth <= next.birth && next.birth < here.death && here.death <= next.death;
         if (!good)
             return mismatch(name + ": line " + std::to_string(file.lines[i]) + ": no map from k = " +
                             std::to_string(next.k) + " to the k of the line before matches these bars");

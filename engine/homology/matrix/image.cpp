@@ -32,8 +32,8 @@ class Image {
 public:
     Image(const FilteredComplex& complex, const SimplexSet& whole, const SimplexSet& part, DiagramRequest request,
           const Work& work)
-        : complex_(complex), whole_(whole), part_(part), max_degree_(request.max_degree), arena_(work.arena),
-          progress_{work.monitor}, writer_(work.arena, request) {}
+        : complex_(complex), whole_(whole), part_(part), max_degree_(request.max_degree),
+          arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request) {}
 
     Status run();
     PairList finish() { return writer_.finish(); }

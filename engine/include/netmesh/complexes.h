@@ -89,8 +89,8 @@ typedef struct netmesh_points_vineyard_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const double* points; /* [point_count][D]. Not read by the plan */
-    size_t point_count;   /* 1 .. NETMESH_POINTS_MAX */
+    const double* points;  /* [point_count][D]. Not read by the plan */
+    size_t point_count;    /* 1 .. NETMESH_POINTS_MAX */
     netmesh_filter filter; /* BARYCENTRIC_CECH or BARYCENTRIC_RIPS */
     netmesh_values values;
     uint32_t k_first, k_last; /* 1 <= k_first <= k_last and k_last + max_degree <= 30; init: 1 and 1 */
@@ -113,9 +113,9 @@ size_t netmesh_plan_points_vineyard(const netmesh_points_vineyard_request* reque
  * three k says nothing of the map from the third to the first.
  * Of BARYCENTRIC_CECH the maps are those of the places themselves (the equivalence of theorem 8.5.5 holds for all k
  * together), of BARYCENTRIC_RIPS they are as close to them as the diagrams are, by the same ratio.
- * One complex for all k: nested sets of k_first to k_last + max_degree + 1 points that differ by at most max_degree + 2.
- * Replaces what the context held, also on failure. The vineyard's report has no transpositions.
- * INVALID_ARGUMENT (K_LAST: above the number of different points), NOT_FINITE, OUT_OF_MEMORY, CANCELLED. */
+ * One complex for all k: nested sets of k_first to k_last + max_degree + 1 points that differ by at most max_degree
+ * + 2. Replaces what the context held, also on failure. The vineyard's report has no transpositions. INVALID_ARGUMENT
+ * (K_LAST: above the number of different points), NOT_FINITE, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_points_vineyard(netmesh_context* context, const netmesh_points_vineyard_request* request);
 
 /* Any filtered simplicial complex (6.2, 6.3). Simplex i has the vertices vertices[starts[i] .. starts[i + 1]), at
