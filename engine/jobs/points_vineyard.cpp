@@ -13,8 +13,9 @@ constexpr std::uint32_t steps_max = points_degree_max;  // k is at most that
 
 // The chains for all k in one complex. Homology of degree p at one k is that of the sets of k to k + p + 1 points, with
 // any larger ones or without: a set of m points closes a cone over the chains of the smaller ones, a wedge of spheres
-// of dimension m - k - 1, which is more than p. So for diagrams up to max_degree sets of k to k + max_degree + 1 points
-// will do, and for the map from k + 1 to k those of one point more, of which k + 1 has what it needs.
+// of dimension m - k - 1, which is more than p. The map from k + 1 to k needs no larger sets than k does: those of k +
+// p + 2 points would close spheres of dimension p for k + 1, so without them k + 1 has only more classes, with the same
+// image.
 class Levels {
 public:
     Levels(const PointsVineyardRequest& request, const Work& work)
@@ -50,7 +51,7 @@ Status Levels::open(const PointSet& set, double* error) {
     const std::uint32_t top = k_last_ + filter_.max_degree, degree = filter_.max_degree;
     ListedComplex sets;
     Status status = list_sets(set, filter_.filter, top < set.count ? top : set.count - 1, work_, &sets, error);
-    if (status == Status::ok) status = barycentric_complex(sets, filter_.k, degree + 2, degree + 1, work_, &complex_);
+    if (status == Status::ok) status = barycentric_complex(sets, filter_.k, degree + 1, degree + 1, work_, &complex_);
     if (status == Status::ok) status = order_by_value(complex_, work_.arena);
     if (status != Status::ok) return status;
     const double factor = factor_of(filter_);
@@ -105,7 +106,7 @@ Status Levels::persist(std::uint32_t step) {
 
 Status Levels::find_image(std::uint32_t step) {
     const HighScope scope(work_.arena);
-    const std::uint32_t k = filter_.k + step, most = k + filter_.max_degree + 2;
+    const std::uint32_t k = filter_.k + step, most = k + filter_.max_degree + 1;
     SimplexSet whole, part;
     if (!choose(k, most, &whole) || !choose(k + 1, most, &part)) return Status::out_of_memory;
     return persist_image(complex_.filtered(), whole, part, {filter_.max_degree}, work_, &image_[step]);
@@ -191,7 +192,7 @@ double points_vineyard_bytes(const PointsFilter& filter, std::uint32_t k_last, s
     // Chains by their smallest set: those of at least k points without those of at least k + 1.
     double chains = 0, pairs = 0;
     for (std::uint32_t k = filter.k; k <= most; ++k) {
-        const std::uint32_t largest = k + degree + 2 < most ? k + degree + 2 : most;
+        const std::uint32_t largest = k + degree + 1 < most ? k + degree + 1 : most;
         chains += barycentric_count(n, k, largest, degree + 1);
         if (k < largest) chains -= barycentric_count(n, k + 1, largest, degree + 1);
         if (k <= k_last) pairs += barycentric_pairs(n, k, degree);

@@ -30,7 +30,7 @@ struct PointsVineyard {
 // projections are homotopy equivalences, and Z_(k+1) is in Z_k at every scale, so they go with the maps.
 // A vine goes through the bars that these maps match (diagram/induced_matching.hpp). Where it has points (b, d) at k
 // and (b', d') at k + 1, the image of the map has the bar (b', d), and it has no others.
-// One complex for all k, on nested sets that differ by at most max_degree + 2 points; put in order once. `out` is put
+// One complex for all k, on nested sets that differ by at most max_degree + 1 points; put in order once. `out` is put
 // at the arena's low end, everything else is given back; without ok nothing stays. Memory: points_vineyard_bytes.
 // invalid_argument (k_last above the number of distinct points), not_finite, out_of_memory, cancelled, internal.
 Status points_vineyard(const PointsVineyardRequest& request, const Work& work, PointsVineyard* out);
