@@ -190,6 +190,18 @@ private:
         request = on_points(request, c, x);
         ended(netmesh_persist_points(context_, maybe(request, c)));
     }
+    void points_vineyard() {
+        const Choices c = choose();
+        const auto filter = static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 11 + tape_.below(2));
+        netmesh_points_vineyard_request request = netmesh::requests::PointsVineyard(c.dim, filter);
+        request.values = static_cast<netmesh_values>(tape_.below(3));
+        request.k_first = tape_.below(5);
+        request.k_last = tape_.rarely() ? tape_.byte() : request.k_first + tape_.below(4);
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(3);
+        const std::vector<double> x = make_points(c.dim);
+        request = on_points(request, c, x);
+        ended(netmesh_points_vineyard(context_, maybe(request, c)));
+    }
     // A complex of few vertices: subsets are frequent. Entries grow with the size unless a byte says otherwise.
     struct Complex {
         std::vector<std::uint32_t> vertices;
@@ -530,6 +542,12 @@ private:
         points.k = tape_.byte();
         points.max_degree = tape_.byte();
         netmesh_plan_points(handed);
+        netmesh_points_vineyard_request nested = netmesh::requests::PointsVineyard(c.dim, points.filter);
+        nested.point_count = n;
+        nested.k_first = points.k / 2;
+        nested.k_last = points.k;
+        nested.max_degree = points.max_degree;
+        netmesh_plan_points_vineyard(&nested);
         netmesh::requests::Homology homology;
         homology.simplex_count = n;
         homology.vertex_count = UINT64_MAX / (tape_.byte() + 1u);
@@ -567,7 +585,10 @@ private:
         case 21: return plan();
         case 22: return fit();
         case 23: return tape_.rarely() ? start() : read_results();
-        case 24: return tape_.byte() % 2 == 0 ? value_vineyard() : read_results();
+        case 24: {
+            const std::uint32_t which = tape_.byte() % 4;
+            return which % 2 == 0 ? value_vineyard() : which == 1 ? points_vineyard() : read_results();
+        }
         default: return read_results();
         }
     }

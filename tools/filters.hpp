@@ -29,9 +29,12 @@ std::string choice_text(const FilterChoice& choice);
 std::string reported_choice_text(const FilterChoice& choice);
 
 inline bool is_on_points(netmesh_filter filter) { return about(filter).source == NETMESH_SOURCE_POINTS; }
-inline bool has_vineyard(const netmesh_filter_info& info) { return info.has_vineyard != 0; }
 // Nested sets of points (8.5).
 inline bool is_barycentric(netmesh_filter filter) { return is_on_points(filter) && about(filter).needs_k != 0; }
+// Over a range of k: on a mesh, or of nested sets.
+inline bool has_vineyard(const netmesh_filter_info& info) {
+    return info.has_vineyard != 0 || is_barycentric(info.filter);
+}
 
 // "knn or kdistance": the filters with `wanted`, in the table's order, the last two joined by `conjunction`.
 template <class Wanted> std::string list_filters(Wanted&& wanted, const std::string& conjunction) {

@@ -31,9 +31,10 @@ const std::vector<CommandEntry>& command_entries() {
          "diagrams of d_k for a range of k, or of a complex for any sequence of values, and their vines",
          "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of "
          "each k; a "
-         "vine\nfollows one class from k to k. With --values FILE the complex is one as homology reads them, k numbers "
-         "the lines of\nFILE, whose values take the place of its own, and all ratios are 1; between two lines all "
-         "values move at once on\nstraight lines.\n"},
+         "vine\nfollows one class from k to k. Of barycentric filters it joins bars that the inclusion of k + 1 in k "
+         "matches: where it\nis at (b, d) and then at (b', d'), the image has the bar (b', d). With --values FILE the "
+         "complex is one as homology\nreads them, k numbers the lines of FILE, whose values take the place of its "
+         "own, and all ratios are 1; between two\nlines all values move at once on straight lines.\n"},
         {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
          "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
          "persist.\n"},

@@ -253,7 +253,7 @@ std::uint32_t max_degree_of(const Options& options, std::uint32_t dim) {
 Outcome check_max_degree(const Options& options) {
     const netmesh_filter filter = filter_of(options);
     if (!is_on_points(filter)) return {};
-    const std::uint64_t k = is_barycentric(filter) ? options.k.value_or(1) : 0;
+    const std::uint64_t k = is_barycentric(filter) ? options.k_last.value_or(options.k.value_or(1)) : 0;
     if (k + max_degree_of(options, NETMESH_DIM_MIN) < NETMESH_DEGREE_MAX) return {};
     return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
 }

@@ -97,6 +97,26 @@ requests::Scales scales_request(const Options& options, const DiagramRequest& di
     return scales;
 }
 
+namespace {
+
+template <class Request> Request over_k(Request request, const VineyardRequest& vineyard) {
+    request.values = vineyard.choice.values;
+    request.k_first = vineyard.k_first;
+    request.k_last = vineyard.k_last;
+    request.max_degree = vineyard.max_degree;
+    return request;
+}
+
+}  // namespace
+
+requests::Vineyard vineyard_request(const VineyardRequest& vineyard) {
+    return over_k(requests::Vineyard(vineyard.choice.filter), vineyard);
+}
+
+requests::PointsVineyard points_vineyard_request(const VineyardRequest& vineyard, std::uint32_t dim) {
+    return over_k(requests::PointsVineyard(dim, vineyard.choice.filter), vineyard);
+}
+
 requests::Points points_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
     requests::Points points(dim, diagram.choice.filter);
     set_diagram(options, diagram, dim, &points);
@@ -127,6 +147,12 @@ std::size_t plan_diagram(const Options& given, netmesh_filter filter, std::uint3
     requests::Mesh mesh = mesh_request(options, dim);
     if (!refines_by_certificate(options)) mesh.purpose = about(filter).purpose;
     return plan_for(mesh, point_count);
+}
+
+std::size_t plan_vineyard(const Options& options, const VineyardRequest& vineyard, std::uint32_t dim,
+                          std::size_t point_count) {
+    return is_on_points(vineyard.choice.filter) ? plan_for(points_vineyard_request(vineyard, dim), point_count)
+                                                : plan_diagram(options, vineyard.choice.filter, dim, point_count);
 }
 
 }  // namespace netmesh::tool

@@ -15,6 +15,12 @@ struct DiagramRequest {
     bool cycles = false;  // of filters on the points themselves; others get theirs by a step of its own
 };
 
+// Diagrams for a range of k, and vines between them.
+struct VineyardRequest {
+    FilterChoice choice;
+    std::uint32_t k_first, k_last, max_degree;
+};
+
 // What the library takes for an option that is not given: the ratio that --fit begins with, --eps of the filters tight
 // and scales, --theta.
 constexpr double default_fit_ratio = 4, default_eps = 0.5, default_theta = 1.0 / 9;
@@ -32,9 +38,14 @@ requests::Delaunay delaunay_request(const Options& options, std::uint32_t dim);
 requests::Persist persist_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);
 requests::Fit fit_request(const Options& options, std::uint32_t dim);
 requests::Scales scales_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);
+requests::Vineyard vineyard_request(const VineyardRequest& vineyard);
+requests::PointsVineyard points_vineyard_request(const VineyardRequest& vineyard, std::uint32_t dim);
 requests::Points points_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);
 
 // Bytes to plan for a diagram of the filter, with the mesh or triangulation made for it.
 std::size_t plan_diagram(const Options& options, netmesh_filter filter, std::uint32_t dim, std::size_t point_count);
+// The same for a vineyard over a range of k.
+std::size_t plan_vineyard(const Options& options, const VineyardRequest& vineyard, std::uint32_t dim,
+                          std::size_t point_count);
 
 }  // namespace netmesh::tool

@@ -92,7 +92,7 @@ struct KeptVineyard {
     Slice<double> ratios;  // [k_last - k_first + 1]
     Slice<VinePoint> points;
     std::uint64_t simplices = 0, transpositions = 0;
-    double certified_ratio = 0;
+    double certified_ratio = 0, value_error = 0;
 };
 
 struct KeptScales {

@@ -140,6 +140,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("vineyard.transpositions", uint64, vineyard.transpositions, vines, on_request, 0),
         ONE("vineyard.simplices", uint64, vineyard.simplices, vines, on_request, 0),
         ONE("vineyard.certified_ratio", real, vineyard.certified_ratio, vines, on_request, before_vines),
+        ONE("vineyard.value_error", real, vineyard.value_error, vines, on_request | positive, 0),
 
         ONE("memory.arena_bytes", uint64, memory.block_bytes, unconditional, positive, 0),
         ONE("memory.peak_bytes", uint64, memory.peak_bytes, unconditional, positive, 0),

@@ -176,6 +176,7 @@ void report_vineyard(const KeptVineyard& vineyard, netmesh_vineyard_report* to) 
     to->transpositions = vineyard.transpositions;
     to->simplices = vineyard.simplices;
     to->certified_ratio = vineyard.certified_ratio;
+    to->value_error = vineyard.value_error;
 }
 
 netmesh_report report_of(const netmesh_context* context) {

@@ -205,6 +205,16 @@ void netmesh_points_request_init(netmesh_points_request* request, size_t request
     start(defaults, request, request_bytes);
 }
 
+void netmesh_points_vineyard_request_init(netmesh_points_vineyard_request* request, size_t request_bytes, uint32_t dim,
+                                          netmesh_filter filter) {
+    netmesh_points_vineyard_request defaults = {};
+    defaults.dim = clamped(dim);
+    keep(filter, &defaults.filter);
+    defaults.k_first = defaults.k_last = 1;
+    defaults.max_degree = 1;
+    start(defaults, request, request_bytes);
+}
+
 void netmesh_homology_request_init(netmesh_homology_request* request, size_t request_bytes) {
     netmesh_homology_request defaults = {};
     defaults.max_degree = NETMESH_DEGREE_MAX;

@@ -1,9 +1,10 @@
-// Vineyards of the mesh that the context holds, and of the caller's own values.
+// Vineyards of the mesh that the context holds, of points, and of the caller's own values.
 #include "api/measure.hpp"
 #include "api/plan.hpp"
 #include "api/requests.hpp"
 #include "api/simplices.hpp"
 #include "jobs/k_vineyard.hpp"
+#include "jobs/points_vineyard.hpp"
 #include "jobs/value_vineyard.hpp"
 
 namespace netmesh {
@@ -22,6 +23,22 @@ Complaint complaint_about(const netmesh_value_vineyard_request& request) {
     if (request.step_count == 0) return {NETMESH_FIELD_STEP_COUNT, "there are no steps"};
     if (request.step_count >= none) return {NETMESH_FIELD_STEP_COUNT, "more than 2^32 - 2 steps"};
     return complaint_about_simplices(request);
+}
+
+Complaint complaint_about(const netmesh_points_vineyard_request& request) {
+    const Filter* const filter = find_filter(request.filter);
+    if (filter == nullptr || filter->source != FilterSource::points || !filter->has(filter_trait::needs_k))
+        return {NETMESH_FIELD_FILTER, "the filter has no k on points"};
+    if (request.k_first < 1) return {NETMESH_FIELD_K_FIRST, "k begins at 1"};
+    if (request.k_last < request.k_first) return {NETMESH_FIELD_K_LAST, "the last k is below the first"};
+    if (request.k_last > points_degree_max) return {NETMESH_FIELD_K_LAST, "k is above 30"};
+    if (request.max_degree > points_degree_max - request.k_last)
+        return {NETMESH_FIELD_MAX_DEGREE, "k + max_degree is above 30"};
+    return complaint_about_values(request.values);
+}
+
+PointsFilter filter_of(const netmesh_points_vineyard_request& request) {
+    return {request.filter, values_of(request.values), request.k_first, request.max_degree};
 }
 
 // What the vines are of is for the caller to say: `kept` comes with filter, values and degree.
@@ -76,6 +93,53 @@ netmesh_status netmesh_vineyard(netmesh_context* context, const netmesh_vineyard
     kept.k_last = request.k_last;
     status == Status::ok ? keep_vineyard(context, kept, vines) : clear_diagram(context);
     return finish(context, status);
+}
+
+netmesh_status netmesh_points_vineyard(netmesh_context* context, const netmesh_points_vineyard_request* from) {
+    netmesh_points_vineyard_request request;
+    const netmesh_status begun = begin(context, from, &request);
+    if (begun != NETMESH_OK) return begun;
+    Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    if (complaint.text == nullptr) complaint = complaint_about(request);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    clear(context);
+    Monitor monitor = monitor_of(request.monitor);
+    const std::uint32_t count = static_cast<std::uint32_t>(request.point_count);
+    const PointsVineyardRequest wanted = {{request.points, count, request.dim}, filter_of(request), request.k_last};
+    PointsVineyard made;
+    const Status status = points_vineyard(wanted, {context->arena, monitor}, &made);
+    if (status == Status::invalid_argument) {
+        clear(context);
+        return refuse(context, NETMESH_FIELD_K_LAST, "k is more than the number of different points");
+    }
+    if (status != Status::ok)
+        return fail_and_clear(context, status, nullptr, status == Status::not_finite ? made.culprit : 0);
+    context->complete = true;
+    context->input = {true,
+                      true,
+                      request.dim,
+                      request.point_count,
+                      request.point_count - made.distinct,
+                      made.input_fingerprint,
+                      made.distinct};
+    KeptVineyard kept;
+    kept.filter = request.filter;
+    kept.values = request.values;
+    kept.max_degree = request.max_degree;
+    kept.k_first = request.k_first;
+    kept.k_last = request.k_last;
+    kept.value_error = made.value_error;
+    keep_vineyard(context, kept, made.vines);
+    return finish(context, status);
+}
+
+size_t netmesh_plan_points_vineyard(const netmesh_points_vineyard_request* from) {
+    netmesh_points_vineyard_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    if (request.point_count == 0 || request.point_count > NETMESH_POINTS_MAX) return 0;
+    if (complaint_about_dim(request.dim).text != nullptr || complaint_about(request).text != nullptr) return 0;
+    const double bytes = points_vineyard_bytes(filter_of(request), request.k_last, request.point_count, request.dim);
+    return whole_bytes(bytes + sizeof(netmesh_context) + 65536);
 }
 
 netmesh_status netmesh_value_vineyard(netmesh_context* context, const netmesh_value_vineyard_request* from) {

@@ -167,14 +167,15 @@ public:
         while (set < first_[d]) --d;
         return d;
     }
-    // Calls f(subset) for the proper subsets of `set` of at least k vertices. A subset is reached by leaving out its
-    // missing vertices from the last to the first.
-    template <class F> void subsets(std::uint32_t set, F f) const {
-        const std::uint32_t d = dimension_of(set);
+    // Calls f(subset) for the proper subsets of `set` of at least k vertices that have at most `span` vertices less
+    // than `largest`. A subset is reached by leaving out its missing vertices from the last to the first.
+    template <class F> void subsets(std::uint32_t set, std::uint32_t largest, std::uint32_t span, F f) const {
+        const std::uint32_t d = dimension_of(set), top = dimension_of(largest);
+        const std::uint32_t least = top > least_ + span ? top - span : least_;
         for (std::uint64_t missing = 1; missing < std::uint64_t{1} << (d + 1); ++missing) {
             std::uint32_t left = d + 1;
             for (std::uint32_t v = 0; v <= d; ++v) left -= missing >> v & 1;
-            if (left <= least_) continue;
+            if (left <= least) continue;
             std::uint32_t at = set - first_[d], dimension = d;
             for (std::uint32_t v = d + 1; v-- > 0;) {
                 if ((missing >> v & 1) == 0) continue;
@@ -233,12 +234,13 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
     return Status::ok;
 }
 
-Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, const Work& work,
-                           ListedComplex* out) {
+Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t span, std::uint32_t dimension,
+                           const Work& work, ListedComplex* out) {
     *out = {};
     if (k > complex.dimension + 1) return Status::invalid_argument;
     const NestedSets nested(complex, k);
     if (dimension > complex.dimension + 1 - k) dimension = complex.dimension + 1 - k;
+    if (dimension > span) dimension = span;
     out->dimension = dimension;
     for (std::uint32_t m = 0; m <= dimension; ++m) {
         std::uint64_t count = nested.sets();
@@ -246,7 +248,8 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
             count = 0;
             for (std::uint32_t i = 0; i < out->count[m - 1]; ++i) {
                 if (work.monitor.advance(i, 4)) return Status::cancelled;
-                nested.subsets(out->rows[m - 1][std::size_t{i} * m], [&count](std::uint32_t) { ++count; });
+                const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
+                nested.subsets(chain[0], chain[m - 1], span, [&count](std::uint32_t) { ++count; });
             }
         }
         if (count > count_max) {
@@ -268,7 +271,7 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
             if (work.monitor.advance(i, 4)) return Status::cancelled;
             const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
             const double enters = out->value[m - 1][i];
-            nested.subsets(chain[0], [&](std::uint32_t subset) {
+            nested.subsets(chain[0], chain[m - 1], span, [&](std::uint32_t subset) {
                 *row++ = subset;
                 for (std::uint32_t c = 0; c < m; ++c) *row++ = chain[c];
                 *value++ = enters;
@@ -277,6 +280,10 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
     }
     ComplexFault fault;
     return link_faces(*out, false, work, &fault);
+}
+
+std::uint32_t set_size(const ListedComplex& complex, std::uint32_t k, std::uint32_t label) {
+    return NestedSets(complex, k).dimension_of(label) + 1;
 }
 
 double skeleton_count(std::uint64_t n, std::uint32_t dimension) {
@@ -298,6 +305,13 @@ double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, s
         }
         for (std::uint32_t j = 0; j < most; ++j) ends[j] = next[j];
     }
+    return total;
+}
+
+double barycentric_pairs(std::uint64_t n, std::uint32_t k, std::uint32_t max_degree) {
+    double total = 0;
+    for (std::uint32_t j = k; j <= k + max_degree; ++j)
+        total += binomial(static_cast<double>(n), j) * binomial(j - 1, k - 1);
     return total;
 }
 

@@ -34,12 +34,24 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
 
 // The barycentric decomposition of `complex` (linked) on its simplices of at least k vertices, up to simplices of
 // `dimension`, each a chain of nested sets that enters with its largest set. Homology of degree p needs the sets of k
-// to k + p + 1 vertices and chains of dimension p + 1. The result lies behind `complex`, which must stay.
-Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t dimension, const Work& work,
-                           ListedComplex* out);
+// to k + p + 1 vertices and chains of dimension p + 1. The largest set of a chain has at most `span` vertices more than
+// the smallest: what is made is the union, for all l >= k, of the decompositions on sets of l to l + span vertices. The
+// label of a set (rows[0]) is its number among the sets of at least k vertices, by size. The result lies behind
+// `complex`, which must stay.
+Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::uint32_t span, std::uint32_t dimension,
+                           const Work& work, ListedComplex* out);
+
+// Vertices of the set with that label.
+std::uint32_t set_size(const ListedComplex& complex, std::uint32_t k, std::uint32_t label);
 
 // Simplices that the complexes have at most, of each dimension 0..dimension (numbers that do not fit are infinite).
 double skeleton_count(std::uint64_t n, std::uint32_t dimension);
+// On the sets of k to `sets` vertices.
 double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, std::uint32_t dimension);
+// Pairs of degrees 0..max_degree that have a length, at most, of the decomposition on sets of at least k vertices. The
+// chains whose largest set is u enter together: a cone over the chains of smaller sets, which are a wedge of
+// binomial(|u| - 1, k - 1) spheres of dimension |u| - k - 1. So u is worth that many cells of dimension |u| - k, and a
+// pair of degree p needs one of dimension p.
+double barycentric_pairs(std::uint64_t n, std::uint32_t k, std::uint32_t max_degree);
 
 }  // namespace netmesh

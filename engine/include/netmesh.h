@@ -16,7 +16,8 @@
  *     netmesh/report.h        what a context holds and how it came about
  *
  * Life of a context:   init -> delaunay | mesh | load -> persist | vineyard -> bound_bars, represent -> get_*
- *                      init -> fit | persist_scales | persist_points | homology | value_vineyard -> get_*
+ *                      init -> fit | persist_scales | persist_points | points_vineyard | homology | value_vineyard
+ *                           -> get_*
  *
  * Requests. A job takes the context and one request, a struct that its init call fills with defaults:
  *

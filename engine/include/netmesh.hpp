@@ -65,6 +65,11 @@ struct Points : netmesh_points_request {
         netmesh_points_request_init(this, sizeof(netmesh_points_request), d, f);
     }
 };
+struct PointsVineyard : netmesh_points_vineyard_request {
+    PointsVineyard(std::uint32_t d, netmesh_filter f) {
+        netmesh_points_vineyard_request_init(this, sizeof(netmesh_points_vineyard_request), d, f);
+    }
+};
 struct Homology : netmesh_homology_request {
     Homology() { netmesh_homology_request_init(this, sizeof(netmesh_homology_request)); }
 };
@@ -99,6 +104,9 @@ inline std::size_t plan(const netmesh_delaunay_request& request) { return netmes
 inline std::size_t plan(const netmesh_mesh_request& request) { return netmesh_plan_mesh(&request); }
 inline std::size_t plan(const netmesh_scales_request& request) { return netmesh_plan_scales(&request); }
 inline std::size_t plan(const netmesh_points_request& request) { return netmesh_plan_points(&request); }
+inline std::size_t plan(const netmesh_points_vineyard_request& request) {
+    return netmesh_plan_points_vineyard(&request);
+}
 inline std::size_t plan(const netmesh_homology_request& request) { return netmesh_plan_homology(&request); }
 inline std::size_t plan(const netmesh_value_vineyard_request& request) { return netmesh_plan_value_vineyard(&request); }
 
@@ -167,6 +175,9 @@ public:
     }
     netmesh_status persist_points(const netmesh_points_request& r) {
         return status_ = netmesh_persist_points(context_, &r);
+    }
+    netmesh_status points_vineyard(const netmesh_points_vineyard_request& r) {
+        return status_ = netmesh_points_vineyard(context_, &r);
     }
     netmesh_status homology(const netmesh_homology_request& r) { return status_ = netmesh_homology(context_, &r); }
     netmesh_status value_vineyard(const netmesh_value_vineyard_request& r) {

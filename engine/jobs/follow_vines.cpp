@@ -5,6 +5,35 @@
 
 namespace netmesh {
 
+Status number_vines(VinePoint* points, std::uint64_t count, std::uint32_t raw_count, Arena& arena, VineList* out) {
+    const HighScope scope(arena);
+    std::uint32_t* const number = arena.take_high<std::uint32_t>(raw_count);
+    VinePoint* const first = arena.take_high<VinePoint>(raw_count);
+    if (number == nullptr || first == nullptr || count >= none) return Status::out_of_memory;
+    std::uint32_t vines = 0;
+    for (std::uint32_t v = 0; v < raw_count; ++v) number[v] = none;
+    for (std::uint64_t i = 0; i < count; ++i) {  // in the order of steps
+        if (number[points[i].vine] != none) continue;
+        number[points[i].vine] = 0;
+        first[vines++] = points[i];
+    }
+    sort(first, vines, [](const VinePoint& a, const VinePoint& b) {
+        if (a.degree != b.degree) return a.degree < b.degree;
+        if (a.k != b.k) return a.k < b.k;
+        if (a.birth != b.birth) return a.birth < b.birth;
+        if (a.death != b.death) return a.death < b.death;
+        return a.vine < b.vine;
+    });
+    for (std::uint32_t v = 0; v < vines; ++v) number[first[v].vine] = v;
+    for (std::uint64_t i = 0; i < count; ++i) points[i].vine = number[points[i].vine];
+    sort(points, count,
+         [](const VinePoint& a, const VinePoint& b) { return a.vine != b.vine ? a.vine < b.vine : a.k < b.k; });
+    out->points = points;
+    out->count = count;
+    out->vine_count = vines;
+    return Status::ok;
+}
+
 Status VineFollower::open() {
     for (std::uint32_t k = 0; k <= complex_.dimension; ++k) {
         value_[0][k] = work_.arena.take_high<double>(complex_.count[k]);
@@ -31,39 +60,6 @@ bool VineFollower::note(std::uint32_t step, const double* const* value) {
     return good;
 }
 
-// Numbers the vines that have points, and sorts.
-Status VineFollower::number_vines(VineList* out) {
-    const HighScope scope(work_.arena);
-    VinePoint* const points = points_;
-    const std::uint64_t count = count_;
-    const std::uint32_t raw_count = vineyard_.vine_count();
-    std::uint32_t* const number = work_.arena.take_high<std::uint32_t>(raw_count);
-    VinePoint* const first = work_.arena.take_high<VinePoint>(raw_count);
-    if (number == nullptr || first == nullptr || count >= none) return Status::out_of_memory;
-    std::uint32_t vines = 0;
-    for (std::uint32_t v = 0; v < raw_count; ++v) number[v] = none;
-    for (std::uint64_t i = 0; i < count; ++i) {  // in the order of steps
-        if (number[points[i].vine] != none) continue;
-        number[points[i].vine] = 0;
-        first[vines++] = points[i];
-    }
-    sort(first, vines, [](const VinePoint& a, const VinePoint& b) {
-        if (a.degree != b.degree) return a.degree < b.degree;
-        if (a.k != b.k) return a.k < b.k;
-        if (a.birth != b.birth) return a.birth < b.birth;
-        if (a.death != b.death) return a.death < b.death;
-        return a.vine < b.vine;
-    });
-    for (std::uint32_t v = 0; v < vines; ++v) number[first[v].vine] = v;
-    for (std::uint64_t i = 0; i < count; ++i) points[i].vine = number[points[i].vine];
-    sort(points, count,
-         [](const VinePoint& a, const VinePoint& b) { return a.vine != b.vine ? a.vine < b.vine : a.k < b.k; });
-    out->points = points;
-    out->count = count;
-    out->vine_count = vines;
-    return Status::ok;
-}
-
 Status VineFollower::take(std::uint32_t i, std::uint32_t step) {
     const Status status = i == 0 ? vineyard_.open(complex_, max_degree_, value(i), work_)
                                  : vineyard_.advance(value(i - 1), value(i), work_.monitor);
@@ -71,7 +67,7 @@ Status VineFollower::take(std::uint32_t i, std::uint32_t step) {
 }
 
 Status VineFollower::finish(VineList* out) {
-    const Status status = number_vines(out);
+    const Status status = number_vines(points_, count_, vineyard_.vine_count(), work_.arena, out);
     if (status != Status::ok) return status;
     out->simplices = 0;
     for (std::uint32_t k = 0; k <= complex_.dimension; ++k) out->simplices += complex_.count[k];

@@ -23,6 +23,10 @@ struct VineList {
     std::uint64_t simplices, transpositions;
 };
 
+// Numbers the vines that have points and sorts the points, which stand in the order of steps. Vines are below
+// raw_count. Scratch: 36 bytes a vine. out_of_memory.
+Status number_vines(VinePoint* points, std::uint64_t count, std::uint32_t raw_count, Arena& arena, VineList* out);
+
 // The diagrams of one filtration after the other, and the vines between them.
 class VineFollower {
 public:
@@ -40,7 +44,6 @@ public:
 private:
     bool add(const VinePoint& point);
     bool note(std::uint32_t step, const double* const* value);
-    Status number_vines(VineList* out);
 
     const ComplexView& complex_;
     std::uint32_t max_degree_;
@@ -57,6 +60,7 @@ public:
     explicit VineRoom(Arena& arena) : scope_(arena), arena_(arena) {}
     // steps >= 1. out_of_memory.
     Status open(std::uint32_t steps);
+    double* ratios() const { return ratio_; }  // [steps], to be filled
     // Follows the vines of degrees 0..max_degree through all steps, numbered from `first` on. fill(step, value, ratio)
     // sets the values of a filtration, and its ratio (1 on entry). `out` is put at the arena's low end, and everything
     // else that was taken since the room was made is given back; without ok nothing stays. Memory: 84 bytes a simplex
@@ -75,10 +79,10 @@ public:
         if (status == Status::ok) status = follower.finish(out);
         return status == Status::ok ? keep(out) : status;
     }
-
-private:
+    // Moves the points down to the ratios and gives back everything else. out_of_memory.
     Status keep(VineList* out);
 
+private:
     ArenaScope scope_;
     Arena& arena_;
     std::uint32_t count_ = 0;

@@ -3,21 +3,10 @@
 #pragma once
 #include <cstdint>
 
-#include "certificate/certificate.hpp"
-#include "include/netmesh.h"
 #include "jobs/persist_complex.hpp"
+#include "jobs/point_set.hpp"
 
 namespace netmesh {
-
-// Degrees up to this one, and k + max_degree of barycentric filters.
-constexpr std::uint32_t points_degree_max = ListedComplex::dimension_max - 1;
-
-struct PointsFilter {
-    netmesh_filter filter;  // of source points
-    FilterValues values;
-    std::uint32_t k;           // of filters that need it, >= 1
-    std::uint32_t max_degree;  // with k, where it is needed, at most points_degree_max
-};
 
 struct PointsRequest {
     PointsFilter filter;

@@ -86,6 +86,7 @@ TEST_CASE("blocks and contexts that are none") {
         no_context(c, netmesh_persist, persist_by(NETMESH_FILTER_ALPHA));
         no_context(c, netmesh_persist_scales, calls.scales_request(x));
         no_context(c, netmesh_persist_points, calls.points_request(x, NETMESH_FILTER_RIPS));
+        no_context(c, netmesh_points_vineyard, calls.nested_request(x, NETMESH_FILTER_BARYCENTRIC_CECH, 2));
         no_context<netmesh_homology_request>(c, netmesh_homology, homology);
         no_context<netmesh_value_vineyard_request>(c, netmesh_value_vineyard, netmesh::requests::ValueVineyard());
         no_context<netmesh_fit_request>(c, netmesh_fit, on(x, netmesh::requests::Fit(3)));
@@ -310,6 +311,25 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
         no_points([=](auto& r) { barycentric(r), r.k = 31, r.max_degree = 0; }, NETMESH_FIELD_K);
         no_points([=](auto& r) { barycentric(r), r.k = 30, r.max_degree = 1; }, NETMESH_FIELD_MAX_DEGREE);
         no_points([=](auto& r) { barycentric(r), r.representatives = 1; }, NETMESH_FIELD_REPRESENTATIVES);
+
+        const netmesh_points_vineyard_request nested =
+            f.session.nested_request(f.points, NETMESH_FILTER_BARYCENTRIC_CECH, 2);
+        const auto no_range = [&](auto change, netmesh_field field) {
+            netmesh_points_vineyard_request bad = nested;
+            change(bad);
+            f.refused(netmesh_points_vineyard(f.c, &bad), field);
+            CHECK(netmesh_plan_points_vineyard(&bad) == 0);
+        };
+        f.needs_points(netmesh_points_vineyard, nested);
+        for (const netmesh_filter filter :
+             {NETMESH_FILTER_NONE, NETMESH_FILTER_KNN, NETMESH_FILTER_RIPS, NETMESH_FILTER_CECH, no_filter})
+            no_range([=](auto& r) { r.filter = filter; }, NETMESH_FIELD_FILTER);
+        no_range([](auto& r) { r.values = static_cast<netmesh_values>(7); }, NETMESH_FIELD_VALUES);
+        no_range([](auto& r) { r.k_first = 0; }, NETMESH_FIELD_K_FIRST);
+        no_range([](auto& r) { r.k_first = 3; }, NETMESH_FIELD_K_LAST);
+        no_range([](auto& r) { r.k_last = 31, r.max_degree = 0; }, NETMESH_FIELD_K_LAST);
+        no_range([](auto& r) { r.k_last = 30; }, NETMESH_FIELD_MAX_DEGREE);
+        no_range([](auto& r) { r.max_degree = NETMESH_DEGREE_MAX; }, NETMESH_FIELD_MAX_DEGREE);
     }
 }
 
@@ -326,6 +346,22 @@ TEST_CASE("plans of what cannot be") {
         CHECK(netmesh_plan_points(&rips) == SIZE_MAX);
         rips.filter = NETMESH_FILTER_ALPHA;
         CHECK(netmesh_plan_points(&rips) == 0);
+
+        netmesh::requests::PointsVineyard nested(dim, NETMESH_FILTER_BARYCENTRIC_RIPS);
+        CHECK(netmesh_plan_points_vineyard(nullptr) == 0);
+        CHECK(netmesh_plan_points_vineyard(&nested) == 0);
+        nested.point_count = many;
+        CHECK(netmesh_plan_points_vineyard(&nested) == 0);
+        nested.point_count = many - 1;
+        nested.k_last = 29;
+        CHECK(netmesh_plan_points_vineyard(&nested) == SIZE_MAX);
+        nested.point_count = 9;
+        nested.k_last = 3;
+        const std::size_t three = netmesh_plan_points_vineyard(&nested);
+        nested.k_last = 4;
+        CHECK(netmesh_plan_points_vineyard(&nested) > three);
+        nested.dim = 7;
+        CHECK(netmesh_plan_points_vineyard(&nested) == 0);
 
         netmesh::requests::Mesh mesh(dim);
         CHECK(netmesh_plan_mesh(nullptr) == 0);

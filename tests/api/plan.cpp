@@ -2,6 +2,7 @@
 // of it is left over.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -150,6 +151,27 @@ TEST_CASE("the plan of complexes on points suffices") {
         expect_points(dim, 16, NETMESH_FILTER_BARYCENTRIC_CECH, 2, 1, 0.25, "barycentric cech");
         expect_points(dim, 16, NETMESH_FILTER_BARYCENTRIC_RIPS, 2, 1, 0.25, "barycentric rips");
     }
+}
+
+TEST_CASE("the plan of nested sets for a range of k suffices") {
+    for (const int dim : dimensions()) {
+        for (const auto& [k_first, k_last, degree] :
+             {std::array<std::uint32_t, 3>{1, 3, 1}, {1, 1, 1}, {2, 4, 1}, {1, 3, 0}, {1, 2, 2}}) {
+            const inputs::Points points = inputs::uniform(dim, 9, 17);
+            netmesh_points_vineyard_request request =
+                Calls(dim).nested_request(points, NETMESH_FILTER_BARYCENTRIC_RIPS, k_last, degree);
+            request.k_first = k_first;
+            const std::string name = "nested sets, k = " + std::to_string(k_first) + ".." + std::to_string(k_last) +
+                                     ", degree " + std::to_string(degree);
+            expect_enough(dim, name, netmesh_plan_points_vineyard(&request), 0.35,
+                          [&](Calls& calls) { return netmesh_points_vineyard(calls.context, &request); });
+        }
+    }
+    const inputs::Points points = inputs::uniform(2, 14, 17);
+    const netmesh_points_vineyard_request request =
+        Calls(2).nested_request(points, NETMESH_FILTER_BARYCENTRIC_CECH, 3, 1);
+    expect_enough(2, "nested sets of 14 points", netmesh_plan_points_vineyard(&request), 0.5,
+                  [&](Calls& calls) { return netmesh_points_vineyard(calls.context, &request); });
 }
 
 TEST_CASE("the plan of a complex of simplices suffices") {

@@ -145,6 +145,28 @@ TEST_CASE("the C++ layer: vineyards of values") {
     CHECK(engine.vine_ratio(3) == 0);
 }
 
+TEST_CASE("the C++ layer: vineyards of points") {
+    std::vector<std::max_align_t> block(std::size_t{1} << 14);
+    netmesh::Engine engine(block.data(), block.size() * sizeof block[0]);
+    const double points[] = {0, 0, 1, 0, 1, 1, 0, 1};
+    netmesh::requests::PointsVineyard request(2, NETMESH_FILTER_BARYCENTRIC_CECH);
+    CHECK(request.dim == 2);
+    CHECK(request.filter == NETMESH_FILTER_BARYCENTRIC_CECH);
+    CHECK(request.k_first == 1);
+    CHECK(request.k_last == 1);
+    CHECK(request.max_degree == 1);
+    request.points = points;
+    request.point_count = 4;
+    request.k_last = 4;
+    REQUIRE(engine.points_vineyard(request) == NETMESH_OK);
+    CHECK(engine.report().vineyard.vines == 8);
+    CHECK(engine.vine_ratio(4) == 1);
+    CHECK(engine.vine_ratio(5) == 0);
+    std::uint64_t points_of_vines = 0;
+    engine.for_each_vine_point([&](std::uint64_t, const netmesh_vine_point&) { ++points_of_vines; });
+    CHECK(points_of_vines == 11);
+}
+
 TEST_CASE("the C++ layer: plans") {
     netmesh::requests::Homology homology;
     homology.simplex_count = 10;
@@ -161,4 +183,8 @@ TEST_CASE("the C++ layer: plans") {
     rips.point_count = 20;
     CHECK(netmesh::plan(rips) == netmesh_plan_points(&rips));
     CHECK(netmesh::plan(rips) > 0);
+    netmesh::requests::PointsVineyard nested(2, NETMESH_FILTER_BARYCENTRIC_RIPS);
+    nested.point_count = 20;
+    CHECK(netmesh::plan(nested) == netmesh_plan_points_vineyard(&nested));
+    CHECK(netmesh::plan(nested) > 0);
 }

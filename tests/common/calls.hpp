@@ -114,6 +114,13 @@ public:
         r.max_degree = max_degree;
         return r;
     }
+    netmesh_points_vineyard_request nested_request(const inputs::Points& points, netmesh_filter filter,
+                                                   std::uint32_t k_last, std::uint32_t max_degree = 1) const {
+        netmesh_points_vineyard_request r = on(points, watched(netmesh::requests::PointsVineyard(request.dim, filter)));
+        r.k_last = k_last;
+        r.max_degree = max_degree;
+        return r;
+    }
     netmesh_scales_request scales_request(const inputs::Points& points) const {
         netmesh_scales_request r = on(points, watched(netmesh::requests::Scales(request.dim)));
         r.seed = request.seed;

@@ -61,6 +61,9 @@ public:
     netmesh_status points(const netmesh_points_request& r) {
         return until_it_fits(netmesh_plan_points(&r), [&] { return netmesh_persist_points(context, &r); });
     }
+    netmesh_status nested(const netmesh_points_vineyard_request& r) {
+        return until_it_fits(netmesh_plan_points_vineyard(&r), [&] { return netmesh_points_vineyard(context, &r); });
+    }
     netmesh_status homology(const netmesh_homology_request& r) {
         return until_it_fits(netmesh_plan_homology(&r), [&] { return netmesh_homology(context, &r); });
     }

@@ -271,9 +271,11 @@ public:
         of_mesh();
         uniform(&in_, 12, 8);
         on_points();
-        if (in_.dim > 2) return 3;
+        in_.count = 6;
+        over_k();
+        if (in_.dim > 2) return 4;
         without_points();
-        return 4;
+        return 5;
     }
 
 private:
@@ -360,6 +362,22 @@ private:
         persist("cech", NETMESH_FILTER_CECH, true);
         persist("barycentric-cech", NETMESH_FILTER_BARYCENTRIC_CECH, false);
         persist("barycentric-rips", NETMESH_FILTER_BARYCENTRIC_RIPS, false);
+        print_(line.words());
+    }
+
+    void over_k() {
+        Text line = begin();
+        const auto vineyard = [&](const char* job, netmesh_filter filter) {
+            netmesh::requests::PointsVineyard request(context_.mesh_request.dim, filter);
+            request.points = in_.x;
+            request.point_count = static_cast<std::size_t>(in_.count);
+            request.k_last = 3;
+            netmesh_status status = context_.start();
+            if (status == NETMESH_OK) status = netmesh_points_vineyard(context_.handle, &request);
+            add_result(&line, job, status, context_.handle);
+        };
+        vineyard("nested-cech", NETMESH_FILTER_BARYCENTRIC_CECH);
+        vineyard("nested-rips", NETMESH_FILTER_BARYCENTRIC_RIPS);
         print_(line.words());
     }
 

@@ -13,7 +13,7 @@ constexpr int inputs_per_dimension = 20;
 
 // Runs dimensions first..last inside block (16-byte aligned), calling print once for each input with a line (without
 // its end) of fingerprints: input, Delaunay triangulation, alpha diagram, mesh, mesh diagram; a job that ends in
-// another status than NETMESH_OK shows the status. After the inputs of a dimension three lines (D = 2: four) of the
+// another status than NETMESH_OK shows the status. After the inputs of a dimension four lines (D = 2: five) of the
 // other calls. Returns the number of lines.
 int run(void* block, std::size_t bytes, int first, int last, void (*print)(const char* line));
 

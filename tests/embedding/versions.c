@@ -68,6 +68,7 @@ GUARDED(netmesh_fit_request, fit);
 GUARDED(netmesh_vineyard_request, vineyard);
 GUARDED(netmesh_scales_request, scales);
 GUARDED(netmesh_points_request, rips);
+GUARDED(netmesh_points_vineyard_request, nested);
 GUARDED(netmesh_homology_request, homology);
 GUARDED(netmesh_value_vineyard_request, values);
 GUARDED(netmesh_bottleneck_request, bottleneck);
@@ -99,7 +100,7 @@ static void fill_results(void) {
 
 static void fill_requests(void) {
     FILL(delaunay), FILL(mesh), FILL(load), FILL(cages), FILL(check), FILL(function), FILL(persist), FILL(bounds);
-    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(homology), FILL(values),
+    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(nested), FILL(homology), FILL(values),
         FILL(bottleneck), FILL(analyse);
     netmesh_delaunay_request_init(&delaunay.it, sizeof delaunay.it, 2);
     netmesh_mesh_request_init(&mesh.it, sizeof mesh.it, 2);
@@ -114,16 +115,19 @@ static void fill_requests(void) {
     netmesh_vineyard_request_init(&vineyard.it, sizeof vineyard.it, NETMESH_FILTER_KNN);
     netmesh_scales_request_init(&scales.it, sizeof scales.it, 2);
     netmesh_points_request_init(&rips.it, sizeof rips.it, 2, NETMESH_FILTER_RIPS);
+    netmesh_points_vineyard_request_init(&nested.it, sizeof nested.it, 2, NETMESH_FILTER_BARYCENTRIC_CECH);
     netmesh_homology_request_init(&homology.it, sizeof homology.it);
     netmesh_value_vineyard_request_init(&values.it, sizeof values.it);
     netmesh_bottleneck_request_init(&bottleneck.it, sizeof bottleneck.it, sizeof(netmesh_pair));
     netmesh_analyse_request_init(&analyse.it, sizeof analyse.it);
     look_at_guards("an init call");
-    POINTS_OF(delaunay), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(rips);
+    POINTS_OF(delaunay), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(rips), POINTS_OF(nested);
     mesh.it.purpose = NETMESH_PURPOSE_PERSIST;
     vineyard.it.k_last = 3;
+    nested.it.point_count = 8;
+    nested.it.k_last = 2;
 #ifndef NETMESH_SHORTER
-    vineyard.it.max_degree = 0; /* what an older program cannot say counts as 0 */
+    vineyard.it.max_degree = nested.it.max_degree = 0; /* what an older program cannot say counts as 0 */
 #endif
 }
 
@@ -185,6 +189,8 @@ static void run_others(void) {
     DID(netmesh_persist_scales(context, &scales.it));
     print_report();
     DID(netmesh_persist_points(context, &rips.it));
+    print_report();
+    DID(netmesh_points_vineyard(context, &nested.it));
     print_report();
     DID(netmesh_fit(context, &fit.it));
     print_report();

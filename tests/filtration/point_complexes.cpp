@@ -384,9 +384,9 @@ TEST_CASE("barycentric complexes of more than there is") {
     const double three[] = {0, 0, 1, 0, 0, 1};
     double error;
     REQUIRE(netmesh::cech_complex<2>(three, 3, 2, {block.arena, monitor}, &complex, &error) == netmesh::Status::ok);
-    CHECK(netmesh::barycentric_complex(complex, 4, 1, {block.arena, monitor}, &out) ==
+    CHECK(netmesh::barycentric_complex(complex, 4, 2, 1, {block.arena, monitor}, &out) ==
           netmesh::Status::invalid_argument);
-    CHECK(netmesh::barycentric_complex(complex, 3, 1, {block.arena, monitor}, &out) == netmesh::Status::ok);
+    CHECK(netmesh::barycentric_complex(complex, 3, 2, 1, {block.arena, monitor}, &out) == netmesh::Status::ok);
     CHECK(out.count[0] == 1);
     CHECK(netmesh::barycentric_count(5, 2, 100, 1) == netmesh::barycentric_count(5, 2, 5, 1));
 }

@@ -128,6 +128,14 @@ std::function<netmesh_status(Run&)> of_points(netmesh_filter filter, bool repres
     };
 }
 
+// Three k of nested sets.
+std::function<netmesh_status(Run&)> nested_sets(netmesh_filter filter) {
+    return [=](Run& run) {
+        netmesh_points_vineyard_request request = run.nested_request(run.points(), filter, 3);
+        return netmesh_points_vineyard(run.context, &request);
+    };
+}
+
 // All faces of the simplices i, i + 1, i + 2, i + 5 modulo `points`, every one at the number of its vertices.
 struct Complex {
     std::vector<std::uint32_t> vertices;
@@ -274,6 +282,7 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back({"cech", dim, 7, of_points(NETMESH_FILTER_CECH, true)});
         jobs->push_back({"bary-cech", dim, 5, of_points(NETMESH_FILTER_BARYCENTRIC_CECH, false)});
         jobs->push_back({"bary-rips", dim, 5, of_points(NETMESH_FILTER_BARYCENTRIC_RIPS, false)});
+        jobs->push_back(Job{"vines-of-sets", dim, 5, nested_sets(NETMESH_FILTER_BARYCENTRIC_CECH)}.large(dim > 3));
     }
     jobs->push_back({"homology", 2, 12, homology});
     jobs->push_back({"homology-cycles", 2, 12, homology_cycles});

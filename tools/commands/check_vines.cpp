@@ -19,6 +19,21 @@ std::string vine_text(const std::vector<netmesh_vine_point>& points, std::size_t
     return text.text();
 }
 
+// What vines through bars that maps match satisfy at every step: the image's bar lies in both, each begins no later and
+// ends no later for the lower k.
+Outcome check_matches(const VineFile& file, const std::string& name) {
+    for (std::size_t i = 1; i < file.vines.points.size(); i++) {
+        const netmesh_vine_point &here = file.vines.points[i - 1], &next = file.vines.points[i];
+        if (here.vine != next.vine) continue;
+        const bool good =
+            next.k == here.k + 1 && here.birth <= next.birth && next.birth < here.death && here.death <= next.death;
+        if (!good)
+            return mismatch(name + ": line " + std::to_string(file.lines[i]) + ": no map from k = " +
+                            std::to_string(next.k) + " to the k of the line before matches these bars");
+    }
+    return {};
+}
+
 // The diagram of each k by itself: one essential class, born first.
 Outcome check_form(const VineFile& file, const std::string& name) {
     if (file.of_values) return {};  // a complex may be of any form, and values of any sign
@@ -28,7 +43,7 @@ Outcome check_form(const VineFile& file, const std::string& name) {
         if (!complaint.empty())
             return mismatch(name + ": the diagram at k = " + std::to_string(k) + " has " + complaint);
     }
-    return {};
+    return is_on_points(file.choice.filter) ? check_matches(file, name) : Outcome();
 }
 
 // Where the file departs from the vineyard of the same filter, values and k that the session holds.
@@ -66,16 +81,17 @@ Outcome recompute(const Options& options, const VineSource& source, const Sessio
                   RunReport* run) {
     const VineFile& file = source.file;
     const std::uint32_t dim = source.cloud.dim;
-    requests::Vineyard request(file.choice.filter);
-    request.values = file.choice.values;
-    request.k_first = file.vines.k_first;
-    request.k_last = file.vines.k_first + static_cast<std::uint32_t>(file.vines.ratios.size() - 1);
-    request.max_degree = max_degree_of(options, dim);
+    Options of_filter = options;
+    of_filter.filter = file.choice.filter;
+    const std::uint32_t k_first = file.vines.k_first;
+    const VineyardRequest request = {file.choice, k_first,
+                                     k_first + static_cast<std::uint32_t>(file.vines.ratios.size() - 1),
+                                     max_degree_of(of_filter, dim)};
     Vines due;
-    const std::size_t plan = plan_diagram(options, file.choice.filter, dim, source.cloud.rows());
+    const std::size_t plan = plan_vineyard(options, request, dim, source.cloud.rows());
     const Outcome outcome = session.run(plan, source.cloud, [&](Session& s) {
         const netmesh_status status = prepare(s);
-        return status == NETMESH_OK ? make_vineyard(s, request, &due) : status;
+        return status == NETMESH_OK ? make_vineyard(s, request, source.cloud, &due) : status;
     });
     if (!outcome.good()) return outcome;
     const std::string complaint = difference(file, due);
@@ -130,7 +146,7 @@ Outcome check_with_points(const Options& options, const VineFile& file, const st
     if (!outcome.good()) return outcome;
     Session session(options, points.dim);
     session.mesh().purpose = NETMESH_PURPOSE_PERSIST;
-    const Session::Work make = [&](Session& s) { return make_mesh(s, points); };
+    const Session::Work make = [&](Session& s) { return prepare_for(s, options, file.choice.filter, points); };
     return recompute(options, {file, name, points}, make, session, run);
 }
 
@@ -152,6 +168,8 @@ Outcome check_vines(const Options& options, RunReport* run) {
     if (file.of_values && with_points)
         return usage_error(name + " is of a complex: --complex and --values FILE say which");
     if (!file.of_values && with_values) return usage_error(name + " is of points or a mesh");
+    if (!options.mesh_path.empty() && is_on_points(file.choice.filter))
+        return usage_error(name + " is of points: --points FILE says which");
     if (with_values) return check_with_values(options, file, name, run);
     if (!options.mesh_path.empty()) return check_with_mesh(options, file, name, run);
     if (!options.points_path.empty()) return check_with_points(options, file, name, run);

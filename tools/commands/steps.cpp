@@ -97,9 +97,12 @@ netmesh_status persist_as_asked(Session& session, const Options& options, const 
     return status;
 }
 
-netmesh_status make_vineyard(Session& session, const requests::Vineyard& request, Vines* vines) {
-    const netmesh_status status =
-        session.call(NETMESH_STAGE_REDUCE, [&] { return session.engine().vineyard(session.watched(request)); });
+netmesh_status make_vineyard(Session& session, const VineyardRequest& vineyard, const PointCloud& cloud, Vines* vines) {
+    Engine& engine = session.engine();
+    const netmesh_status status = session.call(NETMESH_STAGE_REDUCE, [&] {
+        if (!is_on_points(vineyard.choice.filter)) return engine.vineyard(session.watched(vineyard_request(vineyard)));
+        return engine.points_vineyard(session.watched(points_vineyard_request(vineyard, cloud.dim), cloud));
+    });
     if (status == NETMESH_OK) *vines = vines_of(session.engine());
     return status;
 }

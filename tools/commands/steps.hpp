@@ -19,8 +19,8 @@ netmesh_status make_diagram(Session& session, const Options& options, const Diag
 // options ask for them. `mesh`: one that was read, in place of one made of the points; `cloud` is that of its vertices.
 netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud,
                                 const MeshFiles* mesh = nullptr);
-// The vineyard of the mesh that the session holds; takes the vines out.
-netmesh_status make_vineyard(Session& session, const requests::Vineyard& request, Vines* vines);
+// The vineyard of the mesh that the session holds or of the points, whichever its filter goes by; takes the vines out.
+netmesh_status make_vineyard(Session& session, const VineyardRequest& vineyard, const PointCloud& cloud, Vines* vines);
 
 netmesh_status bound_bars(Session& session);
 netmesh_status find_cycles(Session& session);

@@ -1,4 +1,5 @@
-// vineyard: points in, one mesh, the diagrams of all k and the vines between them out; or a complex and values.
+// vineyard: points in, one mesh or one complex, the diagrams of all k and the vines between them out; or a complex and
+// values.
 #include "platform/clock.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/diagram_checks.hpp"
@@ -12,26 +13,22 @@ namespace netmesh::tool {
 
 namespace {
 
-requests::Vineyard vineyard_request(const Options& options, std::uint32_t dim) {
-    const FilterChoice choice = choice_of(options);
-    requests::Vineyard vineyard(choice.filter);
-    vineyard.k_first = *options.k;
-    vineyard.k_last = options.k_last.value_or(*options.k);
-    vineyard.values = choice.values;
-    vineyard.max_degree = max_degree_of(options, dim);
-    return vineyard;
+VineyardRequest asked_for(const Options& options, std::uint32_t dim) {
+    return {choice_of(options), *options.k, options.k_last.value_or(*options.k), max_degree_of(options, dim)};
 }
 
-// The checkers of the mesh, then each diagram computed afresh.
-netmesh_status check(Session& session, const Options& options, const Vines& vines, std::string* fault) {
-    netmesh_status status = check_everything(session);
-    requests::Persist persist = persist_request(options, {choice_of(options)}, session.mesh().dim);
+// The checkers of the mesh where there is one, then each diagram computed afresh.
+netmesh_status check(Session& session, const Options& options, const PointCloud& cloud, const Vines& vines,
+                     std::string* fault) {
+    netmesh_status status = is_on_points(filter_of(options)) ? NETMESH_OK : check_everything(session);
+    Options alone = options;
     for (std::size_t i = 0; i < vines.ratios.size() && status == NETMESH_OK; i++) {
-        persist.k = vines.k_first + static_cast<std::uint32_t>(i);
-        status = session.call(NETMESH_STAGE_CHECK, [&] { return session.engine().persist(session.watched(persist)); });
+        const std::uint32_t k = vines.k_first + static_cast<std::uint32_t>(i);
+        alone.k = k;
+        status = make_diagram(session, alone, {choice_of(options)}, cloud);
         if (status != NETMESH_OK) break;
-        if (first_difference(diagram_at(vines, persist.k), bars_of(session.engine())) == SIZE_MAX) continue;
-        *fault = "the diagram at k = " + std::to_string(persist.k) + " is not that of a fresh computation";
+        if (first_difference(diagram_at(vines, k), bars_of(session.engine())) == SIZE_MAX) continue;
+        *fault = "the diagram at k = " + std::to_string(k) + " is not that of a fresh computation";
         break;
     }
     return status;
@@ -44,7 +41,8 @@ Outcome read_input(const Options& options, PointCloud* cloud) {
                            list_filters(has_vineyard, "or"));
     }
     if (!options.k) return usage_error("vineyard needs --k FIRST..LAST");
-    Outcome outcome = check_ending(options.out, ".vines", "a vineyard");
+    Outcome outcome = check_max_degree(options);
+    if (outcome.good()) outcome = check_ending(options.out, ".vines", "a vineyard");
     if (outcome.good()) outcome = check_writable({options.out, options.svg});
     return outcome.good() ? read_points(options.positionals[0], cloud) : outcome;
 }
@@ -108,20 +106,22 @@ Outcome run_vineyard(const Options& options) {
     Session session(options, cloud.dim);
     Vines vines;
     std::string fault;
-    const std::size_t plan = plan_diagram(options, filter_of(options), cloud.dim, cloud.rows());
-    outcome = session.run(plan, cloud, [&](Session& s) {
-        netmesh_status status = make_mesh(s, cloud);
-        if (status == NETMESH_OK) status = make_vineyard(s, vineyard_request(options, cloud.dim), &vines);
+    const VineyardRequest asked = asked_for(options, cloud.dim);
+    outcome = session.run(plan_vineyard(options, asked, cloud.dim, cloud.rows()), cloud, [&](Session& s) {
+        netmesh_status status = prepare_for(s, options, asked.choice.filter, cloud);
+        if (status == NETMESH_OK) status = make_vineyard(s, asked, cloud, &vines);
         if (status != NETMESH_OK) return status;
         run.engine = s.engine().report();
-        return options.check ? check(s, options, vines, &fault) : status;
+        return options.check ? check(s, options, cloud, vines, &fault) : status;
     });
     if (!outcome.good()) return outcome;
     if (!fault.empty()) return {Exit::check, "netmesh: check failed: " + fault};
     run.clock = session.clock();
     if (options.check) {
-        run.checked = std::vector<std::string>{"combinatorics, orientation, Delaunay property, quality",
-                                               "each diagram equals a fresh computation"};
+        run.checked.emplace();
+        if (!is_on_points(asked.choice.filter))
+            run.checked->push_back("combinatorics, orientation, Delaunay property, quality");
+        run.checked->push_back("each diagram equals a fresh computation");
     }
     return finish(start, vines, &run);
 }

@@ -156,9 +156,10 @@ std::string diagram_lines(const netmesh_report& engine) {
 }
 
 std::string vineyard_lines(const netmesh_vineyard_report& vineyard) {
-    const std::string text = ": " + counted(vineyard.vines, "vine", "vines") + ", " +
-                             counted(vineyard.transpositions, "transposition", "transpositions") + " of " +
-                             grouped_text(vineyard.simplices) + " simplices";
+    std::string text = ": " + counted(vineyard.vines, "vine", "vines");
+    if (!is_on_points(vineyard.filter))
+        text += ", " + counted(vineyard.transpositions, "transposition", "transpositions");
+    text += " of " + grouped_text(vineyard.simplices) + " simplices";
     if (vineyard.filter == NETMESH_FILTER_NONE)
         return "vineyard " + counted(vineyard.k_last, "step", "steps") + text + "\n";
     return "vineyard k = " + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) + text + "; " +

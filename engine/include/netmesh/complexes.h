@@ -84,6 +84,40 @@ size_t netmesh_plan_points(const netmesh_points_request* request);
  * INVALID_ARGUMENT (K: 0, or above the number of different points), NOT_FINITE, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_points_request* request);
 
+/* A barycentric filter for a range of k, with the maps between consecutive k (8.5). */
+typedef struct netmesh_points_vineyard_request {
+    uint32_t struct_bytes;
+    uint32_t dim; /* D, 2..6 */
+    netmesh_monitor monitor;
+    const double* points;  /* [point_count][D]. Not read by the plan */
+    size_t point_count;    /* 1 .. NETMESH_POINTS_MAX */
+    netmesh_filter filter; /* BARYCENTRIC_CECH or BARYCENTRIC_RIPS */
+    netmesh_values values;
+    uint32_t k_first, k_last; /* 1 <= k_first <= k_last and k_last + max_degree <= 30; init: 1 and 1 */
+    uint32_t max_degree;      /* init: 1 */
+} netmesh_points_vineyard_request;
+
+void netmesh_points_vineyard_request_init(netmesh_points_vineyard_request* request, size_t request_bytes, uint32_t dim,
+                                          netmesh_filter filter);
+
+/* As netmesh_plan_points. */
+size_t netmesh_plan_points_vineyard(const netmesh_points_vineyard_request* request);
+
+/* The diagrams of all k in one run, each that of netmesh_persist_points without pairs of zero length, and vines through
+ * them, read by netmesh_get_vine_point. The places within a radius of k + 1 points are within that radius of k points:
+ * at every scale inclusion maps the homology of the former to that of the latter. Vines join the bars that these maps
+ * match (Bauer and Lesnick's induced matching): where a vine is at (b, d) for k and at (b', d') for k + 1, classes born
+ * at b' for k + 1 live on for k until d, and the image of the map has the bar (b', d). The bars of the image are these
+ * and no others, so its rank between two scales a <= c is the number of vines with b' <= a and c < d. A bar that its
+ * vine does not lead from k + 1 to k is mapped to what is older there. Each map is matched by itself: a vine through
+ * three k says nothing of the map from the third to the first.
+ * Of BARYCENTRIC_CECH the maps are those of the places themselves (the equivalence of theorem 8.5.5 holds for all k
+ * together), of BARYCENTRIC_RIPS they are as close to them as the diagrams are, by the same ratio.
+ * One complex for all k: nested sets of k_first to k_last + max_degree + 1 points that differ by at most max_degree
+ * + 1. Replaces what the context held, also on failure. The vineyard's report has no transpositions. INVALID_ARGUMENT
+ * (K_LAST: above the number of different points), NOT_FINITE, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_points_vineyard(netmesh_context* context, const netmesh_points_vineyard_request* request);
+
 /* Any filtered simplicial complex (6.2, 6.3). Simplex i has the vertices vertices[starts[i] .. starts[i + 1]), at
  * most 32 distinct labels in any order, and enters at entries[i], a finite number. Simplices come in any order; every
  * face must be there and enter no later. */

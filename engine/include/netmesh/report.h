@@ -138,10 +138,11 @@ typedef struct netmesh_vineyard_report {
     uint64_t vines, points, transpositions;
     uint64_t simplices;     /* of the filtered complex */
     double certified_ratio; /* the largest of all k */
-    uint64_t reserved[2];
+    double value_error;     /* of netmesh_points_vineyard: as that of a diagram; others: 0 */
+    uint64_t reserved[1];
 } netmesh_vineyard_report;
 
-/* Of netmesh_homology, netmesh_value_vineyard and netmesh_persist_points. */
+/* Of netmesh_homology, netmesh_value_vineyard, netmesh_persist_points and netmesh_points_vineyard. */
 typedef struct netmesh_complex_report {
     uint32_t present;
     uint64_t vertices;

@@ -134,3 +134,55 @@ TEST_CASE("vineyard: a complex and values of the user's") {
     }
     CHECK(folder.run("vineyard c.txt --values missing.txt").exit == 3);
 }
+
+TEST_CASE("vineyard: nested sets for a range of k") {
+    const Folder folder;
+    folder.write("square.txt", "0 0\n1 0\n1 1\n0 1\n");
+    const Result result =
+        folder.run("vineyard square.txt --filter barycentric-cech --k 1..4 -o s.vines --check --json");
+    CHECK(result.err == "");
+    CHECK(result.exit == 0);
+    CHECK(number_in(result.out, "k_last") == 4);
+    CHECK(number_in(result.out, "vines") == 8);
+    CHECK(number_in(result.out, "value_error") > 0);
+    const std::string vines = folder.read("s.vines");
+    CHECK(vines.rfind("# netmesh vineyard 1: vine degree k birth death\n# filter barycentric-cech, certified values\n"
+                      "# k 1 certified ratio 1\n",
+                      0) == 0);
+    CHECK(vines.find("\n3 0 1 0 inf\n3 0 2 0.5 inf\n3 0 3 0.707") != std::string::npos);
+    CHECK(folder.run("check s.vines").exit == 0);
+    CHECK(folder.run("check s.vines --points square.txt")
+              .out.find("s.vines is the vineyard of square.txt for filter "
+                        "barycentric-cech") != std::string::npos);
+    CHECK(folder.run("check s.vines --points square.txt --max-degree 0").exit == 7);
+    CHECK(folder.run("check s.vines --points square.txt --max-degree 2").exit == 0);
+    CHECK(folder.run("check s.vines --mesh m.node").says("s.vines is of points: --points FILE says which"));
+    CHECK(folder.run("vineyard square.txt --filter barycentric-cech --k 1..4").says("8 vines of 97 simplices"));
+    // A lens is said to go on as another component, and to have been there before.
+    for (const auto& [have, forged] :
+         {std::pair("3 0 2 0.5 inf", "3 0 2 0.5 0.7071067811865476"),
+          std::pair("4 0 2 0.5 0.7071067811865476", "4 0 2 0.5 0.71"), std::pair("7 1 1 0.5 0.7071067811865476\n", ""),
+          std::pair("# k 4 certified ratio 1", "# k 4 certified ratio 2")}) {
+        CAPTURE(have);
+        std::string text = vines;
+        text.replace(text.find(have), std::string(have).size(), forged);
+        folder.write("forged.vines", text);
+        CHECK(folder.run("check forged.vines --points square.txt").exit == 7);
+    }
+    // Maps match no bars like these, whatever the points.
+    folder.write("form.vines", "# filter barycentric-rips, thesis values\n# k 1 certified ratio 1.5\n"
+                               "# k 2 certified ratio 1.5\n0 0 1 0 inf\n0 0 2 1 inf\n1 0 1 0 2\n1 0 2 2 3\n");
+    CHECK(folder.run("check form.vines").says("form.vines: line 7: no map from k = 2"));
+    CHECK(folder.run("check form.vines").exit == 7);
+
+    CHECK(folder.run("sample sphere -n 8 -o p.csv").exit == 0);
+    CHECK(folder.run("vineyard p.csv --filter barycentric-rips --values thesis --k 2..3 -o p.vines --quiet").exit == 0);
+    CHECK(folder.run("check p.vines --points p.csv").exit == 0);
+    for (const char* line :
+         {"--k 1..30", "--k 1..4 --max-degree 27", "--filter rips --k 1..2", "--filter cech --k 1..2"}) {
+        CAPTURE(line);
+        CHECK(folder.run(std::string("vineyard p.csv --filter barycentric-cech ") + line).exit == 2);
+    }
+    CHECK(folder.run("vineyard p.csv --filter barycentric-cech --k 1..9").exit == 3);
+    CHECK(folder.run("vineyard p.csv --filter barycentric-cech --k 1..4 --memory 64K").exit == 4);
+}

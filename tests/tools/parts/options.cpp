@@ -158,7 +158,7 @@ TEST_CASE("filters are those of the library's table") {
     });
     CHECK(offered == 12);
     CHECK(filter_name(NETMESH_FILTER_NONE) == std::string("none"));
-    CHECK(names(help_text(Command::vineyard), "knn (default) or kdistance\n"));
+    CHECK(names(help_text(Command::vineyard), "knn (default), kdistance, barycentric-cech or barycentric-rips\n"));
     CHECK(choice_text({NETMESH_FILTER_KNN, NETMESH_VALUES_THESIS}) == "filter knn, thesis values");
     CHECK(choice_text({NETMESH_FILTER_ALPHA, NETMESH_VALUES_CERTIFIED}) == "filter alpha");
 }

@@ -1,0 +1,103 @@
+#include "jobs/point_set.hpp"
+
+#include "filtration/filters.hpp"
+#include "filtration/half_distance.hpp"
+#include "filtration/point_complexes.hpp"
+#include "numerics/fingerprint.hpp"
+#include "numerics/real.hpp"
+#include "numerics/sort.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr double fourth_root_of_two = 0x1.306fe0a31b716p0;  // rounded up
+constexpr double root_of_two = 0x1.6a09e667f3bcdp0;         // rounded up
+
+bool is_approximate(const PointsFilter& filter) { return has_edges(filter.filter) && is_barycentric(filter.filter); }
+
+}  // namespace
+
+Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::uint64_t* culprit) {
+    const std::uint32_t n = given.count, dim = given.dim;
+    const double* const points = given.points;
+    double* const x = arena.take_low<double>(std::size_t{n} * dim);
+    const ArenaScope scope(arena);
+    std::uint32_t* const order = arena.take_high<std::uint32_t>(n);
+    unsigned char* const repeated = arena.take_high<unsigned char>(n);
+    if (x == nullptr || order == nullptr || repeated == nullptr) return Status::out_of_memory;
+    Fingerprint f;
+    f.add(static_cast<std::uint64_t>(dim));
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t d = 0; d < dim; ++d) {
+            const std::size_t at = std::size_t{i} * dim + d;
+            *culprit = i;
+            if (!is_finite(points[at])) return Status::not_finite;
+            x[at] = points[at] + 0.0;
+            f.add(x[at]);
+        }
+        order[i] = i;
+        repeated[i] = 0;
+    }
+    const auto compare = [x, dim](std::uint32_t a, std::uint32_t b) {
+        for (std::uint32_t d = 0; d < dim; ++d) {
+            const double xa = x[std::size_t{a} * dim + d], xb = x[std::size_t{b} * dim + d];
+            if (xa != xb) return xa < xb ? -1 : 1;
+        }
+        return 0;
+    };
+    sort(order, n, [compare](std::uint32_t a, std::uint32_t b) {
+        const int c = compare(a, b);
+        return c != 0 ? c < 0 : a < b;
+    });
+    for (std::uint32_t i = 1; i < n; ++i) repeated[order[i]] = compare(order[i - 1], order[i]) == 0;
+    out->count = 0;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        if (repeated[i] != 0) continue;
+        for (std::uint32_t d = 0; d < dim; ++d) x[std::size_t{out->count} * dim + d] = x[std::size_t{i} * dim + d];
+        ++out->count;
+    }
+    out->coordinates = x;
+    out->dim = dim;
+    out->fingerprint = f.value();
+    return Status::ok;
+}
+
+bool is_barycentric(netmesh_filter filter) { return find_filter(filter)->has(filter_trait::needs_k); }
+bool has_edges(netmesh_filter filter) { return find_filter(filter)->has(filter_trait::made_of_edges); }
+
+double factor_of(const PointsFilter& filter) {
+    return is_approximate(filter) && filter.values == FilterValues::certified ? fourth_root_of_two : 1;
+}
+double ratio_of(const PointsFilter& filter) {
+    if (!is_approximate(filter)) return 1;
+    return filter.values == FilterValues::certified ? fourth_root_of_two : root_of_two;
+}
+
+Status list_sets(const PointSet& set, netmesh_filter filter, std::uint32_t dimension, const Work& work,
+                 ListedComplex* out, double* error) {
+    return with_dimension(set.dim, [&](auto d) {
+        constexpr int D = decltype(d)::value;
+        const double* const x = set.coordinates;
+        if (!has_edges(filter)) return cech_complex<D>(x, set.count, dimension, work, out, error);
+        return is_barycentric(filter) ? full_rips_complex<D>(x, set.count, dimension, work, out)
+                                      : rips_complex<D>(x, set.count, dimension, work, out);
+    });
+}
+
+void ValueRange::add(double birth, double death) {
+    if (birth > 0 && birth < least) least = birth;
+    if (birth > most) most = birth;
+    if (death < least && death > 0) least = death;
+    if (death < infinity && death > most) most = death;
+}
+
+double edge_error(const ValueRange& range, double factor, std::uint32_t dim) {
+    return with_dimension(dim, [&](auto d) {
+        constexpr int D = decltype(d)::value;
+        const double error = half_distance_error<D>(range.least / factor, range.most / factor);
+        return factor > 1 ? error + 1.01 * unit_roundoff : error;
+    });
+}
+
+}  // namespace netmesh
