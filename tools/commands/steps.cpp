@@ -39,7 +39,7 @@ netmesh_status make_diagram(Session& session, const Options& options, const Diag
 
 namespace {
 
-// The best mesh and diagram for the memory. What was reached is what is checked.
+// The best mesh and diagram for the memory, or those that decide the most bars. What was reached is what is checked.
 netmesh_status fit(Session& session, const Options& options, const PointCloud& cloud) {
     netmesh_status status = session.call(NETMESH_STAGE_REFINE, [&] {
         return session.engine().fit(session.watched(fit_request(options, cloud.dim), cloud));
@@ -52,7 +52,7 @@ netmesh_status fit(Session& session, const Options& options, const PointCloud& c
 }  // namespace
 
 netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud) {
-    if (options.fit) return fit(session, options, cloud);
+    if (options.fit || options.focus_auto) return fit(session, options, cloud);
     DiagramRequest diagram{choice_of(options), options.all, false};
     const netmesh_filter_info& filter = about(diagram.choice.filter);
     const bool on_points = is_on_points(filter.filter);
