@@ -73,6 +73,8 @@ public:
         context_->bounds.longer_than = request_.longer_than;
         const DecisionView view = decision_of(context_);
         decided->reach = undecided_reach(view);
+        decided->from = decided_from(view);
+        decided->top = context_->mesh.enclosing_radius;
         for (std::uint64_t i = 0; i < view.bars; ++i) decided->certain += view.bounds[i].certain;
         return Status::ok;
     }
