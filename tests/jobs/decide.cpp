@@ -77,6 +77,10 @@ TEST_CASE("classes without a bar count as far as the curve leaves them room") {
     CHECK(decided_from(view({}, gap, 1.2)) == 0.9);
     CHECK(decided_from(view({}, gap, 1.49)) == 0.9);
     CHECK(decided_from(view({}, gap, 1.51)) == 0);
+    // A class that was born before the step.
+    const std::vector<ScaleStep> before = {{0.6, 0.5, 0.9, 0.9, 1.4}, {0.8, infinity, 0.8, 0.8, 1}};
+    CHECK(decided_from(view({}, before, 1.6)) == 0.9);
+    CHECK(decided_from(view({}, before, 1.81)) == 0);
     // One ratio at all scales, as of filters without bounds of cells.
     CHECK(decided_from(view({}, {{0, 0, infinity, infinity, 1.5}}, 2)) == infinity);
     CHECK(decided_from(view({}, {{0, 0, infinity, infinity, 1.5}}, 2.26)) == 0);
