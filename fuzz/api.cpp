@@ -152,10 +152,16 @@ private:
             if (request.by_error != 0 && !tape_.rarely()) request.ratio = request.focus_from = request.focus_to = 0;
         }
         if (tape_.rarely()) request.points = nullptr;
+        if (tape_.rarely()) {
+            request.longer_than = tape_.rarely() ? tape_.number() : 1 + tape_.byte() / 64.0;
+            if (tape_.byte() & 1) request.focus_from = request.focus_to = 0;
+        }
         if (ended(netmesh_fit(context_, maybe<netmesh_fit_request>(request, c))) != NETMESH_OK) return;
         const netmesh_report r = report();
         const bool laddered = r.diagram.filter == NETMESH_FILTER_COMPLETE && request.values == NETMESH_VALUES_CERTIFIED;
         require(r.diagram.present != 0);
+        require(r.decision.present == 0 || r.decision.longer_than == request.longer_than);
+        require(!(r.decision.decided_from < r.decision.undecided_to));
         require(!laddered || r.diagram.certified_ratio <= r.mesh.certificate.ratio);
         netmesh_mesh_request made = c.mesh_request();
         made.tau = made.domain_factor = 0;  // a mesh for an error has the dimension's tau

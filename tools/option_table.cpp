@@ -114,7 +114,14 @@ std::string apply_ratio(Options& options, const std::string& text) {
 }
 
 std::string apply_focus(Options& options, const std::string& text) {
-    return parse_finite(text, &options.focus) && options.focus > 1 ? "" : "must be a finite number above 1";
+    const bool persists = options.command == Command::persist;
+    options.focus = 0;
+    options.focus_auto = persists && text == "auto";
+    if (options.focus_auto || (parse_finite(text, &options.focus) && options.focus > 1)) return {};
+    return persists ? "must be a finite number above 1, or auto" : "must be a finite number above 1";
+}
+std::string apply_longer_than(Options& options, const std::string& text) {
+    return parse_finite(text, &options.longer_than) && options.longer_than > 1 ? "" : "must be a finite number above 1";
 }
 std::string apply_from(Options& options, const std::string& text) {
     return parse_finite(text, &options.from) && options.from > 0 ? "" : "must be a finite radius above 0";
@@ -341,8 +348,13 @@ const std::vector<OptionEntry>& option_entries() {
         {"--whole-cells", persist | check, nullptr, apply_switch<&Options::whole_cells>,
          "refine by the certificate for whole Voronoi cells, not for cells clipped to a ball around the points: more\n"
          "                    vertices for the same ratio"},
-        {"--focus", persist | check, "C", apply_focus,
-         "certify this ratio, above 1, of what matters to radii --from to --to"},
+        {"--focus", persist, "C|auto", apply_focus,
+         "certify this ratio, above 1, of what matters to radii --from to --to. auto: refine where bars are undecided "
+         "until\n"
+         "                    each surely is real or surely short, or --memory is full; the file says C, A and B"},
+        {"--focus", check, "C", apply_focus, "certify this ratio, above 1, of what matters to radii --from to --to"},
+        {"--longer-than", persist, "L", apply_longer_than,
+         "with --focus auto: bars that may die after L times their birth, L above 1, are to be decided (1.5)"},
         {"--from", persist | check, "A", apply_from, "least radius of interest"},
         {"--to", persist | check, "B", apply_to, "largest radius of interest"},
         {"--fit", persist, nullptr, apply_switch<&Options::fit>,
@@ -444,6 +456,7 @@ const char* option_name(netmesh_field field) {
                  {NETMESH_FIELD_FOCUS_RATIO, "--focus"},
                  {NETMESH_FIELD_FOCUS_FROM, "--from"},
                  {NETMESH_FIELD_FOCUS_TO, "--to"},
+                 {NETMESH_FIELD_LONGER_THAN, "--longer-than"},
                  {NETMESH_FIELD_METHOD, "--method"},
                  {NETMESH_FIELD_AUDIT, "--audit"},
                  {NETMESH_FIELD_FILTER, "--filter"},

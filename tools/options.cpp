@@ -98,8 +98,10 @@ Outcome check_audit(const Options& options) {
     if ((options.audit & NETMESH_AUDIT_LOCATION) != 0 && (persists || options.eps > 0 || options.size_at_inputs > 0))
         return usage_error("--audit location goes with the command mesh, and not with --eps or --cell-size");
     const netmesh_filter_info& filter = about(filter_of(options));
-    if (persists && (options.fit || filter.source != NETMESH_SOURCE_MESH || filter.has_theta != 0))
-        return usage_error("--audit is of one mesh: for filters on a mesh but scales, and not with --fit");
+    if (persists &&
+        (options.fit || options.focus_auto || filter.source != NETMESH_SOURCE_MESH || filter.has_theta != 0))
+        return usage_error("--audit is of one mesh: for filters on a mesh but scales, and not with --fit "
+                           "or --focus auto");
     return {};
 }
 
@@ -200,7 +202,23 @@ bool clips_cells(const Options& options) {
     return refines_by_certificate(options) && about(filter_of(options)).clips_cells != 0;
 }
 
+namespace {
+
+Outcome check_focus_auto(const Options& options) {
+    if (!refines_by_certificate(options) || about(filter_of(options)).has_goal == 0)
+        return usage_error("--focus auto is for the complete filter with certified values, without --method");
+    if (options.fit) return usage_error("--fit finds the best ratio, --focus auto which bars are real; leave one out");
+    if (options.from > 0 || options.to > 0)
+        return usage_error("--focus auto finds the scales; leave out --from and --to");
+    if (options.memory_bytes == 0) return usage_error("--focus auto needs --memory, the size to fit in");
+    return {};
+}
+
+}  // namespace
+
 Outcome check_ratio(const Options& options) {
+    if (options.longer_than > 0 && !options.focus_auto) return usage_error("--longer-than goes with --focus auto");
+    if (options.focus_auto) return check_focus_auto(options);
     const bool focused = options.focus > 0 || options.from > 0 || options.to > 0;
     if (fits_error(options) && (options.ratio || focused))
         return usage_error(

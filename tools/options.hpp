@@ -37,6 +37,8 @@ struct Options {
     std::optional<netmesh_method> method;    // persist: a quality mesh, in place of refinement by the certificate
     std::optional<double> ratio;             // asked of the certificate
     double focus = 0, from = 0, to = 0;      // ratio at scales of interest, and the scales; 0: not given
+    bool focus_auto = false;                 // scales of interest are those where bars are undecided
+    double longer_than = 0;                  // death over birth of bars to be decided; 0: not given
     bool fit = false;                        // the best ratio that the memory holds
     bool finish = false;                     // a hierarchical mesh
     std::optional<netmesh_cage_kind> cages;  // of a hierarchical mesh

@@ -74,6 +74,10 @@ requests::Fit fit_request(const Options& options, std::uint32_t dim) {
     fit.seed = options.seed;
     fit.by_error = choice_of(options).filter == NETMESH_FILTER_FUNCTION ? 1 : 0;
     fit.ratio = fit.by_error != 0 ? 0 : options.ratio.value_or(default_fit_ratio);
+    if (options.focus_auto) {
+        fit.ratio = mesh_request(options, dim).certificate.ratio;
+        fit.longer_than = options.longer_than > 0 ? options.longer_than : default_longer_than;
+    }
     fit.focus_from = options.from;
     fit.focus_to = options.to;
     fit.max_degree = max_degree_of(options, dim);

@@ -22,8 +22,8 @@ struct VineyardRequest {
 };
 
 // What the library takes for an option that is not given: the ratio that --fit begins with, --eps of the filters tight
-// and scales, --theta.
-constexpr double default_fit_ratio = 4, default_eps = 0.5, default_theta = 1.0 / 9;
+// and scales, --theta, --longer-than.
+constexpr double default_fit_ratio = 4, default_eps = 0.5, default_theta = 1.0 / 9, default_longer_than = 1.5;
 
 // The certified ratio of a mesh of aspect ratio tau, which is what refinement by the certificate aims at by default.
 double default_ratio(const netmesh_mesh_request& mesh);

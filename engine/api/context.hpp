@@ -82,6 +82,7 @@ struct KeptBounds {
     bool present = false;
     Slice<BarBounds> bars;
     Slice<ScaleStep> steps;
+    double longer_than = 0;  // of a fit that decides bars
 };
 
 struct KeptVineyard {

@@ -58,7 +58,8 @@ template <> struct Figures_of<netmesh_report> {
                                hierarchy = IF_BIT(mesh.method, NETMESH_METHOD_HIERARCHY),
                                location = IF_BIT(mesh.audit.what, NETMESH_AUDIT_LOCATION),
                                quality = IF_BIT(mesh.audit.what, NETMESH_AUDIT_QUALITY), diagram = IF(diagram.present),
-                               scales = IF(scales.present), bounds = IF(bounds.present), vines = IF(vineyard.present);
+                               scales = IF(scales.present), bounds = IF(bounds.present), vines = IF(vineyard.present),
+                               decision = IF(decision.present);
     static constexpr std::uint16_t degrees = NETMESH_DEGREE_MAX + 1;
     static constexpr auto before_pairs = static_cast<std::uint8_t>(FingerprintPart::diagram);
     static constexpr auto before_vines = static_cast<std::uint8_t>(FingerprintPart::vineyard);
@@ -129,6 +130,11 @@ template <> struct Figures_of<netmesh_report> {
         ONE("diagram.scales.vertices", uint64, scales.vertices, scales, on_request, 0),
         ARRAY("diagram.certain", uint64, bounds.certain, degrees, bounds, bounds.max_degree, 1, on_request, 0),
         ONE("diagram.steps", uint64, bounds.steps, bounds, on_request, 0),
+        ONE("diagram.longer_than", real, decision.longer_than, decision, on_request, 0),
+        ARRAY("diagram.undecided", uint64, decision.undecided, degrees, decision, decision.max_degree, 1, on_request,
+              0),
+        ONE("diagram.undecided_to", real, decision.undecided_to, decision, on_request, 0),
+        ONE("diagram.decided_from", real, decision.decided_from, decision, on_request, 0),
 
         ONE("vineyard.filter", filter, vineyard.filter, vines, on_request, 0),
         ONE("vineyard.values", values, vineyard.values, vines, on_request, 0),

@@ -1,5 +1,6 @@
 // Budget mode: the best certified diagram that fits in the block.
 #include "jobs/fit.hpp"
+#include "api/items.hpp"
 #include "api/measure.hpp"
 #include "api/requests.hpp"
 #include "certificate/rounding.hpp"
@@ -76,6 +77,21 @@ public:
         return request_.bounds != 0 ? static_cast<Status>(bound()) : Status::ok;
     }
 
+    // The same with bounds, and what they decide of bars longer than the request says.
+    Status make_bounded(const RatioGoal& goal, Decided* decided) const {
+        netmesh_status status = mesh(goal);
+        if (status == NETMESH_OK) status = persist();
+        if (status == NETMESH_OK) status = bound();
+        if (status != NETMESH_OK) return static_cast<Status>(status);
+        context_->bounds.longer_than = request_.longer_than;
+        const DecisionView view = decision_of(context_);
+        decided->reach = undecided_reach(view);
+        decided->from = decided_from(view);
+        decided->top = context_->mesh.enclosing_radius;
+        for (std::uint64_t i = 0; i < view.bars; ++i) decided->certain += view.bounds[i].certain;
+        return Status::ok;
+    }
+
 private:
     // What a caller's size function would be.
     struct Sizes {
@@ -136,6 +152,11 @@ Complaint complaint_about(const netmesh_fit_request& request) {
     if (request.by_error != 0 && request.ratio != 0) return {NETMESH_FIELD_RATIO, "by_error does not go with a ratio"};
     if (request.by_error != 0 && focused)
         return {NETMESH_FIELD_FOCUS_FROM, "by_error does not go with scales of interest"};
+    if (request.longer_than != 0) {
+        if (!(request.longer_than > 1 && is_finite(request.longer_than)))
+            return {NETMESH_FIELD_LONGER_THAN, "longer_than is not a finite number above 1"};
+        if (focused) return {NETMESH_FIELD_FOCUS_FROM, "with longer_than scales of interest are chosen, not given"};
+    }
     return focused ? complaint_about_focus(request.focus_from, request.focus_to) : Complaint{};
 }
 
@@ -149,6 +170,8 @@ Complaint read_filter(const netmesh_fit_request& request, FilterRequest* filter,
     if (complaint.text != nullptr) return complaint;
     const std::uint32_t k = request.k > 1 ? request.k : 1;
     *filter = {row->id, values_of(request.values), row->has(filter_trait::needs_k) ? k : 0, function};
+    if (request.longer_than != 0 && (!row->has(filter_trait::has_goal) || filter->values != FilterValues::certified))
+        return {NETMESH_FIELD_FILTER, "longer_than is for the complete filter with certified values"};
     if (filter->k > request.point_count) return {NETMESH_FIELD_K, "k is more than the number of points"};
     if (request.by_error != 0 && !row->has(filter_trait::needs_function))
         return {NETMESH_FIELD_FILTER, "by_error is of the filter by a function"};
@@ -172,12 +195,15 @@ extern "C" netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fi
     const Complaint about_filter = read_filter(request, &filter, &function);
     if (about_filter.text != nullptr) return refuse(context, about_filter);
     const FitRun run(context, request, filter);
+    const double coarsest = request.ratio != 0 ? request.ratio : coarsest_ratio;
     Status status;
     if (request.by_error != 0) {
         status = fit(ErrorLadder(), [&](double error, Climbed* climbed) { return run.make(error, climbed); });
+    } else if (request.longer_than != 0) {
+        status = decide(FocusPath(coarsest, request.longer_than),
+                        [&](const RatioGoal& goal, Decided* decided) { return run.make_bounded(goal, decided); });
     } else {
-        const RatioLadder ladder(request.ratio != 0 ? request.ratio : coarsest_ratio, request.focus_from,
-                                 request.focus_to);
+        const RatioLadder ladder(coarsest, request.focus_from, request.focus_to);
         status = fit(ladder, [&](const RatioGoal& goal, Climbed* climbed) { return run.make(goal, climbed); });
     }
     if (status != Status::ok) clear(context);  // a mesh or a diagram of which a part is missing is no answer

@@ -1,6 +1,7 @@
 // The mesh of a context that is only read.
 #pragma once
 #include "api/call.hpp"
+#include "jobs/decide.hpp"
 
 namespace netmesh {
 
@@ -23,5 +24,11 @@ private:
     StoreState state_;
     Store<D> store_;
 };
+
+// The bounds of a fit that decides bars.
+inline DecisionView decision_of(const netmesh_context* context) {
+    const KeptBounds& kept = context->bounds;
+    return {kept.bars.in(context), kept.bars.count, kept.steps.in(context), kept.steps.count, kept.longer_than};
+}
 
 }  // namespace netmesh

@@ -155,6 +155,19 @@ void report_bounds(const netmesh_context* context, netmesh_bounds_report* to) {
     to->steps = context->bounds.steps.count;
 }
 
+void report_decision(const netmesh_context* context, netmesh_decision_report* to) {
+    const KeptBounds& bounds = context->bounds;
+    const Pair* const pairs = context->diagram.pairs.in(context);
+    const DecisionView view = decision_of(context);
+    to->present = 1;
+    to->max_degree = context->diagram.max_degree;
+    to->longer_than = bounds.longer_than;
+    for (std::uint64_t i = 0; i < bounds.bars.count; ++i)
+        to->undecided[pairs[i].degree] += is_undecided(view.bounds[i], bounds.longer_than);
+    to->undecided_to = undecided_reach(view);
+    to->decided_from = decided_from(view);
+}
+
 void report_scales(const KeptScales& scales, netmesh_scales_report* to) {
     to->present = 1;
     to->count = scales.count;
@@ -199,6 +212,7 @@ netmesh_report report_of(const netmesh_context* context) {
     }
     if (context->diagram.present) report_diagram(context, &report.diagram);
     if (context->bounds.present) report_bounds(context, &report.bounds);
+    if (context->bounds.longer_than > 0) report_decision(context, &report.decision);
     if (context->scales.present) report_scales(context->scales, &report.scales);
     if (context->vineyard.present) report_vineyard(context->vineyard, &report.vineyard);
     report.simplicial_complex.present = input.is_complex;

@@ -94,6 +94,7 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_NET_SPACING: return "net_spacing";
     case NETMESH_FIELD_CAGE_KIND: return "cage_kind";
     case NETMESH_FIELD_STEP_COUNT: return "step_count";
+    case NETMESH_FIELD_LONGER_THAN: return "longer_than";
     case NETMESH_FIELD_COUNT: break;
     }
     return "unknown field";

@@ -1,6 +1,6 @@
 // The certified ratio by scale against the truth, GUDHI's exact alpha complexes: on random and nasty sets no bar of a
 // diagram is farther from the truth than the curve allows at the scales of its birth and death. NETMESH_SCALE_SETS sets
-// (40), each by one of the filters and kinds of mesh in turn.
+// (40), each by one of the filters and kinds of mesh in turn; and as many for which fits choose scales of interest.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -191,4 +191,61 @@ TEST_CASE("random and nasty sets") {
     }
     MESSAGE(sets() << " sets; what 0.1.0 said is refused on " << refused);
     CHECK(refused > 0);
+}
+
+// Fits that refine where bars are undecided.
+TEST_CASE("what a fit decides is so") {
+    const double longer_thans[] = {1.1, 1.5, 2.5};
+    std::size_t real = 0, due_in_all = 0, focused = 0;
+    for (int i = 0; i < sets(); ++i) {
+        const int kind = i % kinds, dim = 2 + i / kinds % 2;
+        const std::uint64_t seed = 3000 + static_cast<std::uint64_t>(i);
+        CAPTURE(i);
+        CAPTURE(kind);
+        CAPTURE(dim);
+        // Every other set is a shell, with a class of degree dim - 1 that is long and many that are not.
+        const auto n = static_cast<std::size_t>(30 + 5 * (i % 9));
+        const inputs::Points points = i % 2 == 0 ? nasty(dim, kind, seed) : inputs::shell(dim, n, 1, 1.3, seed);
+        Session session(dim);
+        session.reserve(std::size_t{1} << (19 + i % 4));
+        netmesh_fit_request asked = session.fit_request(points);
+        asked.longer_than = longer_thans[i % 3];
+        asked.ratio = i % 4 == 0 ? 0 : 2;
+        REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+        const netmesh_report report = session.report();
+        focused += report.mesh.certificate.focus_ratio > 0;
+        const Diagram truth = truth_of(dim, points);
+        const Curve by_scale = curve(session);
+        CHECK(moves_within(by_scale, diagram(session), truth));
+        std::size_t certain = 0;
+        CHECK(bounds_hold(session, truth, &certain));
+        real += certain;
+        // Each true class that is long and dies late has a bar of its own that is said to be real.
+        std::map<std::uint32_t, Bars> ours, due;
+        const std::vector<netmesh_pair> pairs = session.pairs();
+        const std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
+        for (std::size_t bar = 0; bar < pairs.size(); ++bar)
+            if (bounds[bar].certain == 1) ours[pairs[bar].degree].push_back({pairs[bar].birth, pairs[bar].death});
+        for (const auto& [degree, bars] : truth)
+            for (const auto& bar : bars)
+                if (bar.second > asked.longer_than * bar.first * (1 + 1e-9) &&
+                    bar.second > report.decision.decided_from * (1 + 1e-9))
+                    due[degree].push_back(bar);
+        for (const auto& [degree, bars] : due) {
+            CAPTURE(degree);
+            const Bars& of_degree = ours[degree];
+            const auto fits = [&, &bars = bars](std::size_t j, std::size_t k) {
+                const Range birth = by_scale.at(of_degree[k].first), death = by_scale.at(of_degree[k].second);
+                const double slack = 1 + 1e-9;
+                return birth.low <= bars[j].first * slack && bars[j].first <= birth.high * slack &&
+                       death.low <= bars[j].second * slack && bars[j].second <= death.high * slack;
+            };
+            CHECK(all_matched(bars.size(), of_degree.size(), fits));
+            if (degree > 0) due_in_all += bars.size();
+        }
+    }
+    MESSAGE(sets() << " sets, " << focused << " refined, " << real << " bars surely real, " << due_in_all
+                   << " classes above degree 0 that had to be among them");
+    CHECK(focused >= static_cast<std::size_t>(sets()) / 4);
+    CHECK(due_in_all > 0);
 }

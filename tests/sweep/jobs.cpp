@@ -81,6 +81,13 @@ netmesh_status focused(Run& run) {
 // As fine as the block allows: a request refused gives another diagram, and a whole one.
 netmesh_status fit(Run& run) { return run.fit(run.points(), true); }
 
+// The same, for bars to be decided.
+netmesh_status decide(Run& run) {
+    netmesh_fit_request request = run.fit_request(run.points());
+    request.longer_than = 1.05;
+    return netmesh_fit(run.context, &request);
+}
+
 netmesh_status check(Run& run) {
     const netmesh_status status = mesh(run);
     return status == NETMESH_OK ? run.check(NETMESH_CHECK_ALL & ~NETMESH_CHECK_BOUNDS) : status;
@@ -239,6 +246,8 @@ const Job low_dimensions[] = {
     Job{"fit", 2, 5, fit}.keeping_diagram().tries(40).using_up(64 << 10),
     Job{"fit", 3, 3, fit}.keeping_diagram().tries(40).using_up(64 << 10).large(),
     Job{"fit", 4, 2, fit}.keeping_diagram().tries(40).using_up(80 << 10).large(),
+    Job{"decide", 2, 25, decide}.keeping_diagram().tries(40).using_up(128 << 10),
+    Job{"decide", 3, 12, decide}.keeping_diagram().tries(40).using_up(256 << 10).large(),
     Job{"released", 2, 8, released}.large().tries(100),
     Job{"released", 3, 8, released}.large().tries(50),
     Job{"released", 4, 8, released}.large().tries(50),

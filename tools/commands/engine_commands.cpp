@@ -252,6 +252,16 @@ std::vector<FileJob> mesh_jobs(const Options& options, const Measured& measured,
     return jobs;
 }
 
+// What --focus auto has chosen, as if it had been asked for: so the file says, and so `check` makes it again.
+void take_focus(const netmesh_certificate_goal& goal, Options* options) {
+    options->focus_auto = false;
+    options->longer_than = 0;
+    options->ratio = goal.ratio;
+    options->focus = goal.focus_ratio;
+    options->from = goal.focus_from;
+    options->to = goal.focus_to;
+}
+
 }  // namespace
 
 Outcome run_engine_command(const Options& from) {
@@ -261,7 +271,8 @@ Outcome run_engine_command(const Options& from) {
     Outcome outcome = read_input(&given, &input);
     if (!outcome.good()) return outcome;
     const PointCloud& cloud = input.cloud;
-    const Options options = suited(given, cloud.dim);
+    Options options = suited(given, cloud.dim);
+    options.bounds = options.bounds || options.focus_auto;
     RunReport run;
     run.options = &options;
     run.read_seconds = platform::seconds_now() - start;
@@ -275,6 +286,7 @@ Outcome run_engine_command(const Options& from) {
     if (outcome.good() && persists(options)) outcome = check_error(options, session.engine());
     if (!outcome.good()) return outcome;
     run.engine = session.engine().report();
+    if (options.focus_auto) take_focus(run.engine->mesh.certificate, &options);
     run.clock = session.clock();
     if (options.analyse) run.analysis = measured.analysis;
     const SimplexList complex = complex_of(options, session.engine(), cloud);

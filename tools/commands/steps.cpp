@@ -41,8 +41,8 @@ netmesh_status make_diagram(Session& session, const Options& options, const Diag
 
 namespace {
 
-// The best mesh and diagram for the memory. What was reached is what is checked. A function has to know the domain,
-// which is that of any mesh of the points.
+// The best mesh and diagram for the memory, or those that decide the most bars. What was reached is what is checked. A
+// function has to know the domain, which is that of any mesh of the points.
 netmesh_status fit(Session& session, const Options& options, const PointCloud& cloud) {
     requests::Fit request = session.watched(fit_request(options, cloud.dim), cloud);
     request.function = session.function().get();
@@ -78,7 +78,7 @@ netmesh_status take_mesh(Session& session, const MeshFiles& mesh) {
 
 netmesh_status persist_as_asked(Session& session, const Options& options, const PointCloud& cloud,
                                 const MeshFiles* mesh) {
-    if (options.fit) return fit(session, options, cloud);
+    if (options.fit || options.focus_auto) return fit(session, options, cloud);
     DiagramRequest diagram{choice_of(options), options.all, false};
     const netmesh_filter_info& filter = about(diagram.choice.filter);
     const bool on_points = is_on_points(filter.filter);

@@ -133,6 +133,15 @@ std::string by_degree(const std::uint64_t* counts, std::uint32_t max_degree, boo
     return text;
 }
 
+std::string decision_lines(const netmesh_decision_report& decision) {
+    const std::string longer = "longer than " + rounded_text(decision.longer_than, 5) + " times their birth";
+    std::string text =
+        "undecided " + by_degree(decision.undecided, decision.max_degree, true) + " bars may live " + longer;
+    if (decision.undecided_to > 0) text += ", up to radius " + rounded_text(decision.undecided_to, 5);
+    return text + "\ndecided  all classes that live " + longer + " and die after radius " +
+           rounded_text(decision.decided_from, 5) + " have a bar that surely is real\n";
+}
+
 std::string diagram_lines(const netmesh_report& engine) {
     const netmesh_diagram_report& diagram = engine.diagram;
     std::string text = "diagram  " + by_degree(diagram.pairs, diagram.max_degree, true);
@@ -152,6 +161,7 @@ std::string diagram_lines(const netmesh_report& engine) {
     }
     if (engine.bounds.present != 0)
         text += "real     " + by_degree(engine.bounds.certain, engine.bounds.max_degree, true) + " bars surely real\n";
+    if (engine.decision.present != 0) text += decision_lines(engine.decision);
     return text;
 }
 

@@ -219,6 +219,8 @@ typedef struct netmesh_fit_request {
                                          scales of interest */
     uint32_t whole_cells;             /* as of netmesh_mesh_request; filters without clips_cells have whole cells */
     uint32_t by_error;                /* 1: of FUNCTION the least certified_error; ratio and focus are 0 then */
+    double longer_than; /* L > 1: scales of interest are chosen so that bars of more than L times their birth are
+                           decided; of COMPLETE with certified values, focus_from and focus_to 0. 0: see below */
 } netmesh_fit_request;
 
 void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes, uint32_t dim);
@@ -233,8 +235,13 @@ void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes
  * meshes after it; what is kept has the least certified_error. Its evaluate is called for each size too then. Leaves
  * mesh and diagram as netmesh_mesh and netmesh_persist with the report's certificate goal do; without OK the context is
  * empty. Costs, beside the last run, about 5.3 such runs in the plane, 3.4 in space, 2.4 in R^4, the one that does not
- * fit, and another one where the last is not the best. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (not even R fits),
- * and what those calls say. */
+ * fit, and another one where the last is not the best.
+ * With longer_than the ladder is another one: R everywhere, then scales of interest from above, where bars are
+ * undecided (see netmesh_decision_report), down to lower ones or by a better ratio, where that does not help with
+ * a lower ratio everywhere, until no bar is undecided or one does not fit. What is kept has no undecided bar, or else
+ * the least decided_from. Always with bounds; a larger block never decides less. The mesh is the one of the report's
+ * certificate goal here, too. Costs about as much. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (not even R fits), and
+ * what those calls say. */
 netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fit_request* request);
 
 typedef struct netmesh_vineyard_request {

@@ -117,6 +117,20 @@ typedef struct netmesh_bounds_report {
     uint64_t reserved[2];
 } netmesh_bounds_report;
 
+/* Of netmesh_fit with longer_than, L. A bar is undecided when it is not surely real and its bounds do not exclude that
+ * it stands for a true class that dies after L times its birth. */
+typedef struct netmesh_decision_report {
+    uint32_t present;
+    uint32_t max_degree;
+    double longer_than;                         /* L */
+    uint64_t undecided[NETMESH_DEGREE_MAX + 1]; /* bars per degree */
+    double undecided_to;                        /* the largest death_high of an undecided bar; 0: all are decided */
+    double decided_from; /* true classes that die after L times their birth and after this each have a bar of their own
+                            in the diagram, which surely is real; not below undecided_to, as classes that have no bar
+                            at all are excluded, too */
+    uint64_t reserved[2];
+} netmesh_decision_report;
+
 /* Of netmesh_persist_scales; the diagram's `simplices` counts those of all scales. */
 typedef struct netmesh_scales_report {
     uint32_t present;
@@ -183,6 +197,7 @@ typedef struct netmesh_report {
     netmesh_complex_report simplicial_complex;
     netmesh_memory_report memory;
     netmesh_predicates_report predicates;
+    netmesh_decision_report decision;
 } netmesh_report;
 
 /* report->struct_bytes must be set. O(vertices + cells + pairs), for the counts and the fingerprint.

@@ -118,6 +118,10 @@ std::vector<Way> ways_to_persist(int dim, std::size_t k, double width, Random& r
         }
     Way& fit = ways.on_mesh("complete", {{"fit", ""}, {"memory", "131072"}, {"bounds", ""}}, 0);
     fit.arguments.insert(fit.arguments.end(), {"--from", from, "--to", to});
+    // The file says which scales were chosen, not how.
+    Way& chosen = ways.on_mesh("complete", {{"focus", "auto"}, {"longer-than", "1.2"}, {"memory", "524288"}},
+                               std::sqrt(2 + standard));
+    chosen.says = {{"filter", "complete"}, {"bounds", ""}};
     return ways.take();
 }
 

@@ -447,11 +447,32 @@ TEST_CASE("persist: refinement by the certificate") {
         last = number_in(fitted.out, "certified_ratio");
     }
     CHECK(folder.run("persist p.csv --fit --memory 20K").exit == 4);
-    for (const std::string line :
-         {"--fit", "--fit --memory 1M --focus 1.5", "--fit --memory 1M --from 1", "--ratio 1.4", "--ratio x",
-          "--focus 1.5", "--focus 1.5 --from 2 --to 1", "--focus 1", "--ratio 2 --filter knn",
-          "--ratio 2 --values thesis", "--ratio 2 --method svr", "--fit --memory 1M --filter alpha",
-          "--fit --memory 1M --filter tight", "--fit --memory 1M --method svr"}) {
+    CHECK(folder.run("persist p.csv --focus auto --memory 20K").exit == 4);
+    for (const std::string line : {"--fit",
+                                   "--fit --memory 1M --focus 1.5",
+                                   "--fit --memory 1M --from 1",
+                                   "--ratio 1.4",
+                                   "--ratio x",
+                                   "--focus 1.5",
+                                   "--focus 1.5 --from 2 --to 1",
+                                   "--focus 1",
+                                   "--ratio 2 --filter knn",
+                                   "--ratio 2 --values thesis",
+                                   "--ratio 2 --method svr",
+                                   "--fit --memory 1M --filter alpha",
+                                   "--fit --memory 1M --filter tight",
+                                   "--fit --memory 1M --method svr",
+                                   "--focus auto",
+                                   "--focus auto --memory 1M --fit",
+                                   "--focus auto --memory 1M --from 1 --to 2",
+                                   "--focus auto --memory 1M --filter knn",
+                                   "--focus auto --memory 1M --filter tight --ratio 2",
+                                   "--focus auto --memory 1M --values thesis",
+                                   "--focus auto --memory 1M --method svr",
+                                   "--focus auto --memory 1M --audit quality",
+                                   "--focus auto --memory 1M --longer-than 1",
+                                   "--longer-than 2",
+                                   "--focus 1.6 --ratio 2.5 --from .5 --to .9 --longer-than 2"}) {
         CAPTURE(line);
         CHECK(folder.run("persist p.csv " + line).exit == 2);
     }
@@ -463,6 +484,43 @@ TEST_CASE("persist: refinement by the certificate") {
         CHECK(refused.exit == 2);
         CHECK(refused.says("netmesh: " + line.substr(0, line.find(' ', line.find(' ') + 1)) + ": "));
     }
+}
+
+TEST_CASE("persist: --focus auto finds where bars are undecided, and the file says what it found") {
+    const Folder folder;
+    CHECK(folder.run("sample figure-eight -n 60 -o p.txt").exit == 0);
+    const Result coarse = folder.run("persist p.txt --ratio 2 --bounds --json --quiet -o c.pers");
+    const Result chosen =
+        folder.run("persist p.txt --ratio 2 --focus auto --memory 1M --json --quiet -o d.pers --check");
+    CHECK(chosen.err == "");
+    CHECK(chosen.exit == 0);
+    const auto real = [](const std::string& file) {
+        std::size_t count = 0, at = 0;
+        while ((at = file.find(" real\n", at)) != std::string::npos) ++at, ++count;
+        return count;
+    };
+    CHECK(real(folder.read("c.pers")) == 61);  // one loop of two, and the components
+    CHECK(real(folder.read("d.pers")) == 62);
+    CHECK(number_in(chosen.out, "longer_than") == 1.5);
+    CHECK(number_in(chosen.out, "undecided_to") == 0);
+    CHECK(number_in(chosen.out, "decided_from") < 0.4);  // both die at 0.41
+    CHECK(number_in(chosen.out, "decided_from") > 0);
+    const std::string file = folder.read("d.pers");
+    for (const std::string line : {"\n# ratio 2\n", "\n# focus 1.2", "\n# from 0.3", "\n# to ", "\n# bounds\n"})
+        CHECK(file.find(line) != std::string::npos);
+    for (const std::string name : {"# fit", "# memory", "# longer-than", "auto"})
+        CHECK(file.find(name) == std::string::npos);
+    CHECK(folder.run("check d.pers --points p.txt").exit == 0);
+    CHECK(folder.run("check d.pers --points p.txt --focus auto").exit == 2);
+    const Result told = folder.run("persist p.txt --ratio 2 --focus auto --memory 1M -o e.pers");
+    CHECK(folder.read("e.pers") == file);
+    CHECK(told.err.find("undecided H0 0, H1 0 bars may live longer than 1.5 times their birth\n") != std::string::npos);
+    CHECK(told.err.find("decided  all classes that live longer than 1.5 times") != std::string::npos);
+    // What is asked of no bar is decided at once, and nothing is refined.
+    const Result all =
+        folder.run("persist p.txt --ratio 2 --focus auto --longer-than 20 --memory 1M --quiet -o f.pers");
+    CHECK(all.exit == 0);
+    CHECK(folder.read("f.pers") == folder.read("c.pers"));
 }
 
 TEST_CASE("persist: the mesh that was filtered vouches for the diagram") {

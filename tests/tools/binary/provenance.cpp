@@ -83,6 +83,8 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
           "--ratio 1.9",
           "--ratio 2.5 --focus 1.6 --from .3 --to .9 --bounds",
           "--fit --memory 512K",
+          "--focus auto --memory 512K",
+          "--focus auto --memory 512K --ratio 3 --longer-than 1.3 --whole-cells",
           "--fit --memory 512K --from .3 --to .9 --ratio 3 --bounds",
           "--fit --memory 512K --filter knn --k 2 --bounds",
           "--fit --memory 512K --values thesis",
@@ -118,8 +120,9 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
 TEST_CASE("provenance: fitted diagrams are checked with their meshes") {
     const Folder folder;
     folder.run("sample sphere -n 40 -o p.txt");
-    for (const std::string ways : {"--fit --memory 256K --bounds", "--fit --memory 1M --bounds",
-                                   "--filter basic --fit --memory 512K", "--filter basic --fit --memory 1M --bounds"}) {
+    for (const std::string ways :
+         {"--focus auto --memory 1M", "--fit --memory 256K --bounds", "--fit --memory 1M --bounds",
+          "--filter basic --fit --memory 512K", "--filter basic --fit --memory 1M --bounds"}) {
         CAPTURE(ways);
         CHECK(folder.run("persist p.txt --quiet -o d.pers --mesh m.node " + ways).exit == 0);
         const Result check = folder.run("check d.pers --mesh m.node");
@@ -440,6 +443,8 @@ TEST_CASE("provenance: options that contradict the file, and heads that cannot b
     refused(with_head(text, "tau", "# tau 2"), number("tau"), "above 2");
     refused(with_head(text, "ratio", "# ratio 2\n# focus 1.5\n# from 1\n# to .5"), "1", "A below B");
     refused(with_head(text, "ratio", "# ratio 2\n# from 1"), "1", "lacks the line \"# focus\"");
+    refused(with_head(text, "ratio", "# ratio 2\n# focus auto"), std::to_string(line_with(text, "# ratio") + 1),
+            "contradicts the other lines");
     refused(with_head(text, "duplicates", "# duplicates 30"), number("duplicates"), "fewer of them are duplicates");
     refused(with_head(text, "dim", "# dim 7"), number("dim"), "from 2 to 6");
     refused(with_head(text, "points", "# points many"), number("points"), "whole number");
