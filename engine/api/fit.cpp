@@ -55,10 +55,7 @@ public:
     }
     Status make(const RatioGoal& goal, Climbed* climbed) const {
         const bool focused = request_.focus_to > 0;
-        netmesh_mesh_request asked = mesh_request();
-        asked.certificate = {goal.ratio, goal.focus, goal.from, goal.to};
-        asked.whole_cells = request_.whole_cells != 0 || !find_filter(filter_.filter)->has(filter_trait::clips_cells);
-        const Status status = mesh_and_persist(asked);
+        const Status status = mesh_and_persist(mesh_request(goal));
         if (status != Status::ok) return status;
         KeptDiagram& diagram = context_->diagram;
         climbed->certified = diagram.certified_ratio;
@@ -79,10 +76,9 @@ public:
 
     // The same with bounds, and what they decide of bars longer than the request says.
     Status make_bounded(const RatioGoal& goal, Decided* decided) const {
-        netmesh_status status = mesh(goal);
-        if (status == NETMESH_OK) status = persist();
-        if (status == NETMESH_OK) status = bound();
-        if (status != NETMESH_OK) return static_cast<Status>(status);
+        Status status = mesh_and_persist(mesh_request(goal));
+        if (status == Status::ok) status = static_cast<Status>(bound());
+        if (status != Status::ok) return status;
         context_->bounds.longer_than = request_.longer_than;
         const DecisionView view = decision_of(context_);
         decided->reach = undecided_reach(view);
@@ -116,6 +112,12 @@ private:
         asked.point_count = request_.point_count;
         asked.seed = request_.seed;
         asked.purpose = NETMESH_PURPOSE_PERSIST;
+        return asked;
+    }
+    netmesh_mesh_request mesh_request(const RatioGoal& goal) const {
+        netmesh_mesh_request asked = mesh_request();
+        asked.certificate = {goal.ratio, goal.focus, goal.from, goal.to};
+        asked.whole_cells = request_.whole_cells != 0 || !find_filter(filter_.filter)->has(filter_trait::clips_cells);
         return asked;
     }
     netmesh_status persist() const {

@@ -66,24 +66,25 @@ TEST_CASE("a bar is undecided until it surely is real, or short") {
 
 TEST_CASE("classes without a bar count as far as the curve leaves them room") {
     // Beyond 1 all is exact; before, classes from 0.5 to 0.9 may be missed.
-    const std::vector<ScaleStep> steps = {{0.6, 0.5, 0.9, 0.9, 1.4}, {1, 1, 1, 1, 1}, {1.1, infinity, 1, 1.1, 1}};
+    const std::vector<ScaleStep> steps = {
+        {0.6, 0.5, 0.9, 0.9, 1.4, 0}, {1, 1, 1, 1, 1, 0}, {1.1, infinity, 1, 1.1, 1, 0}};
     CHECK(decided_from(view({}, steps, 1.2)) == 1);  // 0.95, say, stands for 0.5 at least: dies before the next step
     CHECK(decided_from(view({}, steps, 1.9)) == 1);
     CHECK(decided_from(view({}, steps, 1.97)) == 0);  // c^2 = 1.96
     CHECK(decided_from(view({bar(1, 2)}, steps, 1.97)) == 2);
     CHECK(decided_from(view({bar(1, 2)}, steps, 2.1)) == 0);
     // Values from `high` on are exact where `low` is above the step: nothing between 0.9 and 1.
-    const std::vector<ScaleStep> gap = {{0.6, 1, 0.9, 0.9, 1.4}, {1, infinity, 1, 1, 1}};
+    const std::vector<ScaleStep> gap = {{0.6, 1, 0.9, 0.9, 1.4, 0}, {1, infinity, 1, 1, 1, 0}};
     CHECK(decided_from(view({}, gap, 1.2)) == 0.9);
     CHECK(decided_from(view({}, gap, 1.49)) == 0.9);
     CHECK(decided_from(view({}, gap, 1.51)) == 0);
     // A class that was born before the step.
-    const std::vector<ScaleStep> before = {{0.6, 0.5, 0.9, 0.9, 1.4}, {0.8, infinity, 0.8, 0.8, 1}};
+    const std::vector<ScaleStep> before = {{0.6, 0.5, 0.9, 0.9, 1.4, 0}, {0.8, infinity, 0.8, 0.8, 1, 0}};
     CHECK(decided_from(view({}, before, 1.6)) == 0.9);
     CHECK(decided_from(view({}, before, 1.81)) == 0);
     // One ratio at all scales, as of filters without bounds of cells.
-    CHECK(decided_from(view({}, {{0, 0, infinity, infinity, 1.5}}, 2)) == infinity);
-    CHECK(decided_from(view({}, {{0, 0, infinity, infinity, 1.5}}, 2.26)) == 0);
+    CHECK(decided_from(view({}, {{0, 0, infinity, infinity, 1.5, 0}}, 2)) == infinity);
+    CHECK(decided_from(view({}, {{0, 0, infinity, infinity, 1.5, 0}}, 2.26)) == 0);
 }
 
 TEST_CASE("scales of interest go down to what is undecided, then their ratio does") {
