@@ -87,7 +87,7 @@ template <int D> [[gnu::cold]] Status QualityRule<D>::check_goal() {
 // Cells that were good enough while an input was waiting are looked at again: in the order of their vertices, those
 // that no corner can make bad left out.
 template <int D> Status QualityRule<D>::finish_mesh() {
-    if (!has_waited_) return Status::ok;
+    if (!has_waited_) return this->clean();  // all of it, where inputs went in first
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
         if (store_.vertex(v).cell == none || store_.vertex(v).marker == Marker::exempt) continue;
         queue_.push(v);
