@@ -149,17 +149,13 @@ template <int D>
 
 template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, VertexId v, double* out2) {
     const Cut<D> cut(ball, store.point(v), *out2 * (1 + 0x1p-40));
-    CutCorners<D> corners;
     std::uint32_t count = 0;
-    const bool fits = visit_star(store, v, [&](CellId c) {
-        offer_cut_corners<D>(store, cut, v, c, &corners);
-        ++count;
-    });
-    if (!fits) return false;
-    if (!corners.reach_beyond(cut.distance2())) return true;
+    if (!visit_star(store, v, [&](CellId) { ++count; })) return false;
+    const CellId* const star = store.list_top();
+    if (!may_reach_beyond<D>(store, cut, v, star, count)) return true;
     Corner<D> farthest;
     farthest.distance2 = *out2;
-    offer_poles<D>(store, ball, store.point(v), v, store.list_top(), count, &farthest);
+    offer_poles<D>(store, ball, store.point(v), v, star, count, &farthest);
     *out2 = farthest.distance2;
     return true;
 }

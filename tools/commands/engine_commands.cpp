@@ -38,8 +38,9 @@ Outcome check_filter(const Options& options) {
 // Of the filter function: are its figures possible, and is the error what was asked for?
 Outcome check_error(const Options& options, const Engine& engine) {
     const Outcome outcome = check_claims(options, engine);
+    if (!outcome.good() || options.error == 0) return outcome;
     const double error = engine.report().diagram.certified_error;
-    if (!outcome.good() || options.error == 0 || error <= options.error) return outcome;
+    if (error <= options.error) return outcome;
     return usage_error("--error " + number_text(options.error) + ": the mesh made for it certifies " +
                        rounded_text(error, 6) + " only");
 }
@@ -166,8 +167,9 @@ netmesh_status work(Session& session, const Options& options, const Input& input
 
 // The complex whose cycles are looked at; none where that is not asked for, or too large.
 SimplexList complex_of(const Options& options, const Engine& engine, const PointCloud& cloud) {
+    if (!options.check) return {};
     const netmesh_diagram_report diagram = engine.report().diagram;
-    if (!options.check || diagram.representatives == 0) return {};
+    if (diagram.representatives == 0) return {};
     const std::uint32_t top = diagram.max_degree + 1;
     if (source_of(options) == NETMESH_SOURCE_POINTS)
         return complex_of_points(cloud, diagram.filter == NETMESH_FILTER_RIPS, top);
@@ -191,9 +193,10 @@ std::string checked_text(const Options& options, const SimplexList& complex) {
 
 // What the tool itself finds wrong with the diagram.
 Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const SimplexList& complex) {
-    std::string complaint = diagram_complaint(bars, nullptr, engine.report().diagram.filter == NETMESH_FILTER_FUNCTION);
-    const bool cycles = engine.report().diagram.representatives != 0;
-    const bool own_values = about(engine.report().diagram.filter).source == NETMESH_SOURCE_MESH;
+    const netmesh_diagram_report diagram = engine.report().diagram;
+    std::string complaint = diagram_complaint(bars, nullptr, diagram.filter == NETMESH_FILTER_FUNCTION);
+    const bool cycles = diagram.representatives != 0;
+    const bool own_values = about(diagram.filter).source == NETMESH_SOURCE_MESH;
     if (complaint.empty() && cycles) complaint = cycles_complaint(engine, complex, own_values ? 0 : radius_tolerance);
     if (complaint.empty()) return {};
     return {Exit::check, "netmesh: check failed: diagram: " + complaint};
