@@ -121,6 +121,7 @@ template <int D>
             if (!store.is_ghost(c)) return true;
             continue;
         }
+        if (!(distance2<D>(cell.centre, cut.origin()) > s2)) continue;
         const double here = cut.height(cell.centre);
         if (!(here > 0)) return true;
         for (int i = 0; i <= D; ++i) {
