@@ -79,8 +79,7 @@ template <int D> Amounts with_thesis_shells(Amounts amounts) {
 
 // What is not refined around the points when cells are clipped: from D = 4 on a good part of a mesh. Measured on 40 to
 // 800 uniform points in R^4: .54 to .82 of the vertices are left.
-template <int D> Amounts without_surroundings(const Amounts& amounts) {
-    if (D < 4) return amounts;
+Amounts without_surroundings(const Amounts& amounts) {
     const double left = 1 - 0.75 / square_root(square_root(amounts.points > 16 ? amounts.points : 16));
     return {amounts.points, amounts.vertices * left, amounts.cells * left, amounts.boundary_cells};
 }
@@ -170,7 +169,7 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
         const Boundary boundary = clipped ? clipped_boundary<D> : whole_boundary;
         Amounts amounts = mesh_amounts<D>(points, tau, sizes_of(request).eps, surroundings, boundary);
         if (request.cage_kind == NETMESH_CAGES_THESIS) amounts = with_thesis_shells<D>(amounts);
-        if (clipped) amounts = without_surroundings<D>(amounts);
+        if (D >= 4 && clipped) amounts = without_surroundings(amounts);
         return block_bytes<D>(amounts, planned);
     }));
 }
@@ -191,7 +190,7 @@ size_t netmesh_plan_scales(const netmesh_scales_request* from) {
         const double points = static_cast<double>(request.point_count);
         if (ratio > 0) {
             const Amounts clipped = mesh_amounts<D>(points, tau, 0, 0, clipped_boundary<D>);
-            return block_bytes<D>(without_surroundings<D>(clipped), planned);
+            return block_bytes<D>(D < 4 ? clipped : without_surroundings(clipped), planned);
         }
         return block_bytes<D>(mesh_amounts<D>(points, tau, tight_size(eps), figures<D>.tight_surroundings), planned);
     }));
