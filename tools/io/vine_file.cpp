@@ -20,8 +20,11 @@ void write_vine_point(const netmesh_vine_point& p, TextWriter& out) {
     out << p.vine << ' ' << p.degree << ' ' << p.k << ' ' << p.birth << ' ' << p.death;
 }
 
+constexpr std::string_view vines_marker = "# netmesh vineyard 1: vine degree k birth death";
+constexpr std::string_view any_vines_marker = "# netmesh vineyard ";
+
 void write_vines(const Vines& vines, const netmesh_vineyard_report& report, TextWriter& out) {
-    out << "# netmesh vineyard 1: vine degree k birth death\n# filter " << filter_name(report.filter) << ", "
+    out << vines_marker << "\n# filter " << filter_name(report.filter) << ", "
         << (report.filter == NETMESH_FILTER_NONE ? "given" : values_name(report.values)) << " values\n";
     for (std::size_t i = 0; i < vines.ratios.size(); i++) {
         out << "# k " << static_cast<std::uint64_t>(vines.k_first + i) << " certified ratio " << vines.ratios[i]
@@ -42,10 +45,19 @@ bool parse_index(std::string_view word, std::uint32_t* index) {
     return true;
 }
 
-// `# filter knn, certified values` or `# k 3 certified ratio 2.1`; other comments say nothing.
+// The marker, `# filter knn, certified values` or `# k 3 certified ratio 2.1`; other comments say nothing.
 Complaint parse_comment(std::string_view line, VineFile* file) {
     const std::vector<std::string_view> words = split_blanks(line);
+    const bool has_filter = file->choice.filter != NETMESH_FILTER_NONE || file->of_values;
+    if (line.substr(0, any_vines_marker.size()) == any_vines_marker) {
+        if (line != vines_marker)
+            return quoted(line) + " is of another version of the format; this one reads `# netmesh vineyard 1`";
+        return has_filter ? "a second head; a file holds one vineyard" : "";
+    }
     if (words.size() == 5 && words[1] == "filter") {
+        if (has_filter) return "a second line of the filter";
+        if (words[3] != "certified" && words[3] != "thesis" && words[3] != "given")
+            return quoted(words[3]) + " are not values: certified, thesis or given";
         for (const netmesh_filter_info& info : filters()) {
             if (has_vineyard(info) && words[2] == std::string(info.name) + ",") file->choice.filter = info.filter;
         }

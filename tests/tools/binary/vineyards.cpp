@@ -169,6 +169,18 @@ TEST_CASE("vineyard: nested sets for a range of k") {
         folder.write("forged.vines", text);
         CHECK(folder.run("check forged.vines --points square.txt").exit == 7);
     }
+    for (const auto& [have, forged, why] :
+         {std::tuple("vineyard 1:", "vineyard 2:", "is of another version of the format"),
+          std::tuple("\n3 0 1", "\n# netmesh vineyard 1: vine degree k birth death\n3 0 1", "a second head"),
+          std::tuple("\n3 0 1", "\n# filter barycentric-rips, certified values\n3 0 1", "a second line of the filter"),
+          std::tuple("certified values", "other values", "s.vines:2: \"other\" are not values")}) {
+        CAPTURE(forged);
+        std::string text = vines;
+        text.replace(text.find(have), std::string(have).size(), forged);
+        folder.write("s.vines", text);
+        CHECK(folder.run("check s.vines --points square.txt").exit == 3);
+        CHECK(folder.run("check s.vines").says(why));
+    }
     // Maps match no bars like these, whatever the points.
     folder.write("form.vines", "# filter barycentric-rips, thesis values\n# k 1 certified ratio 1.5\n"
                                "# k 2 certified ratio 1.5\n0 0 1 0 inf\n0 0 2 1 inf\n1 0 1 0 2\n1 0 2 2 3\n");
