@@ -68,7 +68,7 @@ private:
     const bool reference_, certify_;
     const double pull_;
     const double tight_;       // what tau_ is when no input is waiting
-    VertexId waiting_ = none;  // the input whose turn it is, until it is in
+    VertexId waiting_ = none;  // the input that a cell is being split for
     bool has_waited_ = false;  // has any had to wait?
 };
 
@@ -106,7 +106,6 @@ template <int D> Status QualityRule<D>::finish_mesh() {
 // Splits the cell of the nearest vertex until p is medial, unless p goes in as another cell is split.
 template <int D> Status QualityRule<D>::take_turn(VertexId p) {
     if (reference_) return this->insert_input(p, store_.state.last_cell, false);
-    waiting_ = p;
     Status status = Status::ok;
     CellId from = observers_.start_for(store_, p);
     while (status == Status::ok && store_.vertex(p).cell == none) {
@@ -124,7 +123,9 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
         tau_ = medial == Verdict::bad ? slack_while_waiting * tight_ : tight_;
         if (medial == Verdict::bad) {
             has_waited_ = true;
+            waiting_ = p;
             status = this->yielding_insert(split);
+            waiting_ = none;
         } else {
             status = this->fill(p, cavity);
             if (status == Status::ok) status = this->finish_step(p, false);
@@ -133,7 +134,6 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
         from = store_.vertex(u).cell;
     }
     tau_ = tight_;
-    waiting_ = none;
     return status;
 }
 

@@ -27,6 +27,11 @@ namespace netmesh {
 // nearest vertex first, too, was tried: no ratio above 16 then, but meshes of curves larger by an eighth. At the end
 // all cells are held to tau.
 //
+// The point x that u's cell is split at does not yield to p. With d = |u - p| and l = |u - x| > 8 d still
+// f_P(x) <= (K - 1) |x - p|: by the bounds above f_P(u) <= (K - 1) d, so f_P(x) <= l + (K - 1) d and
+// |x - p| >= l - d, and l + (K - 1) d <= (K - 1) (l - d) when l >= (tau/2 + 1) d, that is for tau <= 14. A point that
+// the mesh is cleaned with before p is in yields to p as to any other input.
+//
 // With certify_filter a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners
 // outside the domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an
 // input, else d_P(v). Either means that its unclipped aspect ratio exceeds tau, so a Steiner point towards its
