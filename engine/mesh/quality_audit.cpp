@@ -59,6 +59,7 @@ private:
     template <class Visit> bool visit_changed(Visit&& visit);
     template <class Visit> bool visit_inside(const Cage& cage, Visit&& visit);
     template <class Visit> bool visit_noted(const AuditNote& note, Visit&& visit);
+    bool has_outermost_features();
     bool list_changed();
     void list_cages(CellId c);
     bool measure_listed();
@@ -109,12 +110,13 @@ private:
     std::uint32_t count_ = 0;
     std::uint32_t cages_ = none;  // whose cells have changed: a list as that of AuditStep
     bool encroached_ = false;
+    bool all_features_rise_ = false;  // f_P has just become finite in the outermost domain
 };
 
 // Calls visit(cell), perhaps several times, for each cell at a vertex that the step has inserted, or that was in a cage
 // which it has released. False when the gap is too small for the search.
 template <int D> template <class Visit> [[gnu::cold]] bool StepAudit<D>::visit_changed(Visit&& visit) {
-    for (VertexId v(step_.first_made); v < store_.state.vertex_count; ++v)
+    for (VertexId v(all_features_rise_ ? frame_ + 2 * D : step_.first_made); v < store_.state.vertex_count; ++v)
         if (!visit_star(store_, v, visit)) return false;
     if (step_.vertex < step_.first_made && !visit_star(store_, VertexId(step_.vertex), visit)) return false;
     for (std::uint32_t d = step_.released, next; d != none; d = next == d ? none : next) {
@@ -157,6 +159,14 @@ template <int D> template <class Visit> [[gnu::cold]] bool StepAudit<D>::visit_i
                 return false;
     }
     return true;
+}
+
+// Are there two inputs in the outermost domain? Before, f_P is infinite there, and there may be vertices: a cage that
+// holds all inputs counts as one.
+template <int D> [[gnu::cold]] bool StepAudit<D>::has_outermost_features() {
+    TwoNearest inputs(none);
+    find_second(outermost_.centre, is_thesis() ? 0 : none, 0x1p1000, &inputs);
+    return inputs.second2 < infinity;
 }
 
 // Counts, then lists the vertices of these cells.
@@ -272,7 +282,7 @@ template <int D> [[gnu::cold]] bool StepAudit<D>::measure_vertex(VertexId v) {
     const std::uint32_t domain = domain_of(v);
     TwoNearest inputs(vertex.marker == Marker::input ? v : none);
     double nearest2 = infinity, mesh2 = infinity;
-    const bool may_all_rise = is_new(v) || step_.released != none || step_.note_count > 0;
+    const bool may_all_rise = is_new(v) || step_.released != none || step_.note_count > 0 || all_features_rise_;
     bool ratio_may_rise = may_all_rise, feature_may_rise = may_all_rise;
     std::uint32_t cells = 0, degree = 0;
     const bool fits = visit_star(store_, v, [&](CellId c) {
@@ -475,6 +485,8 @@ template <int D> [[gnu::cold]] bool StepAudit<D>::measure_listed() {
 
 template <int D> [[gnu::cold]] Status StepAudit<D>::run() {
     ArenaScope scope(store_.arena);
+    if (terms_.features && !audit_.outermost_features && has_outermost_features())
+        audit_.outermost_features = all_features_rise_ = true;
     const bool fits = list_changed() && measure_listed();
     for (std::uint32_t d = cages_, next; d != none; d = next == d ? none : next) {
         Cage& cage = hierarchy_->cage(d);

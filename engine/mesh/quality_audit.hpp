@@ -38,6 +38,7 @@ struct QualityAudit {
     double cage, steiner,
         input;  // K' of the insertion radius invariant: f_P(v) / lambda_v of shell vertices, of what cleaning
                 // inserts (inputs that it yields to included), of inputs whose turn it is
+    bool outermost_features;  // has the outermost domain had two inputs? Until then K is of the others alone
 };
 
 // What is asked of a method's meshes.
