@@ -463,7 +463,7 @@ template <int D> [[gnu::cold]] void StepAudit<D>::look_at_step() {
     const Cage& cage = hierarchy_->cage(last);
     if (cage.shell != step_.first_made) return;
     const double* const centre = store_.point(cage.centre);
-    const double least = shell_factor * (1 - 2 * shell_jitter) * cage.radius;
+    const double least = shell_least * cage.radius;
     for (std::uint32_t v = cage.shell; v < cage.shell + shell_size<D>; ++v)
         encroached_ |= store_.vertex(v).marker != Marker::exempt || !is_inside<D>(store_, cage, store_.point(v)) ||
                        distance2<D>(store_.point(v), centre) < least * least;

@@ -184,6 +184,22 @@ TEST_CASE("figures that break a bound are found out") {
     }
 }
 
+// In a cell of 1e-4 at coordinates of 1 the search for the out-ball had stopped early.
+TEST_CASE_TEMPLATE_DEFINE("fatness does not depend on where a small cell is", T, moved) {
+    constexpr int D = T::value;
+    const inputs::Points grid = inputs::grid(D, D < 4 ? 4 : 3);
+    for (const double size : {1e-3, 1e-6, 1e-9}) {
+        inputs::Points points;
+        for (std::size_t i = 0; i < grid.size(); ++i) points.push_back(1 + static_cast<double>(i % D) + size * grid[i]);
+        Held<D> held;
+        REQUIRE(held.triangulate(points) == Status::ok);
+        const FatnessAnalysis a = analyse<D>(held);
+        CHECK(a.bounded.cells > 0);
+        CHECK(a.bounded.beta_max == doctest::Approx(std::sqrt(1.0 * D)).epsilon(1e-4));
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(moved, Dimensions<2, 4>);
+
 // Of v, p and q nearly on a line with it and r on the other side the cell is a triangle with a corner far away, whose
 // place is known to few digits. The fatness that is told is no less than that of the triangle in more digits.
 TEST_CASE("fatness is not underestimated where corners are known to few digits") {
