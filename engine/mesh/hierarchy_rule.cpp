@@ -162,8 +162,8 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
     return Status::ok;
 }
 
-// The cage of the inputs within `reach` of the nearest neighbour of p, of which one is so far away. There are no vertices in it yet, but for those
-// of a cage about the same centre that p is outside of.
+// The cage of the inputs within `reach` of the nearest neighbour of p, of which one is so far away. There are no
+// vertices in it yet, but for those of a cage about the same centre that p is outside of.
 template <int D> [[gnu::cold]] Status HierarchyRule<D>::new_cage(VertexId p, VertexId farthest, double reach) {
     if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
     const double radius = reach / cage_epsilon * (1 + tau_margin);
@@ -205,8 +205,7 @@ template <int D>
             x[k] = axis + jitter;
             along += x[k] * normal[k];
         }
-        for (int k = 0; k < D; ++k)
-            x[k] = c[k] + shell_factor * radius * (x[k] - 2 * along / norm2 * normal[k]);
+        for (int k = 0; k < D; ++k) x[k] = c[k] + shell_factor * radius * (x[k] - 2 * along / norm2 * normal[k]);
         make_vertex<D>(store_, x, centre, Marker::exempt);
     }
 }

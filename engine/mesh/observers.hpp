@@ -13,8 +13,9 @@ namespace netmesh {
 // Location: inputs are stored in all D-balls that contain them. They also have their turns in another order then, that
 // of rounds of range nets (input_order.hpp), as definition 4.7.5 is about that order: so an audit of location is of
 // another mesh, as good. Quality: what each insertion changes is measured (quality_audit.hpp), until FinishMesh begins,
-// which releases all cages at once, or with cages of the thesis, which FinishMesh grows, to the end; K and K' until over-refinement begins, which is to break them. The mesh is byte for
-// byte the one that is made without. VoronoiRefine, which inserts all inputs first, has no quality to be audited.
+// which releases all cages at once, or with cages of the thesis, which FinishMesh grows, to the end; K and K' until
+// over-refinement begins, which is to break them. The mesh is byte for byte the one that is made without.
+// VoronoiRefine, which inserts all inputs first, has no quality to be audited.
 template <int D> class Observers {
 public:
     explicit Observers(const MeshRequest& request)

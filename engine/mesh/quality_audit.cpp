@@ -520,7 +520,7 @@ template <int D> Status audit_quality(const AuditedMesh<D>& mesh, const AuditSte
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template double cage_insertion_bound<D>(CageKind);                                                                         \
+    template double cage_insertion_bound<D>(CageKind);                                                                 \
     template Status audit_quality<D>(const AuditedMesh<D>&, const AuditStep&, QualityAudit*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

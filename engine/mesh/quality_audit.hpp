@@ -95,8 +95,8 @@ struct AuditScratch {
 };
 
 // Adds the mesh after one step to *audit. Cells are clipped to the ball of their domain (clipped_cell.hpp), or whole
-// with cages of the thesis. Works on a store in use as on a compact one. Cost: the stars of the vertices whose cells have changed, and the boundaries of the
-// cages that are among them. Scratch: lists of these. out_of_memory.
+// with cages of the thesis. Works on a store in use as on a compact one. Cost: the stars of the vertices whose cells
+// have changed, and the boundaries of the cages that are among them. Scratch: lists of these. out_of_memory.
 template <int D> Status audit_quality(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit);
 
 }  // namespace netmesh

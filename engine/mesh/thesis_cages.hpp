@@ -203,7 +203,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_shell(std::uint
         if (yields) {
             hierarchy_.set(v, d);
             has_yielded_ = true;
-            observers_.note({v, none});
+            observers_.note({input, none});
         }
         const Status status = this->insert(v, store_.vertex(cage.centre).cell);
         // A cage without its whole shell is given up; the shell vertices that are in the mesh stay there, exempt.

@@ -102,8 +102,8 @@ private:
 template <int D, class Rule> struct Audited {
     Audited(const inputs::Points& points, const MeshRequest& request)
         : block(std::size_t{1} << 26), store(block.arena, state) {
-        status = mesh_by_rule<D, Rule>(store, points.data(), points.size() / D, request, {block.arena, monitor},
-                                       &result);
+        status =
+            mesh_by_rule<D, Rule>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &result);
     }
     Block block;
     StoreState state = {};
@@ -120,8 +120,8 @@ inputs::Points shells_yield() {
         const double near = turn % 2 == 0 ? 1e-4 : -1e-4, away = 0.64 * 1.125 / 0.3 * 1.02 * 1e-4;
         const double far = turn / 2 % 2 == 0 ? away : -away, x = 3 * (turn % 3), y = 3 * (turn / 3);
         const bool upright = turn >= 4;
-        for (const double c :
-             {x, y, x + (upright ? 0 : near), y + (upright ? near : 0), x + (upright ? far : 0), y + (upright ? 0 : far)})
+        for (const double c : {x, y, x + (upright ? 0 : near), y + (upright ? near : 0), x + (upright ? far : 0),
+                               y + (upright ? 0 : far)})
             points.push_back(c);
     }
     return points;
@@ -137,10 +137,14 @@ TEST_CASE_TEMPLATE_DEFINE("audits with cages of the thesis find what looking at 
     for (std::uint64_t seed = 1; seed <= (asked_for != nullptr ? std::strtoull(asked_for, nullptr, 10) : 1); ++seed) {
         std::vector<inputs::Points> more;
         if (D == 2)
-            more = {inputs::uniform(D, 30, seed),           inputs::nested(D, 3, 5, 100, seed),
-                    inputs::geometric(D, 1e3, 4, seed),     inputs::geometric(D, 30, 8, seed),
-                    inputs::close_pairs(D, 4, 1e-3, seed),  inputs::clusters(D, 20, seed),
-                    inputs::nested(D, 2, 4, 1e5, 30 + seed), inputs::grid(D, 3)};
+            more = {inputs::uniform(D, 30, seed),
+                    inputs::nested(D, 3, 5, 100, seed),
+                    inputs::geometric(D, 1e3, 4, seed),
+                    inputs::geometric(D, 30, 8, seed),
+                    inputs::close_pairs(D, 4, 1e-3, seed),
+                    inputs::clusters(D, 20, seed),
+                    inputs::nested(D, 2, 4, 1e5, 30 + seed),
+                    inputs::grid(D, 3)};
         else if (D == 3)
             more = {inputs::uniform(D, 6, seed), inputs::geometric(D, 40, 3, seed),
                     inputs::close_pairs(D, 2, 1e-2, seed)};
