@@ -184,28 +184,6 @@ TEST_CASE("figures that break a bound are found out") {
     }
 }
 
-// In cells of 1e-4 at coordinates of 1 the search for out-balls had stopped early: a centre that is rounded there lies
-// too far from being one.
-TEST_CASE_TEMPLATE_DEFINE("fatness does not depend on where small cells are", T, moved) {
-    constexpr int D = T::value;
-    const inputs::Points here = inputs::uniform(D, D == 2 ? 200 : D == 3 ? 60 : 40);
-    Held<D> whole;
-    REQUIRE(whole.triangulate(here) == Status::ok);
-    const FatPart expected = analyse<D>(whole).bounded;
-    REQUIRE(expected.cells > 0);
-    for (const double size : {1e-4, 1e-6, 1e-8}) {
-        inputs::Points there;
-        for (const double x : here) there.push_back(1 + size * x);
-        Held<D> held;
-        REQUIRE(held.triangulate(there) == Status::ok);
-        const FatPart part = analyse<D>(held).bounded;
-        CHECK(part.cells == expected.cells);
-        CHECK(part.beta_mean == doctest::Approx(expected.beta_mean).epsilon(1e-3));
-        CHECK(part.beta_max == doctest::Approx(expected.beta_max).epsilon(1e-2));
-    }
-}
-TEST_CASE_TEMPLATE_APPLY(moved, Dimensions<2, 4>);
-
 // Of v, p and q nearly on a line with it and r on the other side the cell is a triangle with a corner far away, whose
 // place is known to few digits. The fatness that is told is no less than that of the triangle in more digits.
 TEST_CASE("fatness is not underestimated where corners are known to few digits") {
