@@ -127,9 +127,8 @@ Outcome check_together(const Options& options) {
     if (thesis && (options.eps > 0 || options.size_at_inputs > 0))
         return usage_error("--eps and --cell-size do not go with --cages thesis");
     if (options.cages && !hierarchical) return usage_error("--cages goes with --method netmesh");
-    if (thesis && options.audit != 0)
-        return usage_error(
-            "--audit does not go with --cages thesis: its figures are of clipped cells, and those are whole");
+    if (thesis && (options.audit & NETMESH_AUDIT_LOCATION) != 0)
+        return usage_error("--audit location does not go with --cages thesis");
     if (thesis && options.tau && *options.tau < 3.4) return usage_error("--cages thesis needs a --tau of at least 3.4");
     if (thesis && options.dim > 4) return usage_error("--cages thesis is for D = 2, 3 and 4");
     if (options.net_spacing > 0 && options.method != NETMESH_METHOD_REFINE && options.command != Command::check)

@@ -169,8 +169,15 @@ template <int D> [[gnu::cold]] Status FatCells<D>::measure(VertexId v, FatCell<D
     measure_in_ball(v, cell);
     copy<D>(p, cell->out_centre);
     if (cell->whole) {
+        // As seen from the vertex, where the coordinates of a small cell have more digits.
+        double rounding = 0;
+        for (std::uint32_t i = 0; i < points_ * D; ++i) point_[i] -= p[i % D];
         smallest_enclosing_ball<D>(point_, points_, cell->out_centre, &cell->out_radius);
-        cell->out_radius = (cell->out_radius + doubt_) * up;
+        for (int k = 0; k < D; ++k) {
+            cell->out_centre[k] += p[k];
+            rounding += 2 * unit_roundoff * absolute(cell->out_centre[k]);
+        }
+        cell->out_radius = (cell->out_radius + doubt_ + rounding) * up;
         cell->reach = (cell->reach + doubt_) * up;
     } else if (cell->bounded) {
         double reach2 = cell->reach * cell->reach;

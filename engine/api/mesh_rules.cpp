@@ -38,8 +38,8 @@ Complaint complaint_about_cages(const netmesh_mesh_request& request) {
         return {NETMESH_FIELD_PURPOSE, "a mesh with cages of the thesis is not for persistence"};
     if (sizes_of(request).asks())
         return {NETMESH_FIELD_SIZES, "a mesh with cages of the thesis is not over-refined, nor when it is finished"};
-    if (request.audit != 0)
-        return {NETMESH_FIELD_AUDIT, "audits are of clipped cells, and those of cages of the thesis are whole"};
+    if ((request.audit & NETMESH_AUDIT_LOCATION) != 0)
+        return {NETMESH_FIELD_AUDIT, "an audit of location does not go with cages of the thesis"};
     return {};
 }
 

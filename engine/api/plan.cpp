@@ -11,7 +11,7 @@
 #include "mesh/ball_lists.hpp"
 #include "mesh/cage_template.hpp"
 #include "mesh/hierarchy.hpp"
-#include "mesh/quality_audit.hpp"
+#include "mesh/observers.hpp"
 
 namespace netmesh {
 namespace {
@@ -96,6 +96,7 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
     bytes += (order_bytes + Tree::input_bytes) * n.points;
     if (planned.hierarchy || planned.location) bytes += (Hierarchy<D>::input_bytes + Tree::ring_bytes) * n.points;
     if (planned.quality) bytes += AuditScratch::vertex_bytes * n.vertices + AuditScratch::cell_bytes * n.cells;
+    if (planned.quality && planned.hierarchy) bytes += Observers<D>::note_bytes * n.points;
     if (planned.location) {
         bytes += Lists::cell_bytes * n.cells + Lists::input_bytes * n.points;
         bytes += order_bytes * n.points;  // turns of the inputs, drawn by the lists

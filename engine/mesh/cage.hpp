@@ -9,11 +9,14 @@
 // has been released stays where it is.)
 //
 // The shell is a net on the sphere of radius shell_factor * r: the 2 D corners of a cross-polytope, whose covering
-// radius sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. A
-// smaller e asks for wider gaps. A domain is a ball without the balls of the cages directly inside it; the outermost
-// domain is the mesh's own ball, domain.hpp. The cells inside a cage keep their quality clipped to the ball of radius
-// e r, as those of the outermost domain do clipped to its ball; the cells of a cage's vertices together make up one
-// cell of the domain around it, which keeps its quality too.
+// radius sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. One of
+// them is in the direction of the farthest input, and all are about as far out as the cage reaches: whole cells leave
+// the cage where inputs, or the shell of a cage about one, are near a facet of the shell's hull, which is only
+// shell_factor / sqrt D radii away ("Chapter 5" in engine/DESIGN.md has figures). A smaller e asks for wider gaps. A
+// domain is a ball without the balls of the cages directly inside it; the outermost domain is the mesh's own ball,
+// domain.hpp. The cells inside a cage keep their quality clipped to the ball of radius e r, as those of the outermost
+// domain do clipped to its ball; the cells of a cage's vertices together make up one cell of the domain around it,
+// which keeps its quality too.
 #pragma once
 #include <cstdint>
 
@@ -26,10 +29,12 @@ namespace netmesh {
 constexpr double cage_epsilon = 1.0 / 2;
 // No vertex but the shell's lies between 1 and this many radii from the centre: 2 / e.
 constexpr double cage_clearance = 2 / cage_epsilon;
-constexpr double shell_factor = 0.9;
+constexpr double shell_factor = 0.985;
 template <int D> constexpr std::uint32_t shell_size = 2 * D;
-// Shell vertices are moved by at most this times the radius of their sphere in each coordinate.
-constexpr double shell_jitter = 0x1p-5;
+// Shell vertices are moved by at most this times the radius of their sphere along each axis of the cross-polytope.
+constexpr double shell_jitter = 0x1p-8;
+// They are at least so many radii from the centre. Checks and bounds go by this, for files with shells at .9 radii.
+constexpr double shell_least = 27.0 / 32;
 
 enum class CageKind {
     compact,  // those of this file
@@ -52,7 +57,7 @@ template <int D> inline bool is_inside(const Store<D>& store, const Cage& cage, 
 
 // In-radius of the cell of a cage (thesis 4.6): half of the way to the nearest vertex outside, measured from the shell.
 template <int D> inline double in_radius(const Cage& cage) {
-    return 0.5 * (square_root(cage.nearest2) + shell_factor * (1 - 2 * shell_jitter) * cage.radius);
+    return 0.5 * (square_root(cage.nearest2) + shell_least * cage.radius);
 }
 
 // The ball that the cells of a domain's vertices are clipped to.

@@ -53,6 +53,7 @@ template <int D> struct CageTemplate;
 
 template <> struct CageTemplate<2> {
     static constexpr std::uint32_t size = 16;
+    static constexpr double packing = 0.3901;
     static void point(std::uint32_t k, double* x) {
         constexpr double cosine[] = {1, 0.92387953251128675613, 0.70710678118654752440, 0.38268343236508977173, 0};
         const std::uint32_t quarter = k / 4, step = k % 4;
@@ -66,6 +67,7 @@ constexpr double golden = 1.6180339887498948482;
 
 template <> struct CageTemplate<3> {
     static constexpr std::uint32_t size = 42;
+    static constexpr double packing = 0.5465;
     static void point(std::uint32_t k, double* x) {
         // (0, +-1, +-golden) / |.|, +-1 on an axis, (+-golden, +-1, +-1 / golden) / 2, and their cyclic permutations.
         constexpr double icosahedron = 0.52573111211913360603;  // 1 / sqrt(1 + golden^2)
@@ -86,6 +88,7 @@ template <> struct CageTemplate<3> {
 
 template <> struct CageTemplate<4> {
     static constexpr std::uint32_t size = 120;
+    static constexpr double packing = 0.618;
     static void point(std::uint32_t k, double* x) {
         if (k < 8) {
             for (std::uint32_t i = 0; i < 4; ++i) x[i] = i != k / 2 ? 0 : (k & 1u) != 0 ? 1 : -1;

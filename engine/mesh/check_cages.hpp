@@ -33,7 +33,7 @@ template <int D> const char* shell_violation(const Store<D>& store, const Cage& 
         if (v >= store.state.vertex_count || !is_in_mesh(store, v)) return "a shell vertex is not in the mesh";
         if (store.vertex(v).marker != Marker::exempt) return "a shell vertex is not exempt";
         const double d2 = distance2<D>(store.point(v), store.point(cage.centre));
-        const double least = shell_factor * (1 - 2 * shell_jitter) * cage.radius;
+        const double least = shell_least * cage.radius;
         if (d2 < least * least || !(d2 < cage.radius * cage.radius)) return "a shell vertex is out of its place";
     }
     return nullptr;

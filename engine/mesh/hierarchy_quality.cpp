@@ -181,7 +181,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
         if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
         Cage& cage = cages_[domain_[v]];
-        const double least = shell_factor * (1 - 2 * shell_jitter) * cage.radius;
+        const double least = shell_least * cage.radius;
         if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least)
             ++cage.next;
         else

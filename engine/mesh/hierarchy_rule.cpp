@@ -84,8 +84,8 @@ public:
 
 private:
     Status climb_to_cage(VertexId p, const Cavity& cavity, bool cleaning);
-    Status new_cage(VertexId p, double reach);
-    void make_shell(VertexId centre, std::uint32_t cage, double radius);
+    Status new_cage(VertexId p, VertexId farthest, double reach);
+    void make_shell(VertexId centre, VertexId farthest, std::uint32_t cage, double radius);
     Status release_encroached();
     Status release_cage(std::uint32_t d);
 
@@ -150,25 +150,27 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
     const double* const u = store_.point(near_.vertex);
     const double room = square_root(near_.nearest2);
     double reach = square_root(distance2<D>(store_.point(p), u));
+    VertexId farthest = p;
     while (clearance * reach <= room) {
         double d2;
         const std::uint32_t q = tree_.farthest_in_ring(u, reach * (1 + 0x1p-40), clearance * reach, &d2);
-        if (q == none) return new_cage(p, reach);
+        if (q == none) return new_cage(p, farthest, reach);
         reach = square_root(d2);
+        farthest = VertexId(q);
         if (!cleaning && store_.vertex(q).cell == none && !path_.push(VertexId(q))) return Status::ok;
     }
     return Status::ok;
 }
 
-// The cage of the inputs within `reach` of the nearest neighbour of p. There are no vertices in it yet, but for those
-// of a cage about the same centre that p is outside of.
-template <int D> [[gnu::cold]] Status HierarchyRule<D>::new_cage(VertexId p, double reach) {
+// The cage of the inputs within `reach` of the nearest neighbour of p, of which one is so far away. There are no
+// vertices in it yet, but for those of a cage about the same centre that p is outside of.
+template <int D> [[gnu::cold]] Status HierarchyRule<D>::new_cage(VertexId p, VertexId farthest, double reach) {
     if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
     const double radius = reach / cage_epsilon * (1 + tau_margin);
     const VertexId u = near_.vertex, shell(store_.state.vertex_count);
     const std::uint32_t d = hierarchy_.make(near_, radius, hierarchy_.of_input(p), shell);
     hierarchy_.set(p, d);
-    make_shell(u, d, radius);
+    make_shell(u, farthest, d, radius);
     for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
         const Status status = this->insert(v, store_.vertex(u).cell);
         if (status == Status::ok) continue;
@@ -180,17 +182,30 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::new_cage(VertexId p, dou
     return Status::ok;
 }
 
-template <int D> [[gnu::cold]] void HierarchyRule<D>::make_shell(VertexId centre, std::uint32_t cage, double radius) {
+// The first axis of the cross-polytope points at an input farthest from the centre: it is reflected at the plane that
+// brings it there.
+template <int D>
+[[gnu::cold]] void HierarchyRule<D>::make_shell(VertexId centre, VertexId farthest, std::uint32_t cage, double radius) {
     const double* const c = store_.point(centre);
+    const double* const q = store_.point(farthest);
+    double normal[D], norm2 = 0;
+    const double away = square_root(distance2<D>(q, c));
+    for (int k = 0; k < D; ++k) {
+        normal[k] = (q[k] - c[k]) / away;
+        if (k == 0) normal[k] += normal[k] < 0 ? -1 : 1;
+        norm2 += normal[k] * normal[k];
+    }
     std::uint64_t random = mix64(std::uint64_t{centre.index} << 32 | cage);
     for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
-        double x[D];
+        double x[D], along = 0;
         for (int k = 0; k < D; ++k) {
             random = mix64(random);
             const double jitter = shell_jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
             const double axis = k != static_cast<int>(i / 2) ? 0 : i % 2 == 0 ? 1 : -1;
-            x[k] = c[k] + shell_factor * radius * (axis + jitter);
+            x[k] = axis + jitter;
+            along += x[k] * normal[k];
         }
+        for (int k = 0; k < D; ++k) x[k] = c[k] + shell_factor * radius * (x[k] - 2 * along / norm2 * normal[k]);
         make_vertex<D>(store_, x, centre, Marker::exempt);
     }
 }

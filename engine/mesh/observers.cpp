@@ -6,6 +6,11 @@ namespace netmesh {
 
 // Long cells of Steiner vertices are no fault of a mesh made for a certificate.
 template <int D> Status Observers<D>::open(Store<D>& store, std::uint32_t inputs) {
+    if (measures_ && kind_ == CageKind::thesis) {
+        notes_ = store.arena.template take_low<AuditNote>(std::size_t{notes_per_input} * inputs);
+        if (notes_ == nullptr) return Status::out_of_memory;
+        notes_max_ = notes_per_input * inputs;
+    }
     return locates_ ? lists_.open(store, store.arena, inputs) : Status::ok;
 }
 
@@ -32,11 +37,18 @@ template <int D> void Observers<D>::note_released(Hierarchy<D>& hierarchy, std::
     released_ = d;
 }
 
+template <int D> void Observers<D>::note(const AuditNote& note) {
+    if (!measures_ || (note.vertex != none && note.vertex >= first_new_)) return;
+    NETMESH_ASSERT(note_count_ < notes_max_);
+    notes_[note_count_++] = note;
+}
+
 template <int D>
 Status Observers<D>::measure(Store<D>& store, const InputTree<D>& tree, Hierarchy<D>* hierarchy,
                              const Domain<D>& domain, VertexId v, bool cleaning) {
-    const Status status =
-        audit_quality<D>({store, tree, domain, hierarchy, terms_}, {first_new_, v, cleaning, released_}, &quality_);
+    const AuditStep step = {first_new_, v, cleaning, released_, notes_, note_count_};
+    const Status status = audit_quality<D>({store, tree, domain, hierarchy, terms_, kind_}, step, &quality_);
+    note_count_ = 0;
     first_new_ = VertexId(store.state.vertex_count);
     while (released_ != none) {
         Cage& cage = hierarchy->cage(released_);
@@ -44,7 +56,7 @@ Status Observers<D>::measure(Store<D>& store, const InputTree<D>& tree, Hierarch
         cage.next = none;
     }
     if (status != Status::ok) return status;
-    return quality_.encroached > 0 || quality_.cage > cage_insertion_bound<D>() ? Status::internal : status;
+    return quality_.encroached > 0 || quality_.cage > cage_insertion_bound<D>(kind_) ? Status::internal : status;
 }
 
 template <int D> void Observers<D>::report(MeshAudit* audit) const {

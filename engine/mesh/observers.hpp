@@ -13,13 +13,14 @@ namespace netmesh {
 // Location: inputs are stored in all D-balls that contain them. They also have their turns in another order then, that
 // of rounds of range nets (input_order.hpp), as definition 4.7.5 is about that order: so an audit of location is of
 // another mesh, as good. Quality: what each insertion changes is measured (quality_audit.hpp), until FinishMesh begins,
-// which releases all cages at once; K and K' until over-refinement begins, which is to break them. The mesh is byte for
-// byte the one that is made without. VoronoiRefine, which inserts all inputs first, has no quality to be audited.
+// which releases all cages at once, or with cages of the thesis, which FinishMesh grows, to the end; K and K' until
+// over-refinement begins, which is to break them. The mesh is byte for byte the one that is made without.
+// VoronoiRefine, which inserts all inputs first, has no quality to be audited.
 template <int D> class Observers {
 public:
     explicit Observers(const MeshRequest& request)
         : terms_{request.method != MeshMethod::certificate, request.method == MeshMethod::hierarchy, true},
-          locates_(request.audit_location), measures_(request.audit_quality) {}
+          locates_(request.audit_location), measures_(request.audit_quality), kind_(request.cages) {}
 
     // Memory for the lists, before the store's cells are opened; later the frame is there. out_of_memory.
     Status open(Store<D>& store, std::uint32_t inputs);
@@ -46,6 +47,12 @@ public:
                    VertexId v, bool cleaning);
     // In the step at hand; Cage::next is used until that is measured.
     void note_released(Hierarchy<D>& hierarchy, std::uint32_t d);
+    // The same of cages of the thesis, and of anything else that an AuditNote is for.
+    void note(const AuditNote& note);
+    // What open places for each input, and more, for notes: in a step each input is noted at most twice, yielded to and
+    // then out of its shell; each cage once as it is released. What is not counted is cages that grow, of which the
+    // first growth of a step alone needs a note, as the shells of others are new.
+    static constexpr std::size_t notes_per_input = 4, note_bytes = notes_per_input * sizeof(AuditNote);
     void stop_measuring() { measures_ = false; }
     void stop_measuring_features() { terms_.features = false; }
 
@@ -58,6 +65,9 @@ private:
     VertexId first_new_ = none;      // of the step at hand
     std::uint32_t released_ = none;  // by it: a list as that of AuditStep
     bool locates_, measures_, full_ = false;
+    CageKind kind_;
+    AuditNote* notes_ = nullptr;
+    std::uint32_t note_count_ = 0, notes_max_ = 0;
 };
 
 }  // namespace netmesh

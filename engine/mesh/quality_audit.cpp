@@ -51,25 +51,41 @@ public:
     StepAudit(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit)
         : store_(mesh.store), tree_(mesh.tree), outermost_(mesh.outermost), terms_(mesh.terms),
           hierarchy_(mesh.hierarchy != nullptr && mesh.hierarchy->live() > 0 ? mesh.hierarchy : nullptr),
-          made_(mesh.hierarchy), step_(step), audit_(*audit), frame_(mesh.tree.root().end) {}
+          made_(mesh.hierarchy), kind_(mesh.kind), step_(step), audit_(*audit), frame_(mesh.tree.root().end) {}
 
     Status run();
 
 private:
     template <class Visit> bool visit_changed(Visit&& visit);
     template <class Visit> bool visit_inside(const Cage& cage, Visit&& visit);
+    template <class Visit> bool visit_noted(const AuditNote& note, Visit&& visit);
+    bool has_outermost_features();
     bool list_changed();
     void list_cages(CellId c);
     bool measure_listed();
     bool measure_vertex(VertexId v);
     bool measure_ratio(VertexId v, std::uint32_t cells, double nearest2, const Domain<D>& ball);
     bool measure_cage(std::uint32_t d);
+    double reach_of_cage(const Cage& cage, const CellId* boundary, std::uint32_t cells, double bound2) const;
     void look_from_outside(const Cage& cage, std::uint32_t w);
     void look_at_step();
+    void look_at_shells();
     void raise_feature(const double* x, std::uint32_t domain, double mesh2, TwoNearest* inputs, double* kind);
     void find_second(const double* x, std::uint32_t domain, double enough2, TwoNearest* inputs);
     bool offer_member(const double* x, std::uint32_t domain, std::uint32_t input, double reach, TwoNearest* inputs);
 
+    // Cells are whole then.
+    bool is_thesis() const { return D <= thesis_dim_max && kind_ == CageKind::thesis; }
+    // Is input v in the place of a vertex of the shell of its domain? With cages of the thesis alone.
+    bool has_yielded(std::uint32_t v) const {
+        return is_thesis() && hierarchy_ != nullptr &&
+               has_yielded_to<D>(store_, hierarchy_->cages(), hierarchy_->of(v), v);
+    }
+    bool is_noted(std::uint32_t v) const {
+        for (std::uint32_t k = 0; k < step_.note_count; ++k)
+            if (step_.notes[k].vertex == v) return true;
+        return false;
+    }
     bool is_new(std::uint32_t v) const { return v >= step_.first_made || v == step_.vertex; }
     bool is_frame(std::uint32_t v) const { return v >= frame_ && v < frame_ + 2 * D; }
     std::uint32_t domain_of(std::uint32_t v) const { return hierarchy_ == nullptr ? none : hierarchy_->of(v); }
@@ -77,7 +93,8 @@ private:
     // K' of those that the step has inserted.
     double* kind_of(std::uint32_t v) const {
         if (v == step_.vertex) return step_.cleaning ? &audit_.steiner : &audit_.input;
-        return v >= step_.first_made ? &audit_.cage : nullptr;
+        const bool is_of_shell = v >= step_.first_made || (v < frame_ && is_noted(v) && has_yielded(v));
+        return is_of_shell ? &audit_.cage : nullptr;
     }
 
     Store<D>& store_;
@@ -85,6 +102,7 @@ private:
     const Domain<D>& outermost_;
     const AuditTerms terms_;
     Hierarchy<D>*const hierarchy_, *const made_;  // null: no cages now; none ever
+    const CageKind kind_;
     const AuditStep step_;
     QualityAudit& audit_;
     const std::uint32_t frame_;  // the first vertex of the frame
@@ -92,12 +110,13 @@ private:
     std::uint32_t count_ = 0;
     std::uint32_t cages_ = none;  // whose cells have changed: a list as that of AuditStep
     bool encroached_ = false;
+    bool all_features_rise_ = false;  // f_P has just become finite in the outermost domain
 };
 
 // Calls visit(cell), perhaps several times, for each cell at a vertex that the step has inserted, or that was in a cage
 // which it has released. False when the gap is too small for the search.
 template <int D> template <class Visit> [[gnu::cold]] bool StepAudit<D>::visit_changed(Visit&& visit) {
-    for (VertexId v(step_.first_made); v < store_.state.vertex_count; ++v)
+    for (VertexId v(all_features_rise_ ? frame_ + 2 * D : step_.first_made); v < store_.state.vertex_count; ++v)
         if (!visit_star(store_, v, visit)) return false;
     if (step_.vertex < step_.first_made && !visit_star(store_, VertexId(step_.vertex), visit)) return false;
     for (std::uint32_t d = step_.released, next; d != none; d = next == d ? none : next) {
@@ -105,6 +124,22 @@ template <int D> template <class Visit> [[gnu::cold]] bool StepAudit<D>::visit_c
         next = cage.next;
         if (!visit_inside(cage, visit)) return false;
     }
+    for (std::uint32_t k = 0; is_thesis() && k < step_.note_count; ++k)
+        if (!visit_noted(step_.notes[k], visit)) return false;
+    return true;
+}
+
+// A shell's own vertices follow one another; what comes after them does no harm.
+template <int D>
+template <class Visit>
+[[gnu::cold]] bool StepAudit<D>::visit_noted(const AuditNote& note, Visit&& visit) {
+    if (note.released != none) return visit_inside(made_->cage(note.released), visit);
+    std::uint32_t end = note.vertex + 1;
+    if constexpr (D <= thesis_dim_max)
+        if (note.vertex >= frame_) end = note.vertex + CageTemplate<D>::size;
+    if (end > store_.state.vertex_count) end = store_.state.vertex_count;
+    for (VertexId v(note.vertex); v < end; ++v)
+        if (!visit_star(store_, v, visit)) return false;
     return true;
 }
 
@@ -124,6 +159,14 @@ template <int D> template <class Visit> [[gnu::cold]] bool StepAudit<D>::visit_i
                 return false;
     }
     return true;
+}
+
+// Are there two inputs in the outermost domain? Before, f_P is infinite there, and there may be vertices: a cage that
+// holds all inputs counts as one.
+template <int D> [[gnu::cold]] bool StepAudit<D>::has_outermost_features() {
+    TwoNearest inputs(none);
+    find_second(outermost_.centre, is_thesis() ? 0 : none, 0x1p1000, &inputs);
+    return inputs.second2 < infinity;
 }
 
 // Counts, then lists the vertices of these cells.
@@ -157,7 +200,7 @@ template <int D> [[gnu::cold]] void StepAudit<D>::list_cages(CellId c) {
         for (std::uint32_t d = domains[i]; d != none && is_on_boundary<D>(store_, hierarchy_->cage(d), c);
              d = hierarchy_->parent(d)) {
             Cage& cage = hierarchy_->cage(d);
-            if (cage.next != none) continue;
+            if (cage.next != none || (is_thesis() && cage.parent == none)) continue;
             cage.next = cages_ == none ? d : cages_;
             cages_ = d;
         }
@@ -239,7 +282,7 @@ template <int D> [[gnu::cold]] bool StepAudit<D>::measure_vertex(VertexId v) {
     const std::uint32_t domain = domain_of(v);
     TwoNearest inputs(vertex.marker == Marker::input ? v : none);
     double nearest2 = infinity, mesh2 = infinity;
-    const bool may_all_rise = is_new(v) || step_.released != none;
+    const bool may_all_rise = is_new(v) || step_.released != none || step_.note_count > 0 || all_features_rise_;
     bool ratio_may_rise = may_all_rise, feature_may_rise = may_all_rise;
     std::uint32_t cells = 0, degree = 0;
     const bool fits = visit_star(store_, v, [&](CellId c) {
@@ -275,9 +318,11 @@ template <int D> [[gnu::cold]] bool StepAudit<D>::measure_vertex(VertexId v) {
     }
     const bool has_ratio =
         vertex.marker == Marker::input || (vertex.marker == Marker::steiner && terms_.steiner_ratios);
-    if (!has_ratio || !ratio_may_rise) return true;
+    if (!has_ratio || !ratio_may_rise || has_yielded(v)) return true;
     if (hierarchy_ == nullptr) return measure_ratio(v, cells, nearest2, outermost_);
-    return measure_ratio(v, cells, nearest2, domain_ball<D>(store_, hierarchy_->cages(), domain, outermost_));
+    Domain<D> ball = domain_ball<D>(store_, hierarchy_->cages(), domain, outermost_);
+    if (is_thesis()) ball.radius = infinity;
+    return measure_ratio(v, cells, nearest2, ball);
 }
 
 // Just before, v's star of `cells` cells has been visited.
@@ -303,7 +348,7 @@ template <int D>
         }
     }
     double out2 = bounded ? farthest.distance2 : infinity;
-    if (leaves_ball && bounded && !raise_to_poles<D>(store_, ball, v, &out2)) return false;
+    if (leaves_ball && bounded && !is_thesis() && !raise_to_poles<D>(store_, ball, v, &out2)) return false;
     if (out2 > bound2) raise(2 * square_root(out2 / nearest2), &audit_.worst);
     return true;
 }
@@ -311,8 +356,9 @@ template <int D>
 // Does w, outside of the cage and near its boundary, encroach on it?
 template <int D> [[gnu::cold]] void StepAudit<D>::look_from_outside(const Cage& cage, std::uint32_t w) {
     const double* const centre = store_.point(cage.centre);
-    const double clear = cage_clearance * cage.radius;
+    const double clear = (is_thesis() ? ThesisCage::clearance : cage_clearance) * cage.radius;
     if (!(distance2<D>(store_.point(w), centre) < clear * clear)) return;
+    if (is_thesis()) encroached_ = true;
     const Marker marker = store_.vertex(w).marker;
     const std::uint32_t domain = hierarchy_->of(w);
     encroached_ |= marker == Marker::input || domain == none ||
@@ -323,7 +369,8 @@ template <int D> [[gnu::cold]] bool StepAudit<D>::measure_cage(std::uint32_t d) 
     Cage cage = hierarchy_->cage(d);
     const double* const centre = store_.point(cage.centre);
     const std::uint32_t around = hierarchy_->parent(d);
-    const double r2 = cage.radius * cage.radius, inner2 = cage_epsilon * cage_epsilon * r2;
+    const double epsilon = is_thesis() ? ThesisCage::epsilon : cage_epsilon;
+    const double r2 = cage.radius * cage.radius, inner2 = epsilon * epsilon * r2;
     cage.nearest2 = infinity;
     double mesh2 = infinity;
     TwoNearest inputs(cage.centre);
@@ -334,7 +381,8 @@ template <int D> [[gnu::cold]] bool StepAudit<D>::measure_cage(std::uint32_t d) 
             if (w == none || !put_mark<D>(store_.vertex(w), seen)) continue;
             const double d2 = distance2<D>(store_.point(w), centre);
             if (d2 < r2) {
-                encroached_ |= store_.vertex(w).marker == Marker::input && d2 > inner2;
+                encroached_ |= store_.vertex(w).marker == Marker::input && d2 > inner2 &&
+                               !(has_yielded(w) && hierarchy_->of(w) == d);
                 continue;
             }
             if (d2 < cage.nearest2) cage.nearest2 = d2;
@@ -352,18 +400,59 @@ template <int D> [[gnu::cold]] bool StepAudit<D>::measure_cage(std::uint32_t d) 
         for (const VertexId w : store_.cell(boundary[-1 - static_cast<std::ptrdiff_t>(k)]).vertex)
             if (w != none) take_mark<D>(store_.vertex(w), seen);
     if (!fits) return false;
-    const double inner = in_radius<D>(cage), bound2 = audit_.worst * audit_.worst * inner * inner;
-    double out2 = bound2;
-    const Domain<D> ball = domain_ball<D>(store_, hierarchy_->cages(), around, outermost_);
-    raise_to_cage_cell<D>(store_, cage, ball, boundary, cells, &out2);
+    const double inner = is_thesis() ? 0.5 * square_root(cage.nearest2) : in_radius<D>(cage);
+    const double bound2 = audit_.worst * audit_.worst * inner * inner;
+    const double out2 = reach_of_cage(cage, boundary, cells, bound2);
     if (out2 > bound2) raise(square_root(out2) / inner, &audit_.worst);
     if (terms_.features && mesh2 < infinity) raise_feature(centre, around, mesh2, &inputs, nullptr);
     return true;
 }
 
+// Squared, or bound2 where that is more. boundary as in raise_to_cage_cell.
+template <int D>
+[[gnu::cold]] double StepAudit<D>::reach_of_cage(const Cage& cage, const CellId* boundary, std::uint32_t cells,
+                                                 double bound2) const {
+    double out2 = bound2;
+    if (!is_thesis()) {
+        const Domain<D> ball = domain_ball<D>(store_, hierarchy_->cages(), cage.parent, outermost_);
+        raise_to_cage_cell<D>(store_, cage, ball, boundary, cells, &out2);
+        return out2;
+    }
+    for (std::uint32_t k = 0; k < cells; ++k) {
+        const Cell<D>& cell = store_.cell(boundary[-1 - static_cast<std::ptrdiff_t>(k)]);
+        if (cell.radius2 < infinity) raise(distance2<D>(cell.centre, store_.point(cage.centre)), &out2);
+    }
+    return out2;
+}
+
+// Inputs that the step has inserted, and the shells that it has made, of cages of the thesis.
+template <int D> [[gnu::cold]] void StepAudit<D>::look_at_shells() {
+    const auto look_at_input = [&](std::uint32_t v) {
+        if (v >= frame_) return;
+        const std::uint32_t own = has_yielded(v) ? hierarchy_->of(v) : none;
+        for (std::uint32_t d = hierarchy_->of(v); d != none; d = hierarchy_->parent(d)) {
+            const Cage& cage = hierarchy_->cage(d);
+            const double inner = ThesisCage::epsilon * cage.radius;
+            encroached_ |= d != own && distance2<D>(store_.point(v), store_.point(cage.centre)) > inner * inner;
+        }
+    };
+    look_at_input(step_.vertex);
+    for (std::uint32_t k = 0; k < step_.note_count; ++k) look_at_input(step_.notes[k].vertex);
+    for (std::uint32_t v = step_.first_made; v < store_.state.vertex_count; ++v) {
+        if (store_.vertex(v).marker != Marker::exempt) continue;
+        const std::uint32_t d = hierarchy_->of(v), around = d == none ? none : hierarchy_->parent(d);
+        encroached_ |= d == none || !is_by_shell<D>(store_, hierarchy_->cage(d), v);
+        if (around == none) continue;
+        const Cage &cage = hierarchy_->cage(d), &outer = hierarchy_->cage(around);
+        encroached_ |=
+            !(distance<D>(store_.point(cage.centre), store_.point(outer.centre)) + cage.radius <= outer.radius);
+    }
+}
+
 // Of the step's input, and the cage that was made for it.
 template <int D> [[gnu::cold]] void StepAudit<D>::look_at_step() {
     if (hierarchy_ == nullptr) return;
+    if (is_thesis()) return look_at_shells();
     if (step_.vertex != none && store_.vertex(step_.vertex).marker == Marker::input)
         for (std::uint32_t d = hierarchy_->of(step_.vertex); d != none; d = hierarchy_->parent(d)) {
             const Cage& cage = hierarchy_->cage(d);
@@ -374,7 +463,7 @@ template <int D> [[gnu::cold]] void StepAudit<D>::look_at_step() {
     const Cage& cage = hierarchy_->cage(last);
     if (cage.shell != step_.first_made) return;
     const double* const centre = store_.point(cage.centre);
-    const double least = shell_factor * (1 - 2 * shell_jitter) * cage.radius;
+    const double least = shell_least * cage.radius;
     for (std::uint32_t v = cage.shell; v < cage.shell + shell_size<D>; ++v)
         encroached_ |= store_.vertex(v).marker != Marker::exempt || !is_inside<D>(store_, cage, store_.point(v)) ||
                        distance2<D>(store_.point(v), centre) < least * least;
@@ -396,6 +485,8 @@ template <int D> [[gnu::cold]] bool StepAudit<D>::measure_listed() {
 
 template <int D> [[gnu::cold]] Status StepAudit<D>::run() {
     ArenaScope scope(store_.arena);
+    if (terms_.features && !audit_.outermost_features && has_outermost_features())
+        audit_.outermost_features = all_features_rise_ = true;
     const bool fits = list_changed() && measure_listed();
     for (std::uint32_t d = cages_, next; d != none; d = next == d ? none : next) {
         Cage& cage = hierarchy_->cage(d);
@@ -411,7 +502,14 @@ template <int D> [[gnu::cold]] Status StepAudit<D>::run() {
 
 }  // namespace
 
-template <int D> double cage_insertion_bound() {
+template <int D> double cage_insertion_bound(CageKind kind) {
+    if constexpr (D <= thesis_dim_max)
+        if (kind == CageKind::thesis) {
+            using Is = ThesisCage;
+            const double apart = (CageTemplate<D>::packing - 2 * Is::gamma) * Is::shell_factor;
+            const double off = Is::shell_factor * (1 - Is::gamma) - Is::epsilon;
+            return (Is::shell_factor * (1 + Is::gamma) + Is::epsilon) / (apart < off ? apart : off);
+        }
     // No shell vertex is nearer to another than to the inputs: corners are sqrt(2) apart.
     const double off = shell_jitter * square_root(D), inner = shell_factor * (1 - shell_jitter);
     return (shell_factor * (1 + off) + cage_epsilon) / (inner - cage_epsilon);
@@ -422,7 +520,7 @@ template <int D> Status audit_quality(const AuditedMesh<D>& mesh, const AuditSte
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template double cage_insertion_bound<D>();                                                                         \
+    template double cage_insertion_bound<D>(CageKind);                                                                 \
     template Status audit_quality<D>(const AuditedMesh<D>&, const AuditStep&, QualityAudit*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -6,9 +6,15 @@
 // distance to the second nearest input, if anything: aspect ratio and K can have risen only where something new is the
 // nearest neighbour. The cells of a cage that the step releases are no longer clipped: all of its vertices and their
 // neighbours are looked at. What cannot be worse than the worst so far is not computed to the end.
+//
+// With cages of the thesis (cage_template.hpp) cells are whole. Then releases change no cell, but which domain vertices
+// are in, and whose cells are measured: a shell's are not, its own vertices' and those of inputs that these have
+// yielded to, until its cage grows or is released. So vertices that stop being of a shell are looked at with their
+// neighbours, and so are inputs that shells yield to, which a step inserts besides its own vertex.
 #pragma once
 #include <cstdint>
 
+#include "mesh/cage_template.hpp"
 #include "mesh/hierarchy.hpp"
 #include "mesh/input_tree.hpp"
 
@@ -32,6 +38,7 @@ struct QualityAudit {
     double cage, steiner,
         input;  // K' of the insertion radius invariant: f_P(v) / lambda_v of shell vertices, of what cleaning
                 // inserts (inputs that it yields to included), of inputs whose turn it is
+    bool outermost_features;  // has the outermost domain had two inputs? Until then K is of the others alone
 };
 
 // What is asked of a method's meshes.
@@ -50,8 +57,15 @@ struct AuditTerms {
 
 // What `cage` cannot exceed: in radii, a shell vertex is at most shell_factor (1 + jitter) + e from the second input
 // of its domain, and an input (within e of the centre) or another shell vertex is the nearest neighbour that it is
-// given.
-template <int D> double cage_insertion_bound();
+// given. For cages of the thesis K'_C of engine/DESIGN.md.
+template <int D> double cage_insertion_bound(CageKind kind = CageKind::compact);
+
+// With cages of the thesis: what a step has changed besides what it has inserted in its own name. One of the two.
+struct AuditNote {
+    std::uint32_t vertex;    // an input that a shell has yielded to, or that is of a shell no more; or the first of the
+                             // own vertices of a shell that is one no more
+    std::uint32_t released;  // a cage
+};
 
 // What the last step has done.
 struct AuditStep {
@@ -59,7 +73,10 @@ struct AuditStep {
     // was made. vertex none: nothing.
     std::uint32_t first_made, vertex;
     bool cleaning;
-    std::uint32_t released = none;  // cages that it released: a list through Cage::next, the last one points at itself
+    std::uint32_t released = none;  // compact cages that it released: a list through Cage::next, the last one points at
+                                    // itself
+    const AuditNote* notes = nullptr;  // [note_count]
+    std::uint32_t note_count = 0;
 };
 
 template <int D> struct AuditedMesh {
@@ -68,6 +85,7 @@ template <int D> struct AuditedMesh {
     const Domain<D>& outermost;
     Hierarchy<D>* hierarchy;  // null: there are no cages
     AuditTerms terms;
+    CageKind kind = CageKind::compact;
 };
 
 // What audit_quality places at most, when a step releases a cage that holds everything.
@@ -76,9 +94,9 @@ struct AuditScratch {
     static constexpr std::size_t cell_bytes = sizeof(CellId);
 };
 
-// Adds the mesh after one step to *audit. Cells are clipped to the ball of their domain (clipped_cell.hpp). Works on a
-// store in use as on a compact one. Cost: the stars of the vertices whose cells have changed, and the boundaries of the
-// cages that are among them. Scratch: lists of these. out_of_memory.
+// Adds the mesh after one step to *audit. Cells are clipped to the ball of their domain (clipped_cell.hpp), or whole
+// with cages of the thesis. Works on a store in use as on a compact one. Cost: the stars of the vertices whose cells
+// have changed, and the boundaries of the cages that are among them. Scratch: lists of these. out_of_memory.
 template <int D> Status audit_quality(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit);
 
 }  // namespace netmesh

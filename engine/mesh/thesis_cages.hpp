@@ -36,6 +36,7 @@ protected:
     using Base::inserted_;
     using Base::is_bad;
     using Base::kernel_;
+    using Base::observers_;
     using Base::passed_;
     using Base::queue_;
     using Base::store_;
@@ -125,7 +126,7 @@ template <int D, class Rule> double ThesisCages<D, Rule>::choose_domain() {
 template <int D, class Rule> Status ThesisCages<D, Rule>::begin() {
     double d2;
     const VertexId centre(tree_.nearest(domain_.centre, 0, none, &d2));
-    const Status status = this->insert(centre, store_.state.last_cell);
+    Status status = this->insert(centre, store_.state.last_cell);
     if (status != Status::ok) return status;
     double far2 = inputs_ > 1 ? 0 : domain_.enclosing_radius * domain_.enclosing_radius;
     for (std::uint32_t p = 0; p < inputs_; ++p) {
@@ -133,7 +134,8 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::begin() {
         if (p2 > far2) far2 = p2;
     }
     std::uint32_t made;
-    return new_cage({centre, infinity, none}, square_root(far2) / inner * (1 + tau_margin), none, &made);
+    status = new_cage({centre, infinity, none}, square_root(far2) / inner * (1 + tau_margin), none, &made);
+    return status == Status::ok ? this->finish_step(centre, false) : status;
 }
 
 template <int D, class Rule> Status ThesisCages<D, Rule>::insert_input(VertexId p, CellId from, bool cleaning) {
@@ -201,6 +203,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_shell(std::uint
         if (yields) {
             hierarchy_.set(v, d);
             has_yielded_ = true;
+            observers_.note({input, none});
         }
         const Status status = this->insert(v, store_.vertex(cage.centre).cell);
         // A cage without its whole shell is given up; the shell vertices that are in the mesh stay there, exempt.
@@ -267,13 +270,16 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_cage(std::uint32_
 template <int D, class Rule> Status ThesisCages<D, Rule>::release_cage(std::uint32_t d) {
     const Cage old = hierarchy_.cage(d);
     hierarchy_.release(d);
+    observers_.note({none, d});
     return demote(old);
 }
 
 // The shell becomes vertices like others; their cells, and those of their neighbours, are looked at.
 template <int D, class Rule> Status ThesisCages<D, Rule>::demote(const Cage& cage) {
+    if (cage.shell >= inputs_) observers_.note({cage.shell, none});
     visit_shell(cage, [&](VertexId v) {
         if (v == none) return;
+        if (v < inputs_) observers_.note({v, none});
         if (store_.vertex(v).marker == Marker::exempt) store_.vertex(v).marker = Marker::steiner;
     });
     visit_shell(cage, [&](VertexId v) {
@@ -402,7 +408,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::finish_mesh() {
         for (std::uint32_t d = 1; d < hierarchy_.made(); ++d) {
             if (!hierarchy_.is_live(d)) continue;
             Status status = grow_cage(d);
-            if (status == Status::ok) status = after_step();
+            if (status == Status::ok) status = this->finish_step(none, true);
             if (status == Status::ok) status = this->clean();
             if (status != Status::ok) return status;
         }

@@ -369,11 +369,9 @@ TEST_CASE_TEMPLATE_APPLY(statements, Dimensions<2, 3>);
 // What chapters 4 and 5 are after: a superset of the inputs, of linear size whatever the gaps, with a fat diagram.
 TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are fat and of linear size at all gaps", T, linear) {
     constexpr int D = T::value;
-    const std::vector<double> gaps = {10, 100, 1e3, 1e6, 1e9};
-    std::vector<double> size, mean, most;
-    for (const double gap : gaps) {
-        double vertices = 0, means = 0;
-        std::vector<double> largest;
+    std::vector<double> size, mean, largest;
+    for (const double gap : {10.0, 30.0, 100.0, 1e3, 1e4, 1e6, 1e9}) {
+        double vertices = 0, means = 0, most = 0;
         for (std::uint64_t seed = 1; seed <= 9; ++seed) {
             Diagram<D> diagram(inputs::geometric(D, gap, 12, seed), 2.5);
             const FatnessAnalysis a = diagram.analysed();
@@ -381,18 +379,42 @@ TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are fat and of linear size at all
             CHECK(a.all.cells == diagram.vertex.size());
             vertices += static_cast<double>(diagram.vertex.size());
             means += a.all.beta_mean;
-            largest.push_back(a.all.beta_max);
+            most = std::max(most, a.all.beta_max);
         }
-        std::sort(largest.begin(), largest.end());
         size.push_back(vertices / 9 / 13);
         mean.push_back(means / 9);
-        most.push_back(largest[4]);
+        largest.push_back(most);
     }
     const auto spread = [](const std::vector<double>& x) {
         return *std::max_element(x.begin(), x.end()) / *std::min_element(x.begin(), x.end());
     };
-    CHECK(spread(size) < 1.3);
-    CHECK(spread(mean) < 1.5);
-    CHECK(*std::max_element(most.begin(), most.end()) < 1.5 * most[0]);
+    CHECK(spread(size) < 1.1);
+    CHECK(spread(mean) < 1.1);
+    CHECK(spread(largest) < 1.5);
 }
 TEST_CASE_TEMPLATE_APPLY(linear, Dimensions<2, 3>);
+
+// Cells of shells and of inputs far out in a cage leave it, where the hull of its shell is nearer than the sphere. Of
+// other sets the largest beta is one of chance, but not one of the gaps: clusters in clusters, and pairs, whose narrow
+// gaps have no cages and fatter cells. Medians of some sets.
+TEST_CASE_TEMPLATE_DEFINE("largest betas of other hierarchical meshes do not grow with the gaps", T, no_trend) {
+    constexpr int D = T::value;
+    const auto median_of = [](bool nested, double gap) {
+        std::vector<double> largest;
+        for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+            Diagram<D> diagram(nested ? inputs::nested(D, 4, 8, gap, seed) : inputs::close_pairs(D, 8, 1 / gap, seed),
+                               2.5);
+            const FatnessAnalysis a = diagram.analysed();
+            CHECK(a.left_out == 0);
+            CHECK(a.all.beta_max < (D == 2 ? 20 : 40));
+            largest.push_back(a.all.beta_max);
+        }
+        std::sort(largest.begin(), largest.end());
+        return largest[4];
+    };
+    for (const bool nested : {false, true}) {
+        const double at_first = median_of(nested, 1e3);
+        for (const double gap : {1e5, 1e7, 1e9}) CHECK(median_of(nested, gap) < 1.5 * at_first);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(no_trend, Dimensions<2, 3>);

@@ -229,8 +229,8 @@ TEST_CASE("points and what is asked of meshes") {
             refused([=](auto& r) { of_thesis(r), r.finish = 1, r.purpose = NETMESH_PURPOSE_PERSIST; },
                     NETMESH_FIELD_PURPOSE);
             refused([=](auto& r) { of_thesis(r), r.finish = 1, r.sizes.eps = 0.5; }, NETMESH_FIELD_SIZES);
-            for (const std::uint32_t audit : {NETMESH_AUDIT_LOCATION, NETMESH_AUDIT_QUALITY})
-                refused([=](auto& r) { of_thesis(r), r.audit = audit; }, NETMESH_FIELD_AUDIT);
+            for (const std::uint32_t more : {0u, static_cast<std::uint32_t>(NETMESH_AUDIT_QUALITY)})
+                refused([=](auto& r) { of_thesis(r), r.audit = NETMESH_AUDIT_LOCATION | more; }, NETMESH_FIELD_AUDIT);
         }
         const auto by_ratio = [](auto& r) { r.certificate.ratio = 3, r.purpose = NETMESH_PURPOSE_PERSIST; };
         refused([=](auto& r) { by_ratio(r), r.certificate.ratio = 1.4; }, NETMESH_FIELD_RATIO);

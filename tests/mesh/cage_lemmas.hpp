@@ -91,6 +91,20 @@ struct Ball {
     double radius;
 };
 
+// What an audit of quality says, of one mesh.
+struct Figures {
+    double worst = 0, feature = 0, cage = 0, steiner = 0, input = 0;
+    std::uint32_t degree = 0;
+    bool encroached = false;
+
+    void join(const Figures& other) {
+        for (double Figures::*const f :
+             {&Figures::worst, &Figures::feature, &Figures::cage, &Figures::steiner, &Figures::input})
+            this->*f = std::max(this->*f, other.*f);
+        degree = std::max(degree, other.degree);
+    }
+};
+
 template <int D> class Judge {
 public:
     // `clean`: the quality of all cells has been restored.
@@ -177,6 +191,37 @@ public:
             table_.note("4.11.5 balls at a point", containing);
             table_.note("4.11.9 balls that meet one", meeting);
         }
+    }
+
+    // Of the whole mesh. fresh: what has been inserted, `own` of it in its turn or, `cleaning`, in place of a bad
+    // corner. f_M is taken over Delaunay neighbours. To be called on a judge with a table of its own.
+    Figures figures(const std::vector<std::uint32_t>& fresh, std::uint32_t own, bool cleaning) {
+        Figures of;
+        for (std::size_t d = 0; d < cages_.size(); ++d) {
+            judge_cage(d);
+            if (is_root(d)) continue;
+            std::vector<std::uint32_t> around;
+            for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v)
+                if (in_mesh_[v] && away(v, point(cages_[d].centre)) < cages_[d].radius)
+                    around.insert(around.end(), degree_[v].begin(), degree_[v].end());
+            of.feature = std::max(of.feature, feature_of(cages_[d].centre, parent_[d], around));
+        }
+        of.worst = table_.largest["aspect ratio of a cage"];
+        for (const char* const rule :
+             {"4.5 domains are nested", "4.5 not encroached from inside", "4.5 not encroached from outside"})
+            of.encroached |= table_.rows[rule].violations > 0;
+        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+            if (!in_mesh_[v] || domain_[v] < 0) continue;
+            of.degree = std::max(of.degree, std::uint32_t(degree_[v].size()));
+            of.feature = std::max(of.feature, feature_of(v, domain_[v], degree_[v]));
+            if (!is_of_shell(v)) of.worst = std::max(of.worst, 2 * far_[v] / near_[v]);
+        }
+        for (const std::uint32_t v : fresh) {
+            if (domain_[v] < 0) continue;
+            double& kind = v != own ? of.cage : cleaning ? of.steiner : of.input;
+            kind = std::max(kind, feature_of(v, domain_[v], degree_[v]));
+        }
+        return of;
     }
 
     // K' of 4.9: v has just been inserted.
@@ -411,6 +456,19 @@ private:
             first = std::min(first, a);
         }
         return {first, second};
+    }
+    // f_P over f_M, of which those among these neighbours count; 0 where one of them is not there.
+    double feature_of(std::uint32_t v, int d, const std::vector<std::uint32_t>& neighbours) const {
+        double nearest = endless;
+        for (const std::uint32_t w : neighbours) {
+            int within = domain_[w], below = -1;
+            for (; within >= 0 && within != d; within = parent_[within]) below = within;
+            if (within < 0) continue;
+            const std::uint32_t member = below < 0 ? w : cages_[below].centre;
+            if (member != v) nearest = std::min(nearest, away(member, point(v)));
+        }
+        const double input = two_nearest(d, point(v), true).second;
+        return input < endless && nearest < endless ? input / nearest : 0;
     }
     // The child of d that has vertex v for its centre.
     int child_about(int d, std::uint32_t v) const {

@@ -171,6 +171,7 @@ TEST_CASE("finished meshes that had cages are over-refined as those of SVR") {
         for (const inputs::Points& points : {inputs::geometric(dim, 40, n), inputs::close_pairs(dim, n, 1e-3)}) {
             INFO("D = " << dim);
             Session session(dim);
+            session.reserve(std::size_t{1} << 27);  // the checks need room beside the mesh
             session.request.sizes.eps = eps;
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const std::uint64_t direct = session.report().mesh.vertices;

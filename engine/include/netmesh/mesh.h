@@ -93,7 +93,8 @@ typedef struct netmesh_certificate_goal {
 /* LOCATION: point location as in 4.7.2. Every input that is not inserted yet is stored in all D-balls (circumscribed
  * balls) that contain it, and inputs are inserted in rounds of range nets (4.7.5), each of which is drawn from again
  * until the largest load has halved. QUALITY: aspect ratios, degrees and the invariants of 4.8 and 4.9 are measured
- * after each insertion, until FinishMesh begins; K and K' until over-refinement begins. */
+ * after each insertion, until FinishMesh begins (with cages of the thesis to the end, of whole cells); K and K' until
+ * over-refinement begins. */
 typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
 
 /* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes,
@@ -128,7 +129,8 @@ typedef struct netmesh_mesh_request {
      * (NET_SPACING, or TAU where that is 0) when its square is below 2^-51 times the domain's radius times their
      * magnitude, or the radius above 2^511. */
     double net_spacing;
-    netmesh_cage_kind cage_kind; /* THESIS: D at most 4, tau given and at least 3.4, PURPOSE_MESH without audits */
+    netmesh_cage_kind
+        cage_kind; /* THESIS: D at most 4, tau given and at least 3.4, PURPOSE_MESH, no audit of location */
     /* Of a mesh refined by the certificate. 0: for cells clipped to a ball, the domain, a hair larger than the smallest
      * one around the points; nothing is refined outside, and filters with clips_cells are filtered on the nerve of the
      * clipped cells. 1: for whole cells; what other filters, which take cells whole, certify is better then. */

@@ -122,8 +122,9 @@ TEST_CASE("methods, filters and values that this version has not") {
         return fault(more);
     };
     CHECK(names(thesis_fault({"--tau", "3.3"}), "--cages thesis needs a --tau of at least 3.4"));
-    CHECK(names(thesis_fault({"--audit", "quality"}), "--audit does not go with --cages thesis"));
-    CHECK(names(thesis_fault({"--audit", "location"}), "--audit does not go with --cages thesis"));
+    for (const char* const located : {"location", "all"})
+        CHECK(names(thesis_fault({"--audit", located}), "--audit location does not go with --cages thesis"));
+    good({"mesh", "p", "--method", "netmesh", "--cages", "thesis", "--audit", "quality"});
     CHECK(names(thesis_fault({"--finish", "--eps", ".4"}), "do not go with --cages thesis"));
     CHECK(names(fault({"mesh", "p", "--cages", "thesis"}), "--cages goes with --method netmesh"));
     CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--cages", "large"}), "there are compact and thesis"));
