@@ -42,6 +42,10 @@ void keep_scales(netmesh_context* context, const netmesh_scales_request& request
     diagram.simplices = result.simplices;
     diagram.certified_ratio = result.ratio;
     diagram.certified_ratio_best = result.ratio_best;
+    if (result.bounds == nullptr) return;
+    context->bounds.present = true;
+    context->bounds.bars = Slice<BarBounds>::of(context->arena, result.bounds, result.pairs.count);
+    context->bounds.steps = Slice<ScaleStep>::of(context->arena, result.curve.steps, result.curve.count);
 }
 
 // The points live in a store of their own, which is empty again when the pairs are there.
@@ -78,7 +82,8 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
                                   request.seed,
                                   values_of(request.values),
                                   degree_of(request.max_degree, request.dim),
-                                  request.keep_zero_pairs != 0};
+                                  request.keep_zero_pairs != 0,
+                                  request.bounds != 0};
     Monitor monitor = monitor_of(request.monitor);
     InputReport input = {};
     ScalesResult result = {};

@@ -3,7 +3,11 @@
 #include "filtration/filters.hpp"
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
+#include "filtration/tighten_cell_bounds.hpp"
 #include "homology/lower_star/lower_star.hpp"
+#include "jobs/certified_bars.hpp"
+#include "jobs/join_shift.hpp"
+#include "jobs/scale_grid.hpp"
 #include "mesh/mesh_points.hpp"
 #include "numerics/double_double.hpp"
 #include "numerics/sort.hpp"
@@ -31,6 +35,47 @@ bool add_pairs(const PairList& list, bool is_first, std::size_t low, Arena& aren
     return true;
 }
 
+// Bounds of bars, one after the other down from the arena's high end; the bars name them by their `cycle`, which is
+// free, so that they are found when bars are sorted.
+class BoundStack {
+public:
+    void open(const Arena& arena) { top_ = arena.high_mark(); }
+    // Those of the bars that add_pairs keeps. bounds[i]: of bar i, below the arena's low mark. False: out of memory.
+    bool push(const PairList& list, const BarBounds* bounds, bool is_first, Arena& arena) {
+        std::uint64_t kept = 0;
+        for (std::uint64_t i = 0; i < list.count; ++i) kept += is_first || list.pairs[i].death < infinity;
+        if (kept >= none - count_ || !arena.extend_high(static_cast<std::size_t>(kept) * sizeof(BarBounds)))
+            return false;
+        for (std::uint64_t i = 0; i < list.count; ++i) {
+            if (!is_first && !(list.pairs[i].death < infinity)) continue;
+            list.pairs[i].cycle = count_;
+            *at(count_++, arena) = bounds[i];
+        }
+        return true;
+    }
+    // Sorts the bars, and puts the bounds in their order at the arena's low end. null: out of memory.
+    BarBounds* sort_with(const PairList& list, Arena& arena) const {
+        BarBounds* const bounds = arena.take_low<BarBounds>(static_cast<std::size_t>(list.count));
+        if (bounds == nullptr) return nullptr;
+        const CanonicalOrder before;
+        sort(list.pairs, list.count,
+             [&](const Pair& a, const Pair& b) { return before(a, b) || (!before(b, a) && a.cycle < b.cycle); });
+        for (std::uint64_t i = 0; i < list.count; ++i) {
+            bounds[i] = *at(list.pairs[i].cycle, arena);
+            list.pairs[i].cycle = 0;
+        }
+        return bounds;
+    }
+
+private:
+    BarBounds* at(std::uint32_t i, const Arena& arena) const {
+        return reinterpret_cast<BarBounds*>(arena.at(top_)) - (std::size_t{i} + 1);
+    }
+
+    std::size_t top_ = 0;
+    std::uint32_t count_ = 0;
+};
+
 // Counts the mesh of a cluster of `points`.
 void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const Certificate& certificate,
               ScalesResult* result) {
@@ -53,14 +98,19 @@ public:
     ScalesJoin(const Store<D>& points, const ScalesRequest& request, const Work& work, ScalesResult* result)
         : points_(points), request_(request), arena_(work.arena), monitor_(work.monitor), result_(result) {}
 
-    // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way.
+    // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way; with bounds, these
+    // and the grid stand at the high end.
     Status run(std::uint32_t count);
+    // Bounds and curve behind the pairs, which stand at the low end.
+    Status finish_bounds();
 
 private:
     Status divide(std::uint32_t count);
     Status add_cluster();
     MeshRequest mesh_request() const;
-    Status persist_mesh(const double* x, std::uint32_t n, PairList* list);
+    Status persist_mesh(const double* x, std::uint32_t n, PairList* list, BarBounds** bounds);
+    Status bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
+                      const PairList& list, BarBounds** bounds);
     void copy_points(double* x) const;
 
     const Store<D>& points_;
@@ -70,6 +120,9 @@ private:
     ScalesResult* result_;
     ScalePartition<D> partition_;
     double goal_ = 0;  // ratio of each mesh; 0: eps says
+    JoinShift shift_;
+    ScaleGrid grid_;
+    BoundStack bounds_;
 };
 
 // The chosen points: from the first of them where all differences are exact, else as they are.
@@ -104,7 +157,31 @@ template <int D> MeshRequest ScalesJoin<D>::mesh_request() const {
     return request;
 }
 
-template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list) {
+// The true bars are those of all points; where they are among those of this scale's, the join has its part in.
+template <int D>
+Status ScalesJoin<D>::bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
+                                 const PairList& list, BarBounds** bounds) {
+    const Work work = {arena_, monitor_};
+    const BarList bars = {list.pairs, list.count};
+    const FilterBounds cells = {filter.value, filter.interval, mesh.vertices()};
+    *bounds = arena_.take_low<BarBounds>(static_cast<std::size_t>(list.count));
+    Status status = *bounds == nullptr ? Status::out_of_memory : Status::ok;
+    if (status == Status::ok && find_filter(which.filter)->has(filter_trait::has_tighter_cells))
+        status = tighten_cell_bounds<D>(mesh, work, filter.interval);
+    if (status == Status::ok) status = bound_in_join(cells, bars, shift_, arena_, *bounds, &grid_);
+    if (status == Status::ok)
+        status = find_certified_bars<D>({mesh.store.view(), cells, mesh.inputs, bars, mesh.part, {}, &shift_}, work,
+                                        *bounds);
+    for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) {
+        BarBounds& b = (*bounds)[i];
+        b.birth_low = shift_.before(b.birth_low);
+        b.death_low = shift_.before(b.death_low);
+    }
+    return status;
+}
+
+template <int D>
+Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list, BarBounds** bounds) {
     StoreState state = {};
     Store<D> store(arena_, state);
     MeshResult<D> mesh;
@@ -122,6 +199,10 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (value == nullptr) return Status::out_of_memory;
     const Work work = {arena_, monitor_};
     Evaluation filter = {value};
+    if (request_.bounds) {
+        filter.interval = arena_.take_high<Interval>(state.vertex_count);
+        if (filter.interval == nullptr) return Status::out_of_memory;
+    }
     const FilterRequest which = {goal_ > 0 ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_TIGHT, request_.values};
     const FilteredMesh<D> whole = {store, mesh.domain, n, goal_ > 0};
     ClippedCells<D> cells;
@@ -135,7 +216,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (status != Status::ok) return status;
     *list = found.pairs;
     add_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);
-    return Status::ok;
+    return request_.bounds ? bound_mesh(filtered, which, filter, found.pairs, bounds) : Status::ok;
 }
 
 template <int D> Status ScalesJoin<D>::add_cluster() {
@@ -145,27 +226,49 @@ template <int D> Status ScalesJoin<D>::add_cluster() {
     if (x == nullptr) return Status::out_of_memory;
     copy_points(x);
     PairList list = {};
-    const Status status = persist_mesh(x, n, &list);
+    BarBounds* bounds = nullptr;
+    const bool is_first = partition_.clusters() == 1;
+    const Status status = persist_mesh(x, n, &list, &bounds);
     arena_.release_high(high);
     if (status != Status::ok) return status;
-    return add_pairs(list, partition_.clusters() == 1, low, arena_, &result_->pairs) ? Status::ok
-                                                                                     : Status::out_of_memory;
+    if (bounds != nullptr && !bounds_.push(list, bounds, is_first, arena_)) return Status::out_of_memory;
+    return add_pairs(list, is_first, low, arena_, &result_->pairs) ? Status::ok : Status::out_of_memory;
 }
 
-// Sets the ratio of each mesh: what the join leaves, with its roundings.
+// Sets the ratio of each mesh: what the join leaves, with its roundings; and what bounds have to know of the clusters.
 template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
     const std::size_t low = arena_.low_mark();
-    const Status status = partition_.open(points_, count, request_.theta, arena_);
+    Status status = partition_.open(points_, count, request_.theta, arena_);
     bool stopped = false;
     while (status == Status::ok && partition_.next(monitor_, &stopped)) {
+        if (request_.bounds && partition_.clusters() > 1 &&
+            !shift_.add(partition_.radius(), partition_.gap(), arena_))
+            status = Status::out_of_memory;
     }
     arena_.release_low(low);
-    goal_ = request_.ratio / join_factor(partition_.clusters(), partition_.separation()) / (up * up);
-    return status == Status::ok && stopped ? Status::cancelled : status;
+    if (status != Status::ok || stopped) return status == Status::ok ? Status::cancelled : status;
+    if (request_.ratio > 0)
+        goal_ = request_.ratio / join_factor(partition_.clusters(), partition_.separation()) / (up * up);
+    if (!request_.bounds) return Status::ok;
+    shift_.close();
+    // The values of a mesh are half of what is between two of its points, but for what refinement adds to that, or
+    // more, and no more than the radius of a ball around the points. None is lost beyond.
+    const double closest = partition_.closest(), widest = partition_.widest();
+    const bool is_one = !(closest < infinity);
+    if (!grid_.open(is_one ? 1 : 0.125 * closest, is_one ? 1 : 2 * widest, arena_)) return Status::out_of_memory;
+    bounds_.open(arena_);
+    return Status::ok;
+}
+
+template <int D> Status ScalesJoin<D>::finish_bounds() {
+    result_->bounds = bounds_.sort_with(result_->pairs, arena_);
+    return result_->bounds != nullptr && grid_.finish(shift_, result_->ratio, arena_, &result_->curve)
+               ? Status::ok
+               : Status::out_of_memory;
 }
 
 template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
-    Status status = request_.ratio > 0 ? divide(count) : Status::ok;
+    Status status = request_.ratio > 0 || request_.bounds ? divide(count) : Status::ok;
     if (status == Status::ok) status = partition_.open(points_, count, request_.theta, arena_);
     bool stopped = false;
     while (status == Status::ok && partition_.next(monitor_, &stopped)) status = add_cluster();
@@ -192,10 +295,14 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     ScalesJoin<D> join(points, request, work, result);
     Status status = join.run(count);
     work.arena.release_low(low);
-    work.arena.release_high(high);
     if (status == Status::ok) status = move_pairs_down(low, work.arena, &result->pairs);
-    if (status != Status::ok) return status;
-    sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{});
+    if (status == Status::ok && request.bounds) status = join.finish_bounds();
+    work.arena.release_high(high);
+    if (status != Status::ok) {
+        work.arena.release_low(low);
+        return status;
+    }
+    if (!request.bounds) sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{});
     return Status::ok;
 }
 
