@@ -99,6 +99,7 @@ requests::Scales scales_request(const Options& options, const DiagramRequest& di
     scales.ratio = options.ratio.value_or(0);
     scales.theta = options.theta;
     scales.bounds = options.bounds ? 1 : 0;
+    scales.representatives = diagram.cycles ? 1 : 0;
     return scales;
 }
 

@@ -7,6 +7,7 @@
 #include "homology/lower_star/lower_star.hpp"
 #include "jobs/certified_bars.hpp"
 #include "jobs/join_shift.hpp"
+#include "jobs/joined_bars.hpp"
 #include "jobs/scale_grid.hpp"
 #include "mesh/mesh_points.hpp"
 #include "numerics/double_double.hpp"
@@ -35,47 +36,6 @@ bool add_pairs(const PairList& list, bool is_first, std::size_t low, Arena& aren
     return true;
 }
 
-// Bounds of bars, one after the other down from the arena's high end; the bars name them by their `cycle`, which is
-// free, so that they are found when bars are sorted.
-class BoundStack {
-public:
-    void open(const Arena& arena) { top_ = arena.high_mark(); }
-    // Those of the bars that add_pairs keeps. bounds[i]: of bar i, below the arena's low mark. False: out of memory.
-    bool push(const PairList& list, const BarBounds* bounds, bool is_first, Arena& arena) {
-        std::uint64_t kept = 0;
-        for (std::uint64_t i = 0; i < list.count; ++i) kept += is_first || list.pairs[i].death < infinity;
-        if (kept >= none - count_ || !arena.extend_high(static_cast<std::size_t>(kept) * sizeof(BarBounds)))
-            return false;
-        for (std::uint64_t i = 0; i < list.count; ++i) {
-            if (!is_first && !(list.pairs[i].death < infinity)) continue;
-            list.pairs[i].cycle = count_;
-            *at(count_++, arena) = bounds[i];
-        }
-        return true;
-    }
-    // Sorts the bars, and puts the bounds in their order at the arena's low end. null: out of memory.
-    BarBounds* sort_with(const PairList& list, Arena& arena) const {
-        BarBounds* const bounds = arena.take_low<BarBounds>(static_cast<std::size_t>(list.count));
-        if (bounds == nullptr) return nullptr;
-        const CanonicalOrder before;
-        sort(list.pairs, list.count,
-             [&](const Pair& a, const Pair& b) { return before(a, b) || (!before(b, a) && a.cycle < b.cycle); });
-        for (std::uint64_t i = 0; i < list.count; ++i) {
-            bounds[i] = *at(list.pairs[i].cycle, arena);
-            list.pairs[i].cycle = 0;
-        }
-        return bounds;
-    }
-
-private:
-    BarBounds* at(std::uint32_t i, const Arena& arena) const {
-        return reinterpret_cast<BarBounds*>(arena.at(top_)) - (std::size_t{i} + 1);
-    }
-
-    std::size_t top_ = 0;
-    std::uint32_t count_ = 0;
-};
-
 // Counts the mesh of a cluster of `points`.
 void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const Certificate& certificate,
               ScalesResult* result) {
@@ -98,19 +58,22 @@ public:
     ScalesJoin(const Store<D>& points, const ScalesRequest& request, const Work& work, ScalesResult* result)
         : points_(points), request_(request), arena_(work.arena), monitor_(work.monitor), result_(result) {}
 
-    // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way; with bounds, these
-    // and the grid stand at the high end.
+    // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way; where more than
+    // pairs is asked for, all but the chains at the high end.
     Status run(std::uint32_t count);
-    // Bounds and curve behind the pairs, which stand at the low end.
-    Status finish_bounds();
+    // All of the result at the low end.
+    Status finish();
 
 private:
     Status divide(std::uint32_t count);
     Status add_cluster();
     MeshRequest mesh_request() const;
-    Status persist_mesh(const double* x, std::uint32_t n, PairList* list, BarBounds** bounds);
+    Status persist_mesh(const double* x, std::uint32_t n, MeshBars* bars);
     Status bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
-                      const PairList& list, BarBounds** bounds);
+                      const MeshBars& bars);
+    Status find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars);
+    Status number_points(std::uint32_t count);
+    bool has_more() const { return request_.bounds || request_.representatives; }
     void copy_points(double* x) const;
 
     const Store<D>& points_;
@@ -122,7 +85,8 @@ private:
     double goal_ = 0;  // ratio of each mesh; 0: eps says
     JoinShift shift_;
     ScaleGrid grid_;
-    BoundStack bounds_;
+    JoinedBars bars_;
+    std::uint32_t* number_ = nullptr;  // [count] of a point among those that differ, in the caller's order
 };
 
 // The chosen points: from the first of them where all differences are exact, else as they are.
@@ -160,28 +124,56 @@ template <int D> MeshRequest ScalesJoin<D>::mesh_request() const {
 // The true bars are those of all points; where they are among those of this scale's, the join has its part in.
 template <int D>
 Status ScalesJoin<D>::bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
-                                 const PairList& list, BarBounds** bounds) {
+                                 const MeshBars& bars) {
     const Work work = {arena_, monitor_};
-    const BarList bars = {list.pairs, list.count};
+    const BarList list = {bars.list.pairs, bars.list.count};
     const FilterBounds cells = {filter.value, filter.interval, mesh.vertices()};
-    *bounds = arena_.take_low<BarBounds>(static_cast<std::size_t>(list.count));
-    Status status = *bounds == nullptr ? Status::out_of_memory : Status::ok;
-    if (status == Status::ok && find_filter(which.filter)->has(filter_trait::has_tighter_cells))
+    Status status = Status::ok;
+    if (find_filter(which.filter)->has(filter_trait::has_tighter_cells))
         status = tighten_cell_bounds<D>(mesh, work, filter.interval);
-    if (status == Status::ok) status = bound_in_join(cells, bars, shift_, arena_, *bounds, &grid_);
+    if (status == Status::ok) status = bound_in_join(cells, list, shift_, arena_, bars.bounds, &grid_);
     if (status == Status::ok)
-        status = find_certified_bars<D>({mesh.store.view(), cells, mesh.inputs, bars, mesh.part, {}, &shift_}, work,
-                                        *bounds);
+        status = find_certified_bars<D>({mesh.store.view(), cells, mesh.inputs, list, mesh.part, {}, &shift_}, work,
+                                        bars.bounds);
     for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) {
-        BarBounds& b = (*bounds)[i];
+        BarBounds& b = bars.bounds[i];
         b.birth_low = shift_.before(b.birth_low);
         b.death_low = shift_.before(b.death_low);
     }
     return status;
 }
 
+// Of each bar of some length; both lists have these in one order.
 template <int D>
-Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list, BarBounds** bounds) {
+Status ScalesJoin<D>::find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars) {
+    const PairList& list = bars->list;
+    const auto has_length = [&](std::uint64_t i) { return list.pairs[i].death > list.pairs[i].birth; };
+    std::uint64_t count = 0;
+    for (std::uint64_t i = 0; i < list.count; ++i) count += has_length(i);
+    Representatives found = {};
+    const Status status = lower_star_cycles<D>({mesh.store.view(), value, mesh.inputs, mesh.part}, request_.max_degree,
+                                               count, {arena_, monitor_}, &found);
+    if (status != Status::ok) return status;
+    if (found.pairs.count != count) return Status::internal;
+    std::uint32_t* const name = arena_.take_high<std::uint32_t>(mesh.vertices());
+    if (name == nullptr) return Status::out_of_memory;
+    for (std::uint32_t v = 0; v < mesh.vertices(); ++v)
+        name[v] = number_[partition_.chosen()[mesh.store.vertex(nearest_input<D>(mesh.store, VertexId(v))).origin]];
+    CycleWriter writer(arena_);
+    count = 0;
+    for (std::uint64_t i = 0; i < list.count; ++i) {
+        if (!has_length(i)) continue;
+        const Pair& pair = found.pairs.pairs[count++];
+        if (!write_image(lower_star_cycle(found.store, arena_, pair), pair.degree, name, arena_, &writer,
+                         &bars->bounds[i].unused))
+            return Status::out_of_memory;
+    }
+    bars->chains = writer.begin();
+    bars->steps = count == 0 ? 0 : (arena_.low_mark() - writer.begin()) / 16;
+    return Status::ok;
+}
+
+template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, MeshBars* bars) {
     StoreState state = {};
     Store<D> store(arena_, state);
     MeshResult<D> mesh;
@@ -214,9 +206,14 @@ Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* l
         status = persist_lower_star<D>({store.view(), value, n, filtered.part},
                                        {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
-    *list = found.pairs;
+    bars->list = found.pairs;
     add_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);
-    return request_.bounds ? bound_mesh(filtered, which, filter, found.pairs, bounds) : Status::ok;
+    if (!has_more()) return Status::ok;
+    bars->bounds = arena_.take_low<BarBounds>(static_cast<std::size_t>(found.pairs.count));
+    if (bars->bounds == nullptr) return Status::out_of_memory;
+    for (std::uint64_t i = 0; i < found.pairs.count; ++i) bars->bounds[i] = {};
+    if (request_.bounds) status = bound_mesh(filtered, which, filter, *bars);
+    return status == Status::ok && request_.representatives ? find_chains(filtered, value, bars) : status;
 }
 
 template <int D> Status ScalesJoin<D>::add_cluster() {
@@ -225,14 +222,14 @@ template <int D> Status ScalesJoin<D>::add_cluster() {
     double* const x = arena_.take_high<double>(std::size_t{n} * D);
     if (x == nullptr) return Status::out_of_memory;
     copy_points(x);
-    PairList list = {};
-    BarBounds* bounds = nullptr;
+    MeshBars bars = {};
     const bool is_first = partition_.clusters() == 1;
-    const Status status = persist_mesh(x, n, &list, &bounds);
+    const Status status = persist_mesh(x, n, &bars);
     arena_.release_high(high);
     if (status != Status::ok) return status;
-    if (bounds != nullptr && !bounds_.push(list, bounds, is_first, arena_)) return Status::out_of_memory;
-    return add_pairs(list, is_first, low, arena_, &result_->pairs) ? Status::ok : Status::out_of_memory;
+    const bool room = has_more() ? bars_.add(bars, is_first, arena_)
+                                 : add_pairs(bars.list, is_first, low, arena_, &result_->pairs);
+    return room ? Status::ok : Status::out_of_memory;
 }
 
 // Sets the ratio of each mesh: what the join leaves, with its roundings; and what bounds have to know of the clusters.
@@ -256,20 +253,35 @@ template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
     const double closest = partition_.closest(), widest = partition_.widest();
     const bool is_one = !(closest < infinity);
     if (!grid_.open(is_one ? 1 : 0.125 * closest, is_one ? 1 : 2 * widest, arena_)) return Status::out_of_memory;
-    bounds_.open(arena_);
     return Status::ok;
 }
 
-template <int D> Status ScalesJoin<D>::finish_bounds() {
-    result_->bounds = bounds_.sort_with(result_->pairs, arena_);
-    return result_->bounds != nullptr && grid_.finish(shift_, result_->ratio, arena_, &result_->curve)
-               ? Status::ok
-               : Status::out_of_memory;
+template <int D> Status ScalesJoin<D>::number_points(std::uint32_t count) {
+    number_ = arena_.take_high<std::uint32_t>(count);
+    if (number_ == nullptr) return Status::out_of_memory;
+    const HighScope scope(arena_);
+    std::uint32_t* const order = arena_.take_high<std::uint32_t>(count);
+    if (order == nullptr) return Status::out_of_memory;
+    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+    sort(order, count, [&](std::uint32_t a, std::uint32_t b) {
+        return points_.vertex(a).origin < points_.vertex(b).origin;
+    });
+    for (std::uint32_t i = 0; i < count; ++i) number_[order[i]] = i;
+    return Status::ok;
+}
+
+template <int D> Status ScalesJoin<D>::finish() {
+    const bool room = bars_.finish(arena_, &result_->cycles, &result_->pairs,
+                                   request_.bounds ? &result_->bounds : nullptr) &&
+                      (!request_.bounds || grid_.finish(shift_, result_->ratio, arena_, &result_->curve));
+    return room ? Status::ok : Status::out_of_memory;
 }
 
 template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
     Status status = request_.ratio > 0 || request_.bounds ? divide(count) : Status::ok;
+    if (status == Status::ok && request_.representatives) status = number_points(count);
     if (status == Status::ok) status = partition_.open(points_, count, request_.theta, arena_);
+    bars_.open(arena_);
     bool stopped = false;
     while (status == Status::ok && partition_.next(monitor_, &stopped)) status = add_cluster();
     if (status == Status::ok && stopped) status = Status::cancelled;
@@ -295,14 +307,14 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     ScalesJoin<D> join(points, request, work, result);
     Status status = join.run(count);
     work.arena.release_low(low);
-    if (status == Status::ok) status = move_pairs_down(low, work.arena, &result->pairs);
-    if (status == Status::ok && request.bounds) status = join.finish_bounds();
+    const bool has_more = request.bounds || request.representatives;
+    if (status == Status::ok) status = has_more ? join.finish() : move_pairs_down(low, work.arena, &result->pairs);
     work.arena.release_high(high);
     if (status != Status::ok) {
         work.arena.release_low(low);
         return status;
     }
-    if (!request.bounds) sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{});
+    if (!has_more) sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{});
     return Status::ok;
 }
 

@@ -6,7 +6,7 @@
 
 #include "certificate/certificate.hpp"
 #include "delaunay/store.hpp"
-#include "homology/persistence.hpp"
+#include "homology/cycles/cycles.hpp"
 #include "jobs/bar_bounds.hpp"
 #include "memory/work.hpp"
 
@@ -20,7 +20,8 @@ struct ScalesRequest {
     FilterValues values;
     std::uint32_t max_degree;  // 0..D-1
     bool keep_zero;
-    bool bounds;  // of each bar, and by scale
+    bool bounds;           // of each bar, and by scale
+    bool representatives;  // of each bar of some length, by the points (joined_bars.hpp)
 };
 
 struct ScalesResult {
@@ -32,12 +33,15 @@ struct ScalesResult {
     std::uint64_t row_a, row_b;  // culprits of out_of_range, too_close, invalid_argument
     BarBounds* bounds;           // [pairs.count] when they are asked for, behind the pairs
     ScaleCurve curve;            // likewise
+    CycleStore cycles;           // of lower_star_cycle, before the pairs, when they are asked for
 };
 
 // The joined diagram of the distinct points that are the vertices 0..count-1 of `points`: one mesh after the other in
 // the same memory, in coordinates from its representative where these are exact. With a ratio the partition is made
 // twice, as the meshes' part of it depends on how far the scales are apart; so it is with bounds, which need to know all
-// clusters (join_shift.hpp). Those take what bound_bars takes of each mesh, 56 bytes a bar twice and 48 KB. Everything
+// clusters (join_shift.hpp). Those take what bound_bars takes of each mesh, 80 bytes a bar and 48 KB; cycles what the
+// diagram takes of each mesh, 80 bytes a bar, 8 a point and themselves. Vertices of cycles are the points that differ,
+// by their number in the caller's order. Everything
 // but the pairs and what is known of them is given back.
 // out_of_memory, cancelled, out_of_range, too_close, invalid_argument (coordinates do not resolve the size asked for).
 template <int D>

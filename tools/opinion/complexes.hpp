@@ -6,6 +6,7 @@
 
 #include "tools/io/mesh_files.hpp"
 #include "tools/opinion/filtered_complex.hpp"
+#include "tools/opinion/spheres.hpp"
 
 namespace netmesh::tool {
 
@@ -32,6 +33,7 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_fl
 
 // All sets of up to top + 1 different points: Rips at half of the longest edge, Cech at the radius of the smallest
 // enclosing ball.
+std::vector<Place> different_places(const PointCloud& cloud);  // in their order
 SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top);
 
 }  // namespace netmesh::tool

@@ -31,6 +31,7 @@ typedef struct netmesh_scales_request {
     double ratio;             /* of the joined diagram, with certified values; above (1 + 3 theta) times the root of 2,
                                  and finite; 0: as eps says. Not both */
     uint32_t bounds;          /* 1: the bounds of netmesh_bound_bars too, by scale */
+    uint32_t representatives; /* 1: keep a cycle for each pair of some length (netmesh_get_cycle), of points */
 } netmesh_scales_request;
 
 void netmesh_scales_request_init(netmesh_scales_request* request, size_t request_bytes, uint32_t dim);
