@@ -33,6 +33,8 @@ constexpr double gradient_bytes = 8, alpha_bytes = 48;
 // Of bounds: tables of a filter's values or of covers, whichever is more; a bar's claims, its bounds twice, and its part
 // in the join. Bars of each degree are as many as points at most, as measured.
 constexpr double bounds_vertex_bytes = 48, bounds_bar_bytes = 288;
+// Of representatives: a bar twice, and the points of its cycle in the mesh and in the result.
+constexpr double chain_bytes = 256;
 
 double power_in_eighths(double x, int k) {
     const double root = square_root(square_root(square_root(x)));
@@ -54,7 +56,7 @@ struct Planned {
     bool filter = false;                     // values and diagram of a filter on a mesh
     bool alpha = false;
     bool scales = false;
-    bool bounds = false;  // with scales
+    bool bounds = false, representatives = false;  // with scales
 };
 
 template <int D> Amounts delaunay_amounts(double points) {
@@ -117,6 +119,8 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
         bytes += (sizeof(Interval) + bounds_vertex_bytes) * n.vertices + bounds_bar_bytes * D * n.points;
         bytes += sizeof(ScaleStep) * 2.0 * ScaleGrid::cells_max / margin;  // the grid, and the steps made of it
     }
+    if (planned.representatives)
+        bytes += sizeof(std::uint32_t) * (n.cells + n.vertices) + chain_bytes * D * n.points;
     if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + ScalePartition<D>::point_bytes + order_bytes);
     return margin * bytes + sizeof(netmesh_context) + block_overhead +
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
@@ -196,6 +200,7 @@ size_t netmesh_plan_scales(const netmesh_scales_request* from) {
     Planned planned;
     planned.filter = planned.scales = true;
     planned.bounds = request.bounds != 0;
+    planned.representatives = request.representatives != 0;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         const double points = static_cast<double>(request.point_count);

@@ -138,6 +138,11 @@ TEST_CASE("the plan of scales suffices") {
         CHECK(netmesh_plan_scales(&by_ratio) > plain);
         expect_enough(dim, "scales by ratio, bounds", netmesh_plan_scales(&by_ratio), 0.01,
                       [&](Calls& calls) { return netmesh_persist_scales(calls.context, &by_ratio); });
+        const std::size_t bounded = netmesh_plan_scales(&by_ratio);
+        by_ratio.representatives = 1;
+        CHECK(netmesh_plan_scales(&by_ratio) > bounded);
+        expect_enough(dim, "scales by ratio, cycles", netmesh_plan_scales(&by_ratio), 0.01,
+                      [&](Calls& calls) { return netmesh_persist_scales(calls.context, &by_ratio); });
     }
     for (const int dim : dimensions(2, 3)) {
         const inputs::Points points = inputs::uniform(dim, count(dim, {120, 10}), 17);
@@ -146,6 +151,9 @@ TEST_CASE("the plan of scales suffices") {
                       [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
         request.bounds = 1;
         expect_enough(dim, "scales, bounds", netmesh_plan_scales(&request), 0.03,
+                      [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
+        request.representatives = 1;
+        expect_enough(dim, "scales, cycles", netmesh_plan_scales(&request), 0.03,
                       [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
     }
 }

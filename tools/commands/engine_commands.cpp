@@ -171,7 +171,8 @@ SimplexList complex_of(const Options& options, const Engine& engine, const Point
     const netmesh_diagram_report diagram = engine.report().diagram;
     if (diagram.representatives == 0) return {};
     const std::uint32_t top = diagram.max_degree + 1;
-    if (source_of(options) == NETMESH_SOURCE_POINTS || source_of(options) == NETMESH_SOURCE_SCALES)
+    if (source_of(options) == NETMESH_SOURCE_SCALES) return complex_of_points(cloud, false, top, joined_simplices_max);
+    if (source_of(options) == NETMESH_SOURCE_POINTS)
         return complex_of_points(cloud, diagram.filter == NETMESH_FILTER_RIPS, top);
     const MeshFiles files = files_of(EngineMesh(engine));
     if (source_of(options) == NETMESH_SOURCE_DELAUNAY) return alpha_complex(files, top);

@@ -138,7 +138,7 @@ std::string point_cycles_complaint(const std::vector<CycleEntry>& cycles, double
 Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& points, RunReport* run) {
     const DiagramFile& file = claim.file;
     const double ratio = run->engine->diagram.certified_ratio;
-    const SimplexList simplices = complex_of_points(points, false, *claim.made.max_degree + 1);
+    const SimplexList simplices = complex_of_points(points, false, *claim.made.max_degree + 1, joined_simplices_max);
     std::optional<FilteredComplex> complex;
     if (simplices) complex.emplace(*simplices, radius_tolerance);
     std::string text;
@@ -151,7 +151,7 @@ Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& po
         if (!outcome.good()) return outcome;
     } else {
         text = "no second opinion on the bars: the Cech complex of the points has more than " +
-               grouped_text(opinion_simplices_max) + " simplices";
+               grouped_text(joined_simplices_max) + " simplices";
     }
     run->checked->push_back(text);
     if (claim.cycles_path.empty()) return {};

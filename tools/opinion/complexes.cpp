@@ -127,7 +127,7 @@ std::vector<Place> different_places(const PointCloud& cloud) {
     return places;
 }
 
-SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top) {
+SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top, std::size_t most) {
     const std::vector<Place> places = different_places(cloud);
     std::vector<Vertices> level;  // all sets of one size
     for (std::uint32_t v = 0; v < places.size(); v++) level.push_back({v});
@@ -146,7 +146,7 @@ SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t 
                 next.push_back(set);
                 next.back().push_back(v);
             }
-            if (list.size() + next.size() > opinion_simplices_max) return {};
+            if (list.size() + next.size() > most) return {};
         }
         level.swap(next);
     }
