@@ -403,9 +403,10 @@ const std::vector<OptionEntry>& option_entries() {
          "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
         {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
-         "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
+         "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line, by the mesh's vertices\n"
+         "                    or, of scales, rips and cech, by the different points in their order"},
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,
-         "the diagram's cycles, as persist wrote them: with --mesh, or with --points for rips and cech, each is one, "
+         "the diagram's cycles, as persist wrote them: with --mesh, or with --points for scales, rips and cech, each is one, "
          "is "
          "born\n"
          "                    with its bar and dies with it"},

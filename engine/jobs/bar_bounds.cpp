@@ -141,7 +141,8 @@ Status bound_in_join(const FilterBounds& filter, const BarList& bars, const Join
     Interleaving interleaving{Spacing()};
     const Status status = interleaving.open(filter, arena);
     if (status != Status::ok) return status;
-    const double first = interleaving.first_scale(), end = interleaving.end_scale();
+    // From there on the join can move what is exact to where the mesh has cells.
+    const double first = join.before(interleaving.first_scale()), end = interleaving.end_scale();
     grid->begin_at(first);
     for (std::uint32_t i = grid->cell_of(first); i < grid->count() && grid->from(i) <= end; ++i)
         grid->add(i, interleaving.step_in_join(i == 0 ? first : grid->from(i), grid->next(i), join));

@@ -1,7 +1,6 @@
 #include "jobs/join_shift.hpp"
 
 #include "certificate/rounding.hpp"
-#include "numerics/real.hpp"
 #include "numerics/sort.hpp"
 
 namespace netmesh {

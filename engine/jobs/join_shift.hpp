@@ -24,6 +24,7 @@
 #include <cstdint>
 
 #include "memory/arena.hpp"
+#include "numerics/real.hpp"
 
 namespace netmesh {
 
@@ -35,6 +36,8 @@ public:
     // Once there are all.
     void close();
 
+    // The least s_j; infinity for no cluster.
+    double first_scale() const { return count_ == 0 ? infinity : clusters_[0].from; }
     // Is R(x) = 0?
     bool is_exact_until(double x) const { return count_ == 0 || x < clusters_[0].from; }
     // At least a + R(a), a where that is exact. Infinity stays.

@@ -45,6 +45,7 @@ void ScaleGrid::add(std::uint32_t i, const ScaleStep& step) {
 }
 
 bool ScaleGrid::finish(const JoinShift& join, double ratio, Arena& arena, ScaleCurve* curve) {
+    begin_at(join.first_scale());
     // Beyond a mesh's last value its bounds stay as they are there.
     for (std::uint32_t i = 0; i < count_; ++i) {
         ScaleStep& cell = cells_[i];

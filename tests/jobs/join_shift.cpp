@@ -87,7 +87,7 @@ TEST_CASE("the shift, its inverse and its factor are as defined") {
             CHECK(join.after(a) <= after(clusters, a) * (1 + near));
             CHECK(join.before(a) <= before(clusters, a));
             CHECK(join.before(a) >= before(clusters, a) * (1 - near));
-            CHECK(join.before(join.after(a)) <= a);
+            CHECK(join.before(join.after(a)) <= a * (1 + near));
             if (join.is_exact_until(a)) CHECK((join.after(a) == a && join.before(a) == a));
             // The factor is that of some place, and no place has more.
             const double to = a * (1 + random.uniform());
