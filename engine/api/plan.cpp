@@ -30,8 +30,8 @@ constexpr double block_overhead = 16384;
 // values, order and columns of an alpha complex.
 constexpr double gradient_bytes = 8, alpha_bytes = 48;
 
-// Of bounds: tables of a filter's values or of covers, whichever is more; a bar's claims, its bounds twice, and its part
-// in the join. Bars of each degree are as many as points at most, as measured.
+// Of bounds: tables of a filter's values or of covers, whichever is more; a bar's claims, its bounds twice, and its
+// part in the join. Bars of each degree are as many as points at most, as measured.
 constexpr double bounds_vertex_bytes = 48, bounds_bar_bytes = 288;
 // Of representatives: a bar twice, and the points of its cycle in the mesh and in the result.
 constexpr double chain_bytes = 256;
@@ -119,8 +119,7 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
         bytes += (sizeof(Interval) + bounds_vertex_bytes) * n.vertices + bounds_bar_bytes * D * n.points;
         bytes += sizeof(ScaleStep) * 2.0 * ScaleGrid::cells_max / margin;  // the grid, and the steps made of it
     }
-    if (planned.representatives)
-        bytes += sizeof(std::uint32_t) * (n.cells + n.vertices) + chain_bytes * D * n.points;
+    if (planned.representatives) bytes += sizeof(std::uint32_t) * (n.cells + n.vertices) + chain_bytes * D * n.points;
     if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + ScalePartition<D>::point_bytes + order_bytes);
     return margin * bytes + sizeof(netmesh_context) + block_overhead +
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;

@@ -17,9 +17,8 @@ bool JoinShift::add(double radius, double gap, Arena& arena) {
 }
 
 void JoinShift::close() {
-    sort(clusters_, count_, [](const Cluster& a, const Cluster& b) {
-        return a.from != b.from ? a.from < b.from : a.radius > b.radius;
-    });
+    sort(clusters_, count_,
+         [](const Cluster& a, const Cluster& b) { return a.from != b.from ? a.from < b.from : a.radius > b.radius; });
     std::uint32_t kept = 0;
     for (std::uint32_t i = 0; i < count_; ++i)
         if (kept == 0 || clusters_[i].radius > clusters_[kept - 1].radius) clusters_[kept++] = clusters_[i];
@@ -56,8 +55,7 @@ double JoinShift::before(double y) const {
         }
     }
     double least = y;
-    if (first > 0 && (y - clusters_[first - 1].radius) * down < least)
-        least = (y - clusters_[first - 1].radius) * down;
+    if (first > 0 && (y - clusters_[first - 1].radius) * down < least) least = (y - clusters_[first - 1].radius) * down;
     if (first < count_ && clusters_[first].from < least) least = clusters_[first].from;
     return least;
 }

@@ -2,17 +2,17 @@
 //
 // Cycles of different meshes have no vertices in common, and none of those meshes is kept. So a cycle is given by the
 // points. Let n_v be the point that is nearest to the vertex v, of those that the mesh was made of. The nerve of the
-// cover at b, in which the bar's cycle is, goes to the Cech complex of the points by v -> n_v: if cells (or the balls of
-// inputs before) meet in x, then |x - n_v| <= hi_v <= c t_v <= c b for each of them, as hi_v bounds the distance from
-// v's cell to n_v; where hi_v is cut at rho, the Cech complex at c t_v >= rho has all simplices. Each set of the cover
-// lies in the ball of radius c b about n_v, so that the map of the nerves is that of the spaces: it is the inclusion of
-// the cover in the offset at c b, on homology. With c the certified ratio of the joined diagram, the chain of a bar
-// (b, d)
+// cover at b, in which the bar's cycle is, goes to the Cech complex of the points by v -> n_v: if cells (or the balls
+// of inputs before) meet in x, then |x - n_v| <= hi_v <= c t_v <= c b for each of them, as hi_v bounds the distance
+// from v's cell to n_v; where hi_v is cut at rho, the Cech complex at c t_v >= rho has all simplices. Each set of the
+// cover lies in the ball of radius c b about n_v, so that the map of the nerves is that of the spaces: it is the
+// inclusion of the cover in the offset at c b, on homology. With c the certified ratio of the joined diagram, the chain
+// of a bar (b, d)
 //
 //     is a cycle of the Cech complex at c b, no boundary there before d / c, and a boundary from c d on.
 //
-// For were it a boundary at a < d / c, then the bar's class would be 0 in the offset of all points at a, and in the cover
-// at c a < d. A chain may be empty where d <= c^2 b. In degree 0 it is one point, or two for a bar that dies.
+// For were it a boundary at a < d / c, then the bar's class would be 0 in the offset of all points at a, and in the
+// cover at c a < d. A chain may be empty where d <= c^2 b. In degree 0 it is one point, or two for a bar that dies.
 #pragma once
 #include <cstdint>
 

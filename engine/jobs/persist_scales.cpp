@@ -144,8 +144,7 @@ Status ScalesJoin<D>::bound_mesh(const FilteredMesh<D>& mesh, const FilterReques
 }
 
 // Of each bar of some length; both lists have these in one order.
-template <int D>
-Status ScalesJoin<D>::find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars) {
+template <int D> Status ScalesJoin<D>::find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars) {
     const PairList& list = bars->list;
     const auto has_length = [&](std::uint64_t i) { return list.pairs[i].death > list.pairs[i].birth; };
     std::uint64_t count = 0;
@@ -227,8 +226,8 @@ template <int D> Status ScalesJoin<D>::add_cluster() {
     const Status status = persist_mesh(x, n, &bars);
     arena_.release_high(high);
     if (status != Status::ok) return status;
-    const bool room = has_more() ? bars_.add(bars, is_first, arena_)
-                                 : add_pairs(bars.list, is_first, low, arena_, &result_->pairs);
+    const bool room =
+        has_more() ? bars_.add(bars, is_first, arena_) : add_pairs(bars.list, is_first, low, arena_, &result_->pairs);
     return room ? Status::ok : Status::out_of_memory;
 }
 
@@ -238,8 +237,7 @@ template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
     Status status = partition_.open(points_, count, request_.theta, arena_);
     bool stopped = false;
     while (status == Status::ok && partition_.next(monitor_, &stopped)) {
-        if (request_.bounds && partition_.clusters() > 1 &&
-            !shift_.add(partition_.radius(), partition_.gap(), arena_))
+        if (request_.bounds && partition_.clusters() > 1 && !shift_.add(partition_.radius(), partition_.gap(), arena_))
             status = Status::out_of_memory;
     }
     arena_.release_low(low);
@@ -263,17 +261,16 @@ template <int D> Status ScalesJoin<D>::number_points(std::uint32_t count) {
     std::uint32_t* const order = arena_.take_high<std::uint32_t>(count);
     if (order == nullptr) return Status::out_of_memory;
     for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
-    sort(order, count, [&](std::uint32_t a, std::uint32_t b) {
-        return points_.vertex(a).origin < points_.vertex(b).origin;
-    });
+    sort(order, count,
+         [&](std::uint32_t a, std::uint32_t b) { return points_.vertex(a).origin < points_.vertex(b).origin; });
     for (std::uint32_t i = 0; i < count; ++i) number_[order[i]] = i;
     return Status::ok;
 }
 
 template <int D> Status ScalesJoin<D>::finish() {
-    const bool room = bars_.finish(arena_, &result_->cycles, &result_->pairs,
-                                   request_.bounds ? &result_->bounds : nullptr) &&
-                      (!request_.bounds || grid_.finish(shift_, result_->ratio, arena_, &result_->curve));
+    const bool room =
+        bars_.finish(arena_, &result_->cycles, &result_->pairs, request_.bounds ? &result_->bounds : nullptr) &&
+        (!request_.bounds || grid_.finish(shift_, result_->ratio, arena_, &result_->curve));
     return room ? Status::ok : Status::out_of_memory;
 }
 

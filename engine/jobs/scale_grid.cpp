@@ -52,8 +52,7 @@ bool ScaleGrid::finish(const JoinShift& join, double ratio, Arena& arena, ScaleC
         const double end = next(i);
         cell.from = from(i);
         const bool exact = join.is_exact_until(end);
-        if (!exact)
-            add(i, {0, join.before(cell.from), 0, join.after(end), join.factor(cell.from, end), 0});
+        if (!exact) add(i, {0, join.before(cell.from), 0, join.after(end), join.factor(cell.from, end), 0});
         if (i > 0) {
             cell.high = larger(cell.high, cells_[i - 1].high);
             cell.reach = larger(cell.reach, cells_[i - 1].reach);

@@ -88,7 +88,8 @@ inputs::Points rings(int dim, std::size_t around, std::size_t each, double ratio
             const auto [x, y] = inputs::turn(k, each);
             p.insert(p.end(), {c + ratio * x, s + ratio * y});
             for (int a = 2; a < dim; ++a) p.push_back(0);
-            for (int a = 0; a < dim; ++a) p[p.size() - 1 - static_cast<std::size_t>(a)] += 0.02 * ratio * random.uniform();
+            for (int a = 0; a < dim; ++a)
+                p[p.size() - 1 - static_cast<std::size_t>(a)] += 0.02 * ratio * random.uniform();
         }
     return p;
 }

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "netmesh.hpp"
-#include "tools/io/text_writer.hpp"
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/points.hpp"
+#include "tools/io/text_writer.hpp"
 #include "tools/opinion/complexes.hpp"
 
 namespace netmesh::tool {

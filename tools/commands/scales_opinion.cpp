@@ -64,8 +64,8 @@ Outcome judge_ratio(const DiagramFile& file, const std::vector<Bar>& truth, doub
         return file.wrong(file.line_of(bars[at]), bar_text(file.bars, bars[at]) + ": no true bar is within the ratio " +
                                                       number_text(ratio) + " of it that is not another's");
     if (!can_place(boxes_of(truth, &true_bars), file.bars, &at))
-        return file.wrong(1, "the true bar " + bar_text(truth, true_bars[at]) + " has no bar of its own within the ratio " +
-                                 number_text(ratio));
+        return file.wrong(1, "the true bar " + bar_text(truth, true_bars[at]) +
+                                 " has no bar of its own within the ratio " + number_text(ratio));
     return {};
 }
 
@@ -79,7 +79,8 @@ Outcome judge_real(const DiagramFile& file, const std::vector<Bar>& truth, std::
         return file.wrong(file.line_of(bars[at]), bar_text(file.bars, bars[at]) +
                                                       ": said to be real, but no true bar is within its bounds that is "
                                                       "not another's");
-    if (!boxes.empty()) *text += ", and the " + grouped_text(boxes.size()) + " that are real different ones within their bounds";
+    if (!boxes.empty())
+        *text += ", and the " + grouped_text(boxes.size()) + " that are real different ones within their bounds";
     return {};
 }
 
@@ -166,8 +167,7 @@ Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& po
             return {Exit::check, name + ":" + std::to_string(cycles[i].line) + ": check failed: its bar is not bar " +
                                      std::to_string(i) + " of " + file.name};
     if (cycles.size() < file.bars.size())
-        return {Exit::check,
-                name + ": check failed: bar " + bar_text(file.bars, cycles.size()) + " has no cycle"};
+        return {Exit::check, name + ": check failed: bar " + bar_text(file.bars, cycles.size()) + " has no cycle"};
     std::size_t at = 0;
     const std::string complaint = point_cycles_complaint(cycles, ratio, points, complex ? &*complex : nullptr, &at);
     if (!complaint.empty())

@@ -336,7 +336,8 @@ Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& po
     const netmesh_filter filter = filter_of(claim.made);
     if (about(filter).source == NETMESH_SOURCE_SCALES) return second_opinion_on_scales(claim, points, run);
     if (filter != NETMESH_FILTER_RIPS && filter != NETMESH_FILTER_CECH) {
-        if (!claim.cycles_path.empty()) return usage_error("--representatives needs --mesh, or filter scales, rips or cech");
+        if (!claim.cycles_path.empty())
+            return usage_error("--representatives needs --mesh, or filter scales, rips or cech");
         run->checked->push_back("no second opinion: the same code ran twice; for filters on a mesh --mesh gives one");
         return {};
     }

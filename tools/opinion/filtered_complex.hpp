@@ -18,8 +18,8 @@ struct FilteredSimplex {
     double value;  // at which it enters
 };
 
-// What is said of a chain: where its last simplex enters at the latest, until when it is no boundary and from when on it
-// is one, infinite for never.
+// What is said of a chain: where its last simplex enters at the latest, until when it is no boundary and from when on
+// it is one, infinite for never.
 struct ChainClaim {
     std::uint32_t degree;
     double born_by, alive_until, dead_from;
@@ -48,7 +48,8 @@ public:
 private:
     using Column = std::vector<std::uint32_t>;  // positions in the filtration, ascending
 
-    // Simplices of a chain, which must be different ones of the degree with no boundary together; a complaint, or empty.
+    // Simplices of a chain, which must be different ones of the degree with no boundary together; a complaint, or
+    // empty.
     std::string read_cycle(const std::vector<Vertices>& chain, std::uint32_t degree, Column* column,
                            double* latest) const;
     Column boundary(std::uint32_t simplex) const;

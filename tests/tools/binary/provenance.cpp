@@ -509,8 +509,8 @@ TEST_CASE("provenance: bounds and cycles of scales are judged by the exact diagr
     folder.write("p.txt", all);
     for (const std::string how : {"--eps .5", "--ratio 2", "--ratio 3 --all", "--eps .4 --values thesis"}) {
         CAPTURE(how);
-        const Result made = folder.run("persist p.txt -o d.pers --bounds --representatives c.txt --check --filter scales " +
-                                       how);
+        const Result made =
+            folder.run("persist p.txt -o d.pers --bounds --representatives c.txt --check --filter scales " + how);
         REQUIRE(made.exit == 0);
         CHECK(made.err.find("closed cycle of points that is born with it within the ratio and dies with it so") !=
               std::string::npos);
