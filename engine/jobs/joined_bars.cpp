@@ -55,6 +55,53 @@ bool write_image(const Cycle& chain, std::uint32_t degree, const std::uint32_t* 
     return true;
 }
 
+namespace {
+
+bool is_long(const Pair& pair) { return pair.death > pair.birth; }
+
+}  // namespace
+
+std::uint64_t count_long(const PairList& list) {
+    std::uint64_t count = 0;
+    for (std::uint64_t i = 0; i < list.count; ++i) count += is_long(list.pairs[i]);
+    return count;
+}
+
+Status write_images(const Representatives& found, const std::uint32_t* name, Arena& arena, MeshBars* bars) {
+    const PairList& list = bars->list;
+    if (found.pairs.count != count_long(list)) return Status::internal;
+    CycleWriter writer(arena);
+    std::uint64_t next = 0;
+    for (std::uint64_t i = 0; i < list.count; ++i) {
+        if (!is_long(list.pairs[i])) continue;
+        const Pair& pair = found.pairs.pairs[next++];
+        if (!write_image(lower_star_cycle(found.store, arena, pair), pair.degree, name, arena, &writer,
+                         &bars->bounds[i].unused))
+            return Status::out_of_memory;
+    }
+    bars->chains = writer.begin();
+    bars->steps = next == 0 ? 0 : (arena.low_mark() - writer.begin()) / step_bytes;
+    return Status::ok;
+}
+
+void move_lows(const JoinShift& join, const MeshBars& bars) {
+    for (std::uint64_t i = 0; i < bars.list.count; ++i) {
+        BarBounds& b = bars.bounds[i];
+        b.birth_low = join.before(b.birth_low);
+        b.death_low = join.before(b.death_low);
+    }
+}
+
+bool replace_by_ranks(std::uint32_t* numbers, std::uint32_t count, Arena& arena) {
+    const HighScope scope(arena);
+    std::uint32_t* const order = arena.take_high<std::uint32_t>(count);
+    if (order == nullptr) return false;
+    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+    sort(order, count, [numbers](std::uint32_t a, std::uint32_t b) { return numbers[a] < numbers[b]; });
+    for (std::uint32_t i = 0; i < count; ++i) numbers[order[i]] = i;
+    return true;
+}
+
 void JoinedBars::open(const Arena& arena) {
     top_ = arena.high_mark();
     begin_ = (arena.low_mark() + step_bytes - 1) & ~(step_bytes - 1);

@@ -20,6 +20,7 @@
 #include "homology/cycles/cycle_writer.hpp"
 #include "homology/cycles/cycles.hpp"
 #include "jobs/bar_bounds.hpp"
+#include "jobs/join_shift.hpp"
 
 namespace netmesh {
 
@@ -34,6 +35,18 @@ struct MeshBars {
     BarBounds* bounds;          // [list.count]; `unused`: the chain, 0 without one
     std::size_t chains, steps;  // where they are, and their number of 16 bytes
 };
+
+// How many bars have some length.
+std::uint64_t count_long(const PairList& list);
+// Chains of these, in their order, which is that of the pairs of lower_star_cycles. 36 bytes of scratch a simplex.
+// out_of_memory, internal (other pairs).
+Status write_images(const Representatives& found, const std::uint32_t* name, Arena& arena, MeshBars* bars);
+// Births and deaths of a scale's points become those of all points.
+void move_lows(const JoinShift& join, const MeshBars& bars);
+
+// Each of these different numbers by how many of them are smaller. 4 bytes a number at the arena's high end for the
+// time of the call. False: out of memory.
+bool replace_by_ranks(std::uint32_t* numbers, std::uint32_t count, Arena& arena);
 
 class JoinedBars {
 public:

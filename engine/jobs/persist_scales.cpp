@@ -135,41 +135,20 @@ Status ScalesJoin<D>::bound_mesh(const FilteredMesh<D>& mesh, const FilterReques
     if (status == Status::ok)
         status = find_certified_bars<D>({mesh.store.view(), cells, mesh.inputs, list, mesh.part, {}, &shift_}, work,
                                         bars.bounds);
-    for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) {
-        BarBounds& b = bars.bounds[i];
-        b.birth_low = shift_.before(b.birth_low);
-        b.death_low = shift_.before(b.death_low);
-    }
+    if (status == Status::ok) move_lows(shift_, bars);
     return status;
 }
 
-// Of each bar of some length; both lists have these in one order.
 template <int D> Status ScalesJoin<D>::find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars) {
-    const PairList& list = bars->list;
-    const auto has_length = [&](std::uint64_t i) { return list.pairs[i].death > list.pairs[i].birth; };
-    std::uint64_t count = 0;
-    for (std::uint64_t i = 0; i < list.count; ++i) count += has_length(i);
     Representatives found = {};
     const Status status = lower_star_cycles<D>({mesh.store.view(), value, mesh.inputs, mesh.part}, request_.max_degree,
-                                               count, {arena_, monitor_}, &found);
+                                               count_long(bars->list), {arena_, monitor_}, &found);
     if (status != Status::ok) return status;
-    if (found.pairs.count != count) return Status::internal;
     std::uint32_t* const name = arena_.take_high<std::uint32_t>(mesh.vertices());
     if (name == nullptr) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < mesh.vertices(); ++v)
         name[v] = number_[partition_.chosen()[mesh.store.vertex(nearest_input<D>(mesh.store, VertexId(v))).origin]];
-    CycleWriter writer(arena_);
-    count = 0;
-    for (std::uint64_t i = 0; i < list.count; ++i) {
-        if (!has_length(i)) continue;
-        const Pair& pair = found.pairs.pairs[count++];
-        if (!write_image(lower_star_cycle(found.store, arena_, pair), pair.degree, name, arena_, &writer,
-                         &bars->bounds[i].unused))
-            return Status::out_of_memory;
-    }
-    bars->chains = writer.begin();
-    bars->steps = count == 0 ? 0 : (arena_.low_mark() - writer.begin()) / 16;
-    return Status::ok;
+    return write_images(found, name, arena_, bars);
 }
 
 template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, MeshBars* bars) {
@@ -257,14 +236,8 @@ template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
 template <int D> Status ScalesJoin<D>::number_points(std::uint32_t count) {
     number_ = arena_.take_high<std::uint32_t>(count);
     if (number_ == nullptr) return Status::out_of_memory;
-    const HighScope scope(arena_);
-    std::uint32_t* const order = arena_.take_high<std::uint32_t>(count);
-    if (order == nullptr) return Status::out_of_memory;
-    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
-    sort(order, count,
-         [&](std::uint32_t a, std::uint32_t b) { return points_.vertex(a).origin < points_.vertex(b).origin; });
-    for (std::uint32_t i = 0; i < count; ++i) number_[order[i]] = i;
-    return Status::ok;
+    for (std::uint32_t i = 0; i < count; ++i) number_[i] = points_.vertex(i).origin;
+    return replace_by_ranks(number_, count, arena_) ? Status::ok : Status::out_of_memory;
 }
 
 template <int D> Status ScalesJoin<D>::finish() {
