@@ -92,16 +92,6 @@ void move_lows(const JoinShift& join, const MeshBars& bars) {
     }
 }
 
-bool replace_by_ranks(std::uint32_t* numbers, std::uint32_t count, Arena& arena) {
-    const HighScope scope(arena);
-    std::uint32_t* const order = arena.take_high<std::uint32_t>(count);
-    if (order == nullptr) return false;
-    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
-    sort(order, count, [numbers](std::uint32_t a, std::uint32_t b) { return numbers[a] < numbers[b]; });
-    for (std::uint32_t i = 0; i < count; ++i) numbers[order[i]] = i;
-    return true;
-}
-
 void JoinedBars::open(const Arena& arena) {
     top_ = arena.high_mark();
     begin_ = (arena.low_mark() + step_bytes - 1) & ~(step_bytes - 1);

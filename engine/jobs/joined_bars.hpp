@@ -44,10 +44,6 @@ Status write_images(const Representatives& found, const std::uint32_t* name, Are
 // Births and deaths of a scale's points become those of all points.
 void move_lows(const JoinShift& join, const MeshBars& bars);
 
-// Each of these different numbers by how many of them are smaller. 4 bytes a number at the arena's high end for the
-// time of the call. False: out of memory.
-bool replace_by_ranks(std::uint32_t* numbers, std::uint32_t count, Arena& arena);
-
 class JoinedBars {
 public:
     // Bars stand one after the other down from the arena's high end, chains up from its low end.

@@ -72,7 +72,6 @@ private:
     Status bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
                       const MeshBars& bars);
     Status find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars);
-    Status number_points(std::uint32_t count);
     bool has_more() const { return request_.bounds || request_.representatives; }
     void copy_points(double* x) const;
 
@@ -86,7 +85,6 @@ private:
     JoinShift shift_;
     ScaleGrid grid_;
     JoinedBars bars_;
-    std::uint32_t* number_ = nullptr;  // [count] of a point among those that differ, in the caller's order
 };
 
 // The chosen points: from the first of them where all differences are exact, else as they are.
@@ -147,7 +145,7 @@ template <int D> Status ScalesJoin<D>::find_chains(const FilteredMesh<D>& mesh, 
     std::uint32_t* const name = arena_.take_high<std::uint32_t>(mesh.vertices());
     if (name == nullptr) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < mesh.vertices(); ++v)
-        name[v] = number_[partition_.chosen()[mesh.store.vertex(nearest_input<D>(mesh.store, VertexId(v))).origin]];
+        name[v] = partition_.chosen()[mesh.store.vertex(nearest_input<D>(mesh.store, VertexId(v))).origin];
     return write_images(found, name, arena_, bars);
 }
 
@@ -233,13 +231,6 @@ template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
     return Status::ok;
 }
 
-template <int D> Status ScalesJoin<D>::number_points(std::uint32_t count) {
-    number_ = arena_.take_high<std::uint32_t>(count);
-    if (number_ == nullptr) return Status::out_of_memory;
-    for (std::uint32_t i = 0; i < count; ++i) number_[i] = points_.vertex(i).origin;
-    return replace_by_ranks(number_, count, arena_) ? Status::ok : Status::out_of_memory;
-}
-
 template <int D> Status ScalesJoin<D>::finish() {
     const bool room =
         bars_.finish(arena_, &result_->cycles, &result_->pairs, request_.bounds ? &result_->bounds : nullptr) &&
@@ -249,7 +240,6 @@ template <int D> Status ScalesJoin<D>::finish() {
 
 template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
     Status status = request_.ratio > 0 || request_.bounds ? divide(count) : Status::ok;
-    if (status == Status::ok && request_.representatives) status = number_points(count);
     if (status == Status::ok) status = partition_.open(points_, count, request_.theta, arena_);
     bars_.open(arena_);
     bool stopped = false;

@@ -36,13 +36,13 @@ struct ScalesResult {
     CycleStore cycles;           // of lower_star_cycle, before the pairs, when they are asked for
 };
 
-// The joined diagram of the distinct points that are the vertices 0..count-1 of `points`: one mesh after the other in
-// the same memory, in coordinates from its representative where these are exact. With a ratio the partition is made
-// twice, as the meshes' part of it depends on how far the scales are apart; so it is with bounds, which need to know
-// all clusters (join_shift.hpp). Those take what bound_bars takes of each mesh, 80 bytes a bar and 48 KB; cycles what
-// the diagram takes of each mesh, 80 bytes a bar, 8 a point and themselves. Vertices of cycles are the points that
-// differ, by their number in the caller's order. Everything but the pairs and what is known of them is given back.
-// out_of_memory, cancelled, out_of_range, too_close, invalid_argument (coordinates do not resolve the size asked for).
+// The joined diagram of the distinct points that are the vertices 0..count-1 of `points`: one mesh after the other
+// in the same memory, in coordinates from its representative where these are exact. With a ratio the partition is
+// made twice, as the meshes' part of it depends on how far the scales are apart; so it is with bounds, which need to
+// know all clusters (join_shift.hpp). Those take what bound_bars takes of each mesh, 80 bytes a bar and 48 KB;
+// cycles what the diagram takes of each mesh, 80 bytes a bar and themselves. Vertices of cycles are those of
+// `points`. Everything but the pairs and what is known of them is given back. out_of_memory, cancelled,
+// out_of_range, too_close, invalid_argument (coordinates do not resolve the size asked for).
 template <int D>
 Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
                       ScalesResult* result);
