@@ -403,12 +403,11 @@ const std::vector<OptionEntry>& option_entries() {
          "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
         {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
-         "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line"},
+         "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line: by vertices of the\n"
+         "                    mesh, or of scales, rips and cech by the different points in their order"},
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,
-         "the diagram's cycles, as persist wrote them: with --mesh, or with --points for rips and cech, each is one, "
-         "is "
-         "born\n"
-         "                    with its bar and dies with it"},
+         "the diagram's cycles, as persist wrote them: with --mesh, or with --points for scales, rips and cech, each\n"
+         "                    is one, is born with its bar and dies with it"},
         {"--memory", engine | vineyard | homology | size | check, "SIZE", apply_memory,
          "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
         {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},

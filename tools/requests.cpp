@@ -98,6 +98,8 @@ requests::Scales scales_request(const Options& options, const DiagramRequest& di
     scales.eps = options.eps;
     scales.ratio = options.ratio.value_or(0);
     scales.theta = options.theta;
+    scales.bounds = options.bounds ? 1 : 0;
+    scales.representatives = diagram.cycles ? 1 : 0;
     return scales;
 }
 

@@ -12,7 +12,7 @@ namespace netmesh::tool {
 struct DiagramRequest {
     FilterChoice choice;
     bool keep_zero_pairs = false;
-    bool cycles = false;  // of filters on the points themselves; others get theirs by a step of its own
+    bool cycles = false;  // of scales and of filters on the points; others get theirs by a step of its own
 };
 
 // Diagrams for a range of k, and vines between them.

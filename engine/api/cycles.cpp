@@ -16,6 +16,8 @@ netmesh_status find_cycle(const netmesh_context* context, std::uint64_t index, A
     *arena = context->arena;
     arena->rebase(const_cast<netmesh_context*>(context));
     *degree = pair.degree;
+    *cycle = {};
+    if (pair.cycle == 0) return NETMESH_OK;  // of no length, joined of scales
     const std::uint32_t* labels;
     *cycle = context->cycles.is_listed ? cycle_of(kept_complex(context, &labels), context->cycles.store, *arena, pair)
                                        : lower_star_cycle(context->cycles.store, *arena, pair);
@@ -41,6 +43,13 @@ void mesh_simplex(const netmesh_context* context, const std::uint32_t* vertices,
     }
     const std::uint32_t zero_born = zero_born_count(diagram.filter, diagram.k, context->input.distinct);
     if (simplex->degree == 0 && vertices[0] < zero_born) simplex->value = 0;
+}
+
+// A simplex of points, of a diagram joined of scales.
+void point_simplex(const netmesh_context* context, std::uint64_t pair, const std::uint32_t* vertices,
+                   netmesh_simplex* simplex) {
+    simplex->value = context->diagram.pairs.in(context)[pair].birth;
+    for (std::uint32_t i = 0; i <= simplex->degree; ++i) simplex->vertices[i] = vertices[i];
 }
 
 }  // namespace
@@ -72,6 +81,8 @@ netmesh_status netmesh_get_cycle_simplex(const netmesh_context* context, uint64_
     const auto at = static_cast<std::size_t>(index);
     if (context->cycles.is_listed) {
         listed_simplex(context, cycle.simplices[at], &found);
+    } else if (context->scales.present) {
+        point_simplex(context, pair, cycle.simplices + at * (found.degree + 1), &found);
     } else {
         mesh_simplex(context, cycle.simplices + at * (found.degree + 1), &found);
     }

@@ -8,6 +8,7 @@
 #include "filtration/mesh_filter.hpp"
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
+#include "jobs/scale_grid.hpp"
 #include "mesh/ball_lists.hpp"
 #include "mesh/cage_template.hpp"
 #include "mesh/hierarchy.hpp"
@@ -29,6 +30,12 @@ constexpr double block_overhead = 16384;
 // values, order and columns of an alpha complex.
 constexpr double gradient_bytes = 8, alpha_bytes = 48;
 
+// Of bounds: tables of a filter's values or of covers, whichever is more; a bar's claims, its bounds twice, and its
+// part in the join. Bars of each degree are as many as points at most, as measured.
+constexpr double bounds_vertex_bytes = 48, bounds_bar_bytes = 288;
+// Of representatives: a bar twice, and the points of its cycle in the mesh and in the result.
+constexpr double chain_bytes = 256;
+
 double power_in_eighths(double x, int k) {
     const double root = square_root(square_root(square_root(x)));
     double p = 1;
@@ -49,6 +56,7 @@ struct Planned {
     bool filter = false;                     // values and diagram of a filter on a mesh
     bool alpha = false;
     bool scales = false;
+    bool bounds = false, representatives = false;  // with scales
 };
 
 template <int D> Amounts delaunay_amounts(double points) {
@@ -108,6 +116,11 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
     const double simplices = n.cells * figures<D>.simplices_per_cell;
     if (planned.filter) bytes += (sizeof(double) + mesh_filter_vertex_bytes) * n.vertices + gradient_bytes * simplices;
     if (planned.alpha) bytes += alpha_bytes * simplices;
+    if (planned.bounds) {
+        bytes += (sizeof(Interval) + bounds_vertex_bytes) * n.vertices + bounds_bar_bytes * D * n.points;
+        bytes += sizeof(ScaleStep) * 2.0 * ScaleGrid::cells_max / margin;  // the grid, and the steps made of it
+    }
+    if (planned.representatives) bytes += sizeof(std::uint32_t) * (n.cells + n.vertices) + chain_bytes * D * n.points;
     if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + ScalePartition<D>::point_bytes + order_bytes);
     return margin * bytes + sizeof(netmesh_context) + block_overhead +
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
@@ -186,6 +199,8 @@ size_t netmesh_plan_scales(const netmesh_scales_request* from) {
     if (ratio > 0) tau = equivalent_tau(ratio / (1 + 3 * theta));
     Planned planned;
     planned.filter = planned.scales = true;
+    planned.bounds = request.bounds != 0;
+    planned.representatives = request.representatives != 0;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         const double points = static_cast<double>(request.point_count);

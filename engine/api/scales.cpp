@@ -1,4 +1,5 @@
 // Persistence of points scale by scale.
+#include "api/keep_complex.hpp"
 #include "api/requests.hpp"
 #include "delaunay/triangulate.hpp"
 #include "jobs/persist_scales.hpp"
@@ -42,6 +43,11 @@ void keep_scales(netmesh_context* context, const netmesh_scales_request& request
     diagram.simplices = result.simplices;
     diagram.certified_ratio = result.ratio;
     diagram.certified_ratio_best = result.ratio_best;
+    if (request.representatives != 0) keep_cycles(context, result.cycles, context->arena.bytes());
+    if (request.bounds == 0) return;
+    context->bounds.present = true;
+    context->bounds.bars = Slice<BarBounds>::of(context->arena, result.bounds, result.pairs.count);
+    context->bounds.steps = Slice<ScaleStep>::of(context->arena, result.curve.steps, result.curve.count);
 }
 
 // The points live in a store of their own, which is empty again when the pairs are there.
@@ -78,7 +84,9 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
                                   request.seed,
                                   values_of(request.values),
                                   degree_of(request.max_degree, request.dim),
-                                  request.keep_zero_pairs != 0};
+                                  request.keep_zero_pairs != 0,
+                                  request.bounds != 0,
+                                  request.representatives != 0};
     Monitor monitor = monitor_of(request.monitor);
     InputReport input = {};
     ScalesResult result = {};

@@ -23,7 +23,8 @@ Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, doubl
     theta_ = theta;
     total_ = count - 1;
     done_ = clusters_ = chosen_count_ = 0;
-    separation_ = infinity;
+    separation_ = closest_ = infinity;
+    widest_ = 0;
     [[maybe_unused]] const std::size_t low = arena.low_mark();
     left_ = arena.take_low<PointLeft>(total_);
     chosen_ = arena.take_low<std::uint32_t>(count);
@@ -76,10 +77,13 @@ template <int D> void ScalePartition<D>::group(std::uint32_t begin, std::uint32_
             const double d = j == place ? infinity : distance(representative, chosen_[j]);
             if (d < gap) gap = d;
         }
+        PointLeft& first = left_[i];
         for (; i < end && left_[i].owner == place; ++i) {
             if (left_[i].near > radius) radius = left_[i].near;
             left_[i].owner = representative;
         }
+        first.near = radius;  // for when its turn comes
+        first.second = gap;
         const double e = gap * down / (2 * radius * up);
         if (e < separation_) separation_ = e;
     }
@@ -91,6 +95,8 @@ template <int D> bool ScalePartition<D>::next(Monitor& monitor, bool* stopped) {
     ++clusters_;
     chosen_count_ = 0;
     const std::uint32_t representative = total_ == 0 ? 0 : left_[done_].owner;
+    radius_ = total_ == 0 ? 0 : left_[done_].near;
+    gap_ = total_ == 0 ? 0 : left_[done_].second;
     std::uint32_t end = done_;
     while (end < total_ && left_[end].owner == representative) ++end;
     choose(representative, done_, end);
@@ -98,6 +104,8 @@ template <int D> bool ScalePartition<D>::next(Monitor& monitor, bool* stopped) {
         const std::uint32_t i = farthest(done_, end);
         if (i == end) break;
         const PointLeft taken = left_[i];
+        if (taken.near < closest_) closest_ = taken.near;
+        if (taken.near > widest_) widest_ = taken.near;
         left_[i] = left_[done_];
         left_[done_++] = taken;
         choose(taken.point, done_, end);

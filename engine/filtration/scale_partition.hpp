@@ -55,6 +55,13 @@ public:
     std::uint32_t clusters() const { return clusters_; }
     // The least E_j of the clusters found so far; infinity for one.
     double separation() const { return separation_; }
+    // r_j and gap_j of the cluster that `next` went through; 0 for the first one, which has neither.
+    double radius() const { return radius_; }
+    double gap() const { return gap_; }
+    // Between two points of one P_i that are chosen: the least distance, infinity for none, and the largest of one to
+    // those that were chosen before it.
+    double closest() const { return closest_; }
+    double widest() const { return widest_; }
 
 private:
     double distance(std::uint32_t a, std::uint32_t b) const;
@@ -69,7 +76,7 @@ private:
         nullptr;  // [total_] those before done_ have been chosen; then the clusters to come, one after the other
     std::uint32_t* chosen_ = nullptr;  // [total_ + 1]
     std::uint32_t chosen_count_ = 0, clusters_ = 0;
-    double separation_ = 0;
+    double separation_ = 0, radius_ = 0, gap_ = 0, closest_ = 0, widest_ = 0;
 };
 
 }  // namespace netmesh

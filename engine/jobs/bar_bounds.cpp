@@ -1,5 +1,7 @@
 #include "jobs/bar_bounds.hpp"
 
+#include "jobs/join_shift.hpp"
+#include "jobs/scale_grid.hpp"
 #include "jobs/value_table.hpp"
 
 namespace netmesh {
@@ -37,6 +39,22 @@ public:
                 largest(from, *next, 0, [](double a, double b) { return difference(a, b); })};
     }
     double first_scale() const { return smaller(by_value_.first(), by_low_.first()); }
+    // From this scale on there is no bound but the identity.
+    double end_scale() const { return larger(highest(by_value_.last()), larger(by_value_.last(), by_low_.last())); }
+    // What holds from `from` to before `next`, where the diagram is joined with others. psi' = psi(after), psi'^- =
+    // before(psi^-): a / psi'^-(a) is the product of two factors.
+    ScaleStep step_in_join(double from, double next, const JoinShift& join) const {
+        const double last = larger(from, larger(last_key(by_value_, next), last_key(by_low_, next)));
+        const double low = lowest(from), high = highest(last);
+        const double least = smaller(low, from), most = larger(high, next);
+        const bool exact = join.is_exact_until(most);
+        return {from,
+                exact ? low : join.before(least),
+                high,
+                exact ? psi(phi(last)) : psi(join.after(most)),
+                largest(from, next, 1, [](double a, double b) { return quotient(a, b); }) * join.factor(least, next),
+                0};
+    }
 
 private:
     static double larger(double a, double b) { return a > b ? a : b; }
@@ -78,6 +96,28 @@ private:
 
 }  // namespace
 
+namespace {
+
+// A death at a or before belongs to no class that surely is real.
+template <class After>
+void bound_each(const Interleaving& interleaving, const BarList& bars, bool zero_is_exact, After&& certain_after,
+                BarBounds* bounds) {
+    for (std::uint64_t i = 0; i < bars.count; ++i) {
+        const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
+        const double latest = interleaving.phi(birth), after = certain_after(latest);
+        bounds[i] = {interleaving.psi_inverse(birth),
+                     latest,
+                     interleaving.psi_inverse(death),
+                     death < infinity ? interleaving.phi(death) : infinity,
+                     after,
+                     death > after ? 1u : 0u,
+                     0};
+        if (birth == 0 && zero_is_exact) bounds[i].birth_low = 0;
+    }
+}
+
+}  // namespace
+
 Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Spacing spacing, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve) {
     const HighScope scope(arena);
@@ -90,18 +130,24 @@ Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Spacing s
         if (!arena.extend_low(sizeof(ScaleStep))) return Status::out_of_memory;
         curve->steps[curve->count] = interleaving.step(at, &at);
     }
-    for (std::uint64_t i = 0; i < bars.count; ++i) {
-        const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
-        const double latest = interleaving.phi(birth), after = interleaving.psi(latest);
-        bounds[i] = {interleaving.psi_inverse(birth),
-                     latest,
-                     interleaving.psi_inverse(death),
-                     death < infinity ? interleaving.phi(death) : infinity,
-                     after,
-                     death > after ? 1u : 0u,
-                     0};
-        if (birth == 0 && !spacing.is_difference()) bounds[i].birth_low = 0;
-    }
+    bound_each(
+        interleaving, bars, !spacing.is_difference(), [&](double latest) { return interleaving.psi(latest); }, bounds);
+    return Status::ok;
+}
+
+Status bound_in_join(const FilterBounds& filter, const BarList& bars, const JoinShift& join, Arena& arena,
+                     BarBounds* bounds, ScaleGrid* grid) {
+    const HighScope scope(arena);
+    Interleaving interleaving{Spacing()};
+    const Status status = interleaving.open(filter, arena);
+    if (status != Status::ok) return status;
+    // From there on the join can move what is exact to where the mesh has cells.
+    const double first = join.before(interleaving.first_scale()), end = interleaving.end_scale();
+    grid->begin_at(first);
+    for (std::uint32_t i = grid->cell_of(first); i < grid->count() && grid->from(i) <= end; ++i)
+        grid->add(i, interleaving.step_in_join(i == 0 ? first : grid->from(i), grid->next(i), join));
+    bound_each(
+        interleaving, bars, true, [&](double latest) { return interleaving.psi(join.after(latest)); }, bounds);
     return Status::ok;
 }
 

@@ -80,6 +80,15 @@ struct ScaleCurve {
 Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Spacing spacing, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 
+class JoinShift;
+class ScaleGrid;
+
+// The same of one of several diagrams that are joined (join_shift.hpp): births and deaths are bounded within its own
+// points' offsets, but what is certain is so of the joined one. What the mesh says by scale goes to the grid.
+// Scratch: 48 bytes a vertex. out_of_memory.
+Status bound_in_join(const FilterBounds& filter, const BarList& bars, const JoinShift& join, Arena& arena,
+                     BarBounds* bounds, ScaleGrid* grid);
+
 // What holds at every scale: the ratio; how far values are at most from those that it speaks of, relative to these;
 // whether these are in the same order and equal where the values are: then each bar of positive length stands for one
 // where the ratio is 1; and the additive bound, beside which there may be no ratio: infinite, and values of any sign.

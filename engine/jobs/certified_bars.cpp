@@ -1,6 +1,7 @@
 #include "jobs/certified_bars.hpp"
 
 #include "homology/lower_star/lower_star.hpp"
+#include "jobs/join_shift.hpp"
 #include "jobs/value_table.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -88,12 +89,13 @@ struct Claim {
     }
 };
 
-// False: the bar is alive at no P_i for sure.
-bool claim_of(const CoverSequence& covers, const Pair& bar, int number, Claim* claim) {
+// False: the bar is alive at no P_i for sure, or not as long as a join asks.
+bool claim_of(const CoverSequence& covers, const JoinShift* join, const Pair& bar, int number, Claim* claim) {
     if (!(bar.death < infinity)) return false;
     const int born = static_cast<int>(bar.birth), dies = static_cast<int>(bar.death);
     const int first = (born + 1) / 2, last = dies / 2 - 1;
     if (first > last) return false;
+    if (join != nullptr && !(join->after(covers.scale(first)) <= covers.scale(last))) return false;
     const int before = born / 2 - 1, after = (dies + 1) / 2;
     *claim = {covers.scale(before), covers.scale(first), covers.scale(last), covers.scale(after), number};
     return true;
@@ -102,6 +104,7 @@ bool claim_of(const CoverSequence& covers, const Pair& bar, int number, Claim* c
 // The claims about the bars of a diagram.
 class Ledger {
 public:
+    explicit Ledger(const JoinShift* join) : join_(join) {}
     Status open(const BarList& bars, const BarBounds* bounds, Arena& arena);
     // Takes up what a sequence says about one degree if there are more claims then.
     void consider(const CoverSequence& covers, const PairList& list, std::uint32_t degree, int number);
@@ -116,6 +119,7 @@ private:
     std::uint64_t add_new(Claim* to, const CoverSequence& covers, const PairList& list, int number) const;
     bool excludes(const Claim* set, const Claim& claim, bool of_this_sequence, int number) const;
 
+    const JoinShift* join_;
     const Pair* pairs_ = nullptr;
     std::uint64_t count_ = 0, begin_ = 0, end_ = 0;  // the degree's bars
     Claim *now_ = nullptr, *first_ = nullptr, *second_ = nullptr;
@@ -157,7 +161,8 @@ std::uint64_t Ledger::add_new(Claim* to, const CoverSequence& covers, const Pair
     std::uint64_t added = 0;
     for (std::uint64_t i = 0; i < list.count; ++i) {
         Claim claim;
-        if (list.pairs[i].degree != pairs_[begin_].degree || !claim_of(covers, list.pairs[i], number, &claim)) continue;
+        if (list.pairs[i].degree != pairs_[begin_].degree || !claim_of(covers, join_, list.pairs[i], number, &claim))
+            continue;
         if (!excludes(to, claim, false, number)) continue;
         std::uint64_t best = end_;
         for (std::uint64_t j = begin_; j < end_; ++j)
@@ -285,7 +290,7 @@ Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& w
     if (bars.count == 0) return Status::ok;
     const ArenaScope scope(work.arena);
     CoverSequence covers(request.spacing);
-    Ledger ledger;
+    Ledger ledger(request.join);
     Status status = covers.open(filter, work.arena);
     if (status == Status::ok) status = ledger.open(bars, bounds, work.arena);
     double* const level = work.arena.take_low<double>(filter.count);

@@ -35,6 +35,7 @@ template <int D> struct CertifiedBarsRequest {
     BarList bars;
     const Subcomplex<D>* part = nullptr;  // what is filtered of the complex; null: all of it
     Spacing spacing = {};
+    const JoinShift* join = nullptr;  // the diagram is one of several: a class has to be one of all points
 };
 
 // Marks more of the bars as certain, with bounds[i] as proven, in degrees that have no zero-born classes. Sequences of

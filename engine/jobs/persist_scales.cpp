@@ -3,7 +3,12 @@
 #include "filtration/filters.hpp"
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
+#include "filtration/tighten_cell_bounds.hpp"
 #include "homology/lower_star/lower_star.hpp"
+#include "jobs/certified_bars.hpp"
+#include "jobs/join_shift.hpp"
+#include "jobs/joined_bars.hpp"
+#include "jobs/scale_grid.hpp"
 #include "mesh/mesh_points.hpp"
 #include "numerics/double_double.hpp"
 #include "numerics/sort.hpp"
@@ -53,14 +58,21 @@ public:
     ScalesJoin(const Store<D>& points, const ScalesRequest& request, const Work& work, ScalesResult* result)
         : points_(points), request_(request), arena_(work.arena), monitor_(work.monitor), result_(result) {}
 
-    // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way.
+    // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way; where more than
+    // pairs is asked for, all but the chains at the high end.
     Status run(std::uint32_t count);
+    // All of the result at the low end.
+    Status finish();
 
 private:
     Status divide(std::uint32_t count);
     Status add_cluster();
     MeshRequest mesh_request() const;
-    Status persist_mesh(const double* x, std::uint32_t n, PairList* list);
+    Status persist_mesh(const double* x, std::uint32_t n, MeshBars* bars);
+    Status bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
+                      const MeshBars& bars);
+    Status find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars);
+    bool has_more() const { return request_.bounds || request_.representatives; }
     void copy_points(double* x) const;
 
     const Store<D>& points_;
@@ -70,6 +82,9 @@ private:
     ScalesResult* result_;
     ScalePartition<D> partition_;
     double goal_ = 0;  // ratio of each mesh; 0: eps says
+    JoinShift shift_;
+    ScaleGrid grid_;
+    JoinedBars bars_;
 };
 
 // The chosen points: from the first of them where all differences are exact, else as they are.
@@ -104,7 +119,37 @@ template <int D> MeshRequest ScalesJoin<D>::mesh_request() const {
     return request;
 }
 
-template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, PairList* list) {
+// The true bars are those of all points; where they are among those of this scale's, the join has its part in.
+template <int D>
+Status ScalesJoin<D>::bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
+                                 const MeshBars& bars) {
+    const Work work = {arena_, monitor_};
+    const BarList list = {bars.list.pairs, bars.list.count};
+    const FilterBounds cells = {filter.value, filter.interval, mesh.vertices()};
+    Status status = Status::ok;
+    if (find_filter(which.filter)->has(filter_trait::has_tighter_cells))
+        status = tighten_cell_bounds<D>(mesh, work, filter.interval);
+    if (status == Status::ok) status = bound_in_join(cells, list, shift_, arena_, bars.bounds, &grid_);
+    if (status == Status::ok)
+        status = find_certified_bars<D>({mesh.store.view(), cells, mesh.inputs, list, mesh.part, {}, &shift_}, work,
+                                        bars.bounds);
+    if (status == Status::ok) move_lows(shift_, bars);
+    return status;
+}
+
+template <int D> Status ScalesJoin<D>::find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars) {
+    Representatives found = {};
+    const Status status = lower_star_cycles<D>({mesh.store.view(), value, mesh.inputs, mesh.part}, request_.max_degree,
+                                               count_long(bars->list), {arena_, monitor_}, &found);
+    if (status != Status::ok) return status;
+    std::uint32_t* const name = arena_.take_high<std::uint32_t>(mesh.vertices());
+    if (name == nullptr) return Status::out_of_memory;
+    for (std::uint32_t v = 0; v < mesh.vertices(); ++v)
+        name[v] = partition_.chosen()[mesh.store.vertex(nearest_input<D>(mesh.store, VertexId(v))).origin];
+    return write_images(found, name, arena_, bars);
+}
+
+template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, MeshBars* bars) {
     StoreState state = {};
     Store<D> store(arena_, state);
     MeshResult<D> mesh;
@@ -122,6 +167,10 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (value == nullptr) return Status::out_of_memory;
     const Work work = {arena_, monitor_};
     Evaluation filter = {value};
+    if (request_.bounds) {
+        filter.interval = arena_.take_high<Interval>(state.vertex_count);
+        if (filter.interval == nullptr) return Status::out_of_memory;
+    }
     const FilterRequest which = {goal_ > 0 ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_TIGHT, request_.values};
     const FilteredMesh<D> whole = {store, mesh.domain, n, goal_ > 0};
     ClippedCells<D> cells;
@@ -133,9 +182,14 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
         status = persist_lower_star<D>({store.view(), value, n, filtered.part},
                                        {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
-    *list = found.pairs;
+    bars->list = found.pairs;
     add_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);
-    return Status::ok;
+    if (!has_more()) return Status::ok;
+    bars->bounds = arena_.take_low<BarBounds>(static_cast<std::size_t>(found.pairs.count));
+    if (bars->bounds == nullptr) return Status::out_of_memory;
+    for (std::uint64_t i = 0; i < found.pairs.count; ++i) bars->bounds[i] = {};
+    if (request_.bounds) status = bound_mesh(filtered, which, filter, *bars);
+    return status == Status::ok && request_.representatives ? find_chains(filtered, value, bars) : status;
 }
 
 template <int D> Status ScalesJoin<D>::add_cluster() {
@@ -144,29 +198,50 @@ template <int D> Status ScalesJoin<D>::add_cluster() {
     double* const x = arena_.take_high<double>(std::size_t{n} * D);
     if (x == nullptr) return Status::out_of_memory;
     copy_points(x);
-    PairList list = {};
-    const Status status = persist_mesh(x, n, &list);
+    MeshBars bars = {};
+    const bool is_first = partition_.clusters() == 1;
+    const Status status = persist_mesh(x, n, &bars);
     arena_.release_high(high);
     if (status != Status::ok) return status;
-    return add_pairs(list, partition_.clusters() == 1, low, arena_, &result_->pairs) ? Status::ok
-                                                                                     : Status::out_of_memory;
+    const bool room =
+        has_more() ? bars_.add(bars, is_first, arena_) : add_pairs(bars.list, is_first, low, arena_, &result_->pairs);
+    return room ? Status::ok : Status::out_of_memory;
 }
 
-// Sets the ratio of each mesh: what the join leaves, with its roundings.
+// Sets the ratio of each mesh: what the join leaves, with its roundings; and what bounds have to know of the clusters.
 template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
     const std::size_t low = arena_.low_mark();
-    const Status status = partition_.open(points_, count, request_.theta, arena_);
+    Status status = partition_.open(points_, count, request_.theta, arena_);
     bool stopped = false;
     while (status == Status::ok && partition_.next(monitor_, &stopped)) {
+        if (request_.bounds && partition_.clusters() > 1 && !shift_.add(partition_.radius(), partition_.gap(), arena_))
+            status = Status::out_of_memory;
     }
     arena_.release_low(low);
-    goal_ = request_.ratio / join_factor(partition_.clusters(), partition_.separation()) / (up * up);
-    return status == Status::ok && stopped ? Status::cancelled : status;
+    if (status != Status::ok || stopped) return status == Status::ok ? Status::cancelled : status;
+    if (request_.ratio > 0)
+        goal_ = request_.ratio / join_factor(partition_.clusters(), partition_.separation()) / (up * up);
+    if (!request_.bounds) return Status::ok;
+    shift_.close();
+    // The values of a mesh are half of what is between two of its points, but for what refinement adds to that, or
+    // more, and no more than the radius of a ball around the points. None is lost beyond.
+    const double closest = partition_.closest(), widest = partition_.widest();
+    const bool is_one = !(closest < infinity);
+    if (!grid_.open(is_one ? 1 : 0.125 * closest, is_one ? 1 : 2 * widest, arena_)) return Status::out_of_memory;
+    return Status::ok;
+}
+
+template <int D> Status ScalesJoin<D>::finish() {
+    const bool room =
+        bars_.finish(arena_, &result_->cycles, &result_->pairs, request_.bounds ? &result_->bounds : nullptr) &&
+        (!request_.bounds || grid_.finish(shift_, result_->ratio, arena_, &result_->curve));
+    return room ? Status::ok : Status::out_of_memory;
 }
 
 template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
-    Status status = request_.ratio > 0 ? divide(count) : Status::ok;
+    Status status = request_.ratio > 0 || request_.bounds ? divide(count) : Status::ok;
     if (status == Status::ok) status = partition_.open(points_, count, request_.theta, arena_);
+    bars_.open(arena_);
     bool stopped = false;
     while (status == Status::ok && partition_.next(monitor_, &stopped)) status = add_cluster();
     if (status == Status::ok && stopped) status = Status::cancelled;
@@ -192,10 +267,14 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
     ScalesJoin<D> join(points, request, work, result);
     Status status = join.run(count);
     work.arena.release_low(low);
+    const bool has_more = request.bounds || request.representatives;
+    if (status == Status::ok) status = has_more ? join.finish() : move_pairs_down(low, work.arena, &result->pairs);
     work.arena.release_high(high);
-    if (status == Status::ok) status = move_pairs_down(low, work.arena, &result->pairs);
-    if (status != Status::ok) return status;
-    sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{});
+    if (status != Status::ok) {
+        work.arena.release_low(low);
+        return status;
+    }
+    if (!has_more) sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{});
     return Status::ok;
 }
 

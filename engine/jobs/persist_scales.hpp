@@ -6,7 +6,8 @@
 
 #include "certificate/certificate.hpp"
 #include "delaunay/store.hpp"
-#include "homology/persistence.hpp"
+#include "homology/cycles/cycles.hpp"
+#include "jobs/bar_bounds.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {
@@ -19,6 +20,8 @@ struct ScalesRequest {
     FilterValues values;
     std::uint32_t max_degree;  // 0..D-1
     bool keep_zero;
+    bool bounds;           // of each bar, and by scale
+    bool representatives;  // of each bar of some length, by the points (joined_bars.hpp)
 };
 
 struct ScalesResult {
@@ -28,12 +31,18 @@ struct ScalesResult {
     std::uint64_t simplices, vertices;  // of all meshes
     std::uint32_t clusters, most_points, most_vertices;
     std::uint64_t row_a, row_b;  // culprits of out_of_range, too_close, invalid_argument
+    BarBounds* bounds;           // [pairs.count] when they are asked for, behind the pairs
+    ScaleCurve curve;            // likewise
+    CycleStore cycles;           // of lower_star_cycle, before the pairs, when they are asked for
 };
 
-// The joined diagram of the distinct points that are the vertices 0..count-1 of `points`: one mesh after the other in
-// the same memory, in coordinates from its representative where these are exact. With a ratio the partition is made
-// twice, as the meshes' part of it depends on how far the scales are apart. Everything but the pairs is given back.
-// out_of_memory, cancelled, out_of_range, too_close, invalid_argument (coordinates do not resolve the size asked for).
+// The joined diagram of the distinct points that are the vertices 0..count-1 of `points`: one mesh after the other
+// in the same memory, in coordinates from its representative where these are exact. With a ratio the partition is
+// made twice, as the meshes' part of it depends on how far the scales are apart; so it is with bounds, which need to
+// know all clusters (join_shift.hpp). Those take what bound_bars takes of each mesh, 80 bytes a bar and 48 KB;
+// cycles what the diagram takes of each mesh, 80 bytes a bar and themselves. Vertices of cycles are those of
+// `points`. Everything but the pairs and what is known of them is given back. out_of_memory, cancelled,
+// out_of_range, too_close, invalid_argument (coordinates do not resolve the size asked for).
 template <int D>
 Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
                       ScalesResult* result);

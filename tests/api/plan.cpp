@@ -131,13 +131,29 @@ TEST_CASE("the plan of scales suffices") {
         const inputs::Points few = inputs::uniform(dim, count(dim, {600, 200, 60, 20, 10}), 17);
         netmesh_scales_request by_ratio = Calls(dim).scales_request(few);
         by_ratio.ratio = 3;
-        expect_enough(dim, "scales by ratio", netmesh_plan_scales(&by_ratio), 0.01,
+        const std::size_t plain = netmesh_plan_scales(&by_ratio);
+        expect_enough(dim, "scales by ratio", plain, 0.01,
+                      [&](Calls& calls) { return netmesh_persist_scales(calls.context, &by_ratio); });
+        by_ratio.bounds = 1;
+        CHECK(netmesh_plan_scales(&by_ratio) > plain);
+        expect_enough(dim, "scales by ratio, bounds", netmesh_plan_scales(&by_ratio), 0.01,
+                      [&](Calls& calls) { return netmesh_persist_scales(calls.context, &by_ratio); });
+        const std::size_t bounded = netmesh_plan_scales(&by_ratio);
+        by_ratio.representatives = 1;
+        CHECK(netmesh_plan_scales(&by_ratio) > bounded);
+        expect_enough(dim, "scales by ratio, cycles", netmesh_plan_scales(&by_ratio), 0.01,
                       [&](Calls& calls) { return netmesh_persist_scales(calls.context, &by_ratio); });
     }
     for (const int dim : dimensions(2, 3)) {
         const inputs::Points points = inputs::uniform(dim, count(dim, {120, 10}), 17);
-        const netmesh_scales_request request = Calls(dim).scales_request(points);
+        netmesh_scales_request request = Calls(dim).scales_request(points);
         expect_enough(dim, "scales", netmesh_plan_scales(&request), 0.035,
+                      [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
+        request.bounds = 1;
+        expect_enough(dim, "scales, bounds", netmesh_plan_scales(&request), 0.03,
+                      [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
+        request.representatives = 1;
+        expect_enough(dim, "scales, cycles", netmesh_plan_scales(&request), 0.03,
                       [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
     }
 }

@@ -12,6 +12,8 @@
 #include "common/inputs.hpp"
 #include "delaunay/triangulate.hpp"
 #include "homology/lower_star/lower_star.hpp"
+#include "jobs/join_shift.hpp"
+#include "jobs/scale_grid.hpp"
 
 using namespace netmesh;
 
@@ -162,6 +164,42 @@ template <int D> void certify_signed(std::size_t points, double doubt, std::uint
     }
 }
 
+// How many bars are certified where all points are nearer by up to 0.3 than those that the diagram is of, from 0.9 on.
+template <int D> std::size_t certified_in_join(std::uint64_t seed, bool has_join) {
+    const Cells<D> cells(60);
+    inputs::Random random(seed);
+    std::vector<double> value;
+    std::vector<Interval> interval;
+    for (std::uint32_t v = 0; v < cells.vertex_count; ++v) {
+        const double f = 1 + 3 * random.uniform(), by = 1 + (random.below(3) == 0 ? 0.3 : 0.01);
+        interval.push_back({f / by, f * by});
+        value.push_back(f);
+    }
+    const Pairs pairs = diagram<D>(cells, value);
+    Block block(std::size_t{1} << 24);
+    Monitor monitor;
+    std::vector<BarBounds> bounds(pairs.size());
+    JoinShift join;
+    if (has_join) REQUIRE(join.add(0.3, 2.4, block.arena));
+    join.close();
+    ScaleGrid grid;
+    REQUIRE(grid.open(0.5, 8, block.arena));
+    const FilterBounds filter = {value.data(), interval.data(), cells.vertex_count};
+    const BarList bars = {pairs.data(), pairs.size()};
+    REQUIRE(bound_in_join(filter, bars, join, block.arena, bounds.data(), &grid) == Status::ok);
+    std::size_t by_interleaving = 0, certified = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) by_interleaving += bounds[i].certain;
+    REQUIRE(find_certified_bars<D>({cells.view(), filter, 0, bars, nullptr, {}, &join}, {block.arena, monitor},
+                                   bounds.data()) == Status::ok);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (bounds[i].certain == 0) continue;
+        ++certified;
+        CHECK(bounds[i].death_low >= (bounds[i].birth_high + (has_join ? 0.3 : 0)) * (1 - 1e-9));
+    }
+    CHECK(certified >= by_interleaving);
+    return certified;
+}
+
 template <int D> void no_bars() {
     Block block(64);
     Monitor monitor;
@@ -203,4 +241,14 @@ TEST_CASE("certified bars by differences: functions of any sign") {
         CHECK(found.by_interleaving > 0);
         CHECK(found.all > found.by_interleaving);  // covers see more
     });
+}
+
+TEST_CASE("in a join only what outlives the shift is certified") {
+    std::size_t alone = 0, joined = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        alone += certified_in_join<2>(seed, false) + certified_in_join<3>(seed, false);
+        joined += certified_in_join<2>(seed, true) + certified_in_join<3>(seed, true);
+    }
+    CHECK(joined > 20);
+    CHECK(alone > joined);
 }

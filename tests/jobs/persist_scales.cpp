@@ -3,8 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "common/read.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -31,7 +34,67 @@ Joined join(const inputs::Points& around, const inputs::Points& cluster, double 
     return {r.scales.separation, r.diagram.certified_ratio, r.diagram.certified_ratio_best};
 }
 
+struct KnownBar {
+    netmesh_pair pair;
+    netmesh_bar_bounds bounds;
+};
+
+// The bars of `large` around `scale` times as large ones of `small`, those below 2^-5 first and apart, with bounds.
+std::vector<KnownBar> known(double scale, bool of_large) {
+    inputs::Points points = {0, 0};
+    for (const double x : small) points.push_back(scale * x);
+    points.insert(points.end(), large.begin(), large.end());
+    Session session(2);
+    netmesh_scales_request request = session.scales_request(points);
+    request.bounds = 1;
+    REQUIRE(session.scales(request) == NETMESH_OK);
+    const std::vector<netmesh_pair> pairs = session.pairs();
+    const std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
+    std::vector<KnownBar> bars;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i].death < HUGE_VAL && (pairs[i].death > 2 * scale) == of_large)
+            bars.push_back({pairs[i], bounds[i]});
+    return bars;
+}
+
 }  // namespace
+
+TEST_CASE("a bar is bounded by its own scale's mesh, and from a gap on by the cluster's radius") {
+    const double gap = std::sqrt(15.0 * 15 + 5 * 5) / 16;
+    const std::vector<KnownBar> far = known(0x1p-40, true), far_small = known(0x1p-40, false);
+    REQUIRE(!far.empty());
+    REQUIRE(!far_small.empty());
+    int moved = 0;
+    for (const double scale : {0x1p-4, 0x1p-5, 0x1p-7}) {
+        CAPTURE(scale);
+        const double radius = scale * std::sqrt(0.25 * 0.25 + 1.0), from = gap / 2 - radius;
+        const auto before = [&](double y) { return std::min(y, std::max(from, y - radius)); };
+        const auto is = [](double y) { return doctest::Approx(y).epsilon(1e-9); };
+        const std::vector<KnownBar> near = known(scale, true), near_small = known(scale, false);
+        REQUIRE(near.size() == far.size());
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            const netmesh_bar_bounds &a = near[i].bounds, &b = far[i].bounds;
+            CHECK(near[i].pair.birth == far[i].pair.birth);
+            CHECK(near[i].pair.death == far[i].pair.death);
+            CHECK(a.birth_high == b.birth_high);
+            CHECK(a.death_high == b.death_high);
+            CHECK(a.birth_low == is(before(b.birth_low)));
+            CHECK(a.death_low == is(before(b.death_low)));
+            CHECK(a.certain_after >= b.certain_after * (1 - 1e-9));
+            CHECK(a.certain <= b.certain);
+            moved += a.death_low < b.death_low * (1 - 1e-6);
+        }
+        REQUIRE(near_small.size() == far_small.size());
+        for (std::size_t i = 0; i < near_small.size(); ++i) {
+            const double times = scale / 0x1p-40;
+            CHECK(near_small[i].bounds.birth_low == far_small[i].bounds.birth_low * times);
+            CHECK(near_small[i].bounds.death_low == far_small[i].bounds.death_low * times);
+            CHECK(near_small[i].bounds.death_high == far_small[i].bounds.death_high * times);
+            CHECK(near_small[i].bounds.certain == far_small[i].bounds.certain);
+        }
+    }
+    CHECK(moved > 3);
+}
 
 TEST_CASE("the worse of two clusters decides, whichever is around the other") {
     const Joined one = join(large, small, 0x1p-30), other = join(small, large, 0x1p-30);

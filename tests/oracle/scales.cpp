@@ -35,6 +35,82 @@ inputs::Points fractal(int dim, std::size_t each, double ratio, std::uint64_t se
     return p;
 }
 
+// The same with bounds by scale: they hold, and say no less than the ratio does, of which the session has the bounds.
+std::size_t by_scale(Session& session, netmesh_scales_request request, const Diagram& truth, std::size_t by_ratio) {
+    const std::vector<netmesh_pair> pairs = session.pairs();
+    const std::vector<netmesh_bar_bounds> wide = read_all(session.context, netmesh_get_bar_bounds);
+    const netmesh_report before = session.report();
+    request.bounds = 1;
+    REQUIRE(session.scales(request) == NETMESH_OK);
+    const netmesh_report r = session.report();
+    CHECK(r.diagram.certified_ratio == before.diagram.certified_ratio);
+    REQUIRE(session.pairs().size() == pairs.size());
+    const std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
+    REQUIRE(bounds.size() == pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const netmesh_pair now = session.pairs()[i];
+        CHECK((now.degree == pairs[i].degree && now.birth == pairs[i].birth && now.death == pairs[i].death));
+        CHECK(bounds[i].birth_high <= wide[i].birth_high * (1 + 1e-9));
+        CHECK(bounds[i].certain_after <= wide[i].certain_after * (1 + 1e-9));
+        CHECK(bounds[i].certain_after >= bounds[i].birth_high);
+        if (now.death > bounds[i].certain_after) CHECK(bounds[i].certain == 1);
+    }
+    std::size_t certain = 0;
+    CHECK(bounds_hold(session, truth, &certain));
+    CHECK(certain >= by_ratio);
+    const Curve by_scale = curve(session);
+    CHECK(moves_within(by_scale, diagram(session), truth));
+    CHECK(by_scale.steps.size() <= 1024);
+    double worst = 1;
+    for (std::size_t i = 0; i < by_scale.steps.size(); ++i) {
+        const netmesh_scale_step& step = by_scale.steps[i];
+        CHECK(step.ratio >= 1);
+        worst = std::fmax(worst, step.ratio);
+        if (i == 0) continue;
+        CHECK(step.from > by_scale.steps[i - 1].from);
+        CHECK(step.low >= by_scale.steps[i - 1].low);
+        CHECK(step.high >= by_scale.steps[i - 1].high);
+        CHECK(step.reach >= by_scale.steps[i - 1].reach);
+    }
+    CHECK(worst <= r.diagram.certified_ratio);
+    MESSAGE("surely real: " << certain << " bars by scale, " << by_ratio << " by the ratio "
+                            << r.diagram.certified_ratio << "; worst ratio by scale " << worst);
+    return certain;
+}
+
+// A ring of rings, `ratio` times as wide, with some noise in all directions.
+inputs::Points rings(int dim, std::size_t around, std::size_t each, double ratio) {
+    inputs::Random random(43);
+    inputs::Points p;
+    for (std::size_t i = 0; i < around; ++i)
+        for (std::size_t k = 0; k < each; ++k) {
+            const auto [c, s] = inputs::turn(i, around);
+            const auto [x, y] = inputs::turn(k, each);
+            p.insert(p.end(), {c + ratio * x, s + ratio * y});
+            for (int a = 2; a < dim; ++a) p.push_back(0);
+            for (int a = 0; a < dim; ++a)
+                p[p.size() - 1 - static_cast<std::size_t>(a)] += 0.02 * ratio * random.uniform();
+        }
+    return p;
+}
+
+// How many classes above degree 0 are surely real, {by the ratio, by scale}.
+template <int D> std::pair<std::size_t, std::size_t> real_rings(const inputs::Points& points, double ratio) {
+    Session exact(D);
+    REQUIRE(exact.alpha(points) == NETMESH_OK);
+    const Diagram truth = diagram(exact);
+    Session session(D);
+    netmesh_scales_request request = session.scales_request(points);
+    request.ratio = ratio;
+    request.theta = 0.1;
+    REQUIRE(session.scales(request) == NETMESH_OK);
+    REQUIRE(session.report().scales.count > 1);
+    std::size_t by_ratio = 0;
+    CHECK(bounds_hold(session, truth, &by_ratio));
+    const std::size_t components = points.size() / D;
+    return {by_ratio - components, by_scale(session, request, truth, by_ratio) - components};
+}
+
 // Joins the scales of the points with both kinds of values, sees that the diagram is as near to the exact one as it
 // certifies and that bars are where their bounds say, and calls check(request, report, distance, certain).
 template <int D, class Check>
@@ -56,6 +132,7 @@ void join(const inputs::Points& points, double theta, double eps, double ratio, 
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
         check(request, r, distance, certain);
+        by_scale(session, request, truth, certain);
         MESSAGE("D=" << D << ", theta " << theta << ", eps " << eps << ", ratio " << ratio << ": " << r.scales.count
                      << " scales, separation " << r.scales.separation << ", log distance " << distance
                      << ", certified ratio " << r.diagram.certified_ratio << ", " << r.scales.vertices
@@ -97,6 +174,17 @@ TEST_CASE("a ratio for the joined diagram, in every dimension") {
     within_ratio<5>(inputs::uniform(5, 60), 1.0 / 9, 3, false);
     within_ratio<5>(fractal(5, 5, 1e-6, 38), 0.05, 2.2, true);
     within_ratio<6>(nested(6, 3, 1e-3, 7, 39), 1.0 / 9, 2.4, true);
+}
+
+TEST_CASE("rings of two scales are surely real by scale, where the ratio does not tell") {
+    const auto plane = real_rings<2>(rings(2, 12, 12, 0.02), 1.9);
+    CHECK(plane.second == 13);
+    CHECK(plane.first < 13);
+    const auto space = real_rings<3>(rings(3, 12, 14, 0.02), 1.9);
+    CHECK(space.second == 13);
+    CHECK(space.first < 13);
+    const auto four = real_rings<4>(rings(4, 12, 14, 0.02), 2);
+    CHECK(four.second > four.first);
 }
 
 TEST_CASE("plane") {

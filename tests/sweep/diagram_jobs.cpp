@@ -120,6 +120,16 @@ netmesh_status scales(Run& run) {
     return netmesh_persist_scales(run.context, &request);
 }
 
+// With all that is known of bars.
+netmesh_status known_scales(Run& run) {
+    inputs::Points points = run.points();
+    for (std::size_t i = 0; i < points.size() / 2; ++i) points[i] *= 0x1p-30;
+    netmesh_scales_request request = run.scales_request(points);
+    request.ratio = 3;
+    request.bounds = request.representatives = 1;
+    return netmesh_persist_scales(run.context, &request);
+}
+
 std::function<netmesh_status(Run&)> of_points(netmesh_filter filter, bool representatives, std::uint32_t degree = 1) {
     return [=](Run& run) {
         netmesh_points_request request = run.points_request(run.points(), filter, 2, degree);
@@ -270,6 +280,7 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         const Job rough_cycles = Job{"rough-cycles", dim, more, irregular_cycles}.keeping_diagram().large();
         jobs->push_back(rough_cycles.tries(dim == 3 ? 300 : 100));
         jobs->push_back(Job{"scales-one", dim, 1, scales}.large().tries(30));
+        jobs->push_back(Job{"scales-known", dim, some, known_scales}.large(dim > 2).tries(60));
         jobs->push_back(Job{"cycles", dim, few, represent}.keeping_diagram().large(large).tries(100));
         jobs->push_back(Job{"cycles-all", dim, few, represent_all}.keeping_diagram().large(large).tries(40));
         const std::size_t alpha = by_dimension<std::size_t>(dim, {16, 8, 7, 7, 7});

@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include "tools/commands/check_parts.hpp"
+#include "tools/commands/cycles.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
+#include "tools/io/cycle_file.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/provenance.hpp"
 #include "tools/vertex_function.hpp"
@@ -126,6 +128,27 @@ std::string Reproduction::said() const {
     return text;
 }
 
+// Representatives in a file against those made anew.
+Outcome compare_cycles(const std::string& path, const Engine& engine) {
+    const std::string name = shown_name(path);
+    std::string content;
+    std::vector<CycleEntry> have, due;
+    TextWriter text;
+    write_cycles(engine, text);
+    Outcome outcome = read_content(path, &content);
+    if (outcome.good()) outcome = parse_cycles(content, name, &have);
+    if (outcome.good()) outcome = parse_cycles(text.text(), name, &due);
+    if (!outcome.good()) return outcome;
+    for (std::size_t i = 0; i < have.size() || i < due.size(); i++) {
+        if (i < have.size() && i < due.size() && have[i].bar == due[i].bar && have[i].simplices == due[i].simplices)
+            continue;
+        const std::uint64_t line = i < have.size() ? have[i].line : have.empty() ? 1 : have.back().line;
+        return {Exit::check, name + ":" + std::to_string(line) + ": check failed: " +
+                                 (i < due.size() ? "not the cycle that the engine makes" : "there is no such bar")};
+    }
+    return {};
+}
+
 // What comes of a run that could not be ended. Points that do not allow what the head says are not those that it is of.
 Outcome explain_refusal(const DiagramFile& file, const Outcome& outcome) {
     const bool refused = outcome.exit == Exit::usage || outcome.exit == Exit::data || outcome.exit == Exit::degenerate;
@@ -143,7 +166,9 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     PointCloud points;
     Outcome outcome = read_points(open.points_path, &points);
     if (!outcome.good()) return outcome;
-    const Options made = settled(open, points.dim);
+    Options made = settled(open, points.dim);
+    const bool by_scales = about(filter_of(made)).source == NETMESH_SOURCE_SCALES;
+    if (by_scales) made.representatives = cycles;  // so that they are made again
     if (file.head) {
         const HeadLine& dim = *file.head->find("dim");
         const HeadLine& count = *file.head->find("points");
@@ -168,6 +193,8 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     if (outcome.good())
         outcome = again.compare({"domain", "certified-ratio", "certified-from", "certified-error", "fitted-error",
                                  "value-error", "reference"});
+    if (!outcome.good()) return outcome;
+    if (by_scales && !cycles.empty()) outcome = compare_cycles(cycles, session.engine());
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said());

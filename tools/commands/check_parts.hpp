@@ -64,6 +64,9 @@ struct DiagramClaim {
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run);
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
 
+// Of a diagram that is joined of scales: bars, what is real, and cycles of points against the exact diagram.
+Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
+
 // The diagram of the positional argument: its form; and, where its head or the options say how it was made, the same
 // run of the engine again from --points, or from --mesh with a second opinion by other code.
 Outcome check_diagram(const Options& options, RunReport* run);

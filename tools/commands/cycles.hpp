@@ -3,6 +3,8 @@
 #include <string>
 
 #include "netmesh.hpp"
+#include "tools/io/cycle_file.hpp"
+#include "tools/io/points.hpp"
 #include "tools/io/text_writer.hpp"
 #include "tools/opinion/complexes.hpp"
 
@@ -17,5 +19,11 @@ void write_cycles(const Engine& engine, TextWriter& out);
 std::string cycles_complaint(const Engine& engine, const SimplexList& complex, double slack);
 // What a check of all cycles has found to hold.
 std::string cycles_checked(const SimplexList& complex);
+
+// Cycles of points that are certified within a ratio c: each is a cycle of the Cech complex at c times its bar's birth,
+// no boundary before death / c and one from c death on; it may be empty where death <= c^2 birth. Without the complex
+// nobody looks when they die. Empty, or what is wrong with cycle *at.
+std::string point_cycles_complaint(const std::vector<CycleEntry>& cycles, double ratio, const PointCloud& points,
+                                   const FilteredComplex* complex, std::size_t* at);
 
 }  // namespace netmesh::tool

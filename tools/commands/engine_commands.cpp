@@ -171,6 +171,7 @@ SimplexList complex_of(const Options& options, const Engine& engine, const Point
     const netmesh_diagram_report diagram = engine.report().diagram;
     if (diagram.representatives == 0) return {};
     const std::uint32_t top = diagram.max_degree + 1;
+    if (source_of(options) == NETMESH_SOURCE_SCALES) return complex_of_points(cloud, false, top, joined_simplices_max);
     if (source_of(options) == NETMESH_SOURCE_POINTS)
         return complex_of_points(cloud, diagram.filter == NETMESH_FILTER_RIPS, top);
     const MeshFiles files = files_of(EngineMesh(engine));
@@ -182,7 +183,10 @@ SimplexList complex_of(const Options& options, const Engine& engine, const Point
 
 std::string checked_text(const Options& options, const SimplexList& complex) {
     switch (source_of(options)) {
-    case NETMESH_SOURCE_SCALES: return "bars sorted, with one essential class";
+    case NETMESH_SOURCE_SCALES:
+        return std::string("bars sorted, with one essential class; every bar has a closed cycle of points that is born "
+                           "with it within the ratio") +
+               (complex ? " and dies with it so" : "; too many simplices, so nobody looked when it dies");
     case NETMESH_SOURCE_POINTS:
         return about(filter_of(options)).has_representatives != 0 ? cycles_checked(complex) : "the diagram's form";
     default:
@@ -191,13 +195,30 @@ std::string checked_text(const Options& options, const SimplexList& complex) {
     }
 }
 
+std::string point_cycles_complaint(const Engine& engine, const SimplexList& simplices, const PointCloud& cloud) {
+    std::optional<FilteredComplex> complex;
+    if (simplices) complex.emplace(*simplices, radius_tolerance);
+    TextWriter text;
+    std::vector<CycleEntry> cycles;
+    write_cycles(engine, text);
+    std::size_t at = 0;
+    if (!parse_cycles(text.text(), "", &cycles).good()) return "cycles that cannot be read";
+    const std::string complaint = point_cycles_complaint(cycles, engine.report().diagram.certified_ratio, cloud,
+                                                         complex ? &*complex : nullptr, &at);
+    return complaint.empty() ? "" : "bar " + bar_text({cycles[at].bar}, 0) + " " + complaint;
+}
+
 // What the tool itself finds wrong with the diagram.
-Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const SimplexList& complex) {
+Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const SimplexList& complex,
+                     const PointCloud& cloud) {
     const netmesh_diagram_report diagram = engine.report().diagram;
     std::string complaint = diagram_complaint(bars, nullptr, diagram.filter == NETMESH_FILTER_FUNCTION);
     const bool cycles = diagram.representatives != 0;
     const bool own_values = about(diagram.filter).source == NETMESH_SOURCE_MESH;
-    if (complaint.empty() && cycles) complaint = cycles_complaint(engine, complex, own_values ? 0 : radius_tolerance);
+    const bool by_scales = about(diagram.filter).source == NETMESH_SOURCE_SCALES;
+    if (complaint.empty() && cycles && by_scales) complaint = point_cycles_complaint(engine, complex, cloud);
+    if (complaint.empty() && cycles && !by_scales)
+        complaint = cycles_complaint(engine, complex, own_values ? 0 : radius_tolerance);
     if (complaint.empty()) return {};
     return {Exit::check, "netmesh: check failed: diagram: " + complaint};
 }
@@ -306,7 +327,7 @@ Outcome run_engine_command(const Options& from) {
 
     result.bars = bars_of(session.engine());
     result.bounds = bounds_of(session.engine());
-    if (options.check) outcome = check_result(session.engine(), result.bars, complex);
+    if (options.check) outcome = check_result(session.engine(), result.bars, complex, cloud);
     if (!outcome.good()) return outcome;
     if (options.bounds) run.bounds = &result.bounds;
     if (options.json && options.out.empty()) run.bars = &result.bars;

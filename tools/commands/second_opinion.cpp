@@ -334,8 +334,10 @@ Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files
 
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run) {
     const netmesh_filter filter = filter_of(claim.made);
+    if (about(filter).source == NETMESH_SOURCE_SCALES) return second_opinion_on_scales(claim, points, run);
     if (filter != NETMESH_FILTER_RIPS && filter != NETMESH_FILTER_CECH) {
-        if (!claim.cycles_path.empty()) return usage_error("--representatives needs --mesh, or filter rips or cech");
+        if (!claim.cycles_path.empty())
+            return usage_error("--representatives needs --mesh, or filter scales, rips or cech");
         run->checked->push_back("no second opinion: the same code ran twice; for filters on a mesh --mesh gives one");
         return {};
     }

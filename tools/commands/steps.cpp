@@ -81,10 +81,10 @@ netmesh_status persist_as_asked(Session& session, const Options& options, const 
     if (options.fit || options.focus_auto) return fit(session, options, cloud);
     DiagramRequest diagram{choice_of(options), options.all, false};
     const netmesh_filter_info& filter = about(diagram.choice.filter);
-    const bool on_points = is_on_points(filter.filter);
+    const bool at_once = is_on_points(filter.filter) || filter.source == NETMESH_SOURCE_SCALES;
     const bool cycles =
-        filter.has_representatives != 0 && (!options.representatives.empty() || (on_points && options.check));
-    diagram.cycles = on_points && cycles;
+        filter.has_representatives != 0 && (!options.representatives.empty() || (at_once && options.check));
+    diagram.cycles = at_once && cycles;
     netmesh_status status =
         mesh != nullptr ? take_mesh(session, *mesh) : prepare_for(session, options, filter.filter, cloud);
     if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
@@ -93,7 +93,7 @@ netmesh_status persist_as_asked(Session& session, const Options& options, const 
         if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
     }
     if (status == NETMESH_OK && options.bounds) status = bound_bars(session);
-    if (status == NETMESH_OK && !on_points && cycles) status = find_cycles(session);
+    if (status == NETMESH_OK && !at_once && cycles) status = find_cycles(session);
     return status;
 }
 

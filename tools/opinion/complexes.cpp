@@ -117,15 +117,20 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_fl
     return list;
 }
 
-SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top) {
-    std::vector<Vertices> level;  // all sets of one size
+std::vector<Place> different_places(const PointCloud& cloud) {
     std::vector<Place> places;
+    std::set<Place> seen;
     for (std::size_t row = 0; row < cloud.rows(); row++) {
         const Place place = places_of(cloud, {static_cast<std::uint32_t>(row)})[0];
-        if (std::find(places.begin(), places.end(), place) != places.end()) continue;
-        level.push_back({static_cast<std::uint32_t>(places.size())});
-        places.push_back(place);
+        if (seen.insert(place).second) places.push_back(place);
     }
+    return places;
+}
+
+SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top, std::size_t most) {
+    const std::vector<Place> places = different_places(cloud);
+    std::vector<Vertices> level;  // all sets of one size
+    for (std::uint32_t v = 0; v < places.size(); v++) level.push_back({v});
     std::vector<FilteredSimplex> list;
     for (std::uint32_t d = 0; d <= top; d++) {
         std::vector<Vertices> next;
@@ -141,7 +146,7 @@ SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t 
                 next.push_back(set);
                 next.back().push_back(v);
             }
-            if (list.size() + next.size() > opinion_simplices_max) return {};
+            if (list.size() + next.size() > most) return {};
         }
         level.swap(next);
     }

@@ -122,28 +122,49 @@ bool FilteredComplex::is_boundary(Column chain, double until, bool included) con
     return true;
 }
 
-std::string FilteredComplex::cycle_complaint(const std::vector<Vertices>& chain, const Bar& bar) const {
-    const bool dies = std::isfinite(bar.death);
-    Column column, faces;
-    double latest = -HUGE_VAL;
+std::string FilteredComplex::read_cycle(const std::vector<Vertices>& chain, std::uint32_t degree, Column* column,
+                                        double* latest) const {
+    Column faces;
+    *latest = -HUGE_VAL;
     for (const Vertices& vertices : chain) {
         const auto found = place_.find(vertices);
         if (found == place_.end()) return "has a simplex in its cycle that the complex lacks";
-        column.push_back(found->second);
-        latest = std::fmax(latest, simplices_[found->second].value);
+        column->push_back(found->second);
+        *latest = std::fmax(*latest, simplices_[found->second].value);
         add(faces, boundary(found->second));
     }
-    std::sort(column.begin(), column.end());
+    std::sort(column->begin(), column->end());
+    if (std::adjacent_find(column->begin(), column->end()) != column->end()) return "has a simplex twice in its cycle";
+    for (const std::uint32_t i : *column)
+        if (dimension(i) != degree) return "has a cycle of another degree";
+    return faces.empty() ? "" : "has a chain with a boundary";
+}
+
+std::string FilteredComplex::cycle_complaint(const std::vector<Vertices>& chain, const Bar& bar) const {
+    const bool dies = std::isfinite(bar.death);
+    Column column;
+    double latest;
+    const std::string complaint = read_cycle(chain, bar.degree, &column, &latest);
+    if (!complaint.empty()) return complaint;
     if (column.empty()) return "has no cycle";
-    if (std::adjacent_find(column.begin(), column.end()) != column.end()) return "has a simplex twice in its cycle";
-    if (dimension(column[0]) != bar.degree || dimension(column.back()) != bar.degree)
-        return "has a cycle of another degree";
     if (bar.degree == 0 && column.size() != (dies ? 2 : 1)) return "has a chain of too many or too few vertices";
-    if (!faces.empty()) return "has a chain with a boundary";
     if (!is_same(latest, bar.birth)) return "has a cycle that is not born with it";
     const bool lives = bar.death > bar.birth && !is_same(bar.birth, bar.death);
     if (lives && is_boundary(column, bar.death * (1 - slack_), false)) return "has a cycle that dies before it";
     if (dies && !is_boundary(column, bar.death * (1 + slack_), true)) return "has a cycle that does not die with it";
+    return "";
+}
+
+std::string FilteredComplex::chain_complaint(const std::vector<Vertices>& chain, const ChainClaim& claim) const {
+    Column column;
+    double latest;
+    const std::string complaint = read_cycle(chain, claim.degree, &column, &latest);
+    if (!complaint.empty()) return complaint;
+    if (!column.empty() && latest > claim.born_by * (1 + slack_)) return "has a cycle that is born too late";
+    const bool lives = claim.alive_until > claim.born_by * (1 + 2 * slack_);
+    if (lives && is_boundary(column, claim.alive_until * (1 - slack_), false)) return "has a cycle that dies too early";
+    if (!is_boundary(column, claim.dead_from * (1 + slack_), true) && std::isfinite(claim.dead_from))
+        return "has a cycle that dies too late";
     return "";
 }
 

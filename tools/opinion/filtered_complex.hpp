@@ -18,6 +18,13 @@ struct FilteredSimplex {
     double value;  // at which it enters
 };
 
+// What is said of a chain: where its last simplex enters at the latest, until when it is no boundary and from when on
+// it is one, infinite for never.
+struct ChainClaim {
+    std::uint32_t degree;
+    double born_by, alive_until, dead_from;
+};
+
 class FilteredComplex {
 public:
     // All faces must be there and enter no later than `slack` allows; any order. Where the values are the engine's own
@@ -35,10 +42,16 @@ public:
     // dies) that is born with the bar, is no boundary before its death and is one from then on; otherwise what is
     // wrong.
     std::string cycle_complaint(const std::vector<Vertices>& chain, const Bar& bar) const;
+    // Empty when the chain is a cycle as it is said to be. alive_until below born_by says nothing.
+    std::string chain_complaint(const std::vector<Vertices>& chain, const ChainClaim& claim) const;
 
 private:
     using Column = std::vector<std::uint32_t>;  // positions in the filtration, ascending
 
+    // Simplices of a chain, which must be different ones of the degree with no boundary together; a complaint, or
+    // empty.
+    std::string read_cycle(const std::vector<Vertices>& chain, std::uint32_t degree, Column* column,
+                           double* latest) const;
     Column boundary(std::uint32_t simplex) const;
     void reduce();
     bool is_boundary(Column chain, double until, bool included) const;

@@ -30,6 +30,8 @@ typedef struct netmesh_scales_request {
     uint32_t keep_zero_pairs; /* likewise */
     double ratio;             /* of the joined diagram, with certified values; above (1 + 3 theta) times the root of 2,
                                  and finite; 0: as eps says. Not both */
+    uint32_t bounds;          /* 1: the bounds of netmesh_bound_bars too, by scale */
+    uint32_t representatives; /* 1: keep a cycle for each pair of some length (netmesh_get_cycle), of points */
 } netmesh_scales_request;
 
 void netmesh_scales_request_init(netmesh_scales_request* request, size_t request_bytes, uint32_t dim);
@@ -43,6 +45,14 @@ size_t netmesh_plan_scales(const netmesh_scales_request* request);
  * each mesh. Peak memory is that of the largest scale and some 100 bytes a point, whatever the
  * spread; distances are resolved relative to each scale. Cost besides the meshes: points times points of their scale.
  * Replaces what the context held, also on failure; the context then holds a diagram and no mesh.
+ * With bounds every bar is bounded by the cells of its own mesh and by how the join moves values at its scale: a
+ * cluster of radius r at distances a by (a + r) / a at most, and not at all where it is too small to see. The numbers
+ * are read as after netmesh_bound_bars, which would have the certified ratio alone to go by; the steps stand on a grid,
+ * at most 1024 of them. About 130 bytes more a vertex of the largest mesh, 140 a bar and 100 KB in all.
+ * With representatives a pair of some length has a set of simplices of points, by their number in input order after
+ * merging. With c the certified_ratio it is a cycle of the Cech complex at c times the birth, no boundary before death
+ * / c and one from c times the death on; it may be empty where death <= c^2 birth. In degree 0 one point, and another
+ * one for a pair that dies. The value of its simplices is the pair's birth. About the time of the diagram once more.
  * INVALID_ARGUMENT (SIZES: coordinates near point index_a do not resolve the size that eps asks for), NOT_FINITE,
  * OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_persist_scales(netmesh_context* context, const netmesh_scales_request* request);

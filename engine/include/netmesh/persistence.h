@@ -140,7 +140,8 @@ void netmesh_bounds_request_init(netmesh_bounds_request* request, size_t request
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely
  * stands for a class of the true diagram; and the ratio as a function of scale. Where a filter's bounds_by_scale is
  * 1: by scale, and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; of FUNCTION
- * with the request's function alone. Else by the certified ratio, certified_error and value_error. The numbers stay
+ * with the request's function alone. Else by the certified ratio, certified_error and value_error;
+ * of SCALES by scale where its request asked for that. The numbers stay
  * with the diagram, and are not made again: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and what a
  * diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure. NO_RESULT (no diagram),
  * INVALID_ARGUMENT (FUNCTION: not the one of the diagram), OUT_OF_MEMORY, CANCELLED. */
@@ -188,7 +189,8 @@ netmesh_status netmesh_represent(netmesh_context* context, const netmesh_represe
 /* A representative of pair `pair`: a set of simplices of the pair's degree whose boundary is zero, the last of which
  * enters at the pair's birth, and which is a boundary from the pair's death on. In degree 0: a vertex and, when the
  * pair dies, an older one that it is then connected to. get_cycle tells the number of simplices, get_cycle_simplex
- * one of them, in no particular order; O(1) and O(degree^2). NO_RESULT when no representatives were asked for. */
+ * one of them, in no particular order; O(1) and O(degree^2). Of SCALES simplices are sets of points, and what holds is
+ * said at netmesh_scales_request. NO_RESULT when no representatives were asked for. */
 typedef struct netmesh_simplex {
     uint32_t struct_bytes;
     uint32_t degree;

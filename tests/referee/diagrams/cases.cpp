@@ -123,6 +123,8 @@ Verdict judge_made(const PointSet& set, const Way& way, const Made& made, const 
         within = rips_complex(set.different(), set.dim(), way.top);
         is_known = true;
     }
+    if (made.has_cycles && !way.has_mesh && way.reference == Reference::offsets)
+        judge_point_cycles(diagram, made.cycles, cech_complex(set.different(), set.dim(), way.top), &verdict);
     if (made.has_cycles && is_known) judge_cycles(diagram, made.cycles, within, way.has_mesh ? 0 : 0x1p-38, &verdict);
     return verdict;
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "../nerve.hpp"
+#include "truth.hpp"
 
 namespace referee {
 namespace {
@@ -75,6 +76,13 @@ ValuedComplex rips_complex(const std::vector<Point>& points, int dim, int top) {
     return out;
 }
 
+ValuedComplex cech_complex(const std::vector<Point>& points, int dim, int top) {
+    ValuedComplex out;
+    out.top = top;
+    rank_by(enclosing_radii(points, dim, static_cast<std::size_t>(top) + 2), 0x1p-40, &out);
+    return out;
+}
+
 void judge_pairs(const DiagramFile& diagram, const ValuedComplex& due, Verdict* verdict) {
     struct Entry {
         int degree;
@@ -137,6 +145,53 @@ void judge_cycles(const DiagramFile& diagram, const std::vector<Cycle>& cycles, 
         const std::uint32_t death = within.complex.death_of(chain);
         const double radius = death == never ? INFINITY : within.radii[within.complex.rank(death)];
         if (!near(radius, bar.death, slack)) wrong("dies at " + exact_text(radius));
+    }
+}
+
+void judge_point_cycles(const DiagramFile& diagram, const std::vector<Cycle>& cycles, const ValuedComplex& within,
+                        Verdict* verdict) {
+    constexpr double room = 1 + 0x1p-36;
+    const double ratio = diagram.ratio();
+    if (cycles.size() != diagram.bars.size())
+        return verdict->add("cycles",
+                            count_text(cycles.size()) + " cycles, " + count_text(diagram.bars.size()) + " are due");
+    for (std::size_t i = 0; i < cycles.size(); i++) {
+        const Cycle& cycle = cycles[i];
+        const Bar& bar = diagram.bars[i];
+        const auto wrong = [&](const std::string& text) { verdict->add("cycles", title(cycle) + " " + text); };
+        if (cycle.degree != bar.degree || cycle.birth != bar.birth || cycle.death != bar.death) {
+            wrong("is not that of its bar");
+            continue;
+        }
+        const bool dies = std::isfinite(bar.death);
+        if (cycle.simplices.empty()) {
+            if (!dies || bar.death > ratio * ratio * bar.birth * room) wrong("is empty");
+            continue;
+        }
+        if (bar.birth == bar.death) wrong("is there");
+        Complex::Chain chain, boundary;
+        bool is_there = true;
+        for (Simplex simplex : cycle.simplices) {
+            std::sort(simplex.begin(), simplex.end());
+            const std::uint32_t position = within.complex.position(simplex);
+            is_there = is_there && position != never && static_cast<int>(simplex.size()) == bar.degree + 1;
+            if (!is_there) break;
+            add_chain(&chain, {position});
+            add_chain(&boundary, within.complex.boundary(position));
+        }
+        if (!is_there || chain.size() != cycle.simplices.size()) {
+            wrong("has a simplex that is none, or one twice");
+            continue;
+        }
+        if (bar.degree == 0 && chain.size() != (dies ? 2u : 1u)) wrong("is not one point or two");
+        if (!boundary.empty()) wrong("has a boundary");
+        const double born = within.radii[within.complex.rank(chain.back())];
+        if (born > bar.birth * ratio * room) wrong("is born at " + exact_text(born));
+        const std::uint32_t death = within.complex.death_of(chain);
+        const double radius = death == never ? INFINITY : within.radii[within.complex.rank(death)];
+        const bool lives = bar.death > ratio * ratio * bar.birth * room;
+        if (radius > bar.death * ratio * room || (lives && radius * room < bar.death / ratio))
+            wrong("dies at " + exact_text(radius));
     }
 }
 

@@ -20,6 +20,7 @@ bool lower_star(const Mesh& mesh, bool inputs_first, int top, std::size_t most, 
 
 // Rips and Cech complexes of points, radii rounded, and those within 2^-40 of one another taken for equal.
 ValuedComplex rips_complex(const std::vector<Point>& points, int dim, int top);
+ValuedComplex cech_complex(const std::vector<Point>& points, int dim, int top);
 
 // Every bar of the diagram is a pair of the complex and the other way round; radii bit for bit.
 void judge_pairs(const DiagramFile& diagram, const ValuedComplex& due, Verdict* verdict);
@@ -28,5 +29,11 @@ void judge_pairs(const DiagramFile& diagram, const ValuedComplex& due, Verdict* 
 // and it becomes a boundary at the death (`slack`: to this part of the radius). In degree 0 a vertex and an older one.
 void judge_cycles(const DiagramFile& diagram, const std::vector<Cycle>& cycles, const ValuedComplex& within,
                   double slack, Verdict* verdict);
+
+// Of a diagram that is joined of scales, a cycle of the Cech complex for each bar (b, d) of some length: boundary zero,
+// born at c b at the latest, no boundary before d / c and one from c d on, c the certified ratio. None is needed where
+// d <= c^2 b. In degree 0 a point, and another one for a bar that dies.
+void judge_point_cycles(const DiagramFile& diagram, const std::vector<Cycle>& cycles, const ValuedComplex& within,
+                        Verdict* verdict);
 
 }  // namespace referee

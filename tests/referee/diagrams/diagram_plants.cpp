@@ -265,6 +265,45 @@ const std::vector<DiagramPlant>& diagram_plants() {
          false},
         {"scales", "a certified ratio of 1, of scales",
          [](Made* made, const Ground&, Random&) { return set_line(made, "certified-ratio", "1"); }, false},
+        {"scales", "ratios by scale of 1, of scales",
+         [](Made* made, const Ground&, Random&) { return each_step(made, [](Step* step) { step->ratio = 1; }); },
+         false},
+        {"scales", "bars of scales that are all said to be real",
+         [](Made* made, const Ground&, Random&) {
+             return each_bar(made, [](Bar* bar) {
+                 bar->real = true;
+                 bar->birth_low = bar->birth_high = bar->birth;
+                 bar->death_low = bar->death_high = bar->death;
+             });
+         },
+         false},
+        {"scales cycles", "a cycle of points without one of its simplices",
+         [](Made* made, const Ground&, Random&) {
+             for (Cycle& cycle : made->cycles)
+                 if (!cycle.simplices.empty()) {
+                     cycle.simplices.pop_back();
+                     return true;
+                 }
+             return false;
+         },
+         false},
+        {"scales cycles", "a cycle of one point too far away",
+         [](Made* made, const Ground& ground, Random& random) {
+             const auto count = static_cast<std::uint32_t>(ground.set.different().size());
+             for (Cycle& cycle : made->cycles)
+                 if (cycle.degree == 0 && std::isfinite(cycle.death) && !cycle.simplices.empty()) {
+                     cycle.simplices[0][0] = static_cast<std::uint32_t>(random.below(count));
+                     return true;
+                 }
+             return false;
+         },
+         false},
+        {"scales cycles", "a cycle of points is missing",
+         [](Made* made, const Ground&, Random&) {
+             made->cycles.pop_back();
+             return true;
+         },
+         false, true},
         {"cycles", "a cycle without one of its simplices",
          [](Made* made, const Ground&, Random&) {
              for (Cycle& cycle : made->cycles)
@@ -343,8 +382,9 @@ bool make_ground(const Tool& tool, const DiagramSettings& settings, const std::s
 
 void try_plant(const Tool& tool, const DiagramSettings& settings, const DiagramPlant& plant, int dim,
                std::uint64_t seed, const std::string& replay, DiagramAccount* account) {
-    const bool of_cycles = std::string(plant.filter) == "cycles";
-    const std::string filter = of_cycles ? "complete" : plant.filter;
+    const bool by_scales = std::string(plant.filter) == "scales cycles";
+    const bool of_cycles = by_scales || std::string(plant.filter) == "cycles";
+    const std::string filter = by_scales ? "scales" : of_cycles ? "complete" : plant.filter;
     const bool neighbours = filter == "knn" || filter == "kdistance";
     Random random(seed);
     for (int trial = 0; trial < 8; trial++) {
@@ -361,9 +401,9 @@ void try_plant(const Tool& tool, const DiagramSettings& settings, const DiagramP
         write_diagram(tool.path("trial.pers"), made.diagram);
         write_cycles(tool.path("trial.cycles"), made.cycles);
         std::vector<std::string> words = {"check", tool.path("trial.pers"), "--quiet"};
-        if (of_cycles) {
-            words.insert(words.end(),
-                         {"--mesh", tool.path("trial.node"), "--representatives", tool.path("trial.cycles")});
+        if (of_cycles) words.insert(words.end(), {"--representatives", tool.path("trial.cycles")});
+        if (of_cycles && !by_scales) {
+            words.insert(words.end(), {"--mesh", tool.path("trial.node")});
         } else {
             words.insert(words.end(), {"--points", tool.path("trial.txt")});
         }
@@ -391,7 +431,8 @@ void try_diagram_plants(const Tool& tool, const DiagramSettings& settings, int d
     for (const DiagramPlant& plant : diagram_plants()) {
         account->planted[plant.name] += 0;
         number++;
-        if (dim > 3 && (std::string(plant.filter) == "tight" || std::string(plant.filter) == "scales")) continue;
+        if (dim > 3 && (std::string(plant.filter) == "tight" || std::string(plant.filter).find("scales") == 0))
+            continue;
         try_plant(tool, settings, plant, dim, seed + 1000 * number, count_text(dim) + ":" + count_text(seed), account);
     }
 }

@@ -148,6 +148,20 @@ bool is_feasible(std::size_t points, std::size_t k, int dim, std::size_t sets_ma
     return k <= points && sets <= static_cast<double>(sets_max);
 }
 
+std::map<Simplex, double> enclosing_radii(const std::vector<Point>& points, int dim, std::size_t size) {
+    const std::vector<Site> sites = sites_of(points, dim);
+    Balls balls(sites, dim);
+    std::map<Simplex, std::size_t> known;
+    std::map<Simplex, double> radii;
+    for (std::size_t n = 1; n <= size; n++)
+        for_each_set(static_cast<std::uint32_t>(sites.size()), n, [&](const Simplex& set) {
+            if (set.size() != n) return;
+            known[set] = balls.of(set, known);
+            radii[set] = std::sqrt(balls.square(known[set]).get_d());
+        });
+    return radii;
+}
+
 Truth true_offsets(const std::vector<Point>& points, int dim) { return nerve_of_balls(sites_of(points, dim), dim); }
 
 Truth true_k_distance(const std::vector<Point>& points, int dim, std::size_t k) {

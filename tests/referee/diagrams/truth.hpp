@@ -31,6 +31,9 @@ using ExactPoint = Vector<Rational>;
 // Sets of points that a truth can be had of; k = 1 for offsets. False: too many for a nerve in that dimension.
 bool is_feasible(std::size_t points, std::size_t k, int dim, std::size_t sets_max);
 
+// Of each set of 1 .. size points the radius of its smallest enclosing ball, rounded once.
+std::map<Simplex, double> enclosing_radii(const std::vector<Point>& points, int dim, std::size_t size);
+
 Truth true_offsets(const std::vector<Point>& points, int dim);
 Truth true_kth(const std::vector<Point>& points, int dim, std::size_t k);
 Truth true_k_distance(const std::vector<Point>& points, int dim, std::size_t k);

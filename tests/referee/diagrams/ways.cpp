@@ -88,6 +88,14 @@ std::vector<Way> ways_to_persist(int dim, std::size_t k, double width, Random& r
     Way& scales = ways.add("scales", {{"theta", "0.1"}, {"eps", "0.5"}, {"bounds", ""}});
     scales.ratio_most = 1.3 * 1.5;
     scales.over_refines = true;
+    scales.has_cycles = true;
+    for (const std::string theta : {"0.1", "0.05"}) {
+        std::vector<std::pair<std::string, std::string>> options = {
+            {"theta", theta}, {"ratio", theta == "0.1" ? "2" : "2.6"}, {"bounds", ""}};
+        Way& way = ways.add("scales", options);
+        way.ratio_most = theta == "0.1" ? 2 : 2.6;
+        way.has_cycles = true;
+    }
     for (const bool zero : {false, true}) {
         Way& way = zero ? ways.add("alpha", {{"all", ""}}) : ways.add("alpha", {{"bounds", ""}});
         way.promise = Promise::exact;
