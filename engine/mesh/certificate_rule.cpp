@@ -78,6 +78,7 @@ private:
         Corner<D> from_input;     // from the nearest input; `distance2` is to that
         std::uint32_t cells = 0;  // in the star
         bool leaves_ball = false;
+        bool may_be_bad = false;  // by some corner
         double blur = 0;  // three times what corners may be wrong by, where that matters, see farthest2
     };
 
@@ -98,7 +99,9 @@ private:
 
     const Bound& bound_at(const Vertex<D>& vertex) const;
     double least_bad2(const Vertex<D>& vertex) const;
+    bool is_surely_good(VertexId v, const CellView& view) const;
     bool view_cell(VertexId v, CellView* view);
+    void view_whole(VertexId v, CellView* view) const;
     void clip(VertexId v, CellView* view) const;
     bool is_bad(VertexId v, const CellView& view) const;
     // A point on the sphere, or a hair outside as computed.
@@ -195,20 +198,41 @@ template <int D> void CertificateRule<D>::queue_new(const Cavity& cavity, Vertex
 // Walks around v's cell. False when the gap is too small for that.
 template <int D> bool CertificateRule<D>::view_cell(VertexId v, CellView* view) {
     *view = CellView{};
-    const double* const p = store_.point(v);
-    const double* const input = store_.point(nearest_input(v));
+    const double least2 = least_bad2(store_.vertex(v));
     return kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         ++view->cells;
-        if (!(cell.radius2 < infinity)) return;  // a ghost
-        if (goal_.clipped) {
-            const double share = static_cast<double>(cell.error), wrong = share * square_root(cell.radius2);
-            view->leaves_ball |= !domain_.contains(cell.centre);
-            if (share > corner_error_max && 3 * wrong > view->blur) view->blur = 3 * wrong;
-        }
+        if (is_within(cell, least2) || !(cell.radius2 < infinity)) return;  // not of ghosts
+        view->may_be_bad = true;
+        const double share = static_cast<double>(cell.error), wrong = 3 * share * square_root(cell.radius2);
+        if (goal_.clipped && share > corner_error_max && wrong > view->blur) view->blur = wrong;
+    });
+}
+
+// The corners of v's cell, which has just been walked around.
+template <int D> void CertificateRule<D>::view_whole(VertexId v, CellView* view) const {
+    const double* const p = store_.point(v);
+    const double* const input = store_.point(nearest_input(v));
+    for (std::uint32_t k = 0; k < view->cells; ++k) {
+        const CellId c = store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)];
+        const Cell<D>& cell = store_.cell(c);
+        if (!(cell.radius2 < infinity)) continue;
+        view->leaves_ball |= goal_.clipped && !domain_.contains(cell.centre);
         view->farthest.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, p)), c);
         view->from_input.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, input)), c);
-    });
+    }
+}
+
+// Is no point of v's clipped cell, which has just been walked around, so far from its nearest input that the cell is
+// bad even with the least lo? For most cells near the sphere that are good.
+template <int D> bool CertificateRule<D>::is_surely_good(VertexId v, const CellView& view) const {
+    if (!view.may_be_bad) return true;
+    if (!goal_.clipped || view.blur > 0) return false;
+    const Vertex<D>& vertex = store_.vertex(v);
+    const double d = square_root(local_distance2(vertex)), most = largest_good(vertex, 0.5 * d);
+    const double near = vertex.marker == Marker::input ? most : most > d ? most - d : 0;
+    const Cut<D> cut(domain_, store_.point(nearest_input(v)), most * most);
+    return !may_reach_beyond<D>(store_, cut, v, near * near, store_.list_top(), view.cells);
 }
 
 template <int D> bool CertificateRule<D>::is_bad(VertexId v, const CellView& view) const {
@@ -295,6 +319,8 @@ template <int D> bool CertificateRule<D>::find_bad_pole(VertexId v, CellView* vi
 template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) {
     CellView view;
     if (!view_cell(v, &view)) return Verdict::out_of_memory;
+    if (is_surely_good(v, view)) return Verdict::good;
+    view_whole(v, &view);
     if (!is_bad(v, view)) return Verdict::good;
     if (view.leaves_ball) {
         clip(v, &view);
@@ -330,6 +356,7 @@ template <int D> const char* CertificateRule<D>::clipped_violation() {
         const Vertex<D>& vertex = store_.vertex(v);
         CellView view;
         if (!is_in_mesh(store_, v) || vertex.marker == Marker::exempt || !view_cell(v, &view)) continue;
+        view_whole(v, &view);
         if (view.leaves_ball) clip(v, &view);
         const double hi2 = view.from_input.distance2 < cut2_ ? view.from_input.distance2 : cut2_;
         const double d = square_root(local_distance2(vertex)), R = square_root(view.farthest.distance2);

@@ -84,8 +84,10 @@ template <int D> void CellMeasure<D>::mark_poles(CellId c) {
         Vertex<D>& vertex = store_.vertex(v);
         if (vertex.queued != 0 || vertex.marker == Marker::exempt || !(out2_[v] < infinity)) continue;
         const double known2 = out2_[v] > least2(v) ? out2_[v] : least2(v);
-        const Cut<D> cut(ball_, vertex.x, known2 * (1 + 0x1p-40));
-        vertex.queued = may_reach_beyond<D>(store_, cut, v, c) ? 1 : 0;
+        const double s2 = known2 * (1 + 0x1p-40);
+        if (is_within(cell, s2)) continue;
+        const Cut<D> cut(ball_, vertex.x, s2);
+        vertex.queued = may_reach_beyond<D>(store_, cut, v, s2, c) ? 1 : 0;
     }
 }
 
@@ -202,7 +204,7 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
     std::uint32_t count = 0;
     if (!visit_star(store, v, [&](CellId) { ++count; })) return false;
     const CellId* const star = store.list_top();
-    if (!may_reach_beyond<D>(store, cut, v, star, count)) return true;
+    if (!may_reach_beyond<D>(store, cut, v, cut.distance2(), star, count)) return true;
     Corner<D> farthest;
     farthest.distance2 = *out2;
     offer_poles<D>(store, ball, store.point(v), v, star, count, &farthest);

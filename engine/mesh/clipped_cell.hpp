@@ -107,12 +107,13 @@ template <int D>
     }
 }
 
-// May a corner of Vor(v) after the cut, whose origin is v, that cell c gives rise to be farther from v than the cut's
-// distance s? What is between corners within s cannot.
-template <int D> bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, CellId c) {
+// May a corner of Vor(v) after the cut that cell c gives rise to be farther from the cut's origin u than its distance s?
+// What is between corners within s cannot. near2: what is within the root of this from v is within s of u.
+template <int D>
+bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, double near2, CellId c) {
     const double s2 = cut.distance2();
     const Cell<D>& cell = store.cell(c);
-    if (is_within(cell, s2)) return false;
+    if (is_within(cell, near2)) return false;
     if (!(cell.radius2 < infinity)) return !store.is_ghost(c);
     if (!(distance2<D>(cell.centre, cut.origin()) > s2)) return false;
     const double here = cut.height(cell.centre);
@@ -132,10 +133,10 @@ template <int D> bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut,
 
 // The same for all cells at v. star[-1 - k], k < count: these.
 template <int D>
-[[gnu::noinline]] bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, const CellId* star,
-                                        std::uint32_t count) {
+[[gnu::noinline]] bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, double near2,
+                                        const CellId* star, std::uint32_t count) {
     for (std::uint32_t k = 0; k < count; ++k)
-        if (may_reach_beyond<D>(store, cut, v, star[-1 - static_cast<std::ptrdiff_t>(k)])) return true;
+        if (may_reach_beyond<D>(store, cut, v, near2, star[-1 - static_cast<std::ptrdiff_t>(k)])) return true;
     return false;
 }
 
@@ -222,7 +223,7 @@ void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, 
     *found = Corner<D>{};
     const CellId* const star = store.list_top();
     const Cut<D> cut(ball, u, bound2);
-    if (u == store.point(v) && !may_reach_beyond<D>(store, cut, v, star, count)) return;
+    if (u == store.point(v) && !may_reach_beyond<D>(store, cut, v, bound2, star, count)) return;
     CutCorners<D> corners;
     for (std::uint32_t k = 0; k < count; ++k)
         offer_cut_corners<D>(store, cut, v, star[-1 - static_cast<std::ptrdiff_t>(k)], &corners);
