@@ -163,16 +163,17 @@ template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v)
         const std::uint32_t at = ball.incidence[t].position();
         if (cut && !ball.has(ball.incidence[t].cell())) continue;
         if (!has_room()) return false;
-        std::uint32_t slots[D];
+        std::uint32_t labels[D], k = 0;
         for (std::uint32_t j = 0; j < D; ++j) {
             const std::uint32_t u = p[j + (j >= at ? 1 : 0)];
-            slots[j] = ball.slot[u];
-            if (slots[j] == 0) slots[j] = label_of(ball, u);
+            const std::uint32_t slot = ball.slot[u];
+            labels[k] = slot != 0 ? slot : label_of(ball, u);
+            k += labels[k] != upper ? 1 : 0;
         }
-        sort_small<D>(slots);
-        std::uint32_t k = 0;
-        for (std::uint32_t j = 0; j < D; ++j) k += slots[j] != upper ? 1 : 0;
-        if (k > 0 && !add_faces<false>(ball, ball.incidence[t], slots, k)) return false;
+        if (k < 2) continue;
+        for (std::uint32_t j = k; j < D; ++j) labels[j] = upper;
+        sort_small<D>(labels);
+        if (!add_faces<false>(ball, ball.incidence[t], labels, k)) return false;
     }
     return !cut || add_listed_faces(ball, v);
 }
