@@ -15,7 +15,7 @@ template <int D> struct CellBounds {
     double* reach;       // largest distance from a point of v's cell to v's nearest input, or more
 
     // lo_v and hi_v, both cut at rho; of an absent vertex what holds of any cell.
-    Interval interval(VertexId v) const {
+    [[gnu::noinline]] Interval interval(VertexId v) const {
         const Vertex<D>& vertex = store.vertex(v);
         const bool bounded = vertex.marker != Marker::exempt && mesh.has(v);
         if (vertex.marker == Marker::input)
@@ -24,7 +24,7 @@ template <int D> struct CellBounds {
         return cut_at(rho, bounded ? steiner_interval(d, out_radius[v], reach[v]) : unbounded_interval(d));
     }
     // The thesis's own value: s of 7.4.2.
-    double own_value(VertexId v) const {
+    [[gnu::noinline]] double own_value(VertexId v) const {
         const Vertex<D>& vertex = store.vertex(v);
         const double s =
             vertex.marker == Marker::input ? 0.5 * square_root(vertex.nearest2) : distance_to_inputs<D>(store, v);
@@ -38,9 +38,8 @@ template <int D>
 Status clip_as_needed(const CellBounds<D>& bounds, CellClipper<D>& clipper, const Clamp& clamp, VertexId v) {
     const Vertex<D>& vertex = bounds.store.vertex(v);
     const double c = clamp.sure_ratio(), own = bounds.own_value(v);
-    const auto lo = [&] { return bounds.interval(v).lo; };
-    const auto hi = [&] { return bounds.interval(v).hi; };
-    if (own <= c * lo() && hi() <= c * own) {
+    Interval i = bounds.interval(v);
+    if (own <= c * i.lo && i.hi <= c * own) {
         clipper.pass_over(v);
         return Status::ok;
     }
@@ -48,19 +47,21 @@ Status clip_as_needed(const CellBounds<D>& bounds, CellClipper<D>& clipper, cons
     const bool is_input = vertex.marker == Marker::input;
     double& far = is_input ? bounds.out_radius[v] : bounds.reach[v];
     const double* const from = bounds.store.point(nearest_input<D>(bounds.store, v));
-    const double half = 0.5 * distance_to_inputs<D>(bounds.store, v);
-    bool is_known = is_input;  // lo, as well as it can be
+    bool knows_lo = is_input;  // as well as it can be
     const auto know_lo = [&] {
-        if (!is_known) bounds.out_radius[v] = clipper.bound(vertex.x, bounds.out_radius[v], half);
-        is_known = true;
+        const double half = 0.5 * distance_to_inputs<D>(bounds.store, v);
+        if (!knows_lo) bounds.out_radius[v] = clipper.bound(vertex.x, bounds.out_radius[v], half);
+        knows_lo = true;
+        i = bounds.interval(v);
     };
-    if (!(own <= c * lo())) know_lo();
-    if (own <= c * lo() && c * own < far && clipper.is_bound(from, c * own)) {
+    if (!(own <= c * i.lo)) know_lo();
+    if (own <= c * i.lo && c * own < far && clipper.is_bound(from, c * own)) {
         far = c * own;
         return Status::ok;
     }
     far = clipper.bound(from, far, bounds.rho);
-    if (!(hi() <= c * c * lo())) know_lo();
+    i = bounds.interval(v);
+    if (!(i.hi <= c * c * i.lo)) know_lo();
     return Status::ok;
 }
 

@@ -156,7 +156,9 @@ void CellClipper<D>::show_edge(const double* u, double s, const Cell<D>& cell, c
     cut_edge<D>(ball_, u, s, cell, other, known ? here : infinity, known ? there : infinity, show);
 }
 
-template <int D> template <class Show> void CellClipper<D>::cut(const double* u, double s, Show&& show) const {
+template <int D>
+template <class Show>
+[[gnu::cold]] void CellClipper<D>::cut(const double* u, double s, Show&& show) const {
     for (std::uint32_t k = 0; k < count_; ++k) {
         const CellId c = star(k);
         const Cell<D>& cell = store_.cell(c);
@@ -204,7 +206,8 @@ template <int D> bool CellClipper<D>::is_bound(const double* u, double s) const 
     return is_within;
 }
 
-template <int D> typename CellClipper<D>::Beyond CellClipper<D>::look_beyond(const double* u, double s) const {
+template <int D>
+[[gnu::cold]] typename CellClipper<D>::Beyond CellClipper<D>::look_beyond(const double* u, double s) const {
     Beyond beyond;
     cut(u, s, [&](const double* y, double most, double) {
         if (!(most <= beyond.far)) beyond.far = most;
@@ -222,7 +225,8 @@ template <int D> typename CellClipper<D>::Beyond CellClipper<D>::look_beyond(con
 
 // Is there a plane between the ball and the cut cell with the normal w, of any length? first[D]: the corner that is
 // first along w, from c.
-template <int D> bool CellClipper<D>::is_apart(const double* u, double s, const double* w, double* first) const {
+template <int D>
+[[gnu::cold]] bool CellClipper<D>::is_apart(const double* u, double s, const double* w, double* first) const {
     const double length = square_root(dot<D>(w, w));
     if (!(length > 0)) return false;
     double unit[D], a[D], least = infinity;
@@ -245,7 +249,8 @@ template <int D> bool CellClipper<D>::is_apart(const double* u, double s, const 
 
 // Is the cut cell outside of the ball? Some point of the clipped cell far from u is `farthest`.
 template <int D>
-bool CellClipper<D>::is_outside(const double* u, double s, const double* farthest, const Beyond& beyond) const {
+[[gnu::cold]] bool CellClipper<D>::is_outside(const double* u, double s, const double* farthest,
+                                              const Beyond& beyond) const {
     double w[D], first[D];
     for (int k = 0; k < D; ++k) w[k] = farthest[k] - ball_.centre[k];
     if (is_apart(u, s, w, first)) return true;
@@ -318,7 +323,7 @@ Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReac
 }
 
 template <int D>
-Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_radius, Arena& arena,
+[[gnu::cold]] Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_radius, Arena& arena,
                            ClippedReach* reach) {
     const ArenaScope scope(arena);
     const std::uint32_t count = store.state.vertex_count;
