@@ -19,13 +19,17 @@ constexpr double input_share = 0.8, input_least = 2.2;
 
 // A ratio asked for, and the K of certificate_rule.hpp that goes with it.
 struct Bound {
-    double ratio2, reach2, step, input;  // c^2, K^2, k, largest R / r of an input's cell
+    double ratio2, reach2, step, input;      // c^2, K^2, k, largest R / r of an input's cell
+    double ratio4, input2, input_reach2;     // c^4, the square of `input`, a quarter of that
 
     explicit Bound(double ratio) : ratio2(ratio * ratio * (1 - tau_margin)) {
         const double near = (ratio2 - 1) / (ratio2 + 1), far = 0.5 * ratio2 - 1;
         reach2 = near > far ? near * near : far * far;
         step = far > 0 ? far : near;
         input = input_share * ratio2 > input_least ? input_share * ratio2 : ratio2 < input_least ? ratio2 : input_least;
+        ratio4 = ratio2 * ratio2;
+        input2 = input * input;
+        input_reach2 = 0.25 * input * input;
     }
     // Of whole cells nothing is refined farther from the domain's centre, in enclosing radii.
     double extent() const {
@@ -77,7 +81,6 @@ private:
         Corner<D> farthest;       // from the vertex; `distance2` at most, here and below
         Corner<D> from_input;     // from the nearest input; `distance2` is to that
         std::uint32_t cells = 0;  // in the star
-        bool leaves_ball = false;
         bool may_be_bad = false;  // by some corner
         double blur = 0;  // three times what corners may be wrong by, where that matters, see farthest2
     };
@@ -101,6 +104,7 @@ private:
     double least_bad2(const Vertex<D>& vertex) const;
     bool is_surely_good(VertexId v, const CellView& view) const;
     bool view_cell(VertexId v, CellView* view);
+    bool leaves_ball(const CellView& view) const;
     void view_whole(VertexId v, CellView* view) const;
     void clip(VertexId v, CellView* view) const;
     bool is_bad(VertexId v, const CellView& view) const;
@@ -154,9 +158,9 @@ template <int D> double CertificateRule<D>::least_bad2(const Vertex<D>& vertex) 
     const Bound& bound = bound_at(vertex);
     const bool is_input = vertex.marker == Marker::input;
     const double d2 = local_distance2(vertex);
-    const double most = is_input ? bound.input : bound.ratio2;  // 2 hi over the root of d2, at most, if good for sure
-    if (4 * cut2_ <= most * most * d2) return infinity;
-    return is_input ? 0.25 * most * most * d2 : bound.reach2 * d2;
+    const double most2 = is_input ? bound.input2 : bound.ratio4;  // 4 hi^2 over d2, at most, if good for sure
+    if (4 * cut2_ <= most2 * d2) return infinity;
+    return (is_input ? bound.input_reach2 : bound.reach2) * d2;
 }
 
 // An input's cell may have become bad because its nearest neighbour came nearer.
@@ -209,6 +213,15 @@ template <int D> bool CertificateRule<D>::view_cell(VertexId v, CellView* view) 
     });
 }
 
+// Has the cell that has just been walked around a corner outside of the ball?
+template <int D> bool CertificateRule<D>::leaves_ball(const CellView& view) const {
+    for (std::uint32_t k = 0; k < view.cells && goal_.clipped; ++k) {
+        const Cell<D>& cell = store_.cell(store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]);
+        if (cell.radius2 < infinity && !domain_.contains(cell.centre)) return true;
+    }
+    return false;
+}
+
 // The corners of v's cell, which has just been walked around.
 template <int D> void CertificateRule<D>::view_whole(VertexId v, CellView* view) const {
     const double* const p = store_.point(v);
@@ -217,7 +230,6 @@ template <int D> void CertificateRule<D>::view_whole(VertexId v, CellView* view)
         const CellId c = store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)];
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) continue;
-        view->leaves_ball |= goal_.clipped && !domain_.contains(cell.centre);
         view->farthest.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, p)), c);
         view->from_input.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, input)), c);
     }
@@ -320,9 +332,12 @@ template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) 
     CellView view;
     if (!view_cell(v, &view)) return Verdict::out_of_memory;
     if (is_surely_good(v, view)) return Verdict::good;
-    view_whole(v, &view);
-    if (!is_bad(v, view)) return Verdict::good;
-    if (view.leaves_ball) {
+    const bool leaves = leaves_ball(view);
+    if (!leaves || view.blur > 0) {
+        view_whole(v, &view);
+        if (!is_bad(v, view)) return Verdict::good;
+    }
+    if (leaves) {
         clip(v, &view);
         if (!is_bad(v, view) && !find_bad_pole(v, &view)) return Verdict::good;
     }
@@ -357,14 +372,15 @@ template <int D> const char* CertificateRule<D>::clipped_violation() {
         CellView view;
         if (!is_in_mesh(store_, v) || vertex.marker == Marker::exempt || !view_cell(v, &view)) continue;
         view_whole(v, &view);
-        if (view.leaves_ball) clip(v, &view);
+        const bool leaves = leaves_ball(view);
+        if (leaves) clip(v, &view);
         const double hi2 = view.from_input.distance2 < cut2_ ? view.from_input.distance2 : cut2_;
         const double d = square_root(local_distance2(vertex)), R = square_root(view.farthest.distance2);
         const double lo = vertex.marker == Marker::input ? 0.5 * d : least_distance(d, R, as_computed);
         const double most = goal_.ratio * goal_.ratio * lo;
         if (hi2 > most * most) return "a cell spoils the certificate and nobody has noticed";
         Corner<D> found;
-        if (!view.leaves_ball || !(most * most < cut2_)) continue;
+        if (!leaves || !(most * most < cut2_)) continue;
         find_beyond<D>(store_, domain_, store_.point(nearest_input(v)), v, most * most, view.cells, &found);
         if (!(found.distance2 < 0)) return "a cell spoils the certificate at a pole and nobody has noticed";
     }
