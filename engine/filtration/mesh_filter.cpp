@@ -76,11 +76,10 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
                                work.arena.take_high<double>(count)};
     if (bounds.out_radius == nullptr || bounds.reach == nullptr) return Status::out_of_memory;
     measure_cells<D>(store, bounds.out_radius, bounds.reach);
-    const NeededReach needed = {mesh.part != nullptr ? mesh.part->vertex : nullptr, true, mesh.cut()};
     const bool clips = mesh.part != nullptr, clips_all = basic || out->interval != nullptr;
+    const NeededReach needed = {clips ? mesh.part->vertex : nullptr, true, mesh.cut()};
     if (clips && clips_all) {
-        const Status status =
-            clip_cell_bounds<D>(mesh.store, mesh.domain, needed, bounds.out_radius, bounds.reach);
+        const Status status = clip_cell_bounds<D>(mesh.store, mesh.domain, needed, bounds.out_radius, bounds.reach);
         if (status != Status::ok) return status;
     }
     CellClipper<D> clipper(mesh.store, mesh.domain, needed);

@@ -19,8 +19,8 @@ constexpr double input_share = 0.8, input_least = 2.2;
 
 // A ratio asked for, and the K of certificate_rule.hpp that goes with it.
 struct Bound {
-    double ratio2, reach2, step, input;      // c^2, K^2, k, largest R / r of an input's cell
-    double ratio4, input2, input_reach2;     // c^4, the square of `input`, a quarter of that
+    double ratio2, reach2, step, input;   // c^2, K^2, k, largest R / r of an input's cell
+    double ratio4, input2, input_reach2;  // c^4, the square of `input`, a quarter of that
 
     explicit Bound(double ratio) : ratio2(ratio * ratio * (1 - tau_margin)) {
         const double near = (ratio2 - 1) / (ratio2 + 1), far = 0.5 * ratio2 - 1;
@@ -82,7 +82,7 @@ private:
         Corner<D> from_input;     // from the nearest input; `distance2` is to that
         std::uint32_t cells = 0;  // in the star
         bool may_be_bad = false;  // by some corner
-        double blur = 0;  // three times what corners may be wrong by, where that matters, see farthest2
+        double blur = 0;          // three times what corners may be wrong by, where that matters, see farthest2
     };
 
     // While a mesh is refined the record of a Steiner vertex holds the squared distance to its nearest input where

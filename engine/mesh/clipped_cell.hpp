@@ -107,10 +107,9 @@ template <int D>
     }
 }
 
-// May a corner of Vor(v) after the cut that cell c gives rise to be farther from the cut's origin u than its distance s?
-// What is between corners within s cannot. near2: what is within the root of this from v is within s of u.
-template <int D>
-bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, double near2, CellId c) {
+// May a corner of Vor(v) after the cut that cell c gives rise to be farther from the cut's origin u than its distance
+// s? What is between corners within s cannot. near2: what is within the root of this from v is within s of u.
+template <int D> bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, double near2, CellId c) {
     const double s2 = cut.distance2();
     const Cell<D>& cell = store.cell(c);
     if (is_within(cell, near2)) return false;

@@ -150,7 +150,8 @@ template <int D> void CellClipper<D>::measure(const double* u, double enough2, C
 
 template <int D>
 template <class Show>
-void CellClipper<D>::show_edge(const double* u, double s, const Cell<D>& cell, const Cell<D>& other, Show&& show) const {
+void CellClipper<D>::show_edge(const double* u, double s, const Cell<D>& cell, const Cell<D>& other,
+                               Show&& show) const {
     const double here = doubt_of<D>(cell), there = doubt_of<D>(other);
     const bool known = here < infinity && there < infinity;
     cut_edge<D>(ball_, u, s, cell, other, known ? here : infinity, known ? there : infinity, show);
@@ -200,7 +201,8 @@ template <int D> bool CellClipper<D>::is_bound(const double* u, double s) const 
             if (n < c && !there.is_near) continue;
             const double slack = 0x1p-20 * (here.size2 + there.size2 + away2 + r2 + s2);
             if (here.height > slack && there.height > slack) continue;
-            show_edge(u, s, cell, other, [&](const double*, double most, double) { is_within = is_within && most <= s; });
+            show_edge(u, s, cell, other,
+                      [&](const double*, double most, double) { is_within = is_within && most <= s; });
         }
     }
     return is_within;
@@ -324,7 +326,7 @@ Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReac
 
 template <int D>
 [[gnu::cold]] Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_radius, Arena& arena,
-                           ClippedReach* reach) {
+                                         ClippedReach* reach) {
     const ArenaScope scope(arena);
     const std::uint32_t count = store.state.vertex_count;
     double* const s = arena.take_high<double>(count);
