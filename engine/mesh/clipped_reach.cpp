@@ -201,7 +201,8 @@ template <int D> bool CellClipper<D>::is_bound(const double* u, double s) const 
             if (n < c && !there.is_near) continue;
             const double slack = 0x1p-20 * (here.size2 + there.size2 + away2 + r2 + s2);
             if (here.height > slack && there.height > slack) continue;
-            show_edge(u, s, cell, other,
+            // From the end that cut() takes it from, so that both say the same to the last bit.
+            show_edge(u, s, n < c ? other : cell, n < c ? cell : other,
                       [&](const double*, double most, double) { is_within = is_within && most <= s; });
         }
     }
