@@ -82,7 +82,8 @@ set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Rel
 set(unrolled analysis/fat_cell analysis/feature_integral api/report delaunay/spatial_order delaunay/triangulate
   filtration/mesh_filter filtration/point_complexes filtration/tight_filter filtration/tighten_cell_bounds
   homology/matrix/image homology/vineyard/vineyard jobs/persist_alpha jobs/point_set
-  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule)
+  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality
+  mesh/quality_rule)
 list(TRANSFORM unrolled REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${unrolled} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
 target_include_directories(netmesh_engine

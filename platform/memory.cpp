@@ -12,6 +12,10 @@ bool Reservation::reserve(std::size_t bytes) {
     release();
     void* base = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (base == MAP_FAILED) return false;
+#ifdef MADV_HUGEPAGE
+    // Cells are visited in no order of memory: with small pages a tenth of the time goes by in looking up addresses.
+    madvise(base, bytes, MADV_HUGEPAGE);
+#endif
     base_ = base;
     bytes_ = bytes;
     return true;

@@ -31,6 +31,10 @@ public:
         if (square > widest_) widest_ = square;
     }
     double widest() const { return widest_; }  // the largest hi / lo shown, at least 1
+    // A little less than the root of that. A vertex whose own value t has t <= c lo and hi <= c t, c this, keeps t for
+    // its value and is not what decides the ratio, even if closer bounds take the place of lo and hi, nor does lo
+    // change anything when t <= c lo and hi <= c^2 lo.
+    double sure_ratio() const { return square_root(widest_) * down; }
     void fix_ratio() { certificate_.ratio_best = widest_ > 1 ? square_root(widest_) * up : 1; }
 
     // After fix_ratio: the value of a vertex whose own value is t.

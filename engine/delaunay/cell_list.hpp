@@ -23,6 +23,7 @@ public:
             return false;
         }
         cell.mark = stamp_;
+        __builtin_prefetch(&cell);
         end_[-1 - static_cast<std::ptrdiff_t>(size_++)] = c;
         return true;
     }
@@ -38,6 +39,13 @@ private:
     std::uint32_t size_ = 0;
 };
 
+// The marks that the walk looks at when it comes to this cell's turn: by then they are in the cache.
+template <int D> void ask_for_marks(const Store<D>& store, VertexId v, CellId c) {
+    const Cell<D>& cell = store.cell(c);
+    for (int i = 0; i <= D; ++i)
+        if (cell.vertex[i] != v) __builtin_prefetch(&store.cell(cell.neighbour[i].cell()).mark);
+}
+
 // Calls visit(cell) for each cell at vertex v, ghosts included, from Vertex::cell on. Stops early, returning false,
 // when the gap is too small for the list of them. In a compact store v must not be on the hull.
 template <int D, class Visit> bool visit_star(Store<D>& store, VertexId v, Visit&& visit) {
@@ -46,6 +54,7 @@ template <int D, class Visit> bool visit_star(Store<D>& store, VertexId v, Visit
     for (std::uint32_t k = 0; k < star.size(); ++k) {
         const CellId c = star[k];
         const Cell<D>& cell = store.cell(c);
+        if (k + 2 < star.size()) ask_for_marks(store, v, star[k + 2]);
         visit(c);
         for (int i = 0; i <= D; ++i)
             if (cell.vertex[i] != v && !star.add(cell.neighbour[i].cell())) return false;

@@ -104,29 +104,6 @@ template <int D> void orient_cell(Store<D>& store, Cell<D>& cell) {
 
 }  // namespace
 
-template <int D> void measure_edges(Store<D>& store) {
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) store.vertex(v).nearest2 = infinity;
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        const Cell<D>& cell = store.cell(c);
-        for (int i = 0; i <= D; ++i)
-            for (int j = 0; j < i; ++j) {
-                Vertex<D>& a = store.vertex(cell.vertex[i]);
-                Vertex<D>& b = store.vertex(cell.vertex[j]);
-                const double d2 = distance2<D>(a.x, b.x);
-                if (d2 < a.nearest2) a.nearest2 = d2;
-                if (d2 < b.nearest2) b.nearest2 = d2;
-            }
-    }
-}
-
-template <int D> void recompute_balls(Store<D>& store) {
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        const double* p[D + 1];
-        for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
-        solve_sphere<D>(p, corner_error_max, store.cell(c));
-    }
-}
-
 template <int D>
 Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vertex_count, const std::uint32_t* cells,
                   std::uint32_t cell_count, CheckResult* why) {
@@ -148,8 +125,6 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template void measure_edges<D>(Store<D>&);                                                                         \
-    template void recompute_balls<D>(Store<D>&);                                                                       \
     template Status load_cells<D>(Store<D>&, const double*, std::uint32_t, const std::uint32_t*, std::uint32_t,        \
                                   CheckResult*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "delaunay/check.hpp"
+#include "delaunay/sphere.hpp"
 #include "delaunay/store.hpp"
 
 namespace netmesh {
@@ -14,13 +15,5 @@ namespace netmesh {
 template <int D>
 Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vertex_count, const std::uint32_t* cells,
                   std::uint32_t cell_count, CheckResult* why);
-
-// nearest2 of every vertex anew, over the edges of cells. O(cells).
-template <int D> void measure_edges(Store<D>& store);
-
-// The ball of every cell of a compact store anew, from its vertices alone: what is read off then depends neither on how
-// the triangulation was made nor on what was cached, and is the same after it has been written to a file and loaded.
-// O(cells).
-template <int D> void recompute_balls(Store<D>& store);
 
 }  // namespace netmesh

@@ -2,6 +2,7 @@
 
 #include "numerics/double_double.hpp"
 #include "numerics/integer512.hpp"
+#include "numerics/vector.hpp"
 #include "predicates/float_stage.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -168,7 +169,37 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
         solve_sphere_precisely<D>(p, cell);
 }
 
-#define NETMESH_INSTANTIATE(D) template void solve_sphere<D>(const double* const*, double, Cell<D>&);
+template <int D> void recompute_balls(Store<D>& store) {
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        const double* p[D + 1];
+        for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
+        solve_sphere<D>(p, corner_error_max, store.cell(c));
+    }
+}
+
+template <int D> void measure_edges(Store<D>& store) {
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) store.vertex(v).nearest2 = infinity;
+    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        Vertex<D>* vertex[D + 1];
+        double least2[D + 1];
+        for (int i = 0; i <= D; ++i) {
+            vertex[i] = &store.vertex(store.cell(c).vertex[i]);
+            least2[i] = infinity;
+            for (int j = 0; j < i; ++j) {
+                const double d2 = distance2<D>(vertex[i]->x, vertex[j]->x);
+                if (d2 < least2[i]) least2[i] = d2;
+                if (d2 < least2[j]) least2[j] = d2;
+            }
+        }
+        for (int i = 0; i <= D; ++i)
+            if (least2[i] < vertex[i]->nearest2) vertex[i]->nearest2 = least2[i];
+    }
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template void solve_sphere<D>(const double* const*, double, Cell<D>&);                                             \
+    template void recompute_balls<D>(Store<D>&);                                                                       \
+    template void measure_edges<D>(Store<D>&);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -56,6 +56,14 @@ constexpr double corner_error_max = 0x1p-22;
 // proven.
 template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell);
 
+// The ball of every cell of a compact store anew, from its vertices alone: what is read off then depends neither on how
+// the triangulation was made nor on what was cached, and is the same after it has been written to a file and loaded.
+// O(cells).
+template <int D> void recompute_balls(Store<D>& store);
+
+// nearest2 of every vertex anew, over the edges of cells. O(cells).
+template <int D> void measure_edges(Store<D>& store);
+
 // The ball through q and the facet shared by `inside` (conflicts with q) and `outside` (does not): it belongs to the
 // pencil spanned by the two balls, so its centre is a convex combination of theirs. Returns false when the bound so
 // obtained is above error_max; then nothing is written. No square system is solved: O(D).

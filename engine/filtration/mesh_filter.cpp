@@ -15,7 +15,7 @@ template <int D> struct CellBounds {
     double* reach;       // largest distance from a point of v's cell to v's nearest input, or more
 
     // lo_v and hi_v, both cut at rho; of an absent vertex what holds of any cell.
-    Interval interval(VertexId v) const {
+    [[gnu::noinline]] Interval interval(VertexId v) const {
         const Vertex<D>& vertex = store.vertex(v);
         const bool bounded = vertex.marker != Marker::exempt && mesh.has(v);
         if (vertex.marker == Marker::input)
@@ -24,13 +24,46 @@ template <int D> struct CellBounds {
         return cut_at(rho, bounded ? steiner_interval(d, out_radius[v], reach[v]) : unbounded_interval(d));
     }
     // The thesis's own value: s of 7.4.2.
-    double own_value(VertexId v) const {
+    [[gnu::noinline]] double own_value(VertexId v) const {
         const Vertex<D>& vertex = store.vertex(v);
         const double s =
             vertex.marker == Marker::input ? 0.5 * square_root(vertex.nearest2) : distance_to_inputs<D>(store, v);
         return s < rho ? s : rho;
     }
 };
+
+// Lowers the bounds of v, which the clipper has marked, as far as its value, the ratio and its best depend on them when
+// those of all cells that are not marked have been shown to the clamp (Clamp::sure_ratio).
+template <int D>
+Status clip_as_needed(const CellBounds<D>& bounds, CellClipper<D>& clipper, const Clamp& clamp, VertexId v) {
+    const Vertex<D>& vertex = bounds.store.vertex(v);
+    const double c = clamp.sure_ratio(), own = bounds.own_value(v);
+    Interval i = bounds.interval(v);
+    if (own <= c * i.lo && i.hi <= c * own) {
+        clipper.pass_over(v);
+        return Status::ok;
+    }
+    if (!clipper.open(v)) return Status::out_of_memory;
+    const bool is_input = vertex.marker == Marker::input;
+    double& far = is_input ? bounds.out_radius[v] : bounds.reach[v];
+    const double* const from = bounds.store.point(nearest_input<D>(bounds.store, v));
+    bool knows_lo = is_input;  // as well as it can be
+    const auto know_lo = [&] {
+        const double half = 0.5 * distance_to_inputs<D>(bounds.store, v);
+        if (!knows_lo) bounds.out_radius[v] = clipper.bound(vertex.x, bounds.out_radius[v], half);
+        knows_lo = true;
+        i = bounds.interval(v);
+    };
+    if (!(own <= c * i.lo)) know_lo();
+    if (own <= c * i.lo && c * own < far && clipper.is_bound(from, c * own)) {
+        far = c * own;
+        return Status::ok;
+    }
+    far = clipper.bound(from, far, bounds.rho);
+    i = bounds.interval(v);
+    if (!(i.hi <= c * c * i.lo)) know_lo();
+    return Status::ok;
+}
 
 // The basic filter's inputs are there from the start: no ratio relates their value 0 to what their cells reach.
 template <int D>
@@ -43,17 +76,20 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
                                work.arena.take_high<double>(count)};
     if (bounds.out_radius == nullptr || bounds.reach == nullptr) return Status::out_of_memory;
     measure_cells<D>(store, bounds.out_radius, bounds.reach);
-    Status status = Status::ok;
-    if (mesh.part != nullptr)
-        status = clip_cell_bounds<D>(mesh.store, mesh.domain, {mesh.part->vertex, true, mesh.cut()}, bounds.out_radius,
-                                     bounds.reach);
-    if (status != Status::ok) return status;
+    const bool clips = mesh.part != nullptr, clips_all = basic || out->interval != nullptr;
+    const NeededReach needed = {clips ? mesh.part->vertex : nullptr, true, mesh.cut()};
+    if (clips && clips_all) {
+        const Status status = clip_cell_bounds<D>(mesh.store, mesh.domain, needed, bounds.out_radius, bounds.reach);
+        if (status != Status::ok) return status;
+    }
+    CellClipper<D> clipper(mesh.store, mesh.domain, needed);
+    if (clips && !clips_all) clipper.mark();
 
     const auto is_zero = [&](VertexId v) { return basic && store.vertex(v).marker == Marker::input; };
     double from = 0;
     Clamp clamp(values);
     for (VertexId v(0); v < count; ++v) {
-        if (!mesh.has(v)) continue;
+        if (!mesh.has(v) || clipper.is_marked(v)) continue;
         const Interval i = bounds.interval(v);
         if (!is_zero(v)) {
             clamp.show(i);
@@ -61,6 +97,14 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
             from = i.hi;
         }
     }
+    Status status = Status::ok;
+    for (VertexId v(0); v < count; ++v) {
+        if (!clipper.is_marked(v)) continue;
+        const Status clipped = clip_as_needed<D>(bounds, clipper, clamp, v);
+        if (clipped != Status::ok) status = clipped;
+        clamp.show(bounds.interval(v));
+    }
+    if (status != Status::ok) return status;
     clamp.fix_ratio();
     for (VertexId v(0); v < count; ++v) {
         const Interval i = mesh.has(v) ? bounds.interval(v) : Interval{mesh.cut(), mesh.cut()};

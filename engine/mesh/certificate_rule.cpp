@@ -19,13 +19,17 @@ constexpr double input_share = 0.8, input_least = 2.2;
 
 // A ratio asked for, and the K of certificate_rule.hpp that goes with it.
 struct Bound {
-    double ratio2, reach2, step, input;  // c^2, K^2, k, largest R / r of an input's cell
+    double ratio2, reach2, step, input;   // c^2, K^2, k, largest R / r of an input's cell
+    double ratio4, input2, input_reach2;  // c^4, the square of `input`, a quarter of that
 
     explicit Bound(double ratio) : ratio2(ratio * ratio * (1 - tau_margin)) {
         const double near = (ratio2 - 1) / (ratio2 + 1), far = 0.5 * ratio2 - 1;
         reach2 = near > far ? near * near : far * far;
         step = far > 0 ? far : near;
         input = input_share * ratio2 > input_least ? input_share * ratio2 : ratio2 < input_least ? ratio2 : input_least;
+        ratio4 = ratio2 * ratio2;
+        input2 = input * input;
+        input_reach2 = 0.25 * input * input;
     }
     // Of whole cells nothing is refined farther from the domain's centre, in enclosing radii.
     double extent() const {
@@ -77,8 +81,8 @@ private:
         Corner<D> farthest;       // from the vertex; `distance2` at most, here and below
         Corner<D> from_input;     // from the nearest input; `distance2` is to that
         std::uint32_t cells = 0;  // in the star
-        bool leaves_ball = false;
-        double blur = 0;  // three times what corners may be wrong by, where that matters, see farthest2
+        bool may_be_bad = false;  // by some corner
+        double blur = 0;          // three times what corners may be wrong by, where that matters, see farthest2
     };
 
     // While a mesh is refined the record of a Steiner vertex holds the squared distance to its nearest input where
@@ -98,7 +102,10 @@ private:
 
     const Bound& bound_at(const Vertex<D>& vertex) const;
     double least_bad2(const Vertex<D>& vertex) const;
+    bool is_surely_good(VertexId v, const CellView& view) const;
     bool view_cell(VertexId v, CellView* view);
+    bool leaves_ball(const CellView& view) const;
+    void view_whole(VertexId v, CellView* view) const;
     void clip(VertexId v, CellView* view) const;
     bool is_bad(VertexId v, const CellView& view) const;
     // A point on the sphere, or a hair outside as computed.
@@ -151,9 +158,9 @@ template <int D> double CertificateRule<D>::least_bad2(const Vertex<D>& vertex) 
     const Bound& bound = bound_at(vertex);
     const bool is_input = vertex.marker == Marker::input;
     const double d2 = local_distance2(vertex);
-    const double most = is_input ? bound.input : bound.ratio2;  // 2 hi over the root of d2, at most, if good for sure
-    if (4 * cut2_ <= most * most * d2) return infinity;
-    return is_input ? 0.25 * most * most * d2 : bound.reach2 * d2;
+    const double most2 = is_input ? bound.input2 : bound.ratio4;  // 4 hi^2 over d2, at most, if good for sure
+    if (4 * cut2_ <= most2 * d2) return infinity;
+    return (is_input ? bound.input_reach2 : bound.reach2) * d2;
 }
 
 // An input's cell may have become bad because its nearest neighbour came nearer.
@@ -195,20 +202,49 @@ template <int D> void CertificateRule<D>::queue_new(const Cavity& cavity, Vertex
 // Walks around v's cell. False when the gap is too small for that.
 template <int D> bool CertificateRule<D>::view_cell(VertexId v, CellView* view) {
     *view = CellView{};
-    const double* const p = store_.point(v);
-    const double* const input = store_.point(nearest_input(v));
+    const double least2 = least_bad2(store_.vertex(v));
     return kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
         ++view->cells;
-        if (!(cell.radius2 < infinity)) return;  // a ghost
-        if (goal_.clipped) {
-            const double share = static_cast<double>(cell.error), wrong = share * square_root(cell.radius2);
-            view->leaves_ball |= !domain_.contains(cell.centre);
-            if (share > corner_error_max && 3 * wrong > view->blur) view->blur = 3 * wrong;
-        }
+        if (is_within(cell, least2) || !(cell.radius2 < infinity)) return;  // not of ghosts
+        view->may_be_bad = true;
+        const double share = static_cast<double>(cell.error), wrong = 3 * share * square_root(cell.radius2);
+        if (goal_.clipped && share > corner_error_max && wrong > view->blur) view->blur = wrong;
+    });
+}
+
+// Has the cell that has just been walked around a corner outside of the ball?
+template <int D> bool CertificateRule<D>::leaves_ball(const CellView& view) const {
+    for (std::uint32_t k = 0; k < view.cells && goal_.clipped; ++k) {
+        const Cell<D>& cell = store_.cell(store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]);
+        if (cell.radius2 < infinity && !domain_.contains(cell.centre)) return true;
+    }
+    return false;
+}
+
+// The corners of v's cell, which has just been walked around.
+template <int D> void CertificateRule<D>::view_whole(VertexId v, CellView* view) const {
+    const double* const p = store_.point(v);
+    const double* const input = store_.point(nearest_input(v));
+    for (std::uint32_t k = 0; k < view->cells; ++k) {
+        const CellId c = store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)];
+        const Cell<D>& cell = store_.cell(c);
+        if (!(cell.radius2 < infinity)) continue;
         view->farthest.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, p)), c);
         view->from_input.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, input)), c);
-    });
+    }
+}
+
+// Is no point of v's clipped cell, which has just been walked around, so far from its nearest input that the cell is
+// bad even with the least lo? For most cells near the sphere that are good.
+template <int D> bool CertificateRule<D>::is_surely_good(VertexId v, const CellView& view) const {
+    if (!view.may_be_bad) return true;
+    if (!goal_.clipped || view.blur > 0) return false;
+    const Vertex<D>& vertex = store_.vertex(v);
+    const double d = square_root(local_distance2(vertex)), most = largest_good(vertex, 0.5 * d);
+    const double near = vertex.marker == Marker::input ? most : most > d ? most - d : 0;
+    const Cut<D> cut(domain_, store_.point(nearest_input(v)), most * most);
+    return !may_reach_beyond<D>(store_, cut, v, near * near, store_.list_top(), view.cells);
 }
 
 template <int D> bool CertificateRule<D>::is_bad(VertexId v, const CellView& view) const {
@@ -295,8 +331,13 @@ template <int D> bool CertificateRule<D>::find_bad_pole(VertexId v, CellView* vi
 template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) {
     CellView view;
     if (!view_cell(v, &view)) return Verdict::out_of_memory;
-    if (!is_bad(v, view)) return Verdict::good;
-    if (view.leaves_ball) {
+    if (is_surely_good(v, view)) return Verdict::good;
+    const bool leaves = leaves_ball(view);
+    if (!leaves || view.blur > 0) {
+        view_whole(v, &view);
+        if (!is_bad(v, view)) return Verdict::good;
+    }
+    if (leaves) {
         clip(v, &view);
         if (!is_bad(v, view) && !find_bad_pole(v, &view)) return Verdict::good;
     }
@@ -330,14 +371,16 @@ template <int D> const char* CertificateRule<D>::clipped_violation() {
         const Vertex<D>& vertex = store_.vertex(v);
         CellView view;
         if (!is_in_mesh(store_, v) || vertex.marker == Marker::exempt || !view_cell(v, &view)) continue;
-        if (view.leaves_ball) clip(v, &view);
+        view_whole(v, &view);
+        const bool leaves = leaves_ball(view);
+        if (leaves) clip(v, &view);
         const double hi2 = view.from_input.distance2 < cut2_ ? view.from_input.distance2 : cut2_;
         const double d = square_root(local_distance2(vertex)), R = square_root(view.farthest.distance2);
         const double lo = vertex.marker == Marker::input ? 0.5 * d : least_distance(d, R, as_computed);
         const double most = goal_.ratio * goal_.ratio * lo;
         if (hi2 > most * most) return "a cell spoils the certificate and nobody has noticed";
         Corner<D> found;
-        if (!view.leaves_ball || !(most * most < cut2_)) continue;
+        if (!leaves || !(most * most < cut2_)) continue;
         find_beyond<D>(store_, domain_, store_.point(nearest_input(v)), v, most * most, view.cells, &found);
         if (!(found.distance2 < 0)) return "a cell spoils the certificate at a pole and nobody has noticed";
     }

@@ -23,37 +23,89 @@ bool is_in_cell(const Store<D>& store, VertexId v, const double* x, const CellId
     return true;
 }
 
-template <int D> void raise(const Store<D>& store, const double* corner, VertexId v, double* out2) {
-    const double d2 = distance2<D>(corner, store.point(v));
-    if (d2 > out2[v]) out2[v] = d2;
+// What measure_clipped_cells and measure_worst_cells do.
+template <int D> class CellMeasure {
+public:
+    CellMeasure(Store<D>& store, const Domain<D>& ball, double worst, double* out2)
+        : store_(store), ball_(ball), worst_(worst), out2_(out2) {}
+    Status run();
+
+private:
+    // What is within the root of this from v does not count.
+    double least2(VertexId v) const { return worst_ * store_.vertex(v).nearest2; }
+    void raise(const double* corner, VertexId v);
+    void measure_corner(CellId c);
+    void mark_poles(CellId c);
+
+    Store<D>& store_;
+    const Domain<D>& ball_;
+    double worst_;  // the largest out2 over nearest2 so far; negative: all are asked for
+    double* const out2_;
+};
+
+template <int D> void CellMeasure<D>::raise(const double* corner, VertexId v) {
+    const Vertex<D>& vertex = store_.vertex(v);
+    const double d2 = distance2<D>(corner, vertex.x);
+    if (!(d2 > out2_[v])) return;
+    out2_[v] = d2;
+    if (worst_ >= 0 && vertex.marker != Marker::exempt && d2 > least2(v)) worst_ = d2 / vertex.nearest2;
 }
 
-// By corners inside the ball and crossings of edges. Vertices whose cells have a corner outside, or one that is not
-// known, are marked as queued.
-template <int D> void measure_corners(const Store<D>& store, const Domain<D>& ball, double* out2) {
-    for (CellId c(0); c < store.state.cell_slots; ++c) {
-        const Cell<D>& cell = store.cell(c);
-        for (int i = 0; i <= D; ++i)
-            for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
-                if (k != i) out2[cell.vertex[k]] = infinity;
-        const bool known = cell.radius2 < infinity;
-        if (known && ball.contains(cell.centre)) {
-            for (const VertexId v : cell.vertex) raise<D>(store, cell.centre, v, out2);
-            continue;
-        }
-        for (const VertexId v : cell.vertex) store.vertex(v).queued = 1;
-        for (int i = 0; i <= D && known; ++i) {
-            if (cell.neighbour[i] == none) continue;
-            const CellId n = cell.neighbour[i].cell();
-            const Cell<D>& other = store.cell(n);
-            if (!(other.radius2 < infinity) || (n < c && !ball.contains(other.centre))) continue;
-            double z[2][D];
-            const int crossings = sphere_crossings<D>(ball, cell.centre, other.centre, z);
-            for (int j = 0; j < crossings; ++j)
-                for (int k = 0; k <= D; ++k)
-                    if (k != i) raise<D>(store, z[j], cell.vertex[k], out2);
-        }
+// A corner inside the ball, or crossings of its edges.
+template <int D> void CellMeasure<D>::measure_corner(CellId c) {
+    const Cell<D>& cell = store_.cell(c);
+    for (int i = 0; i <= D; ++i)
+        for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+            if (k != i) out2_[cell.vertex[k]] = infinity;
+    if (!(cell.radius2 < infinity)) return;
+    if (ball_.contains(cell.centre)) {
+        for (const VertexId v : cell.vertex)
+            if (!is_within(cell, least2(v))) raise(cell.centre, v);
+        return;
     }
+    for (int i = 0; i <= D; ++i) {
+        if (cell.neighbour[i] == none) continue;
+        const CellId n = cell.neighbour[i].cell();
+        const Cell<D>& other = store_.cell(n);
+        if (!(other.radius2 < infinity) || (n < c && !ball_.contains(other.centre))) continue;
+        double z[2][D];
+        const int crossings = sphere_crossings<D>(ball_, cell.centre, other.centre, z);
+        for (int j = 0; j < crossings; ++j)
+            for (int k = 0; k <= D; ++k)
+                if (k != i) raise(z[j], cell.vertex[k]);
+    }
+}
+
+// Marks as queued those vertices of c, a corner outside or one that is not known, whose poles may count.
+template <int D> void CellMeasure<D>::mark_poles(CellId c) {
+    const Cell<D>& cell = store_.cell(c);
+    if (cell.radius2 < infinity && ball_.contains(cell.centre)) return;
+    for (const VertexId v : cell.vertex) {
+        Vertex<D>& vertex = store_.vertex(v);
+        if (vertex.queued != 0 || vertex.marker == Marker::exempt || !(out2_[v] < infinity)) continue;
+        const double known2 = out2_[v] > least2(v) ? out2_[v] : least2(v);
+        const double s2 = known2 * (1 + 0x1p-40);
+        if (is_within(cell, s2)) continue;
+        const Cut<D> cut(ball_, vertex.x, s2);
+        vertex.queued = may_reach_beyond<D>(store_, cut, v, s2, c) ? 1 : 0;
+    }
+}
+
+template <int D> Status CellMeasure<D>::run() {
+    const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
+    for (std::uint32_t v = 0; v < vertices; ++v) out2_[v] = 0;
+    for (CellId c(0); c < cells; ++c) measure_corner(c);
+    for (CellId c(0); c < cells; ++c) mark_poles(c);
+    Status status = Status::ok;
+    for (VertexId v(0); v < vertices; ++v) {
+        Vertex<D>& vertex = store_.vertex(v);
+        if (vertex.cell == none || vertex.marker == Marker::exempt)
+            out2_[v] = 0;
+        else if (vertex.queued != 0 && status == Status::ok && !raise_to_poles<D>(store_, ball_, v, &out2_[v]))
+            status = Status::out_of_memory;
+        vertex.queued = 0;
+    }
+    return status;
 }
 
 // Positions of the neighbours of c at v, across facets, that have a smaller index.
@@ -152,7 +204,7 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
     std::uint32_t count = 0;
     if (!visit_star(store, v, [&](CellId) { ++count; })) return false;
     const CellId* const star = store.list_top();
-    if (!may_reach_beyond<D>(store, cut, v, star, count)) return true;
+    if (!may_reach_beyond<D>(store, cut, v, cut.distance2(), star, count)) return true;
     Corner<D> farthest;
     farthest.distance2 = *out2;
     offer_poles<D>(store, ball, store.point(v), v, star, count, &farthest);
@@ -161,20 +213,11 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
 }
 
 template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) out2[v] = 0;
-    measure_corners<D>(store, ball, out2);
-    Status status = Status::ok;
-    for (VertexId v(0); v < store.state.vertex_count; ++v) {
-        Vertex<D>& vertex = store.vertex(v);
-        const bool near_sphere = vertex.queued != 0;
-        vertex.queued = 0;
-        if (vertex.cell == none || vertex.marker == Marker::exempt)
-            out2[v] = 0;
-        else if (near_sphere && out2[v] < infinity && status == Status::ok &&
-                 !raise_to_poles<D>(store, ball, v, &out2[v]))
-            status = Status::out_of_memory;
-    }
-    return status;
+    return CellMeasure<D>(store, ball, -1, out2).run();
+}
+
+template <int D> Status measure_worst_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
+    return CellMeasure<D>(store, ball, 0, out2).run();
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
@@ -182,7 +225,8 @@ template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& 
     template void offer_poles<D>(const Store<D>&, const Domain<D>&, const double*, VertexId, const CellId*,            \
                                  std::uint32_t, Corner<D>*);                                                           \
     template bool raise_to_poles<D>(Store<D>&, const Domain<D>&, VertexId, double*);                                   \
-    template Status measure_clipped_cells<D>(Store<D>&, const Domain<D>&, double*);
+    template Status measure_clipped_cells<D>(Store<D>&, const Domain<D>&, double*);                                    \
+    template Status measure_worst_cells<D>(Store<D>&, const Domain<D>&, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -107,34 +107,35 @@ template <int D>
     }
 }
 
-// May a corner of Vor(v) after the cut, whose origin is v, be farther from v than the cut's distance s? What is between
-// corners within s cannot. star[-1 - k], k < count: the cells at v.
-template <int D>
-[[gnu::noinline]] bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, const CellId* star,
-                                        std::uint32_t count) {
+// May a corner of Vor(v) after the cut that cell c gives rise to be farther from the cut's origin u than its distance
+// s? What is between corners within s cannot. near2: what is within the root of this from v is within s of u.
+template <int D> bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, double near2, CellId c) {
     const double s2 = cut.distance2();
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const CellId c = star[-1 - static_cast<std::ptrdiff_t>(k)];
-        const Cell<D>& cell = store.cell(c);
-        if (is_within(cell, s2)) continue;
-        if (!(cell.radius2 < infinity)) {
-            if (!store.is_ghost(c)) return true;
-            continue;
-        }
-        if (!(distance2<D>(cell.centre, cut.origin()) > s2)) continue;
-        const double here = cut.height(cell.centre);
-        if (!(here > 0)) return true;
-        for (int i = 0; i <= D; ++i) {
-            if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
-            const Cell<D>& other = store.cell(cell.neighbour[i].cell());
-            if (!(other.radius2 < infinity)) continue;
-            const double there = cut.height(other.centre);
-            double x[D];
-            if (there > 0) continue;
-            cut_edge<D>(cell, here, other, there, x);
-            if (distance2<D>(x, cut.origin()) > s2) return true;
-        }
+    const Cell<D>& cell = store.cell(c);
+    if (is_within(cell, near2)) return false;
+    if (!(cell.radius2 < infinity)) return !store.is_ghost(c);
+    if (!(distance2<D>(cell.centre, cut.origin()) > s2)) return false;
+    const double here = cut.height(cell.centre);
+    if (!(here > 0)) return true;
+    for (int i = 0; i <= D; ++i) {
+        if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
+        const Cell<D>& other = store.cell(cell.neighbour[i].cell());
+        if (!(other.radius2 < infinity)) continue;
+        const double there = cut.height(other.centre);
+        double x[D];
+        if (there > 0) continue;
+        cut_edge<D>(cell, here, other, there, x);
+        if (distance2<D>(x, cut.origin()) > s2) return true;
     }
+    return false;
+}
+
+// The same for all cells at v. star[-1 - k], k < count: these.
+template <int D>
+[[gnu::noinline]] bool may_reach_beyond(const Store<D>& store, const Cut<D>& cut, VertexId v, double near2,
+                                        const CellId* star, std::uint32_t count) {
+    for (std::uint32_t k = 0; k < count; ++k)
+        if (may_reach_beyond<D>(store, cut, v, near2, star[-1 - static_cast<std::ptrdiff_t>(k)])) return true;
     return false;
 }
 
@@ -221,7 +222,7 @@ void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, 
     *found = Corner<D>{};
     const CellId* const star = store.list_top();
     const Cut<D> cut(ball, u, bound2);
-    if (u == store.point(v) && !may_reach_beyond<D>(store, cut, v, star, count)) return;
+    if (u == store.point(v) && !may_reach_beyond<D>(store, cut, v, bound2, star, count)) return;
     CutCorners<D> corners;
     for (std::uint32_t k = 0; k < count; ++k)
         offer_cut_corners<D>(store, cut, v, star[-1 - static_cast<std::ptrdiff_t>(k)], &corners);
@@ -242,5 +243,7 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
 // ones. Needs a compact store, and room for the star of a vertex in its gap. O(cells) and what poles take.
 // out_of_memory.
 template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2);
+// The same where out2[v] over nearest2 is largest; less elsewhere, perhaps. Most cells are only looked at.
+template <int D> Status measure_worst_cells(Store<D>& store, const Domain<D>& ball, double* out2);
 
 }  // namespace netmesh

@@ -82,74 +82,135 @@ template <int D> void find_bisectors(const Store<D>& store, const Domain<D>& bal
         }
 }
 
-// The reach of one cell from points, by the head.
-template <int D> class ReachProof {
-public:
-    ReachProof(Store<D>& store, const Domain<D>& ball) : store_(store), ball_(ball) {}
+}  // namespace
 
-    // Must come first. False: no room for v's star.
-    bool open(VertexId v) {
-        v_ = v;
-        count_ = 0;
-        return visit_star(store_, v, [&](CellId) { ++count_; });
-    }
-    // No point of the clipped cell is farther from u than this; `whole` holds for the whole cell, and is what comes
-    // back when some point is as far as `enough`.
-    double bound(const double* u, double whole, double enough);
-
-private:
-    // What is beyond a distance s from u in the half-space.
-    struct Beyond {
-        double far = 0, near = infinity;  // most of any corner of the cut cell, least distance of one
-        double first[D];                  // the corner of the cut cell nearest to c, from c
-        double first2 = infinity;
-    };
-
-    CellId star(std::uint32_t k) const { return store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]; }
-    void measure(const double* u, Corner<D>* farthest) const;
-    template <class Show> void cut(const double* u, double s, Show&& show) const;
-    Beyond look_beyond(const double* u, double s) const;
-    bool is_apart(const double* u, double s, const double* w, double* first) const;
-    bool is_outside(const double* u, double s, const double* farthest, const Beyond& beyond) const;
-
-    Store<D>& store_;
-    const Domain<D>& ball_;
-    VertexId v_ = none;
-    std::uint32_t count_ = 0;
-};
-
-// By corners in the ball and crossings of edges.
-template <int D> void ReachProof<D>::measure(const double* u, Corner<D>* farthest) const {
-    const double* const p = store_.point(v_);
-    if (ball_.contains(p)) farthest->offer(p, distance2<D>(p, u), store_.vertex(v_).cell);
-    for (std::uint32_t k = 0; k < count_; ++k) {
-        const CellId c = star(k);
+// Marked: 1, cells with a corner that may be outside; 2, unbounded ones.
+template <int D> void CellClipper<D>::mark() {
+    for (CellId c(0); c < store_.state.cell_slots; ++c) {
         const Cell<D>& cell = store_.cell(c);
-        if (!(cell.radius2 < infinity)) continue;
-        if (ball_.contains(cell.centre))
-            farthest->offer(cell.centre, distance2<D>(cell.centre, u), c);
-        else
-            visit_crossings<D>(
-                store_, ball_, v_, c, 0, [](const Cell<D>&, const Cell<D>&) { return true; },
-                [&](const double* z) { farthest->offer(z, distance2<D>(z, u), c); });
-    }
-}
-
-template <int D> template <class Show> void ReachProof<D>::cut(const double* u, double s, Show&& show) const {
-    for (std::uint32_t k = 0; k < count_; ++k) {
-        const CellId c = star(k);
-        const Cell<D>& cell = store_.cell(c);
+        const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
+        const bool inside = (square_root(ball_.distance2(cell.centre)) + doubt) * up <= ball_.radius;
         for (int i = 0; i <= D; ++i) {
-            if (cell.vertex[i] == v_ || cell.neighbour[i].cell() < c) continue;
-            const Cell<D>& other = store_.cell(cell.neighbour[i].cell());
-            const double here = doubt_of<D>(cell), there = doubt_of<D>(other);
-            const bool known = here < infinity && there < infinity;
-            cut_edge<D>(ball_, u, s, cell, other, known ? here : infinity, known ? there : infinity, show);
+            if (!inside) store_.vertex(cell.vertex[i]).queued |= 1;
+            for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+                if (k != i) store_.vertex(cell.vertex[k]).queued |= 2;
         }
     }
+    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
+        Vertex<D>& vertex = store_.vertex(v);
+        const bool is_absent = needed_.present != nullptr && needed_.present[v] == 0;
+        vertex.queued = vertex.queued == 1 && vertex.marker != Marker::exempt && !is_absent ? 1 : 0;
+    }
 }
 
-template <int D> typename ReachProof<D>::Beyond ReachProof<D>::look_beyond(const double* u, double s) const {
+template <int D> bool CellClipper<D>::open(VertexId v) {
+    v_ = v;
+    count_ = 0;
+    pass_over(v);
+    return visit_star(store_, v, [&](CellId) { ++count_; });
+}
+
+template <int D> void CellClipper<D>::clip(double* out_radius, double* reach) const {
+    const Vertex<D>& vertex = store_.vertex(v_);
+    if (vertex.marker == Marker::input) {
+        *out_radius = bound(vertex.x, *out_radius, needed_.cut);
+        *reach = smaller(*reach, *out_radius);
+        return;
+    }
+    const double enough = needed_.least_alone ? 0.5 * distance_to_inputs<D>(store_, v_) : infinity;
+    *out_radius = bound(vertex.x, *out_radius, enough);
+    *reach = bound(store_.point(nearest_input<D>(store_, v_)), *reach, needed_.cut);
+}
+
+// By corners in the ball and crossings of edges, up to the first that is as far as the root of enough2. Corners first:
+// few crossings are farther.
+template <int D> void CellClipper<D>::measure(const double* u, double enough2, Corner<D>* farthest) const {
+    const double* const p = store_.point(v_);
+    if (ball_.contains(p)) farthest->offer(p, distance2<D>(p, u), store_.vertex(v_).cell);
+    for (std::uint32_t k = 0; k < count_ && farthest->distance2 < enough2; ++k) {
+        const Cell<D>& cell = store_.cell(star(k));
+        if (cell.radius2 < infinity && ball_.contains(cell.centre))
+            farthest->offer(cell.centre, distance2<D>(cell.centre, u), star(k));
+    }
+    for (std::uint32_t k = 0; k < count_ && farthest->distance2 < enough2; ++k) {
+        const CellId c = star(k);
+        const Cell<D>& cell = store_.cell(c);
+        if (!(cell.radius2 < infinity) || ball_.contains(cell.centre)) continue;
+        const double here2 = distance2<D>(cell.centre, u);
+        visit_crossings<D>(
+            store_, ball_, v_, c, 0,
+            [&](const Cell<D>&, const Cell<D>& other) {
+                // A crossing is no farther than the farther end.
+                const double least2 = farthest->distance2 * (1 - 0x1p-20);
+                return !(here2 < least2) || !(distance2<D>(other.centre, u) < least2);
+            },
+            [&](const double* z) { farthest->offer(z, distance2<D>(z, u), c); });
+    }
+}
+
+template <int D>
+template <class Show>
+void CellClipper<D>::show_edge(const double* u, double s, const Cell<D>& cell, const Cell<D>& other,
+                               Show&& show) const {
+    const double here = doubt_of<D>(cell), there = doubt_of<D>(other);
+    const bool known = here < infinity && there < infinity;
+    cut_edge<D>(ball_, u, s, cell, other, known ? here : infinity, known ? there : infinity, show);
+}
+
+template <int D>
+template <class Show>
+[[gnu::cold]] void CellClipper<D>::cut(const double* u, double s, Show&& show) const {
+    for (std::uint32_t k = 0; k < count_; ++k) {
+        const CellId c = star(k);
+        const Cell<D>& cell = store_.cell(c);
+        for (int i = 0; i <= D; ++i)
+            if (cell.vertex[i] != v_ && !(cell.neighbour[i].cell() < c))
+                show_edge(u, s, cell, store_.cell(cell.neighbour[i].cell()), show);
+    }
+}
+
+// Edges are left out that surely end within s, or surely outside of the half-space: with the errors of corner_error_max
+// and all roundings that takes less than 2^-21 of the squares that it is made from.
+template <int D> bool CellClipper<D>::is_bound(const double* u, double s) const {
+    const double s2 = s * s, near2 = s2 * (1 - 0x1p-19), r2 = ball_.radius * ball_.radius;
+    double a[D];
+    for (int j = 0; j < D; ++j) a[j] = u[j] - ball_.centre[j];
+    const double away2 = dot<D>(a, a), level = away2 - r2 + s2;
+    struct End {
+        double height, size2;
+        bool is_near;
+    };
+    const auto look_at = [&](const Cell<D>& cell) {
+        double y[D];
+        for (int j = 0; j < D; ++j) y[j] = cell.centre[j] - u[j];
+        const double y2 = dot<D>(y, y);
+        if (!(static_cast<double>(cell.error) <= corner_error_max)) return End{-infinity, infinity, false};
+        return End{2 * dot<D>(y, a) + level, y2 + cell.radius2, y2 <= near2 && cell.radius2 <= near2};
+    };
+    bool is_within = true;
+    for (std::uint32_t k = 0; k < count_ && is_within; ++k) {
+        const CellId c = star(k);
+        const Cell<D>& cell = store_.cell(c);
+        const End here = look_at(cell);
+        if (here.is_near) continue;
+        for (int i = 0; i <= D && is_within; ++i) {
+            if (cell.vertex[i] == v_) continue;
+            const CellId n = cell.neighbour[i].cell();
+            const Cell<D>& other = store_.cell(n);
+            const End there = look_at(other);
+            if (n < c && !there.is_near) continue;
+            const double slack = 0x1p-20 * (here.size2 + there.size2 + away2 + r2 + s2);
+            if (here.height > slack && there.height > slack) continue;
+            // From the end that cut() takes it from, so that both say the same to the last bit.
+            show_edge(u, s, n < c ? other : cell, n < c ? cell : other,
+                      [&](const double*, double most, double) { is_within = is_within && most <= s; });
+        }
+    }
+    return is_within;
+}
+
+template <int D>
+[[gnu::cold]] typename CellClipper<D>::Beyond CellClipper<D>::look_beyond(const double* u, double s) const {
     Beyond beyond;
     cut(u, s, [&](const double* y, double most, double) {
         if (!(most <= beyond.far)) beyond.far = most;
@@ -167,7 +228,8 @@ template <int D> typename ReachProof<D>::Beyond ReachProof<D>::look_beyond(const
 
 // Is there a plane between the ball and the cut cell with the normal w, of any length? first[D]: the corner that is
 // first along w, from c.
-template <int D> bool ReachProof<D>::is_apart(const double* u, double s, const double* w, double* first) const {
+template <int D>
+[[gnu::cold]] bool CellClipper<D>::is_apart(const double* u, double s, const double* w, double* first) const {
     const double length = square_root(dot<D>(w, w));
     if (!(length > 0)) return false;
     double unit[D], a[D], least = infinity;
@@ -190,7 +252,8 @@ template <int D> bool ReachProof<D>::is_apart(const double* u, double s, const d
 
 // Is the cut cell outside of the ball? Some point of the clipped cell far from u is `farthest`.
 template <int D>
-bool ReachProof<D>::is_outside(const double* u, double s, const double* farthest, const Beyond& beyond) const {
+[[gnu::cold]] bool CellClipper<D>::is_outside(const double* u, double s, const double* farthest,
+                                              const Beyond& beyond) const {
     double w[D], first[D];
     for (int k = 0; k < D; ++k) w[k] = farthest[k] - ball_.centre[k];
     if (is_apart(u, s, w, first)) return true;
@@ -211,13 +274,13 @@ bool ReachProof<D>::is_outside(const double* u, double s, const double* farthest
     return false;
 }
 
-template <int D> double ReachProof<D>::bound(const double* u, double whole, double enough) {
+template <int D> double CellClipper<D>::bound(const double* u, double whole, double enough) const {
     constexpr double growths[] = {0x1p-38, 0x1p-32, 0x1p-26, 0x1p-20, 0x1p-10, 0.02, 0.25};
     constexpr int growths_count = sizeof growths / sizeof growths[0];
     const double away = square_root(ball_.distance2(u));
     double best = smaller(whole, (away + ball_.radius) * up);
     Corner<D> farthest;
-    measure(u, &farthest);
+    measure(u, enough * enough, &farthest);
     if (farthest.distance2 >= enough * enough) return whole;
     bool has_poles = farthest.distance2 < 0;
     if (has_poles) offer_poles<D>(store_, ball_, u, v_, store_.list_top(), count_, &farthest);
@@ -232,8 +295,8 @@ template <int D> double ReachProof<D>::bound(const double* u, double whole, doub
     for (int i = 0; i < growths_count; ++i) {
         const double s = square_root(farthest.distance2) * (1 + growths[i]);
         if (!(s < best)) break;
+        if (is_bound(u, s)) return s;
         const Beyond beyond = look_beyond(u, s);
-        if (beyond.far <= s) return s;
         best = smaller(best, beyond.far);
         if (best <= s * (1 + 0x1p-32)) break;
         if (beyond.near > s && is_outside(u, s, farthest.x, beyond)) return s;
@@ -246,49 +309,25 @@ template <int D> double ReachProof<D>::bound(const double* u, double whole, doub
     return best;
 }
 
-}  // namespace
-
 template <int D>
 Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReach& needed, double* out_radius,
                         double* reach) {
-    // Marked: 1, cells with a corner that may be outside; 2, unbounded ones.
-    for (CellId c(0); c < store.state.cell_slots; ++c) {
-        const Cell<D>& cell = store.cell(c);
-        const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
-        const bool inside = (square_root(ball.distance2(cell.centre)) + doubt) * up <= ball.radius;
-        for (int i = 0; i <= D; ++i) {
-            if (!inside) store.vertex(cell.vertex[i]).queued |= 1;
-            for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
-                if (k != i) store.vertex(cell.vertex[k]).queued |= 2;
-        }
-    }
-    ReachProof<D> proof(store, ball);
+    CellClipper<D> clipper(store, ball, needed);
+    clipper.mark();
     Status status = Status::ok;
     for (VertexId v(0); v < store.state.vertex_count; ++v) {
-        Vertex<D>& vertex = store.vertex(v);
-        const bool may_leave = vertex.queued == 1;
-        vertex.queued = 0;
-        if (!may_leave || vertex.marker == Marker::exempt || status != Status::ok) continue;
-        if (needed.present != nullptr && needed.present[v] == 0) continue;
-        if (!proof.open(v)) {
+        if (!clipper.is_marked(v)) continue;
+        if (clipper.open(v))
+            clipper.clip(&out_radius[v], &reach[v]);
+        else
             status = Status::out_of_memory;
-            continue;
-        }
-        if (vertex.marker == Marker::input) {
-            out_radius[v] = proof.bound(vertex.x, out_radius[v], needed.cut);
-            reach[v] = smaller(reach[v], out_radius[v]);
-            continue;
-        }
-        const double enough = needed.least_alone ? 0.5 * distance_to_inputs<D>(store, v) : infinity;
-        out_radius[v] = proof.bound(vertex.x, out_radius[v], enough);
-        reach[v] = proof.bound(store.point(nearest_input<D>(store, v)), reach[v], needed.cut);
     }
     return status;
 }
 
 template <int D>
-Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_radius, Arena& arena,
-                           ClippedReach* reach) {
+[[gnu::cold]] Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_radius, Arena& arena,
+                                         ClippedReach* reach) {
     const ArenaScope scope(arena);
     const std::uint32_t count = store.state.vertex_count;
     double* const s = arena.take_high<double>(count);
@@ -326,6 +365,7 @@ Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_r
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
+    template class CellClipper<D>;                                                                                     \
     template Status bound_clipped_cells<D>(Store<D>&, const Domain<D>&, double*, Arena&, ClippedReach*);               \
     template Status clip_cell_bounds<D>(Store<D>&, const Domain<D>&, const NeededReach&, double*, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)

@@ -33,7 +33,7 @@
 // than B or s below the ball's sphere. Nor are they farther below it than r less the distance from c to the bisector of
 // v and any other vertex w, (|v - c|^2 - |w - c|^2) / (2 |v - w|), where that is positive: c is on w's side.
 #pragma once
-#include "mesh/domain.hpp"
+#include "mesh/corner.hpp"
 
 namespace netmesh {
 
@@ -73,5 +73,50 @@ struct NeededReach {
 template <int D>
 Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReach& needed, double* out_radius,
                         double* reach);
+
+// The same cell by cell, for those that can do without some: mark(), then for each that is_marked open() and what is
+// needed, or pass_over(). Costs and needs as above.
+template <int D> class CellClipper {
+public:
+    CellClipper(Store<D>& store, const Domain<D>& ball, const NeededReach& needed)
+        : store_(store), ball_(ball), needed_(needed) {}
+
+    // Marks as queued the vertices whose bounds can be lowered.
+    void mark();
+    bool is_marked(VertexId v) const { return store_.vertex(v).queued != 0; }
+    void pass_over(VertexId v) { store_.vertex(v).queued = 0; }
+    // Takes the mark of v. False: no room for its star. What follows is about v.
+    bool open(VertexId v);
+    // Lowers its bounds as clip_cell_bounds does.
+    void clip(double* out_radius, double* reach) const;
+    // No point of the clipped cell is farther from u than this; `whole` holds for the whole cell, and is what comes
+    // back when some point is as far as `enough`.
+    double bound(const double* u, double whole, double enough) const;
+    // Is B of the head at most s, so that no point of the clipped cell is farther from u than s?
+    bool is_bound(const double* u, double s) const;
+
+private:
+    // What is beyond a distance s from u in the half-space.
+    struct Beyond {
+        double far = 0, near = infinity;  // most of any corner of the cut cell, least distance of one
+        double first[D];                  // the corner of the cut cell nearest to c, from c
+        double first2 = infinity;
+    };
+
+    CellId star(std::uint32_t k) const { return store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]; }
+    void measure(const double* u, double enough2, Corner<D>* farthest) const;
+    template <class Show>
+    void show_edge(const double* u, double s, const Cell<D>& cell, const Cell<D>& other, Show&& show) const;
+    template <class Show> void cut(const double* u, double s, Show&& show) const;
+    Beyond look_beyond(const double* u, double s) const;
+    bool is_apart(const double* u, double s, const double* w, double* first) const;
+    bool is_outside(const double* u, double s, const double* farthest, const Beyond& beyond) const;
+
+    Store<D>& store_;
+    const Domain<D>& ball_;
+    const NeededReach needed_;
+    VertexId v_ = none;
+    std::uint32_t count_ = 0;
+};
 
 }  // namespace netmesh

@@ -13,7 +13,7 @@ Status worst_aspect_ratio(Store<D>& store, const Domain<D>& domain, Arena& arena
     *vertex = none;
     double* const out2 = arena.take_low<double>(store.state.vertex_count);
     if (out2 == nullptr) return Status::out_of_memory;
-    const Status status = measure_clipped_cells<D>(store, domain, out2);
+    const Status status = measure_worst_cells<D>(store, domain, out2);
     double worst2 = 0;
     for (std::uint32_t v = 0; v < store.state.vertex_count && status == Status::ok; ++v) {
         const double ratio2 = 4 * out2[v] / store.vertex(v).nearest2;

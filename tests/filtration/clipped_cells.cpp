@@ -140,6 +140,7 @@ public:
             if (goal_.focus > 0 && v >= this->inputs() && i.hi > goal_.from && i.lo < goal_.to)
                 CHECK(i.hi <= focus2 * i.lo);
         }
+        check_without_intervals(mesh);
         const std::vector<Interval> before = interval;
         REQUIRE(tighten_cell_bounds<D>(mesh, work, interval.data()) == Status::ok);
         check_samples(interval);
@@ -151,6 +152,23 @@ public:
     }
 
 private:
+    // Where no intervals are asked for cells are clipped as far as values depend on it: values and ratios are the same.
+    void check_without_intervals(const FilteredMesh<D>& mesh) {
+        for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC})
+            for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
+                std::vector<double> closely(count()), alone(count());
+                std::vector<Interval> interval(count());
+                Evaluation all = {closely.data(), interval.data()}, some = {alone.data()};
+                const Work work = {this->block.arena, this->monitor};
+                REQUIRE(evaluate<D>(mesh, {filter, values}, work, &all) == Status::ok);
+                REQUIRE(evaluate<D>(mesh, {filter, values}, work, &some) == Status::ok);
+                CHECK(closely == alone);
+                CHECK(all.certificate.ratio == some.certificate.ratio);
+                CHECK(all.certificate.ratio_best == some.certificate.ratio_best);
+                CHECK(all.certificate.from == some.certificate.from);
+                for (VertexId v(0); v < count(); ++v) CHECK(store.vertex(v).queued == 0);
+            }
+    }
     void check_samples(const std::vector<Interval>& interval) const {
         for (const Sample<D>& s : samples_) {
             if (!ball_.contains(s.x)) continue;

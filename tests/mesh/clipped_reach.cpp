@@ -9,6 +9,7 @@
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "mesh/clipped_cell.hpp"
+#include "mesh/quality.hpp"
 
 using namespace netmesh;
 
@@ -29,6 +30,13 @@ template <int D> void sample(const inputs::Points& points, double share, int sam
     std::vector<ClippedReach> reach(count);
     measure_cells<D>(mesh.store, out_radius.data(), nullptr);
     REQUIRE(measure_clipped_cells<D>(mesh.store, ball, measured.data()) == Status::ok);
+    double worst2 = 0, worst;
+    std::uint32_t vertex;
+    for (std::uint32_t v = 0; v < count; ++v)
+        worst2 = std::max(worst2, 4 * measured[v] / mesh.store.vertex(v).nearest2);
+    REQUIRE(worst_aspect_ratio<D>(mesh.store, ball, mesh.block.arena, &worst, &vertex) == Status::ok);
+    CHECK(worst == std::sqrt(worst2));
+    CHECK(4 * measured[vertex] / mesh.store.vertex(vertex).nearest2 == worst2);
     const std::size_t high = mesh.block.arena.high_mark();
     REQUIRE(bound_clipped_cells<D>(mesh.store, ball, out_radius.data(), mesh.block.arena, reach.data()) == Status::ok);
     CHECK(mesh.block.arena.high_mark() == high);

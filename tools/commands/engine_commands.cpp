@@ -316,7 +316,7 @@ Outcome run_engine_command(const Options& from) {
     const SimplexList complex = complex_of(options, session.engine(), cloud);
     if (options.check) run.checked = std::vector<std::string>{checked_text(options, complex)};
 
-    Result result{EngineMesh(session.engine()), {}, {}};
+    Result result{EngineMesh(session.engine(), *run.engine), {}, {}};
     result.mesh.cage_kind = session.mesh().cage_kind;
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
     result.mesh.size_at_inputs = session.mesh().size_at_inputs;
@@ -326,7 +326,7 @@ Outcome run_engine_command(const Options& from) {
     if (!persists(options)) return finish_run(mesh_jobs(options, measured, result.mesh), start, &run);
 
     result.bars = bars_of(session.engine());
-    result.bounds = bounds_of(session.engine());
+    result.bounds = bounds_of(session.engine(), *run.engine);
     if (options.check) outcome = check_result(session.engine(), result.bars, complex, cloud);
     if (!outcome.good()) return outcome;
     if (options.bounds) run.bounds = &result.bounds;

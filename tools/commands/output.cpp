@@ -61,8 +61,7 @@ Outcome finish_run(const std::vector<FileJob>& jobs, double start, RunReport* ru
     return {};
 }
 
-EngineMesh::EngineMesh(const Engine& engine) : engine_(engine) {
-    const netmesh_report report = engine.report();
+EngineMesh::EngineMesh(const Engine& engine, const netmesh_report& report) : engine_(engine) {
     dim = report.input.dim;
     vertex_count = report.mesh.vertices;
     cell_count = report.mesh.cells;
@@ -124,9 +123,9 @@ std::vector<Bar> bars_of(const Engine& engine) {
     return bars;
 }
 
-Bounds bounds_of(const Engine& engine) {
+Bounds bounds_of(const Engine& engine, const netmesh_report& report) {
     Bounds bounds;
-    bounds.by_error = engine.report().diagram.filter == NETMESH_FILTER_FUNCTION;
+    bounds.by_error = report.diagram.filter == NETMESH_FILTER_FUNCTION;
     engine.for_each_bar_bounds([&](std::uint64_t, const netmesh_bar_bounds& b) { bounds.bars.push_back(b); });
     engine.for_each_scale_step([&](std::uint64_t, const netmesh_scale_step& step) { bounds.steps.push_back(step); });
     return bounds;

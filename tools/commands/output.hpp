@@ -30,7 +30,8 @@ Outcome finish_run(const std::vector<FileJob>& jobs, double start, RunReport* ru
 // The mesh that an engine holds.
 class EngineMesh : public MeshSource {
 public:
-    explicit EngineMesh(const Engine& engine);
+    explicit EngineMesh(const Engine& engine) : EngineMesh(engine, engine.report()) {}
+    EngineMesh(const Engine& engine, const netmesh_report& report);  // the engine's: each costs O(cells)
     netmesh_vertex vertex(std::uint64_t index) const override;
     netmesh_cell cell(std::uint64_t index) const override;
     // Fills ratios and domains; leaves them empty when there is no memory left for that.
@@ -45,7 +46,8 @@ MeshFiles files_of(const EngineMesh& mesh);
 
 // The diagram that an engine holds, and its bounds: empty unless there are some.
 std::vector<Bar> bars_of(const Engine& engine);
-Bounds bounds_of(const Engine& engine);
+Bounds bounds_of(const Engine& engine, const netmesh_report& report);
+inline Bounds bounds_of(const Engine& engine) { return bounds_of(engine, engine.report()); }
 
 // Exit::usage unless `path` is empty or has the ending: "FILE: WHAT is written to ENDING".
 Outcome check_ending(const std::string& path, const char* ending, const char* what);

@@ -33,8 +33,8 @@ netmesh_status make_diagram(Session& session, const Options& options, const Diag
         if (source == NETMESH_SOURCE_POINTS)
             return engine.persist_points(session.watched(points_request(options, diagram, cloud.dim), cloud));
         requests::Persist persist = session.watched(persist_request(options, diagram, cloud.dim));
-        session.function().set_domain(engine.report());
         persist.function = session.function().get();
+        if (persist.function != nullptr) session.function().set_domain(engine.report());
         return engine.persist(persist);
     });
 }
@@ -88,7 +88,8 @@ netmesh_status persist_as_asked(Session& session, const Options& options, const 
     netmesh_status status =
         mesh != nullptr ? take_mesh(session, *mesh) : prepare_for(session, options, filter.filter, cloud);
     if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
-    if (status == NETMESH_OK && session.function().has_missed(session.engine().report())) {
+    const bool has_function = session.function().get() != nullptr;
+    if (status == NETMESH_OK && has_function && session.function().has_missed(session.engine().report())) {
         status = make_mesh(session, cloud);
         if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
     }

@@ -24,6 +24,9 @@ public:
     // vertices: scratch [labels_max]. False when the link has more vertices than a ball's can have.
     bool read(const TriangulatedBall<D>& ball, VertexId v, std::uint32_t* vertices);
 
+    // The same for bound() alone, of a vertex that is not on the hull.
+    void count(const TriangulatedBall<D>& ball, VertexId v);
+
     // Whether the link has at most 63 vertices, so that parts() and counts are known.
     bool small() const { return label_count_ <= 64; }
     // The link vertex of lowest (highest) rank if it is lower (upper) than v, otherwise none; may be `outside`.
@@ -133,6 +136,22 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, VertexId v,
     if (hull) highest_ = ball.outside;
     for (std::uint32_t n = 1; n < label_count_; ++n) ball.slot[vertices[n]] = 0;
     return sound;
+}
+
+// A vertex of the link sphere is in at least D of its cells.
+template <int D> void Link<D>::count(const TriangulatedBall<D>& ball, VertexId v) {
+    const std::uint32_t r = ball.rank[v];
+    lower_count_ = 0;
+    for (int k = 0; k <= D; ++k) with_lower_[k] = 0;
+    for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
+        ball.prefetch(t + 16);
+        const VertexId* p = ball.complex.vertices(ball.incidence[t].cell());
+        std::uint32_t k = 0;
+        for (int j = 0; j <= D; ++j) k += ball.rank[p[j]] < r ? 1 : 0;
+        ++with_lower_[k];
+        lower_count_ += k;
+    }
+    lower_count_ /= D;
 }
 
 // The piece of `within` that holds the label set `seed`; adds its number of edges, counted from both ends, to *edges.

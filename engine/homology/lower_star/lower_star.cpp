@@ -111,11 +111,15 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
             below_[v] = above_[v] = ball_.outside;
             continue;
         }
-        if (!link.read(ball_, v, labels_)) return Status::internal;
-        below_[v] = link.lowest();
-        above_[v] = link.highest() == none ? v : link.highest();
-        if (link.bound() > star_bound_) star_bound_ = link.bound();
         const bool cut = (ball_.flags[v] & TriangulatedBall<D>::cut) != 0;
+        if (cut && (ball_.flags[v] & TriangulatedBall<D>::on_hull) == 0) {
+            link.count(ball_, v);
+        } else {
+            if (!link.read(ball_, v, labels_)) return Status::internal;
+            below_[v] = link.lowest();
+            above_[v] = link.highest() == none ? v : link.highest();
+        }
+        if (link.bound() > star_bound_) star_bound_ = link.bound();
         if (cut) above_[v] = ball_.outside;
         if constexpr (Link<D>::tells_all) {
             if (cut || !link.small()) {

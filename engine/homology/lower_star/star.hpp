@@ -33,9 +33,8 @@ public:
     bool reserve(const TriangulatedBall<D>& ball, std::uint64_t simplices_max, Arena& arena);
 
     // Lists the lower star of v; ball.slot holds the labels of its lower vertices until close(), `upper` for the upper
-    // ones. The links' vertices must have been counted (Link::read). Of a vertex that the part cuts, only what is in
-    // the part is listed, and a neighbour by no edge of it has no label. False when the cells are not those of a ball,
-    // or the part is not closed.
+    // ones. Of a vertex that the part cuts, only what is in the part is listed, and a neighbour by no edge of it has no
+    // label. False when the cells are not those of a ball, or the part is not closed.
     bool open(const TriangulatedBall<D>& ball, VertexId v);
     void close(const TriangulatedBall<D>& ball);
     // The gradient. Returns how many simplices are critical.
@@ -76,6 +75,8 @@ public:
 #endif
 
 private:
+    // For the vertices of one more cell.
+    bool has_room() const { return count_ + D <= capacity_ && seen_count_ + D <= seen_max_; }
     std::uint32_t label_of(const TriangulatedBall<D>& ball, std::uint32_t u);
     void clear_table(std::uint32_t cell_count, bool hull);
     template <bool only_listed>
@@ -99,7 +100,7 @@ private:
 
     std::uint32_t *facets_, *form_, *origin_, *cofaces_, *sum_, *partner_, *position_, *at_, *queue_;
     std::uint32_t *seen_, *table_;
-    std::uint32_t capacity_, count_, seen_count_, rank_;
+    std::uint32_t capacity_, count_, seen_max_, seen_count_, rank_;
     std::uint32_t table_mask_, table_shift_, table_bits_max_;
     std::uint32_t queue_begin_, queue_end_, next_position_;
 };
@@ -110,7 +111,8 @@ template <int D> bool Star<D>::reserve(const TriangulatedBall<D>& ball, std::uin
     table_bits_max_ = 6;
     while ((std::uint64_t{1} << table_bits_max_) < 2 * simplices_max) ++table_bits_max_;
     facets_ = arena.take_high<std::uint32_t>(std::size_t{capacity_} * D);
-    seen_ = arena.take_high<std::uint32_t>(Link<D>::labels_max(ball));
+    seen_max_ = static_cast<std::uint32_t>(Link<D>::labels_max(ball));
+    seen_ = arena.take_high<std::uint32_t>(seen_max_);
     table_ = arena.take_high<std::uint32_t>(std::size_t{1} << table_bits_max_);
     if (facets_ == nullptr || seen_ == nullptr || table_ == nullptr) return false;
     std::uint32_t** const arrays[] = {&form_, &origin_, &cofaces_, &sum_, &partner_, &position_, &at_, &queue_};
@@ -160,17 +162,18 @@ template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v)
         const VertexId* p = ball.complex.vertices(ball.incidence[t].cell());
         const std::uint32_t at = ball.incidence[t].position();
         if (cut && !ball.has(ball.incidence[t].cell())) continue;
-        if (count_ + D > capacity_) return false;
-        std::uint32_t slots[D];
+        if (!has_room()) return false;
+        std::uint32_t labels[D], k = 0;
         for (std::uint32_t j = 0; j < D; ++j) {
             const std::uint32_t u = p[j + (j >= at ? 1 : 0)];
-            slots[j] = ball.slot[u];
-            if (slots[j] == 0) slots[j] = label_of(ball, u);
+            const std::uint32_t slot = ball.slot[u];
+            labels[k] = slot != 0 ? slot : label_of(ball, u);
+            k += labels[k] != upper ? 1 : 0;
         }
-        sort_small<D>(slots);
-        std::uint32_t k = 0;
-        for (std::uint32_t j = 0; j < D; ++j) k += slots[j] != upper ? 1 : 0;
-        if (k > 0 && !add_faces<false>(ball, ball.incidence[t], slots, k)) return false;
+        if (k < 2) continue;
+        for (std::uint32_t j = k; j < D; ++j) labels[j] = upper;
+        sort_small<D>(labels);
+        if (!add_faces<false>(ball, ball.incidence[t], labels, k)) return false;
     }
     return !cut || add_listed_faces(ball, v);
 }
@@ -178,21 +181,30 @@ template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v)
 // The faces of v that no cell of the part has: among those of the cells that are not in, what the part lists. When a
 // face is looked at, its own faces have been, since the cells of the part came before.
 template <int D> bool Star<D>::add_listed_faces(const TriangulatedBall<D>& ball, VertexId v) {
+    const std::uint32_t before = seen_count_;
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         const CellId cell = ball.incidence[t].cell();
         if (ball.has(cell)) continue;
-        if (count_ + D > capacity_) return false;
+        if (!has_room()) return false;
         const VertexId* p = ball.complex.vertices(cell);
         std::uint32_t labels[D], k = 0;
         for (int j = 0; j <= D; ++j) {
+            std::uint32_t& slot = ball.slot[p[j]];
             if (p[j] == v || ball.rank[p[j]] > rank_) continue;
-            const std::uint32_t edge[] = {p[j] < v ? p[j] : v, p[j] < v ? v : p[j]};
-            if (ball.slot[p[j]] == 0 && ball.part->faces.contains(edge, 2)) label_of(ball, p[j]);
-            if (ball.slot[p[j]] != 0) labels[k++] = ball.slot[p[j]];
+            if (slot == 0) {
+                const std::uint32_t edge[] = {p[j] < v ? p[j] : v, p[j] < v ? v : p[j]};
+                if (ball.part->faces.contains(edge, 2))
+                    label_of(ball, p[j]);
+                else
+                    slot = upper, seen_[seen_count_++] = p[j];  // for as long as cells are looked at
+            }
+            if (slot != upper) labels[k++] = slot;
         }
         insertion_sort(labels, k, Ascending{});
         if (k > 1 && !add_faces<true>(ball, ball.incidence[t], labels, k)) return false;
     }
+    for (std::uint32_t l = before; l < seen_count_; ++l)
+        if (ball.slot[seen_[l]] == upper) ball.slot[seen_[l]] = 0;
     return true;
 }
 
