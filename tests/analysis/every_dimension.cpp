@@ -214,11 +214,11 @@ TEST_CASE_TEMPLATE_APPLY(wide_domain, Dimensions<>);
 TEST_CASE_TEMPLATE_DEFINE("what is in a ball and in a cell is in the cell's out-ball and within its reach", T, cut) {
     constexpr int D = T::value;
     int cut_cells = 0;
-    for (std::uint64_t set = 0; set < by_dimension<std::uint64_t>(D, {200, 200, 100, 40, 20}); ++set) {
+    for (std::uint64_t set = 0; set < by_dimension<std::uint64_t>(D, {200, 200, 100, 60, 90}); ++set) {
         CAPTURE(set);
         inputs::Random random(set);
         inputs::Points points(D, 0.0);
-        for (int i = 0; i < 2 * D + 3; ++i)
+        for (int i = 0; i < 2 * D + (D < 5 ? 3 : 0); ++i)
             for (int k = 0; k < D; ++k)
                 points.push_back(i >= 2 * D ? 3 * random.uniform() - 1.5
                                             : 0.4 * (random.uniform() - 0.5) +
@@ -227,7 +227,8 @@ TEST_CASE_TEMPLATE_DEFINE("what is in a ball and in a cell is in the cell's out-
         REQUIRE(held.triangulate(points) == Status::ok);
         Domain<D> ball = {};
         for (double& c : ball.centre) c = random.uniform() - 0.5;
-        ball.radius = ball.enclosing_radius = 0.2 + random.uniform();
+        // Corners of a cell that is nearly a cube are farther from its vertex than its faces are.
+        ball.radius = ball.enclosing_radius = (0.2 + random.uniform()) * std::sqrt(D / 2.0);
         FatCells<D> cells(held.store, ball, held.block.arena, nullptr, 0);
         FatCell<D> cell;
         REQUIRE(cells.measure(VertexId(0), &cell) == Status::ok);
