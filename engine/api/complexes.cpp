@@ -1,6 +1,7 @@
 // Homology of complexes that are not meshes: of points themselves, and given by their simplices.
 #include "api/keep_complex.hpp"
 #include "api/plan.hpp"
+#include "api/points.hpp"
 #include "api/requests.hpp"
 #include "api/simplices.hpp"
 #include "filtration/filters.hpp"
@@ -69,12 +70,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
                                   request.representatives != 0};
     PointsDiagram made;
     const Status status = persist_points(wanted, {context->arena, monitor}, &made);
-    if (status == Status::invalid_argument) {
-        clear(context);
-        return refuse(context, NETMESH_FIELD_K, "k is above the number of distinct points");
-    }
-    if (status != Status::ok)
-        return fail_and_clear(context, status, nullptr, status == Status::not_finite ? made.culprit : 0);
+    if (status != Status::ok) return fail_at_points(context, status, NETMESH_FIELD_K, made);
     KeptDiagram diagram;
     diagram.filter = request.filter;
     diagram.values = request.values;
@@ -82,14 +78,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
     diagram.k = find_filter(request.filter)->has(filter_trait::needs_k) ? request.k : 0;
     diagram.certified_ratio = diagram.certified_ratio_best = made.ratio;
     diagram.value_error = made.value_error;
-    const KeptInput input = {true,
-                             true,
-                             request.dim,
-                             request.point_count,
-                             request.point_count - made.distinct,
-                             made.input_fingerprint,
-                             made.distinct};
-    keep_diagram(context, input, diagram, made.diagram, made.is_listed ? &made.complex : nullptr);
+    keep_diagram(context, input_of(request, made), diagram, made.diagram, made.is_listed ? &made.complex : nullptr);
     return finish(context, status);
 }
 

@@ -1,6 +1,7 @@
 // Vineyards of the mesh that the context holds, of points, and of the caller's own values.
 #include "api/measure.hpp"
 #include "api/plan.hpp"
+#include "api/points.hpp"
 #include "api/requests.hpp"
 #include "api/simplices.hpp"
 #include "jobs/k_vineyard.hpp"
@@ -108,20 +109,9 @@ netmesh_status netmesh_points_vineyard(netmesh_context* context, const netmesh_p
     const PointsVineyardRequest wanted = {{request.points, count, request.dim}, filter_of(request), request.k_last};
     PointsVineyard made;
     const Status status = points_vineyard(wanted, {context->arena, monitor}, &made);
-    if (status == Status::invalid_argument) {
-        clear(context);
-        return refuse(context, NETMESH_FIELD_K_LAST, "k is more than the number of different points");
-    }
-    if (status != Status::ok)
-        return fail_and_clear(context, status, nullptr, status == Status::not_finite ? made.culprit : 0);
+    if (status != Status::ok) return fail_at_points(context, status, NETMESH_FIELD_K_LAST, made);
     context->complete = true;
-    context->input = {true,
-                      true,
-                      request.dim,
-                      request.point_count,
-                      request.point_count - made.distinct,
-                      made.input_fingerprint,
-                      made.distinct};
+    context->input = input_of(request, made);
     KeptVineyard kept;
     kept.filter = request.filter;
     kept.values = request.values;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "analysis/common.hpp"
+#include "analysis/fat_cell.hpp"
 #include "analysis/fatness.hpp"
 #include "analysis/feature_integral.hpp"
 #include "analysis/in_ball.hpp"
@@ -11,6 +12,7 @@
 #include "analysis/structure.hpp"
 #include "common/arrays.hpp"
 #include "common/dimensions.hpp"
+#include "common/polls.hpp"
 #include "common/session.hpp"
 #include "numerics/elementary.hpp"
 
@@ -47,19 +49,6 @@ template <int D> inputs::Points star(double step) {
     p[(D + 1) * D] = -step;
     return p;
 }
-
-// Answers the stop_at-th poll with a wish to stop.
-struct Polls {
-    int made = 0, stop_at = -1;
-    Monitor monitor() {
-        return Monitor(
-            [](void* user, const netmesh_progress*) {
-                Polls& p = *static_cast<Polls*>(user);
-                return static_cast<int>(p.made++ == p.stop_at);
-            },
-            this);
-    }
-};
 
 }  // namespace
 
@@ -170,12 +159,12 @@ TEST_CASE_TEMPLATE_DEFINE("structure in little memory, and stopped", T, little_m
     const double centre[D] = {};
     StructureAnalysis whole, part;
     Polls polls;
-    Monitor counting = polls.monitor();
+    Monitor counting(Polls::answer, &polls);
     REQUIRE(analyse_structure<D>(held.store, centre, 1, {held.block.arena, counting}, &whole) == Status::ok);
     REQUIRE(polls.made > 0);
-    for (int stop = 0; stop < polls.made; stop += 1 + polls.made / 8) {
+    for (long stop = 0; stop < polls.made; stop += 1 + polls.made / 8) {
         Polls stopped = {0, stop};
-        Monitor monitor = stopped.monitor();
+        Monitor monitor(Polls::answer, &stopped);
         CHECK(analyse_structure<D>(held.store, centre, 1, {held.block.arena, monitor}, &part) == Status::cancelled);
         CHECK(stopped.made == stop + 1);
     }
@@ -220,6 +209,55 @@ TEST_CASE_TEMPLATE_DEFINE("fatness of cells in a wide domain", T, wide_domain) {
 }
 TEST_CASE_TEMPLATE_APPLY(wide_domain, Dimensions<>);
 
+// A vertex with others all around it, and balls about places beside it of about its cell's size: where the ball's
+// sphere is farthest from the vertex in the middle of the cell, or of one of its faces, no edge ends.
+TEST_CASE_TEMPLATE_DEFINE("what is in a ball and in a cell is in the cell's out-ball and within its reach", T, cut) {
+    constexpr int D = T::value;
+    int cut_cells = 0;
+    for (std::uint64_t set = 0; set < by_dimension<std::uint64_t>(D, {200, 200, 100, 60, 90}); ++set) {
+        CAPTURE(set);
+        inputs::Random random(set);
+        inputs::Points points(D, 0.0);
+        for (int i = 0; i < 2 * D + (D < 5 ? 3 : 0); ++i)
+            for (int k = 0; k < D; ++k)
+                points.push_back(i >= 2 * D ? 3 * random.uniform() - 1.5
+                                            : 0.4 * (random.uniform() - 0.5) +
+                                                  (k == i / 2 ? (i % 2 == 0 ? 1 : -1) * (0.6 + random.uniform()) : 0));
+        Held<D> held(std::size_t{1} << 21);
+        REQUIRE(held.triangulate(points) == Status::ok);
+        Domain<D> ball = {};
+        for (double& c : ball.centre) c = random.uniform() - 0.5;
+        // Corners of a cell that is nearly a cube are farther from its vertex than its faces are.
+        ball.radius = ball.enclosing_radius = (0.2 + random.uniform()) * std::sqrt(D / 2.0);
+        FatCells<D> cells(held.store, ball, held.block.arena, nullptr, 0);
+        FatCell<D> cell;
+        REQUIRE(cells.measure(VertexId(0), &cell) == Status::ok);
+        // Of a cell that has neither corners nor edges in the ball nothing is said.
+        if (!cell.known || !cell.bounded || cell.whole || !(cell.reach > 0)) continue;
+        ++cut_cells;
+        for (int sample = 0; sample < 500; ++sample) {
+            // Most of them on the sphere.
+            double x[D], away2 = 0;
+            for (double& c : x) {
+                c = 2 * random.uniform() - 1;
+                away2 += c * c;
+            }
+            if (!(away2 > 0)) continue;
+            const double stretch = ball.radius / std::sqrt(away2) * (sample % 4 == 0 ? random.uniform() : 1);
+            for (int k = 0; k < D; ++k) x[k] = ball.centre[k] + stretch * x[k];
+            const double to_vertex = distance(x, held.store.point(0), D);
+            bool nearest = true;
+            for (std::uint32_t w = 1; w < held.state.vertex_count; ++w)
+                nearest &= to_vertex <= distance(x, held.store.point(w), D);
+            if (!nearest) continue;
+            CHECK(to_vertex <= cell.reach * (1 + 1e-9));
+            CHECK(distance(x, cell.out_centre, D) <= cell.out_radius * (1 + 1e-9));
+        }
+    }
+    CHECK(cut_cells > 10);
+}
+TEST_CASE_TEMPLATE_APPLY(cut, Dimensions<>);
+
 TEST_CASE_TEMPLATE_DEFINE("in-balls of cells that are open", T, open_in_balls) {
     constexpr int D = T::value;
     // One half-space, a wedge, a slab: what is found is inside, and in a slab it is as large as can be.
@@ -258,7 +296,7 @@ TEST_CASE_TEMPLATE_DEFINE("paces of a line's points one after the other", T, lin
     CHECK(theta[1] == 1);
     for (std::uint32_t i = 2; i < n; ++i) REQUIRE(theta[i] == 0.5);
     Polls polls = {0, 0};
-    Monitor stopping = polls.monitor();
+    Monitor stopping(Polls::answer, &polls);
     CHECK(pace<D>(cloud.store, cloud.tree, order.data(), n, {cloud.block.arena, stopping}, theta.data()) ==
           Status::cancelled);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/dimensions.hpp"
+#include "common/polls.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -187,18 +188,12 @@ TEST_CASE("more memory never decides less, and the block is kept to") {
 }
 
 TEST_CASE("a fit that decides bars and is stopped leaves no diagram") {
-    struct Polls {
-        long made = 0, stop_at = -1;
-    } polls;
+    Polls polls;
     const inputs::Points points = inputs::uniform(2, 300);
     Session session(2);
     session.reserve(std::size_t{1} << 22);
     netmesh_fit_request asked = deciding(points, 2, 1.5);
-    asked.monitor.user = &polls;
-    asked.monitor.poll = [](void* user, const netmesh_progress*) {
-        Polls& p = *static_cast<Polls*>(user);
-        return static_cast<int>(p.made++ == p.stop_at);
-    };
+    asked.monitor = polls.monitor();
     REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
     const long all = polls.made;
     const std::uint64_t print = session.report().fingerprint;

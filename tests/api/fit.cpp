@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/polls.hpp"
 #include "common/session.hpp"
 
 TEST_CASE("ratios that make no sense") {
@@ -354,17 +355,11 @@ TEST_CASE("certified_focus is of every cell that reaches into the scales of inte
 }
 
 TEST_CASE("a fit that is stopped on its way leaves no diagram") {
-    struct Polls {
-        long made = 0, stop_at = -1;
-    } polls;
+    Polls polls;
     const inputs::Points points = inputs::uniform(2, 300);
     Session session(2);
     session.reserve(std::size_t{1} << 22);
-    session.request.monitor.user = &polls;
-    session.request.monitor.poll = [](void* user, const netmesh_progress*) {
-        Polls& p = *static_cast<Polls*>(user);
-        return static_cast<int>(p.made++ == p.stop_at);
-    };
+    session.request.monitor = polls.monitor();
     REQUIRE(session.fit(points) == NETMESH_OK);
     const long all = polls.made;
     const std::uint64_t print = session.report().fingerprint;

@@ -89,6 +89,44 @@ bool have_true_ones(const Pairs& pairs, const std::vector<BarBounds>& bounds, co
     return true;
 }
 
+// A function on the vertices of a triangulation, known up to intervals, and a filter with values in them.
+struct Known {
+    std::vector<double> truth, value;
+    std::vector<Interval> interval;
+    void add(double f, double lo, double hi, inputs::Random& random) {
+        truth.push_back(f);
+        interval.push_back({lo, hi});
+        value.push_back(lo + (hi - lo) * random.uniform());
+    }
+    // The largest distance of a value from an end of its interval.
+    double error() const {
+        double most = 0;
+        for (std::size_t v = 0; v < value.size(); ++v)
+            most = std::max({most, interval[v].hi - value[v], value[v] - interval[v].lo});
+        return most;
+    }
+};
+
+// The filter's bars with their bounds, of which those that are certain have true ones; and what is proven of a bar
+// holds of the filter's own one too.
+struct Bars {
+    Pairs pairs;
+    std::vector<BarBounds> bounds;
+};
+template <int D> Bars checked_bars(const Cells<D>& cells, const Known& known, Spacing spacing = {}) {
+    Bars out;
+    out.pairs = diagram<D>(cells, known.value);
+    out.bounds = bounded<D>(cells, known.value, known.interval, out.pairs, spacing);
+    CHECK(have_true_ones(out.pairs, out.bounds, diagram<D>(cells, known.truth)));
+    for (std::size_t i = 0; i < out.pairs.size(); ++i) {
+        CHECK(out.bounds[i].birth_low <= out.pairs[i].birth);
+        CHECK(out.pairs[i].birth <= out.bounds[i].birth_high);
+        CHECK(out.bounds[i].death_low <= out.pairs[i].death);
+        CHECK(out.pairs[i].death <= out.bounds[i].death_high);
+    }
+    return out;
+}
+
 // A function on points whose values spread over `spread`; a filter and intervals that know it up to `doubt`.
 template <int D> std::size_t certified_bars(std::size_t points, double spread, double doubt, std::uint64_t seed) {
     CAPTURE(D);
@@ -97,31 +135,16 @@ template <int D> std::size_t certified_bars(std::size_t points, double spread, d
     CAPTURE(seed);
     const Cells<D> cells(points);
     inputs::Random random(seed);
-    std::vector<double> truth, value;
-    std::vector<Interval> interval;
+    Known known;
     for (std::uint32_t v = 0; v < cells.vertex_count; ++v) {
         const double f = std::exp(random.uniform() * std::log(spread));
         // Most vertices are known well, some as badly as doubt allows.
         const double by = 1 + (doubt - 1) * (random.below(3) == 0 ? 1 : 0.1);
         const double lo = f / (1 + (by - 1) * random.uniform()), hi = f * (1 + (by - 1) * random.uniform());
-        truth.push_back(f);
-        interval.push_back({lo, hi});
-        value.push_back(lo + (hi - lo) * random.uniform());
+        known.add(f, lo, hi, random);
     }
-    const Pairs pairs = diagram<D>(cells, value), exact = diagram<D>(cells, truth);
-    const std::vector<BarBounds> bounds = bounded<D>(cells, value, interval, pairs);
-    CHECK(have_true_ones(pairs, bounds, exact));
     std::size_t certified = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        certified += bounds[i].certain;
-        CHECK(bounds[i].birth_low <= bounds[i].birth_high);
-        CHECK(bounds[i].death_low <= bounds[i].death_high);
-        // What is proven of a bar holds of the filter's own one too.
-        CHECK(bounds[i].birth_low <= pairs[i].birth);
-        CHECK(pairs[i].birth <= bounds[i].birth_high);
-        CHECK(bounds[i].death_low <= pairs[i].death);
-        CHECK(pairs[i].death <= bounds[i].death_high);
-    }
+    for (const BarBounds& bounds : checked_bars<D>(cells, known).bounds) certified += bounds.certain;
     return certified;
 }
 
@@ -136,30 +159,20 @@ template <int D> void certify_signed(std::size_t points, double doubt, std::uint
     CAPTURE(seed);
     const Cells<D> cells(points);
     inputs::Random random(seed);
-    std::vector<double> truth, value;
-    std::vector<Interval> interval;
-    double error = 0;
+    Known known;
     const double shift = 3 * random.uniform() - 2;
     for (std::uint32_t v = 0; v < cells.vertex_count; ++v) {
         const double f = random.uniform() + shift, by = doubt * (random.below(4) == 0 ? 1 : 0.05);
         const double lo = f - by * random.uniform(), hi = f + by * random.uniform();
-        truth.push_back(f);
-        interval.push_back({lo, hi});
-        value.push_back(lo + (hi - lo) * random.uniform());
-        error = std::max({error, hi - value[v], value[v] - lo});
+        known.add(f, lo, hi, random);
     }
-    const Pairs pairs = diagram<D>(cells, value), exact = diagram<D>(cells, truth);
-    const std::vector<BarBounds> bounds = bounded<D>(cells, value, interval, pairs, {error});
-    CHECK(have_true_ones(pairs, bounds, exact));
+    const double error = known.error();
+    const auto [pairs, bounds] = checked_bars<D>(cells, known, {error});
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         found->bars++;
         found->all += bounds[i].certain;
         found->by_interleaving += pairs[i].death > bounds[i].certain_after;
         CHECK(bounds[i].certain_after <= pairs[i].birth + 2 * error * (1 + 1e-12));
-        CHECK(bounds[i].birth_low <= pairs[i].birth);
-        CHECK(pairs[i].birth <= bounds[i].birth_high);
-        CHECK(bounds[i].death_low <= pairs[i].death);
-        CHECK(pairs[i].death <= bounds[i].death_high);
         CHECK(std::isfinite(bounds[i].birth_low));
     }
 }

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "common/dimensions.hpp"
+#include "common/polls.hpp"
 #include "complex/triangulations.hpp"
 
 using namespace netmesh;
@@ -536,25 +537,17 @@ TEST_CASE("a caller that wants to stop stops it at each of its polls") {
     Cloud<3> c;
     c.cells = freudenthal<3>(18);
     c.x = freudenthal_points<3>(18);
-    struct Countdown {
-        int left, polls;
-    };
-    const auto poll = [](void* user, const netmesh_progress*) {
-        auto* countdown = static_cast<Countdown*>(user);
-        ++countdown->polls;
-        return countdown->left-- == 0 ? 1 : 0;
-    };
     Block block(std::size_t{1} << 25);
-    Countdown none_stopped{-1, 0};
+    Polls none_stopped;
     CountedPairs counted;
     double error;
-    Monitor monitor(poll, &none_stopped);
+    Monitor monitor(Polls::answer, &none_stopped);
     REQUIRE(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted, &error) ==
             Status::ok);
-    REQUIRE(none_stopped.polls > 3);
-    for (int stop = 0; stop < none_stopped.polls; ++stop) {
-        Countdown countdown{stop, 0};
-        Monitor stopping(poll, &countdown);
+    REQUIRE(none_stopped.made > 3);
+    for (long stop = 0; stop < none_stopped.made; ++stop) {
+        Polls polls = {0, stop};
+        Monitor stopping(Polls::answer, &polls);
         block.arena.release_low(0);
         CHECK(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, stopping}, &counted, &error) ==
               Status::cancelled);

@@ -46,6 +46,55 @@ TEST_CASE_TEMPLATE_DEFINE("hierarchical meshes are Delaunay and of quality tau b
 }
 TEST_CASE_TEMPLATE_APPLY(quality, Dimensions<>);
 
+// Groups of a few points far from others, so that each has a cage with several of them in it.
+TEST_CASE_TEMPLATE_DEFINE("cells in a cage are of quality tau in the ball of half of its radius", T, in_cages) {
+    constexpr int D = T::value;
+    constexpr double tau = by_dimension<double>(D, {2.1, 2.3, 3});
+    int sampled = 0;
+    double worst = 0;
+    for (std::uint64_t seed = 1; seed <= by_dimension<std::uint64_t>(D, {40, 16, 6}); ++seed) {
+        CAPTURE(seed);
+        inputs::Random random(seed);
+        inputs::Points points = inputs::uniform(D, 3 + random.below(5), seed);
+        const std::size_t group = points.size();
+        for (std::size_t i = 0; i < group; ++i) points.push_back(points[i] + (i % D == 0 ? 100 : 0));
+        for (int k = 0; k < D; ++k) points.push_back(points[static_cast<std::size_t>(k)] + 0.05 * random.uniform());
+        Hierarchical<D> m(points, by_hierarchy(tau, false, seed));
+        REQUIRE(m.status == Status::ok);
+        for (std::uint32_t d = 0; d < m.result.hierarchy.cages; ++d) {
+            const Cage& cage = m.result.cages[d];
+            const auto is_deeper = [&](const double* x) {
+                return std::any_of(m.result.cages, m.result.cages + m.result.hierarchy.cages, [&](const Cage& c) {
+                    return c.radius < cage.radius && distance<D>(x, m.store.point(c.centre)) < c.radius;
+                });
+            };
+            for (int sample = 0; sample < 1500; ++sample) {
+                // Most of them on the sphere.
+                double x[D], length2 = 0;
+                for (double& c : x) {
+                    c = 2 * random.uniform() - 1;
+                    length2 += c * c;
+                }
+                if (!(length2 > 0 && length2 <= 1)) continue;
+                const double stretch = sample % 4 == 0 ? 0.5 : 0.5 / std::sqrt(length2);
+                for (int k = 0; k < D; ++k) x[k] = m.store.point(cage.centre)[k] + stretch * cage.radius * x[k];
+                std::uint32_t v = 0;
+                for (std::uint32_t w = 1; w < m.state.vertex_count; ++w)
+                    if (distance<D>(x, m.store.point(w)) < distance<D>(x, m.store.point(v))) v = w;
+                if (m.store.vertex(v).marker == Marker::exempt || is_deeper(m.store.point(v))) continue;
+                double nearest = infinity;
+                for (std::uint32_t w = 0; w < m.state.vertex_count; ++w)
+                    if (w != v) nearest = std::min(nearest, distance<D>(m.store.point(w), m.store.point(v)));
+                worst = std::max(worst, distance<D>(x, m.store.point(v)) / (0.5 * nearest));
+                ++sampled;
+            }
+        }
+    }
+    CHECK(sampled > 1000);
+    CHECK(worst <= tau * (1 + 1e-9));
+}
+TEST_CASE_TEMPLATE_APPLY(in_cages, Dimensions<2, 4>);
+
 TEST_CASE_TEMPLATE_DEFINE("the size per input does not depend on gaps", T, gaps) {
     constexpr int D = T::value;
     double low = infinity, high = 0;
