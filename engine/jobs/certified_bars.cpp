@@ -75,10 +75,12 @@ void CoverSequence::go_through(double s) {
     }
 }
 
+constexpr int interleaved = 1;
+
 // What a bar of a sequence says about a true bar.
 struct Claim {
     double birth_low, birth_high, death_low, death_high;
-    int sequence;  // 0: none, 1: by interleaving
+    int sequence;  // 0: none, 1: by interleaving, then the sequences of covers
 
     bool disjoint(const Claim& o) const {
         return birth_high < o.birth_low || o.birth_high < birth_low || death_high < o.death_low ||
@@ -115,7 +117,7 @@ private:
     void clear(Claim* to) const {
         for (std::uint64_t i = begin_; i < end_; ++i) to[i].sequence = 0;
     }
-    std::uint64_t keep_old(Claim* to, int number) const;
+    std::uint64_t keep_old(Claim* to, int before, int number) const;
     std::uint64_t add_new(Claim* to, const CoverSequence& covers, const PairList& list, int number) const;
     bool excludes(const Claim* set, const Claim& claim, bool of_this_sequence, int number) const;
 
@@ -135,7 +137,7 @@ Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) 
     if (now_ == nullptr || first_ == nullptr || second_ == nullptr) return Status::out_of_memory;
     for (std::uint64_t i = 0; i < count; ++i)
         now_[i] = {bounds[i].birth_low, bounds[i].birth_high, bounds[i].death_low, bounds[i].death_high,
-                   bounds[i].certain ? 1 : 0};
+                   bounds[i].certain ? interleaved : 0};
     return Status::ok;
 }
 
@@ -147,10 +149,11 @@ bool Ledger::excludes(const Claim* set, const Claim& claim, bool of_this_sequenc
     return true;
 }
 
-std::uint64_t Ledger::keep_old(Claim* to, int number) const {
+// Claims of the sequences before that one.
+std::uint64_t Ledger::keep_old(Claim* to, int before, int number) const {
     std::uint64_t kept = 0;
     for (std::uint64_t i = begin_; i < end_; ++i) {
-        if (now_[i].sequence == 0 || to[i].sequence != 0 || !excludes(to, now_[i], true, number)) continue;
+        if (now_[i].sequence == 0 || now_[i].sequence >= before || to[i].sequence != 0 || !excludes(to, now_[i], true, number)) continue;
         to[i] = now_[i];
         ++kept;
     }
@@ -184,13 +187,15 @@ void Ledger::consider(const CoverSequence& covers, const PairList& list, std::ui
     if (begin_ == end_) return;
     std::uint64_t now = 0;
     for (std::uint64_t i = begin_; i < end_; ++i) now += now_[i].sequence != 0;
-    // What is there and what goes with it, or the other way round.
+    // What is there and what goes with it, or the other way round. Claims by interleaving stay, as bars that die after
+    // certain_after are to be certain.
     clear(first_);
-    std::uint64_t first = keep_old(first_, number);
+    std::uint64_t first = keep_old(first_, number, number);
     first += add_new(first_, covers, list, number);
     clear(second_);
-    std::uint64_t second = add_new(second_, covers, list, number);
-    second += keep_old(second_, number);
+    std::uint64_t second = keep_old(second_, interleaved + 1, number);
+    second += add_new(second_, covers, list, number);
+    second += keep_old(second_, number, number);
     if (first <= now && second <= now) return;
     const Claim* const better = second > first ? second_ : first_;
     for (std::uint64_t i = begin_; i < end_; ++i) now_[i] = better[i];
@@ -200,7 +205,7 @@ void Ledger::conclude(BarBounds* bounds) const {
     for (std::uint64_t i = 0; i < count_; ++i) {
         BarBounds& b = bounds[i];
         b.certain = claims(i);
-        if (now_[i].sequence < 2) continue;
+        if (now_[i].sequence <= interleaved) continue;
         b.birth_low = now_[i].birth_low;
         b.birth_high = now_[i].birth_high;
         b.death_low = now_[i].death_low;
@@ -311,7 +316,7 @@ Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& w
                                        &found);
         if (status != Status::ok) return status;
         for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)
-            ledger.consider(covers, found.pairs, degree, number + 2);
+            ledger.consider(covers, found.pairs, degree, number + interleaved + 1);
     }
     ledger.conclude(bounds);
     return Status::ok;

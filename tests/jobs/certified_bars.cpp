@@ -55,9 +55,14 @@ std::vector<BarBounds> bounded(const Cells<D>& cells, const std::vector<double>&
     const BarList bars = {pairs.data(), pairs.size()};
     REQUIRE(bound_by_scale(filter, bars, spacing, block.arena, bounds.data(), &curve) == Status::ok);
     const std::size_t used = block.arena.bytes_used();
+    const std::vector<BarBounds> before = bounds;
     REQUIRE(find_certified_bars<D>({cells.view(), filter, 0, bars, nullptr, spacing}, {block.arena, monitor},
                                    bounds.data()) == Status::ok);
     CHECK(block.arena.bytes_used() == used);
+    // A bar that dies after certain_after stays certain.
+    bool kept = true;
+    for (std::size_t i = 0; i < pairs.size(); ++i) kept = kept && before[i].certain <= bounds[i].certain;
+    CHECK(kept);
     return bounds;
 }
 
