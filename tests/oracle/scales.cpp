@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 #include "oracle/log_distance.hpp"
 
@@ -169,11 +170,11 @@ TEST_CASE("a ratio for the joined diagram, in every dimension") {
     within_ratio<2>(nested(2, 8, 0.02, 4, 33), 1.0 / 9, 1.9, true);
     within_ratio<2>(inputs::uniform(2, 60), 1.0 / 9, 1.9, false);
     within_ratio<3>(nested(3, 4, 1e-4, 8, 36), 0.05, 1.8, true);
-    within_ratio<4>(inputs::uniform(4, 200), 1.0 / 9, 3, false);
-    within_ratio<4>(nested(4, 4, 0.02, 12, 37), 1.0 / 9, 2.2, true);
-    within_ratio<5>(inputs::uniform(5, 60), 1.0 / 9, 3, false);
-    within_ratio<5>(fractal(5, 5, 1e-6, 38), 0.05, 2.2, true);
-    within_ratio<6>(nested(6, 3, 1e-3, 7, 39), 1.0 / 9, 2.4, true);
+    for_each_dimension<4, 4>([](auto dim) { within_ratio<dim>(inputs::uniform(4, 200), 1.0 / 9, 3, false); });
+    for_each_dimension<4, 4>([](auto dim) { within_ratio<dim>(nested(4, 4, 0.02, 12, 37), 1.0 / 9, 2.2, true); });
+    for_each_dimension<5, 5>([](auto dim) { within_ratio<dim>(inputs::uniform(5, 60), 1.0 / 9, 3, false); });
+    for_each_dimension<5, 5>([](auto dim) { within_ratio<dim>(fractal(5, 5, 1e-6, 38), 0.05, 2.2, true); });
+    for_each_dimension<6, 6>([](auto dim) { within_ratio<dim>(nested(6, 3, 1e-3, 7, 39), 1.0 / 9, 2.4, true); });
 }
 
 TEST_CASE("rings of two scales are surely real by scale, where the ratio does not tell") {

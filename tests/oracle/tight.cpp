@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/dimensions.hpp"
 #include "common/session.hpp"
 #include "oracle/log_distance.hpp"
 
@@ -84,8 +85,8 @@ TEST_CASE("space") {
 TEST_CASE("meshes refined by the certificate, in every dimension") {
     within_ratio<2>(inputs::uniform(2, 100), 1.8);
     within_ratio<3>(inputs::uniform(3, 60), 2);
-    within_ratio<4>(inputs::uniform(4, 200), 2.3);
-    within_ratio<4>(inputs::shell(4, 40, 1, 1, 23), 1.9);
-    within_ratio<5>(inputs::uniform(5, 60), 2.4);
-    within_ratio<6>(inputs::uniform(6, 16), 2.4);
+    for_each_dimension<4, 4>([](auto dim) { within_ratio<dim>(inputs::uniform(4, 200), 2.3); });
+    for_each_dimension<4, 4>([](auto dim) { within_ratio<dim>(inputs::shell(4, 40, 1, 1, 23), 1.9); });
+    for_each_dimension<5, 5>([](auto dim) { within_ratio<dim>(inputs::uniform(5, 60), 2.4); });
+    for_each_dimension<6, 6>([](auto dim) { within_ratio<dim>(inputs::uniform(6, 16), 2.4); });
 }
