@@ -153,7 +153,9 @@ bool Ledger::excludes(const Claim* set, const Claim& claim, bool of_this_sequenc
 std::uint64_t Ledger::keep_old(Claim* to, int before, int number) const {
     std::uint64_t kept = 0;
     for (std::uint64_t i = begin_; i < end_; ++i) {
-        if (now_[i].sequence == 0 || now_[i].sequence >= before || to[i].sequence != 0 || !excludes(to, now_[i], true, number)) continue;
+        if (now_[i].sequence == 0 || now_[i].sequence >= before || to[i].sequence != 0 ||
+            !excludes(to, now_[i], true, number))
+            continue;
         to[i] = now_[i];
         ++kept;
     }
