@@ -80,10 +80,9 @@ list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
 # -O3 unrolls their loops to two or three times the size.
 set(unrolled analysis/fat_cell analysis/feature_integral api/report delaunay/spatial_order delaunay/triangulate
-  filtration/mesh_filter filtration/point_complexes filtration/tight_filter filtration/tighten_cell_bounds
-  homology/matrix/image homology/vineyard/vineyard jobs/persist_alpha jobs/point_set
-  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality
-  mesh/quality_rule)
+  diagram/bottleneck filtration/mesh_filter filtration/point_complexes filtration/tight_filter
+  filtration/tighten_cell_bounds homology/matrix/image homology/vineyard/vineyard jobs/persist_alpha jobs/point_set
+  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality mesh/quality_rule)
 list(TRANSFORM unrolled REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${unrolled} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
 target_include_directories(netmesh_engine
