@@ -396,7 +396,7 @@ TEST_CASE("opinion: nearly flat cells are allowed their own corners' errors, oth
     PointCloud points = cloud_of(2, {});
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 2; k++)
-            points.coordinates.push_back(std::sin(1.7 * (i / 2) + 2.3 * k + 1) + (i % 2) * 1e-7 * std::cos(k + i));
+            points.coordinates.push_back(std::sin(1.7 * (i / 2) + 2.3 * k + 1) + (i % 2) * 1e-8 * std::cos(k + i));
     Made made(command({"--method", "netmesh", "--finish"}), points);
     CHECK(made.judge().message == "");
     const CellOpinion opinion =
