@@ -75,12 +75,10 @@ void CoverSequence::go_through(double s) {
     }
 }
 
-constexpr int interleaved = 1;
-
 // What a bar of a sequence says about a true bar.
 struct Claim {
     double birth_low, birth_high, death_low, death_high;
-    int sequence;  // 0: none, 1: by interleaving, then the sequences of covers
+    int sequence;  // 0: none, 1: by interleaving
 
     bool disjoint(const Claim& o) const {
         return birth_high < o.birth_low || o.birth_high < birth_low || death_high < o.death_low ||
@@ -117,12 +115,14 @@ private:
     void clear(Claim* to) const {
         for (std::uint64_t i = begin_; i < end_; ++i) to[i].sequence = 0;
     }
-    std::uint64_t keep_old(Claim* to, int before, int number) const;
+    std::uint64_t keep_old(Claim* to, int number) const;
     std::uint64_t add_new(Claim* to, const CoverSequence& covers, const PairList& list, int number) const;
+    bool keeps_interleaved(const Claim* set) const;
     bool excludes(const Claim* set, const Claim& claim, bool of_this_sequence, int number) const;
 
     const JoinShift* join_;
     const Pair* pairs_ = nullptr;
+    const BarBounds* bounds_ = nullptr;  // by interleaving
     std::uint64_t count_ = 0, begin_ = 0, end_ = 0;  // the degree's bars
     Claim *now_ = nullptr, *first_ = nullptr, *second_ = nullptr;
 };
@@ -130,6 +130,7 @@ private:
 Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) {
     const std::uint64_t count = bars.count;
     pairs_ = bars.pairs;
+    bounds_ = bounds;
     count_ = count;
     now_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
     first_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
@@ -137,7 +138,7 @@ Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) 
     if (now_ == nullptr || first_ == nullptr || second_ == nullptr) return Status::out_of_memory;
     for (std::uint64_t i = 0; i < count; ++i)
         now_[i] = {bounds[i].birth_low, bounds[i].birth_high, bounds[i].death_low, bounds[i].death_high,
-                   bounds[i].certain ? interleaved : 0};
+                   bounds[i].certain ? 1 : 0};
     return Status::ok;
 }
 
@@ -149,13 +150,10 @@ bool Ledger::excludes(const Claim* set, const Claim& claim, bool of_this_sequenc
     return true;
 }
 
-// Claims of the sequences before that one.
-std::uint64_t Ledger::keep_old(Claim* to, int before, int number) const {
+std::uint64_t Ledger::keep_old(Claim* to, int number) const {
     std::uint64_t kept = 0;
     for (std::uint64_t i = begin_; i < end_; ++i) {
-        if (now_[i].sequence == 0 || now_[i].sequence >= before || to[i].sequence != 0 ||
-            !excludes(to, now_[i], true, number))
-            continue;
+        if (now_[i].sequence == 0 || to[i].sequence != 0 || !excludes(to, now_[i], true, number)) continue;
         to[i] = now_[i];
         ++kept;
     }
@@ -181,6 +179,13 @@ std::uint64_t Ledger::add_new(Claim* to, const CoverSequence& covers, const Pair
     return added;
 }
 
+// Bars that are certain by interleaving stay certain, as reports say so of what dies after certain_after.
+bool Ledger::keeps_interleaved(const Claim* set) const {
+    for (std::uint64_t i = begin_; i < end_; ++i)
+        if (bounds_[i].certain && set[i].sequence == 0) return false;
+    return true;
+}
+
 void Ledger::consider(const CoverSequence& covers, const PairList& list, std::uint32_t degree, int number) {
     begin_ = 0;
     while (begin_ < count_ && pairs_[begin_].degree < degree) ++begin_;
@@ -189,15 +194,14 @@ void Ledger::consider(const CoverSequence& covers, const PairList& list, std::ui
     if (begin_ == end_) return;
     std::uint64_t now = 0;
     for (std::uint64_t i = begin_; i < end_; ++i) now += now_[i].sequence != 0;
-    // What is there and what goes with it, or the other way round. Claims by interleaving stay, as bars that die after
-    // certain_after are to be certain.
+    // What is there and what goes with it, or the other way round.
     clear(first_);
-    std::uint64_t first = keep_old(first_, number, number);
+    std::uint64_t first = keep_old(first_, number);
     first += add_new(first_, covers, list, number);
     clear(second_);
-    std::uint64_t second = keep_old(second_, interleaved + 1, number);
-    second += add_new(second_, covers, list, number);
-    second += keep_old(second_, number, number);
+    std::uint64_t second = add_new(second_, covers, list, number);
+    second += keep_old(second_, number);
+    if (!keeps_interleaved(second_)) second = 0;
     if (first <= now && second <= now) return;
     const Claim* const better = second > first ? second_ : first_;
     for (std::uint64_t i = begin_; i < end_; ++i) now_[i] = better[i];
@@ -207,7 +211,7 @@ void Ledger::conclude(BarBounds* bounds) const {
     for (std::uint64_t i = 0; i < count_; ++i) {
         BarBounds& b = bounds[i];
         b.certain = claims(i);
-        if (now_[i].sequence <= interleaved) continue;
+        if (now_[i].sequence < 2) continue;
         b.birth_low = now_[i].birth_low;
         b.birth_high = now_[i].birth_high;
         b.death_low = now_[i].death_low;
@@ -318,7 +322,7 @@ Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& w
                                        &found);
         if (status != Status::ok) return status;
         for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)
-            ledger.consider(covers, found.pairs, degree, number + interleaved + 1);
+            ledger.consider(covers, found.pairs, degree, number + 2);
     }
     ledger.conclude(bounds);
     return Status::ok;
