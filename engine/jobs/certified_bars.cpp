@@ -122,7 +122,7 @@ private:
 
     const JoinShift* join_;
     const Pair* pairs_ = nullptr;
-    const BarBounds* bounds_ = nullptr;  // by interleaving
+    const BarBounds* bounds_ = nullptr;              // by interleaving
     std::uint64_t count_ = 0, begin_ = 0, end_ = 0;  // the degree's bars
     Claim *now_ = nullptr, *first_ = nullptr, *second_ = nullptr;
 };
