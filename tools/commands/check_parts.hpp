@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/io/cycle_file.hpp"
 #include "tools/io/mesh_files.hpp"
 #include "tools/io/provenance.hpp"
 #include "tools/options.hpp"
@@ -57,6 +58,12 @@ struct DiagramClaim {
     const Options& made;             // settled
     const std::string& cycles_path;  // empty: no cycles
 };
+
+// The cycles that a claim comes with, which there are: one for each of its bars, or what is wrong.
+Outcome read_cycles(const DiagramClaim& claim, std::vector<CycleEntry>* cycles);
+// Cycle `at` of these is refused: its bar and why.
+Outcome cycle_refused(const DiagramClaim& claim, const std::vector<CycleEntry>& cycles, std::size_t at,
+                      const std::string& why);
 
 // The same computed by other code than the engine's (tools/opinion): on a mesh the filter's values, its certified ratio
 // and the ratios by scale from the Voronoi cells, on mesh or points (Rips, Cech) the pairs by a plain reduction, and

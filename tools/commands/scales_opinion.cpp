@@ -156,23 +156,12 @@ Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& po
     }
     run->checked->push_back(text);
     if (claim.cycles_path.empty()) return {};
-    const std::string name = shown_name(claim.cycles_path);
-    std::string content;
     std::vector<CycleEntry> cycles;
-    Outcome outcome = read_content(claim.cycles_path, &content);
-    if (outcome.good()) outcome = parse_cycles(content, name, &cycles);
+    const Outcome outcome = read_cycles(claim, &cycles);
     if (!outcome.good()) return outcome;
-    for (std::size_t i = 0; i < cycles.size(); i++)
-        if (i >= file.bars.size() || !(cycles[i].bar == file.bars[i]))
-            return {Exit::check, name + ":" + std::to_string(cycles[i].line) + ": check failed: its bar is not bar " +
-                                     std::to_string(i) + " of " + file.name};
-    if (cycles.size() < file.bars.size())
-        return {Exit::check, name + ": check failed: bar " + bar_text(file.bars, cycles.size()) + " has no cycle"};
     std::size_t at = 0;
     const std::string complaint = point_cycles_complaint(cycles, ratio, points, complex ? &*complex : nullptr, &at);
-    if (!complaint.empty())
-        return {Exit::check, name + ":" + std::to_string(cycles[at].line) + ": check failed: bar " +
-                                 bar_text(file.bars, at) + " " + complaint};
+    if (!complaint.empty()) return cycle_refused(claim, cycles, at, complaint);
     run->checked->push_back("second opinion: " + grouped_text(cycles.size()) + " cycles of points are closed, are " +
                             (complex ? "born with their bars and die with them, within the ratio"
                                      : "born with their bars within the ratio; nobody looked when they die"));

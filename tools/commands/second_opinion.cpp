@@ -14,6 +14,29 @@
 
 namespace netmesh::tool {
 
+Outcome read_cycles(const DiagramClaim& claim, std::vector<CycleEntry>* cycles) {
+    const std::string name = shown_name(claim.cycles_path);
+    const std::vector<Bar>& bars = claim.file.bars;
+    std::string content;
+    Outcome outcome = read_content(claim.cycles_path, &content);
+    if (outcome.good()) outcome = parse_cycles(content, name, cycles);
+    if (!outcome.good()) return outcome;
+    for (std::size_t i = 0; i < cycles->size(); i++)
+        if (i >= bars.size() || !((*cycles)[i].bar == bars[i]))
+            return {Exit::check, name + ":" + std::to_string((*cycles)[i].line) +
+                                     ": check failed: its bar is not bar " + std::to_string(i) + " of " +
+                                     claim.file.name};
+    if (cycles->size() < bars.size())
+        return {Exit::check, name + ": check failed: bar " + bar_text(bars, cycles->size()) + " has no cycle"};
+    return {};
+}
+
+Outcome cycle_refused(const DiagramClaim& claim, const std::vector<CycleEntry>& cycles, std::size_t at,
+                      const std::string& why) {
+    return {Exit::check, shown_name(claim.cycles_path) + ":" + std::to_string(cycles[at].line) +
+                             ": check failed: bar " + bar_text(claim.file.bars, at) + " " + why};
+}
+
 namespace {
 
 constexpr double cost_max = 1e9;  // some ten seconds
@@ -183,22 +206,13 @@ Outcome CellJury::judge(std::vector<std::string>* checked) {
 
 Outcome judge_cycles(const DiagramClaim& claim, const FilteredComplex& complex, std::vector<std::string>* checked) {
     if (claim.cycles_path.empty()) return {};
-    const std::string name = shown_name(claim.cycles_path);
-    std::string content;
     std::vector<CycleEntry> cycles;
-    Outcome outcome = read_content(claim.cycles_path, &content);
-    if (outcome.good()) outcome = parse_cycles(content, name, &cycles);
+    const Outcome outcome = read_cycles(claim, &cycles);
     if (!outcome.good()) return outcome;
-    const std::vector<Bar>& bars = claim.file.bars;
     for (std::size_t i = 0; i < cycles.size(); i++) {
-        const std::string where = name + ":" + std::to_string(cycles[i].line) + ": check failed: ";
-        if (i >= bars.size() || !(cycles[i].bar == bars[i]))
-            return {Exit::check, where + "its bar is not bar " + std::to_string(i) + " of " + claim.file.name};
-        const std::string complaint = complex.cycle_complaint(cycles[i].simplices, bars[i]);
-        if (!complaint.empty()) return {Exit::check, where + "bar " + bar_text(bars, i) + " " + complaint};
+        const std::string complaint = complex.cycle_complaint(cycles[i].simplices, cycles[i].bar);
+        if (!complaint.empty()) return cycle_refused(claim, cycles, i, complaint);
     }
-    if (cycles.size() < bars.size())
-        return {Exit::check, name + ": check failed: bar " + bar_text(bars, cycles.size()) + " has no cycle"};
     checked->push_back("second opinion: " + grouped_text(cycles.size()) +
                        " cycles are closed, are born with their bars and die with them");
     return {};
