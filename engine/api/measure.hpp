@@ -5,6 +5,7 @@
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/sizing.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 
@@ -25,13 +26,14 @@ template <int D> HierarchyRequest<D> hierarchy_of(Context& context) {
 template <int D> Status measure_quality(Context& context, Store<D>& store, HierarchyQuality* quality) {
     const Domain<D> domain = domain_of<D>(context.mesh);
     *quality = HierarchyQuality{};
-    return cage_count_of(context) == 0
+    return !built::cages || cage_count_of(context) == 0
                ? worst_aspect_ratio<D>(store, domain, context.arena, &quality->worst, &quality->vertex)
                : measure_hierarchy<D>(store, hierarchy_of<D>(context), context.arena, quality);
 }
 
 // The largest size of a cell over the one asked for. out_of_memory.
 template <int D> Status measure_sizes(Context* context, Store<D>& store, const SizeRule& sizes) {
+    if (!built::sizes) return Status::ok;
     KeptMesh& mesh = context->mesh;
     SizeRatio ratio;
     const Status status =

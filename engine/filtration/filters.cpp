@@ -7,6 +7,7 @@
 #include "filtration/mesh_filter.hpp"
 #include "filtration/tight_filter.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -90,6 +91,7 @@ template <int D>
 Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, ClippedCells<D>* out) {
     out->is_there = false;
     out->ball = mesh.domain;
+    if constexpr (!built::certificate) return Status::ok;
     if (!mesh.is_clipped || !table[request.filter - 1].has(clips_cells)) return Status::ok;
     Arena& arena = work.arena;
     const std::size_t low = arena.low_mark();
@@ -103,19 +105,24 @@ template <int D>
 Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
     const Filter& filter = evaluated_filter(request.filter, request.k);
     out->zero_born = filter.has(inputs_enter_first) ? mesh.inputs : 0;
-    switch (filter.id) {
-    case NETMESH_FILTER_COMPLETE: return complete_filter<D>(mesh, request.values, work, out);
-    case NETMESH_FILTER_BASIC: return basic_filter<D>(mesh, request.values, work, out);
-    case NETMESH_FILTER_TIGHT: return tight_filter<D>(mesh, request.values, work, out);
-    case NETMESH_FILTER_KNN:
-        return distance_filter<D>(mesh, {InputDistance::kth, request.k}, request.values, work, out);
-    case NETMESH_FILTER_KDISTANCE:
-        return distance_filter<D>(mesh, {InputDistance::root_mean_square, request.k}, request.values, work, out);
-    case NETMESH_FILTER_FUNCTION:
-        return request.function == nullptr ? Status::invalid_argument
-                                           : function_filter<D>(mesh, *request.function, request.values, work, out);
-    default: return Status::invalid_argument;
+    if (filter.id == NETMESH_FILTER_COMPLETE) return complete_filter<D>(mesh, request.values, work, out);
+    if constexpr (built::basic) {
+        if (filter.id == NETMESH_FILTER_BASIC) return basic_filter<D>(mesh, request.values, work, out);
     }
+    if constexpr (built::tight) {
+        if (filter.id == NETMESH_FILTER_TIGHT) return tight_filter<D>(mesh, request.values, work, out);
+    }
+    if constexpr (built::nearest_k) {
+        if (filter.id == NETMESH_FILTER_KNN)
+            return distance_filter<D>(mesh, {InputDistance::kth, request.k}, request.values, work, out);
+        if (filter.id == NETMESH_FILTER_KDISTANCE)
+            return distance_filter<D>(mesh, {InputDistance::root_mean_square, request.k}, request.values, work, out);
+    }
+    if constexpr (built::function) {
+        if (filter.id == NETMESH_FILTER_FUNCTION && request.function != nullptr)
+            return function_filter<D>(mesh, *request.function, request.values, work, out);
+    }
+    return Status::invalid_argument;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

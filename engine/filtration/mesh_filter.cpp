@@ -3,6 +3,7 @@
 #include "certificate/cells.hpp"
 #include "mesh/clipped_reach.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -76,7 +77,7 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
                                work.arena.take_high<double>(count)};
     if (bounds.out_radius == nullptr || bounds.reach == nullptr) return Status::out_of_memory;
     measure_cells<D>(store, bounds.out_radius, bounds.reach);
-    const bool clips = mesh.part != nullptr, clips_all = basic || out->interval != nullptr;
+    const bool clips = built::certificate && mesh.part != nullptr, clips_all = basic || out->interval != nullptr;
     const NeededReach needed = {clips ? mesh.part->vertex : nullptr, true, mesh.cut()};
     if (clips && clips_all) {
         const Status status = clip_cell_bounds<D>(mesh.store, mesh.domain, needed, bounds.out_radius, bounds.reach);
@@ -89,7 +90,7 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     double from = 0;
     Clamp clamp(values);
     for (VertexId v(0); v < count; ++v) {
-        if (!mesh.has(v) || clipper.is_marked(v)) continue;
+        if (!mesh.has(v) || (clips && clipper.is_marked(v))) continue;
         const Interval i = bounds.interval(v);
         if (!is_zero(v)) {
             clamp.show(i);
@@ -98,7 +99,7 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
         }
     }
     Status status = Status::ok;
-    for (VertexId v(0); v < count; ++v) {
+    for (VertexId v(0); clips && v < count; ++v) {
         if (!clipper.is_marked(v)) continue;
         const Status clipped = clip_as_needed<D>(bounds, clipper, clamp, v);
         if (clipped != Status::ok) status = clipped;

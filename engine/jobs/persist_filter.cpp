@@ -3,6 +3,7 @@
 #include "homology/lower_star/lower_star.hpp"
 #include "jobs/persist_alpha.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 
@@ -12,7 +13,7 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     *out = FilterDiagram{};
     const Store<D>& store = mesh.store;
     CountedPairs found = {};
-    if (find_filter(request.filter.filter)->source == FilterSource::delaunay) {
+    if (built::alpha && request.filter.filter == NETMESH_FILTER_ALPHA) {
         const Status status = persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram,
                                                work, &found, &out->value_error);
         out->pairs = found.pairs;

@@ -1,6 +1,7 @@
 #include "mesh/input_order.hpp"
 
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 
@@ -10,7 +11,7 @@ template <int D> VertexId InputOrder<D>::next() {
             const VertexId input = VertexId(order_[at_++]);
             if (store_.vertex(input).cell == none) return input;
         }
-        if (!lists_.is_open() || !select_round()) return none;
+        if (!built::audits || !lists_.is_open() || !select_round()) return none;
     }
 }
 

@@ -5,21 +5,26 @@
 #include "mesh/quality_rule.hpp"
 #include "mesh/thesis_cages.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 
 template <int D>
 Status mesh_points(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request, const Work& work,
                    MeshResult<D>* result) {
-    switch (request.method) {
-    case MeshMethod::quality:
-    case MeshMethod::reference: return mesh_by_quality<D>(store, points, n, request, work, result);
-    case MeshMethod::hierarchy:
-        if (request.cages == CageKind::compact) return mesh_by_hierarchy<D>(store, points, n, request, work, result);
-        return mesh_by_thesis_cages<D>(store, points, n, request, work, result);
-    case MeshMethod::certificate: return mesh_by_certificate<D>(store, points, n, request, work, result);
+    if constexpr (built::cages) {
+        if (request.method == MeshMethod::hierarchy && request.cages == CageKind::compact)
+            return mesh_by_hierarchy<D>(store, points, n, request, work, result);
     }
-    return Status::internal;
+    if constexpr (built::thesis_cages) {
+        if (request.method == MeshMethod::hierarchy)
+            return mesh_by_thesis_cages<D>(store, points, n, request, work, result);
+    }
+    if constexpr (built::certificate) {
+        if (request.method == MeshMethod::certificate)
+            return mesh_by_certificate<D>(store, points, n, request, work, result);
+    }
+    return mesh_by_quality<D>(store, points, n, request, work, result);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

@@ -1,22 +1,23 @@
 #include "mesh/observers.hpp"
 
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 
 // Long cells of Steiner vertices are no fault of a mesh made for a certificate.
 template <int D> Status Observers<D>::open(Store<D>& store, std::uint32_t inputs) {
-    if (measures_ && kind_ == CageKind::thesis) {
+    if (built::audits && measures_ && kind_ == CageKind::thesis) {
         notes_ = store.arena.template take_low<AuditNote>(std::size_t{notes_per_input} * inputs);
         if (notes_ == nullptr) return Status::out_of_memory;
         notes_max_ = notes_per_input * inputs;
     }
-    return locates_ ? lists_.open(store, store.arena, inputs) : Status::ok;
+    return built::audits && locates_ ? lists_.open(store, store.arena, inputs) : Status::ok;
 }
 
 template <int D> Status Observers<D>::start(const Store<D>& store, Kernel<D>& kernel) {
     first_new_ = VertexId(store.state.vertex_count);
-    return locates_ && !lists_.start(kernel) ? Status::out_of_memory : Status::ok;
+    return built::audits && locates_ && !lists_.start(kernel) ? Status::out_of_memory : Status::ok;
 }
 
 template <int D>
@@ -60,8 +61,8 @@ Status Observers<D>::measure(Store<D>& store, const InputTree<D>& tree, Hierarch
 }
 
 template <int D> void Observers<D>::report(MeshAudit* audit) const {
-    if (lists_.is_open()) lists_.report(&audit->location);
-    audit->quality = quality_;
+    if (locates()) lists_.report(&audit->location);
+    if (built::audits) audit->quality = quality_;
 }
 
 #define NETMESH_INSTANTIATE(D) template class Observers<D>;

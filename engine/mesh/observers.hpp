@@ -7,6 +7,7 @@
 #include "mesh/domain.hpp"
 #include "mesh/mesh_request.hpp"
 #include "mesh/quality_audit.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 
@@ -20,7 +21,7 @@ template <int D> class Observers {
 public:
     explicit Observers(const MeshRequest& request)
         : terms_{request.method != MeshMethod::certificate, request.method == MeshMethod::hierarchy, true},
-          locates_(request.audit_location), measures_(request.audit_quality), kind_(request.cages) {}
+          locates_(built::audits && request.audit_location), measures_(built::audits && request.audit_quality), kind_(request.cages) {}
 
     // Memory for the lists, before the store's cells are opened; later the frame is there. out_of_memory.
     Status open(Store<D>& store, std::uint32_t inputs);
@@ -28,21 +29,21 @@ public:
 
     // Around each insertion into a cavity, where inputs are located. Before: false when an input is stored in other
     // balls than those of its cavity. After: false when the lists do not suffice; the mesh is whole all the same.
-    bool locates() const { return lists_.is_open(); }
+    bool locates() const { return built::audits && lists_.is_open(); }
     bool before_fill(const Store<D>& store, const Kernel<D>& kernel, const Cavity& cavity, VertexId v);
     bool after_fill(Kernel<D>& kernel, const Cavity& cavity, VertexId v);
     bool lists_are_full() const { return full_; }
     // Where the search for an input that is not inserted starts.
     CellId start_for(const Store<D>& store, VertexId input) const {
-        return lists_.is_open() ? lists_.ball_of(input) : store.state.last_cell;
+        return locates() ? lists_.ball_of(input) : store.state.last_cell;
     }
     BallLists<D>& lists() { return lists_; }
-    std::uint64_t list_looks() const { return lists_.looks(); }
+    std::uint64_t list_looks() const { return locates() ? lists_.looks() : 0; }
 
     // After each step: vertex v has been inserted, and the shell of a cage before, if one was made. `cleaning`: not
     // because an input had its turn. hierarchy: null where there are no cages. out_of_memory, internal (a cage is
     // encroached).
-    bool measures() const { return measures_; }
+    bool measures() const { return built::audits && measures_; }
     Status measure(Store<D>& store, const InputTree<D>& tree, Hierarchy<D>* hierarchy, const Domain<D>& domain,
                    VertexId v, bool cleaning);
     // In the step at hand; Cage::next is used until that is measured.

@@ -4,6 +4,7 @@
 #include "mesh/aspect_rule.hpp"
 #include "mesh/reference_rule.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -31,13 +32,13 @@ public:
     static constexpr bool heeds_sizes = true;
 
     QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
-        : Base(store, request, work, result), reference_(request.method == MeshMethod::reference),
-          certify_(request.certify_filter && !reference_), pull_(reference_ ? infinity : pull_back<D>), tight_(tau_) {}
+        : Base(store, request, work, result), reference_(built::refine && request.method == MeshMethod::reference),
+          certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : pull_back<D>), tight_(tau_) {}
 
     double choose_domain();
-    double promised_radius() const { return reference_ ? domain_.radius : Base::promised_radius(); }
+    double promised_radius() const { return is_reference() ? domain_.radius : Base::promised_radius(); }
     Status check_goal();
-    Status begin() { return reference_ ? insert_boundary_net() : Status::ok; }
+    Status begin() { return is_reference() ? insert_boundary_net() : Status::ok; }
     Status take_turn(VertexId p);
     Status finish_mesh();
     void queue_bad(CellId c);
@@ -57,6 +58,7 @@ private:
         double reach2;       // squared distance from the nearest input to the farthest corner from it
     };
 
+    bool is_reference() const { return built::refine && reference_; }
     Status insert_boundary_net();
     bool may_spoil_certificate(VertexId v, const double* x) const;
     bool view_cell(VertexId v, double least2, CellView* view);
@@ -73,13 +75,13 @@ private:
 };
 
 template <int D> double QualityRule<D>::choose_domain() {
-    if (!reference_) return Base::choose_domain();
+    if (!is_reference()) return Base::choose_domain();
     return domain_.radius = reference_radius(this->request_.tau, this->request_.net_spacing, domain_.enclosing_radius);
 }
 
 // With a net that coordinates on its sphere do not resolve the same place would be missing again and again.
 template <int D> [[gnu::cold]] Status QualityRule<D>::check_goal() {
-    if (!reference_ || has_resolved_net<D>(domain_, this->request_.net_spacing)) return Status::ok;
+    if (!is_reference() || has_resolved_net<D>(domain_, this->request_.net_spacing)) return Status::ok;
     this->result_.input.row_a = none;
     return Status::invalid_argument;
 }
@@ -105,7 +107,7 @@ template <int D> Status QualityRule<D>::finish_mesh() {
 
 // Splits the cell of the nearest vertex until p is medial, unless p goes in as another cell is split.
 template <int D> Status QualityRule<D>::take_turn(VertexId p) {
-    if (reference_) return this->insert_input(p, store_.state.last_cell, false);
+    if (is_reference()) return this->insert_input(p, store_.state.last_cell, false);
     Status status = Status::ok;
     CellId from = observers_.start_for(store_, p);
     while (status == Status::ok && store_.vertex(p).cell == none) {

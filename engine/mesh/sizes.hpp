@@ -4,6 +4,7 @@
 
 #include "mesh/separation.hpp"
 #include "mesh/sizing.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 
@@ -15,9 +16,9 @@ public:
     Sizes(Store<D>& store, const InputTree<D>& tree, const SizeRule& rule, double margin)
         : store_(store), tree_(tree), rule_(rule), margin_(margin) {}
 
-    bool are_asked() const { return rule_.asks(); }
+    bool are_asked() const { return built::sizes && rule_.asks(); }
     void start() { started_ = true; }
-    bool have_started() const { return started_; }
+    bool have_started() const { return built::sizes && started_; }
 
     // Evaluates the rule at v for the first time. invalid_argument: the size is not positive or below `finest` times
     // the magnitude of v's coordinates.
@@ -33,11 +34,11 @@ public:
     }
 
     // No corner within this squared distance is too far for v, whose size has been noted; the others may be.
-    double bound2(const Vertex<D>& v) const { return started_ ? value_of_size_hint(v.size_hint) : infinity; }
+    double bound2(const Vertex<D>& v) const { return have_started() ? value_of_size_hint(v.size_hint) : infinity; }
 
     // What bound2 is a lower bound of. Evaluates the rule, once sizes are asked for.
     double limit2(VertexId v) const {
-        if (!started_) return infinity;
+        if (!have_started()) return infinity;
         const double size = wanted_size<D>(store_, tree_, rule_, v) * (1 - margin_);
         return size * size;
     }

@@ -1,16 +1,13 @@
 // The dimensions that this build of the engine serves, and every figure that was measured or chosen for each of them.
 //
-// This is the only list of dimensions in the engine. A dimension is left out by taking it out of
-// NETMESH_EACH_DIMENSION, here or for one build (cmake -DNETMESH_DIMENSIONS="2;3"); calls that ask for it then return
-// NETMESH_INVALID_ARGUMENT. A new one needs its Figures below and a larger NETMESH_DIM_MAX in netmesh/context.h, which
-// sizes the structs of the interface.
+// NETMESH_EACH_DIMENSION of netmesh_config.h is the only list of dimensions in the engine. Calls that ask for one that
+// is left out return NETMESH_NOT_BUILT. A new one needs its Figures below and a larger NETMESH_DIM_MAX in
+// netmesh/context.h, which sizes the structs of the interface.
 #pragma once
 #include <cstdint>
 #include <type_traits>
 
-#ifndef NETMESH_EACH_DIMENSION
-#define NETMESH_EACH_DIMENSION(DO) DO(2) DO(3) DO(4) DO(5) DO(6)
-#endif
+#include "netmesh_config.h"
 
 namespace netmesh {
 

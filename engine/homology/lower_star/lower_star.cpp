@@ -9,6 +9,7 @@
 #include "homology/rank.hpp"
 #include "memory/arena.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -216,7 +217,8 @@ Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramReque
     if (filtration.complex.vertex_count == 0 || filtration.complex.cell_count == 0) return Status::invalid_argument;
     if (request.max_degree > D - 1) request.max_degree = D - 1;
     if constexpr (D == 2) {
-        if (filtration.part == nullptr) return persist_with<Surface>(filtration, request, work, out);
+        if (!built::certificate || filtration.part == nullptr)
+            return persist_with<Surface>(filtration, request, work, out);
     }
     return persist_with<LowerStars<D>>(filtration, request, work, out);
 }
