@@ -53,7 +53,7 @@ private:
     }
     // Of a call that keeps a detail.
     netmesh_status ended(netmesh_status status) {
-        require(static_cast<unsigned>(status) <= NETMESH_NOT_A_COMPLEX && status != NETMESH_INTERNAL);
+        require(static_cast<unsigned>(status) <= NETMESH_NOT_BUILT && status != NETMESH_INTERNAL);
         require(netmesh_status_text(status) != nullptr);
         const netmesh_detail detail = detail_of(context_);
         require(detail.message != nullptr && detail.field < NETMESH_FIELD_COUNT);

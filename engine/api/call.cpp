@@ -66,10 +66,11 @@ netmesh_status fail_and_clear(netmesh_context* context, Status status, const cha
 }
 
 netmesh_status refuse(netmesh_context* context, const Complaint& complaint, std::uint64_t row) {
-    netmesh_detail detail = detail_of(Status::invalid_argument, complaint.text, row);
+    const Status status = complaint.not_built ? Status::not_built : Status::invalid_argument;
+    netmesh_detail detail = detail_of(status, complaint.text, row);
     detail.field = complaint.field;
     keep_detail(context, detail);
-    return NETMESH_INVALID_ARGUMENT;
+    return detail.status;
 }
 
 Complaint complaint_about_struct(netmesh_field fault) {

@@ -16,10 +16,12 @@ namespace netmesh {
 bool usable(netmesh_context* context);
 bool usable(const netmesh_context* context);
 
-// What is wrong with a request: a field and a text; the text is null when nothing is.
+// What is wrong with a request: a field and a text; the text is null when nothing is. not_built: nothing but that this
+// build leaves it out.
 struct Complaint {
     netmesh_field field = NETMESH_FIELD_NONE;
     const char* text = nullptr;
+    bool not_built = false;
 };
 
 // The ends of a call: what netmesh_get_detail tells, and the status. `text` null: the status's own. fail_and_clear also

@@ -5,6 +5,7 @@
 #include "api/requests.hpp"
 #include "certificate/rounding.hpp"
 #include "filtration/filters.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -177,8 +178,15 @@ Complaint read_filter(const netmesh_fit_request& request, FilterRequest* filter,
     if (filter->k > request.point_count) return {NETMESH_FIELD_K, "k is more than the number of points"};
     if (request.by_error != 0 && !row->has(filter_trait::needs_function))
         return {NETMESH_FIELD_FILTER, "by_error is of the filter by a function"};
-    if (!row->has(filter_trait::needs_function)) return {};
-    return read_function(request.function, function);
+    if (row->has(filter_trait::needs_function)) {
+        const Complaint about_function = read_function(request.function, function);
+        if (about_function.text != nullptr) return about_function;
+    }
+    if (request.by_error == 0 && !built::certificate)
+        return {NETMESH_FIELD_RATIO, "left out of this build: NETMESH_WITH_CERTIFICATE", true};
+    if (request.by_error != 0 && !built::sizes)
+        return {NETMESH_FIELD_FUNCTION, "left out of this build: NETMESH_WITH_SIZES", true};
+    return complaint_about_build(row->id, k);
 }
 
 }  // namespace

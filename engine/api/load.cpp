@@ -5,6 +5,7 @@
 #include "api/requests.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/sizing.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -90,6 +91,8 @@ Status measure_domain(netmesh_context* context, Store<D>& store, const double* g
 
 Complaint complaint_about(const netmesh_cages_request& request) {
     if (request.cages == nullptr && request.cage_count > 0) return {NETMESH_FIELD_CAGES, "cages is null"};
+    if (!built::cages && request.cage_count > 0)
+        return {NETMESH_FIELD_CAGES, "left out of this build: NETMESH_WITH_CAGES", true};
     if (request.cage_count >= NETMESH_NONE) return {NETMESH_FIELD_CAGE_COUNT, "too many cages"};
     if (request.cage_bytes < sizeof(netmesh_cage))
         return {NETMESH_FIELD_CAGE_BYTES, "cage_bytes is not the size of a cage"};

@@ -115,6 +115,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request
     if (complaint.text == nullptr) complaint = complaint_about_numbers(request);
     if (complaint.text == nullptr) complaint = complaint_about_method(request);
     if (complaint.text == nullptr) complaint = complaint_about_goal(request);
+    if (complaint.text == nullptr) complaint = complaint_about_build(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);

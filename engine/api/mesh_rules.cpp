@@ -2,6 +2,7 @@
 
 #include "filtration/tight_filter.hpp"
 #include "mesh/cage_template.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -95,9 +96,26 @@ Complaint complaint_about_goal(const netmesh_mesh_request& request) {
     return {};
 }
 
+Complaint complaint_about_build(const netmesh_mesh_request& request) {
+    if (!built::cages && has_cages(request))
+        return {NETMESH_FIELD_METHOD, "left out of this build: NETMESH_WITH_CAGES", true};
+    if (!built::thesis_cages && request.cage_kind == NETMESH_CAGES_THESIS)
+        return {NETMESH_FIELD_CAGE_KIND, "left out of this build: NETMESH_WITH_THESIS_CAGES", true};
+    if (!built::refine && request.method == NETMESH_METHOD_REFINE)
+        return {NETMESH_FIELD_METHOD, "left out of this build: NETMESH_WITH_REFINE", true};
+    if (!built::certificate && request.certificate.ratio > 0)
+        return {NETMESH_FIELD_RATIO, "left out of this build: NETMESH_WITH_CERTIFICATE", true};
+    if (!built::audits && request.audit != 0)
+        return {NETMESH_FIELD_AUDIT, "left out of this build: NETMESH_WITH_AUDITS", true};
+    if (!built::sizes && sizes_of(request).asks())
+        return {NETMESH_FIELD_SIZES, "left out of this build: NETMESH_WITH_SIZES", true};
+    return {};
+}
+
 Complaint complaint_about_promises(const netmesh_mesh_request& request) {
-    const Complaint complaint = complaint_about_numbers(request);
-    return complaint.text != nullptr ? complaint : complaint_about_ratios(request.certificate);
+    Complaint complaint = complaint_about_numbers(request);
+    if (complaint.text == nullptr) complaint = complaint_about_ratios(request.certificate);
+    return complaint.text != nullptr ? complaint : complaint_about_build(request);
 }
 
 SizeRule sizes_of(const netmesh_mesh_request& request) {

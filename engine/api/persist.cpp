@@ -47,7 +47,10 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     if (complaint.text != nullptr) return refuse(context, complaint);
     const char* const missing = missing_result(context, *filter);
     if (missing != nullptr) return finish(context, Status::no_result, missing);
-    const std::uint32_t k = !filter->has(filter_trait::needs_k) ? 0 : request.k > 1 ? request.k : 1;
+    const std::uint32_t asked_k = request.k > 1 ? request.k : 1;
+    complaint = complaint_about_build(request.filter, asked_k);
+    if (complaint.text != nullptr) return refuse(context, complaint);
+    const std::uint32_t k = !filter->has(filter_trait::needs_k) ? 0 : asked_k;
     if (k > context->input.distinct)
         return refuse(context, NETMESH_FIELD_K, "k is more than the number of different points");
     const PersistRequest wanted = {{request.filter, values_of(request.values), k, &function},

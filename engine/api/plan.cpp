@@ -162,6 +162,18 @@ size_t netmesh_plan_delaunay(const netmesh_delaunay_request* from) {
     }));
 }
 
+size_t netmesh_plan_alpha(const netmesh_alpha_request* from) {
+    netmesh_alpha_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    if (!is_plannable(request.dim, request.point_count)) return 0;
+    Planned planned;
+    planned.alpha = true;
+    return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        return block_bytes<D>(delaunay_amounts<D>(static_cast<double>(request.point_count)), planned);
+    }));
+}
+
 size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
     netmesh_mesh_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;

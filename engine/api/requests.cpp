@@ -1,9 +1,11 @@
 #include "api/requests.hpp"
 
 #include "api/mesh_rules.hpp"
+#include "filtration/filters.hpp"
 #include "filtration/function_filter.hpp"
 #include "vocabulary/callback.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -27,8 +29,8 @@ bool is_valid_scales_ratio(double ratio, double theta) {
 
 Complaint complaint_about_dim(std::uint32_t dim) {
     if (serves_dimension(dim)) return {};
-    const bool left_out = dim >= NETMESH_DIM_MIN && dim <= NETMESH_DIM_MAX;
-    return {NETMESH_FIELD_DIM, left_out ? "the library was built without this dimension" : "the dimension is not 2..6"};
+    if (dim < NETMESH_DIM_MIN || dim > NETMESH_DIM_MAX) return {NETMESH_FIELD_DIM, "the dimension is not 2..6"};
+    return {NETMESH_FIELD_DIM, "left out of this build: the dimension, by NETMESH_EACH_DIMENSION", true};
 }
 
 Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim) {
@@ -36,6 +38,19 @@ Complaint complaint_about_points(const double* points, std::size_t count, std::u
     if (count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
     if (count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
     return complaint_about_dim(dim);
+}
+
+Complaint complaint_about_build(netmesh_filter filter, std::uint32_t k) {
+    const netmesh_filter evaluated = evaluated_filter(filter, k).id;
+    const auto is = [evaluated](netmesh_filter one) { return evaluated == one; };
+    const char* text = nullptr;
+    if (!built::alpha && is(NETMESH_FILTER_ALPHA)) text = "left out of this build: NETMESH_WITH_ALPHA";
+    if (!built::basic && is(NETMESH_FILTER_BASIC)) text = "left out of this build: NETMESH_WITH_BASIC";
+    if (!built::nearest_k && (is(NETMESH_FILTER_KNN) || is(NETMESH_FILTER_KDISTANCE)))
+        text = "left out of this build: NETMESH_WITH_NEAREST_K";
+    if (!built::function && is(NETMESH_FILTER_FUNCTION)) text = "left out of this build: NETMESH_WITH_FUNCTION";
+    if (!built::tight && is(NETMESH_FILTER_TIGHT)) text = "left out of this build: NETMESH_WITH_TIGHT";
+    return {NETMESH_FIELD_FILTER, text, true};
 }
 
 Complaint complaint_about_values(const netmesh_values& values) {
@@ -119,6 +134,12 @@ extern "C" {
 
 void netmesh_delaunay_request_init(netmesh_delaunay_request* request, size_t request_bytes, uint32_t dim) {
     start(points_defaults<netmesh_delaunay_request>(dim), request, request_bytes);
+}
+
+void netmesh_alpha_request_init(netmesh_alpha_request* request, size_t request_bytes, uint32_t dim) {
+    netmesh_alpha_request defaults = points_defaults<netmesh_alpha_request>(dim);
+    defaults.max_degree = NETMESH_DIM_MAX;
+    start(defaults, request, request_bytes);
 }
 
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim) {

@@ -17,7 +17,8 @@ Complaint complaint_about(const netmesh_vineyard_request& request) {
         return {NETMESH_FIELD_FILTER, "the filter has no k on a mesh"};
     if (request.k_first < 1) return {NETMESH_FIELD_K_FIRST, "k begins at 1"};
     if (request.k_last < request.k_first) return {NETMESH_FIELD_K_LAST, "the last k is below the first"};
-    return complaint_about_values(request.values);
+    const Complaint complaint = complaint_about_values(request.values);
+    return complaint.text != nullptr ? complaint : complaint_about_build(request.filter, request.k_last);
 }
 
 Complaint complaint_about(const netmesh_value_vineyard_request& request) {

@@ -18,6 +18,7 @@ enum class Status : int {
     floating_point = 10,
     internal = 11,
     not_a_complex = 12,
+    not_built = 13,
 };
 
 }  // namespace netmesh

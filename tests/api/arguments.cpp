@@ -123,7 +123,7 @@ TEST_CASE("blocks and contexts that are none") {
         CHECK(detail.status == NETMESH_OK);
         CHECK(detail.message != nullptr);
     }
-    for (int status = 0; status <= NETMESH_NOT_A_COMPLEX + 1; ++status)
+    for (int status = 0; status <= NETMESH_NOT_BUILT + 1; ++status)
         CHECK(netmesh_status_text(static_cast<netmesh_status>(status))[0] != 0);
     for (int field = 0; field <= NETMESH_FIELD_COUNT; ++field) {
         const char* const text = netmesh_field_text(static_cast<netmesh_field>(field));

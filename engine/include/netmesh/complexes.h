@@ -57,6 +57,31 @@ size_t netmesh_plan_scales(const netmesh_scales_request* request);
  * OUT_OF_RANGE, TOO_CLOSE, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_persist_scales(netmesh_context* context, const netmesh_scales_request* request);
 
+/* The alpha complex of points, in less memory than netmesh_delaunay and netmesh_persist take, where nothing is wanted
+ * but its diagram. */
+typedef struct netmesh_alpha_request {
+    uint32_t struct_bytes;
+    uint32_t dim; /* D, 2..6 */
+    netmesh_monitor monitor;
+    const double* points;     /* [point_count][D], any finite doubles. Not read by the plan */
+    size_t point_count;       /* 1 .. NETMESH_POINTS_MAX */
+    uint64_t seed;            /* as of netmesh_delaunay_request */
+    uint32_t max_degree;      /* highest degree of homology, more than D-1 counts as D-1; init: NETMESH_DIM_MAX */
+    uint32_t keep_zero_pairs; /* 1: pairs of zero length are kept */
+} netmesh_alpha_request;
+
+void netmesh_alpha_request_init(netmesh_alpha_request* request, size_t request_bytes, uint32_t dim);
+
+/* As netmesh_plan_delaunay. */
+size_t netmesh_plan_alpha(const netmesh_alpha_request* request);
+
+/* The diagram of the filter ALPHA, pair for pair that of netmesh_persist on netmesh_delaunay. Exact duplicates are
+ * merged and counted. The context then holds a diagram of a complex on points and no triangulation, so there are no
+ * representatives. Replaces what the context held; without OK it is empty.
+ * Memory: the larger of two peaks, while points are inserted and while the complex is filtered.
+ * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, FLAT, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_persist_alpha(netmesh_context* context, const netmesh_alpha_request* request);
+
 /* Filtrations on points themselves (6.4, 8.5):
  *   RIPS, CECH          all simplices of up to max_degree + 2 points; of RIPS nothing but the edges is stored unless
  *                       representatives are asked for or there are more than 65,536 points, or more simplices than

@@ -41,7 +41,9 @@ typedef enum netmesh_status {
                                     taken over by netmesh_load whose cells are not a triangulated ball */
     NETMESH_FLOATING_POINT = 10, /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,       /* an invariant of the library does not hold: a defect, please report it */
-    NETMESH_NOT_A_COMPLEX = 12   /* simplex index_a has no place in a filtered complex; detail.fault says why */
+    NETMESH_NOT_A_COMPLEX = 12,  /* simplex index_a has no place in a filtered complex; detail.fault says why */
+    NETMESH_NOT_BUILT = 13       /* detail.field asks for something that was left out when the library was built, as
+                                    engine/netmesh_config.h says; detail.message names the switch */
 } netmesh_status;
 
 /* C lets a compiler make enumerations shorter than an int (-fshort-enums, the habit of some ARM toolchains). The

@@ -1,0 +1,56 @@
+#include "jobs/alpha_of_points.hpp"
+
+#include "jobs/persist_alpha.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+// Leaves the vertices of cells, without neighbours and spheres, where the cells were, and behind them the coordinates,
+// one point after the other. The store is empty then. False: out of memory, as there are more points than cells.
+template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
+    constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
+    Arena& arena = store.arena;
+    const std::uint32_t cells = store.state.cell_slots, vertices = store.state.vertex_count;
+    const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
+    unsigned char* const rows = arena.at(begin);
+    for (std::uint32_t c = 0; c < cells; ++c) __builtin_memmove(rows + c * row_bytes, store.cell(c).vertex, row_bytes);
+    arena.release_low(begin + cells * row_bytes);
+    double* const coordinates = arena.template take_low<double>(std::size_t{vertices} * D);
+    if (coordinates == nullptr) return false;
+    for (std::uint32_t v = 0; v < vertices; ++v)
+        __builtin_memcpy(coordinates + std::size_t{v} * D, store.point(v), sizeof(double) * D);
+    store.truncate_vertices(0);
+    *out = {{rows, row_bytes, cells, vertices}, coordinates, static_cast<std::ptrdiff_t>(sizeof(double) * D)};
+    return true;
+}
+
+template <int D> Status run(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
+    StoreState state = {};
+    Store<D> store(work.arena, state);
+    const Status status =
+        triangulate<D>(store, request.points, request.count, request.seed, work.monitor, &out->input);
+    if (status != Status::ok) return status;
+    out->distinct = state.vertex_count;
+    AlphaFiltration<D> filtration;
+    if (!strip<D>(store, &filtration)) return Status::out_of_memory;
+    return persist_alpha<D>(filtration, request.diagram, work, &out->found, &out->value_error);
+}
+
+}  // namespace
+
+template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    *out = AlphaDiagram{};
+    const Status status = run<D>(request, work, out);
+    work.arena.release_low(low);
+    work.arena.release_high(high);
+    return status == Status::ok ? move_pairs_down(low, work.arena, &out->found.pairs) : status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status alpha_of_points<D>(const AlphaOfPoints&, const Work&, AlphaDiagram*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

@@ -1,0 +1,34 @@
+// From points to the diagram of their alpha complex, without keeping a triangulation.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "delaunay/triangulate.hpp"
+#include "homology/persistence.hpp"
+#include "memory/work.hpp"
+
+namespace netmesh {
+
+struct AlphaOfPoints {
+    const double* points;  // [count][D]
+    std::size_t count;
+    std::uint64_t seed;
+    DiagramRequest diagram;
+};
+
+struct AlphaDiagram {
+    CountedPairs found;
+    double value_error;      // as of alpha_values
+    std::uint32_t distinct;  // points, after merging
+    InputReport input;
+};
+
+// The diagram that triangulate and persist_alpha make. Once the points are triangulated nothing stays of a cell but its
+// vertices and nothing of a point but its coordinates.
+//
+// The pairs are put at the arena's low end, everything else is given back; without ok nothing stays. Memory: the larger
+// of what triangulate takes and of what persist_alpha takes above 4 (D + 1) bytes a cell and 8 D a point.
+// ok, not_finite, flat, out_of_memory, out_of_range, cancelled.
+template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out);
+
+}  // namespace netmesh
