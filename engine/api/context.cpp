@@ -1,7 +1,5 @@
 #include "api/context.hpp"
 
-#include <new>
-
 #include "api/call.hpp"
 #include "numerics/real.hpp"
 
@@ -36,7 +34,8 @@ netmesh_status netmesh_init(void* block, size_t block_bytes, netmesh_context** c
     *context = nullptr;
     if (block_bytes < block_minimum) return NETMESH_OUT_OF_MEMORY;
     if (!floating_point_as_expected()) return NETMESH_FLOATING_POINT;
-    netmesh_context* const made = new (block) netmesh_context{};
+    __builtin_memset(block, 0, sizeof(netmesh_context));  // what all members of an empty context are
+    netmesh_context* const made = static_cast<netmesh_context*>(block);
     made->magic = context_magic;
     made->block_bytes = block_bytes;
     made->arena.adopt(block, block_bytes);

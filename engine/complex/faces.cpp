@@ -183,8 +183,9 @@ template <int D> void link_facets(const Faces<D>& faces, const Trie<D>& trie, in
 }
 
 template <int D>
-Status enumerate(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out) {
-    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+Status enumerate(const TriangulationView<D>& complex, int dimension_max, const Work& work, std::size_t low,
+                 Faces<D>* out) {
+    const std::size_t high = work.arena.high_mark();
     WordStream stream(work.arena);
     const Status status = walk_stars(complex, dimension_max, work, stream);
     if (status != Status::ok) return status;
@@ -223,10 +224,12 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
 }  // namespace
 
 template <int D>
-Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out) {
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out,
+                       bool drops_complex) {
     if (dimension_max < 0 || dimension_max > D) return Status::invalid_argument;
-    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
-    const Status status = enumerate(complex, dimension_max, work, out);
+    const std::size_t high = work.arena.high_mark();
+    const std::size_t low = drops_complex ? work.arena.offset_of(complex.cells) : work.arena.low_mark();
+    const Status status = enumerate(complex, dimension_max, work, low, out);
     if (status != Status::ok) {
         work.arena.release_low(low);
         work.arena.release_high(high);
@@ -235,7 +238,7 @@ Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, c
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*);
+    template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*, bool);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

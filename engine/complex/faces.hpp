@@ -35,9 +35,12 @@ template <int D> struct Faces {
 // `last_vertex` at the high end, so that it can be released alone. Nothing else stays.
 // Cost: O(sum over cells of 2^(D+1)) and a few words a simplex of scratch: one word per vertex of a cell while stars
 // are walked, about two words a face while boundaries are made.
+// drops_complex: the cells are the last piece at the arena's low end; they are given back once they are read, in any
+// case.
 // out_of_memory, cancelled: the arena is as before and *out is not written. A dimension with 2^32 - 1 faces or more
 // counts as out_of_memory.
 template <int D>
-Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out);
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out,
+                       bool drops_complex = false);
 
 }  // namespace netmesh

@@ -29,14 +29,15 @@ public:
         : faces_(faces), points_(points), work_(work), value_(value) {}
 
     Status run(double* error) {
-        const HighScope scope(work_.arena);
+        const std::size_t high = work_.arena.high_mark();
         scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(D));
         if (scratch_ == nullptr) return Status::out_of_memory;
         for (std::uint32_t i = 0; i < faces_.count[0]; ++i) value_[0][i] = 0;
         for (int k = 1; k <= D; ++k)
             for (std::uint32_t i = 0; i < faces_.count[k]; ++i) value_[k][i] = 0;
         Status status = find_radii_from<D>();
-        if (status == Status::ok) status = order_radii(faces_, points_, work_, scratch_, value_, &error_);
+        work_.arena.release_high(high);
+        if (status == Status::ok) status = order_radii(faces_, points_, work_, value_, &error_);
         if (status == Status::ok) status = hand_down_from<D>();
         *error = beyond_ ? infinity : error_;
         return status;

@@ -16,6 +16,7 @@ template <int D> struct AlphaFiltration {
     TriangulationView<D> complex;
     const double* coordinates;
     std::ptrdiff_t stride_bytes;
+    bool drops_cells = false;  // they are the last piece at the arena's low end, and are wanted no more
 };
 
 // Values of the alpha filtration, as radii. A simplex enters at the radius of its smallest circumsphere when no point
@@ -33,7 +34,8 @@ template <int D> struct AlphaFiltration {
 // 2^1670 in the plane, 2^1190 in space, 2^640 in R^6. Beyond that the result may be out_of_range.
 //
 // Requires all faces (faces.dimension_max == D), fewer than 2^32. One small linear solve a face, see circumsphere.hpp,
-// and what order_radii takes. Scratch at the high end: 60 KiB and that of order_radii.
+// and what order_radii takes. Scratch at the high end: that of ExactSphere, then of
+// order_radii.
 // out_of_memory, out_of_range, cancelled.
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,

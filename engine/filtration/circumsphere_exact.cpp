@@ -1,6 +1,7 @@
 #include "filtration/circumsphere_exact.hpp"
 
 #include "numerics/bits.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -37,6 +38,16 @@ void solve(const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_ma
     det[0] = minors[0];
     // b is the last row; K-1-i transpositions bring it to the place of row i.
     for (int i = 0; i < K; ++i) det[i + 1] = ((K - 1 - i) & 1) != 0 ? negative(minors[K - i], prime) : minors[K - i];
+}
+
+// solve<k>, K <= k.
+template <int K>
+void solve_from(int k, const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max],
+                const ResiduePrime& prime, std::uint64_t* det) {
+    if constexpr (K < dimension_most()) {
+        if (k > K) return solve_from<K + 1>(k, gram, prime, det);
+    }
+    solve<K>(gram, prime, det);
 }
 
 // 2^e modulo the prime.
@@ -94,14 +105,7 @@ ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
             gram[i][j] = gram[j][i] = reduce(sum, prime);
         }
     Residues r;
-    switch (k_) {
-    case 1: solve<1>(gram, prime, r.det); break;
-    case 2: solve<2>(gram, prime, r.det); break;
-    case 3: solve<3>(gram, prime, r.det); break;
-    case 4: solve<4>(gram, prime, r.det); break;
-    case 5: solve<5>(gram, prime, r.det); break;
-    default: solve<6>(gram, prime, r.det); break;
-    }
+    solve_from<1>(k_, gram, prime, r.det);
     UnsignedSum sum;
     for (int i = 0; i < k_; ++i) sum.add_product(gram[i][i], r.det[i + 1]);
     r.sum = reduce(sum, prime);

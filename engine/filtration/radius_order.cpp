@@ -39,10 +39,9 @@ double deviation_error(double x) { return 0x1p-87 * (1 + absolute(x)) + 0x1p-52 
 
 template <int D> class RadiusOrder {
 public:
-    RadiusOrder(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, std::uint64_t* scratch,
-                double* const* value, double error)
-        : faces_(faces), points_(points), work_(work), scratch_(scratch), value_(value), error_(error),
-          spread_(1.01 * error + 0x1p-51) {}
+    RadiusOrder(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value,
+                double error)
+        : faces_(faces), points_(points), work_(work), value_(value), error_(error), spread_(1.01 * error + 0x1p-51) {}
 
     Status run();
     double error() const { return error_; }
@@ -80,7 +79,7 @@ private:
     const Faces<D>& faces_;
     const PointRecords<D>& points_;
     const Work& work_;
-    std::uint64_t* const scratch_;
+    std::uint64_t* scratch_ = nullptr;
     double* const* const value_;
     double error_, spread_;
     double last_ = 0;       // the last radius that was settled
@@ -101,6 +100,7 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
         for (std::uint32_t i = 0; i < faces_.count[k]; ++i) radii += value_[k][i] >= 0;
     }
     if (faces > 0xFFFFFFFFu) return false;
+    const std::size_t low = work_.arena.low_mark();
     CloseValues close;
     if (!all) {
         if (!close.take(radii, spread_, work_.arena)) return false;
@@ -111,7 +111,10 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     if (all || room > radii) room = radii;
     radius_ = work_.arena.template take_high<double>(static_cast<std::size_t>(room));
     label_ = work_.arena.template take_high<std::uint32_t>(static_cast<std::size_t>(room));
-    if (radius_ == nullptr || label_ == nullptr) return false;
+    if (radius_ == nullptr || label_ == nullptr) {
+        work_.arena.release_low(low);
+        return false;
+    }
     std::uint32_t label = 0;
     for (int k = 1; k <= D; ++k)
         for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
@@ -120,6 +123,7 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
             label_[count_++] = label;
         }
     done_ = faces;
+    work_.arena.release_low(low);
     return sort_labelled(radius_, label_, count_, work_.arena);
 }
 
@@ -136,6 +140,8 @@ template <int D> Status RadiusOrder<D>::run() {
 template <int D> Status RadiusOrder<D>::pass(bool all) {
     const HighScope scope(work_.arena);
     if (!collect(all)) return Status::out_of_memory;
+    scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(D));
+    if (scratch_ == nullptr) return Status::out_of_memory;
     last_ = 0;
     const double low = 1 - spread_, high = 1 + spread_;
     for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
@@ -310,17 +316,16 @@ template <int D>
 }  // namespace
 
 template <int D>
-Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, std::uint64_t* scratch,
-                   double* const* value, double* error) {
-    RadiusOrder<D> order(faces, points, work, scratch, value, *error);
+Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value,
+                   double* error) {
+    RadiusOrder<D> order(faces, points, work, value, *error);
     const Status status = order.run();
     *error = order.error();
     return status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status order_radii<D>(const Faces<D>&, const PointRecords<D>&, const Work&, std::uint64_t*,               \
-                                   double* const*, double*);
+    template Status order_radii<D>(const Faces<D>&, const PointRecords<D>&, const Work&, double* const*, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

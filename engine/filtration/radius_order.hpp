@@ -48,11 +48,11 @@ template <int D> inline bool edge_radius(const double* const* point, Radius* out
 // these simplices are looked at; if this does not part them, their squared radii are computed exactly
 // (circumsphere_exact.hpp) and sorted by their first 87 bits or more, and compared exactly where these agree. So an
 // exact tie costs one comparison, a microsecond or less for coordinates of few digits and some ten for any other.
-// scratch: of ExactSphere. Memory: 4 to 8 bytes a radius, 12 for each that is sorted; where so many radii share a
-// double that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
+// Memory: 2 to 4 bytes a radius, 12 for each that is sorted, what ExactSphere takes; where so many radii share a double
+// that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
 // digits than there are; cancelled.
 template <int D>
-Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, std::uint64_t* scratch,
-                   double* const* value, double* error);
+Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value,
+                   double* error);
 
 }  // namespace netmesh

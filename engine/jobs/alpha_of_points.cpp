@@ -6,22 +6,25 @@
 namespace netmesh {
 namespace {
 
-// Leaves the vertices of cells, without neighbours and spheres, where the cells were, and behind them the coordinates,
-// one point after the other. The store is empty then. False: out of memory, as there are more points than cells.
+// Leaves the coordinates, one point after the other, where the cells were, and behind them the vertices of cells,
+// without neighbours and spheres. The store is empty then. False: out of memory, as there are more points than cells.
 template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
     constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
     Arena& arena = store.arena;
     const std::uint32_t cells = store.state.cell_slots, vertices = store.state.vertex_count;
     const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
-    unsigned char* const rows = arena.at(begin);
+    unsigned char* rows = arena.at(begin);
     for (std::uint32_t c = 0; c < cells; ++c) __builtin_memmove(rows + c * row_bytes, store.cell(c).vertex, row_bytes);
-    arena.release_low(begin + cells * row_bytes);
+    arena.release_low(begin);
     double* const coordinates = arena.template take_low<double>(std::size_t{vertices} * D);
-    if (coordinates == nullptr) return false;
+    unsigned char* const moved = arena.template take_low<unsigned char>(cells * row_bytes);
+    if (coordinates == nullptr || moved == nullptr) return false;
+    __builtin_memmove(moved, rows, cells * row_bytes);
+    rows = moved;
     for (std::uint32_t v = 0; v < vertices; ++v)
         __builtin_memcpy(coordinates + std::size_t{v} * D, store.point(v), sizeof(double) * D);
     store.truncate_vertices(0);
-    *out = {{rows, row_bytes, cells, vertices}, coordinates, static_cast<std::ptrdiff_t>(sizeof(double) * D)};
+    *out = {{rows, row_bytes, cells, vertices}, coordinates, static_cast<std::ptrdiff_t>(sizeof(double) * D), true};
     return true;
 }
 

@@ -27,7 +27,7 @@ struct AlphaDiagram {
 // vertices and nothing of a point but its coordinates.
 //
 // The pairs are put at the arena's low end, everything else is given back; without ok nothing stays. Memory: the larger
-// of what triangulate takes and of what persist_alpha takes above 4 (D + 1) bytes a cell and 8 D a point.
+// of what triangulate takes and of what persist_alpha takes above 8 D bytes a point.
 // ok, not_finite, flat, out_of_memory, out_of_range, cancelled.
 template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out);
 

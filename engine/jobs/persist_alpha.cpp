@@ -79,7 +79,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    Status status = enumerate_faces(filtration.complex, D, work, &faces);
+    Status status = enumerate_faces(filtration.complex, D, work, &faces, filtration.drops_cells);
     if (status != Status::ok) return status;
 
     double* value[D + 1];
@@ -105,7 +105,8 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
         filtered.of[k] = {faces.count[k], faces.facets[k], value[k]};
         out->simplices += faces.count[k];
     }
-    return persist_homology(filtered, request, work, &out->pairs);
+    return D == 2 ? persist_surface(filtered, request, work, &out->pairs)
+                  : persist_homology(filtered, request, work, &out->pairs);
 }
 
 }  // namespace

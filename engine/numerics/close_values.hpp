@@ -10,23 +10,23 @@ namespace netmesh {
 
 // Doubles are cut into stretches of equal leading bits; two bits for each count whose interval meets it: none, one,
 // more. An interval is shorter than a stretch, so it meets one or two, and intervals that overlap share one. Stretches
-// share a pair of bits by a hash, which makes a value seem close to another now and then, one in 10 to 20, and hides
+// share a pair of bits by a hash, which makes a value seem close to another now and then, one in 5 to 10, and hides
 // none.
 class CloseValues {
 public:
     static constexpr double spread_max = 0x1p-20;
 
-    // For up to `count` values, the intervals x (1 - spread) to x (1 + spread). 4 to 8 bytes a value at the high end of
+    // For up to `count` values, the intervals x (1 - spread) to x (1 + spread). 2 to 4 bytes a value at the low end of
     // the arena. False: out of memory.
     bool take(std::uint64_t count, double spread, Arena& arena) {
         // In units of the last place; below a power of two these are half as large, which the 53 provides for.
         margin_ = static_cast<std::uint64_t>(spread * 0x1p53) + 1;
         stretch_bits_ = 4 + static_cast<int>(highest_bit(margin_));
         int bits = 5;
-        while ((std::uint64_t{1} << bits) < 16 * count) ++bits;
+        while ((std::uint64_t{1} << bits) < 8 * count) ++bits;
         hash_shift_ = 64 - bits;
         const std::size_t words = static_cast<std::size_t>(std::uint64_t{1} << (bits - 5));
-        seen_ = arena.take_high<std::uint64_t>(words);
+        seen_ = arena.take_low<std::uint64_t>(words);
         if (seen_ != nullptr) __builtin_memset(seen_, 0, words * sizeof *seen_);
         return seen_ != nullptr;
     }

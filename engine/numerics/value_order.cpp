@@ -104,8 +104,10 @@ struct Scratch {
     Range* stack = nullptr;
     std::uint32_t* end = nullptr;
 
-    bool take(Arena& arena) {
-        stack = arena.take_high<Range>(depth_max * digits);
+    // The ranges that wait at any time are disjoint and longer than short_range.
+    bool take(std::uint32_t count, Arena& arena) {
+        const std::uint32_t most = count / short_range + 1;
+        stack = arena.take_high<Range>(most < depth_max * digits ? most : depth_max * digits);
         end = arena.take_high<std::uint32_t>(digits);
         return stack != nullptr && end != nullptr;
     }
@@ -115,17 +117,20 @@ void sort_items(const Items& items, std::uint32_t count, const Scratch& scratch)
     Range* const stack = scratch.stack;
     std::uint32_t* const end = scratch.end;
     std::size_t height = 0;
-    if (count > 1) stack[height++] = {0, count};
+    const auto sort_or_wait = [&](Range range) {
+        if (range.end - range.begin > short_range) {
+            stack[height++] = range;
+        } else {
+            insertion_sort(items, range);
+        }
+    };
+    if (count > 0) sort_or_wait({0, count});
     while (height > 0) {
         const Range range = stack[--height];
-        if (range.end - range.begin <= short_range) {
-            insertion_sort(items, range);
-            continue;
-        }
         distribute(items, range, leading_digit(items, range), end);
         std::uint32_t begin = range.begin;
         for (std::uint32_t d = 0; d < digits; ++d) {
-            if (end[d] - begin > 1) stack[height++] = {begin, end[d]};
+            if (end[d] - begin > 1) sort_or_wait({begin, end[d]});
             begin = end[d];
         }
     }
@@ -136,7 +141,7 @@ void sort_items(const Items& items, std::uint32_t count, const Scratch& scratch)
 bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Arena& arena) {
     const ArenaScope scope(arena);
     Scratch scratch;
-    if (!scratch.take(arena)) return false;
+    if (!scratch.take(count, arena)) return false;
     for (std::uint32_t i = 0; i < count; ++i) position[i] = i;
     sort_items({value, position}, count, scratch);
     return true;
@@ -145,7 +150,7 @@ bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Ar
 bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Arena& arena) {
     const ArenaScope scope(arena);
     Scratch scratch;
-    if (!scratch.take(arena)) return false;
+    if (!scratch.take(count, arena)) return false;
     sort_items({value, label}, count, scratch);
     return true;
 }

@@ -20,6 +20,15 @@ constexpr bool serves_dimension(std::uint32_t dim) {
 #undef NETMESH_IS_DIMENSION
 }
 
+// The largest dimension that this build serves.
+constexpr int dimension_most() {
+    int most = 0;
+#define NETMESH_RAISE(D) most = D > most ? D : most;
+    NETMESH_EACH_DIMENSION(NETMESH_RAISE)
+#undef NETMESH_RAISE
+    return most;
+}
+
 // Figures that depend on the dimension and come from measuring or choosing, not from a formula.
 struct Figures {
     // Meshing

@@ -17,12 +17,14 @@ public:
           arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request) {}
 
     Status run();
+    Status run_on_surface();
     PairList finish() { return writer_.finish(); }
 
 private:
     class Recorder;
 
     bool reserve();
+    Status begin();
     bool has_two_cofaces_at_most(std::uint32_t k);
     Status unite_top(std::uint32_t k);
     Status reduce(std::uint32_t k);
@@ -150,15 +152,32 @@ Status Homology::add_loops() {
     return Status::ok;
 }
 
-Status Homology::run() {
+// Memory, and degree 0.
+Status Homology::begin() {
     std::uint64_t total = 0;
     for (std::uint32_t k = 1; k <= top_; ++k) total += of(k).count;
     progress_.monitor.begin(NETMESH_STAGE_REDUCE, total);
     if (!reserve()) return Status::out_of_memory;
-    Status status = unite_edges(owner_, of(0).count, complex_.edge_count(),
-                                ComponentWriter{complex_, writer_, joining_, progress_});
+    const Status status = unite_edges(owner_, of(0).count, complex_.edge_count(),
+                                      ComponentWriter{complex_, writer_, joining_, progress_});
     if (status == Status::ok && top_ > 0) NETMESH_VALIDATE_WHOLE(killers_violation(of(1), 1, of(0).count, joining_));
     paired_above_.adopt(paired_words_[0], of(top_).count);
+    return status;
+}
+
+Status Homology::run_on_surface() {
+    Status status = begin();
+    if (status == Status::ok && top_ == 2) {
+        paired_.adopt(paired_words_[1], of(1).count);
+        status = unite_top(2);
+        if (status == Status::ok) NETMESH_VALIDATE_WHOLE(pivots_violation(of(2), 2, of(1).count, paired_));
+        paired_above_ = paired_;
+    }
+    return status == Status::ok && complex_.dimension >= 1 && max_degree_ >= 1 ? add_loops() : status;
+}
+
+Status Homology::run() {
+    Status status = begin();
     for (std::uint32_t k = top_; k >= 2 && status == Status::ok; --k) {
         paired_.adopt(paired_words_[(top_ - k + 1) % 2], of(k - 1).count);
         const bool dual = k == complex_.dimension && has_two_cofaces_at_most(k);
@@ -169,11 +188,23 @@ Status Homology::run() {
     return status == Status::ok && complex_.dimension >= 1 && max_degree_ >= 1 ? add_loops() : status;
 }
 
+// In place of Homology where nothing is left to reduce.
+struct SurfaceHomology {
+    Homology homology;
+    Status run() { return homology.run_on_surface(); }
+    PairList finish() { return homology.finish(); }
+};
+
 }  // namespace
 
 Status persist_homology(const FilteredComplex& complex, DiagramRequest request, const Work& work, PairList* out) {
     if (complex.dimension > FilteredComplex::dimension_max) return Status::invalid_argument;
     Homology homology(complex, limited(request, complex), work);
+    return write_diagram(homology, work.arena, out);
+}
+
+Status persist_surface(const FilteredComplex& complex, DiagramRequest request, const Work& work, PairList* out) {
+    SurfaceHomology homology{{complex, limited(request, complex), work}};
     return write_diagram(homology, work.arena, out);
 }
 
