@@ -183,6 +183,15 @@ private:
         request.keep_zero_pairs = tape_.byte() & 1;
         ended(netmesh_persist(context_, maybe<netmesh_persist_request>(request, c)));
     }
+    void persist_alpha() {
+        const Choices c = choose();
+        netmesh_alpha_request request = netmesh::requests::Alpha(c.dim);
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        const std::vector<double> x = make_points(c.dim);
+        request = on_points(request, c, x);
+        ended(netmesh_persist_alpha(context_, maybe(request, c)));
+    }
     void persist_points() {
         const Choices c = choose();
         const auto filter = static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 9 + tape_.below(4));
@@ -548,6 +557,9 @@ private:
         points.k = tape_.byte();
         points.max_degree = tape_.byte();
         netmesh_plan_points(handed);
+        netmesh_alpha_request alpha = netmesh::requests::Alpha(c.dim);
+        alpha.point_count = n;
+        netmesh_plan_alpha(&alpha);
         netmesh_points_vineyard_request nested = netmesh::requests::PointsVineyard(c.dim, points.filter);
         nested.point_count = n;
         nested.k_first = points.k / 2;
@@ -573,7 +585,7 @@ private:
         case 3: return make_mesh();
         case 4:
         case 5: return persist();
-        case 6: return persist_points();
+        case 6: return tape_.byte() % 4 == 0 ? persist_alpha() : persist_points();
         case 7: return homology();
         case 8: return vineyard();
         case 9:

@@ -60,6 +60,9 @@ struct Vineyard : netmesh_vineyard_request {
 struct Scales : netmesh_scales_request {
     explicit Scales(std::uint32_t d) { netmesh_scales_request_init(this, sizeof(netmesh_scales_request), d); }
 };
+struct Alpha : netmesh_alpha_request {
+    explicit Alpha(std::uint32_t d) { netmesh_alpha_request_init(this, sizeof(netmesh_alpha_request), d); }
+};
 struct Points : netmesh_points_request {
     Points(std::uint32_t d, netmesh_filter f) {
         netmesh_points_request_init(this, sizeof(netmesh_points_request), d, f);
@@ -103,6 +106,7 @@ inline double tau(const netmesh_mesh_request& request) { return netmesh_tau(&req
 inline std::size_t plan(const netmesh_delaunay_request& request) { return netmesh_plan_delaunay(&request); }
 inline std::size_t plan(const netmesh_mesh_request& request) { return netmesh_plan_mesh(&request); }
 inline std::size_t plan(const netmesh_scales_request& request) { return netmesh_plan_scales(&request); }
+inline std::size_t plan(const netmesh_alpha_request& request) { return netmesh_plan_alpha(&request); }
 inline std::size_t plan(const netmesh_points_request& request) { return netmesh_plan_points(&request); }
 inline std::size_t plan(const netmesh_points_vineyard_request& request) {
     return netmesh_plan_points_vineyard(&request);
@@ -173,6 +177,7 @@ public:
     netmesh_status persist_scales(const netmesh_scales_request& r) {
         return status_ = netmesh_persist_scales(context_, &r);
     }
+    netmesh_status persist_alpha(const netmesh_alpha_request& r) { return status_ = netmesh_persist_alpha(context_, &r); }
     netmesh_status persist_points(const netmesh_points_request& r) {
         return status_ = netmesh_persist_points(context_, &r);
     }

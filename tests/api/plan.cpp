@@ -85,6 +85,16 @@ TEST_CASE("the plan of a triangulation suffices, with its alpha complex too") {
     }
 }
 
+TEST_CASE("the plan of an alpha complex without a triangulation suffices") {
+    for (const int dim : dimensions()) {
+        const inputs::Points points = inputs::uniform(dim, count(dim, {4000, 2000, 600, 150, 60}), 17);
+        const netmesh_alpha_request request = Calls(dim).alpha_request(points);
+        expect_enough(dim, "alpha of points", netmesh_plan_alpha(&request),
+                      by_dimension(dim, {0.4, 0.33, 0.25, 0.15, 0.05}),
+                      [&](Calls& calls) { return netmesh_persist_alpha(calls.context, &request); });
+    }
+}
+
 TEST_CASE("the plan of a mesh suffices, whatever it is for") {
     for (const int dim : dimensions()) {
         const std::size_t n = count(dim, {2000, 400, 40, 8, 3});

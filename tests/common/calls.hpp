@@ -107,6 +107,11 @@ public:
         r.purpose = purpose;
         return r;
     }
+    netmesh_alpha_request alpha_request(const inputs::Points& points) const {
+        netmesh_alpha_request r = on(points, watched(netmesh::requests::Alpha(request.dim)));
+        r.seed = request.seed;
+        return r;
+    }
     netmesh_points_request points_request(const inputs::Points& points, netmesh_filter filter, std::uint32_t k = 1,
                                           std::uint32_t max_degree = 1) const {
         netmesh_points_request r = on(points, watched(netmesh::requests::Points(request.dim, filter)));

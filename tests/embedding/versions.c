@@ -67,6 +67,7 @@ GUARDED(netmesh_represent_request, represent);
 GUARDED(netmesh_fit_request, fit);
 GUARDED(netmesh_vineyard_request, vineyard);
 GUARDED(netmesh_scales_request, scales);
+GUARDED(netmesh_alpha_request, alpha);
 GUARDED(netmesh_points_request, rips);
 GUARDED(netmesh_points_vineyard_request, nested);
 GUARDED(netmesh_homology_request, homology);
@@ -114,6 +115,7 @@ static void fill_requests(void) {
     netmesh_fit_request_init(&fit.it, sizeof fit.it, 2);
     netmesh_vineyard_request_init(&vineyard.it, sizeof vineyard.it, NETMESH_FILTER_KNN);
     netmesh_scales_request_init(&scales.it, sizeof scales.it, 2);
+    netmesh_alpha_request_init(&alpha.it, sizeof alpha.it, 2);
     netmesh_points_request_init(&rips.it, sizeof rips.it, 2, NETMESH_FILTER_RIPS);
     netmesh_points_vineyard_request_init(&nested.it, sizeof nested.it, 2, NETMESH_FILTER_BARYCENTRIC_CECH);
     netmesh_homology_request_init(&homology.it, sizeof homology.it);
@@ -121,7 +123,7 @@ static void fill_requests(void) {
     netmesh_bottleneck_request_init(&bottleneck.it, sizeof bottleneck.it, sizeof(netmesh_pair));
     netmesh_analyse_request_init(&analyse.it, sizeof analyse.it);
     look_at_guards("an init call");
-    POINTS_OF(delaunay), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(rips), POINTS_OF(nested);
+    POINTS_OF(delaunay), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(alpha), POINTS_OF(rips), POINTS_OF(nested);
     mesh.it.purpose = NETMESH_PURPOSE_PERSIST;
     vineyard.it.k_last = 3;
     nested.it.point_count = 8;
@@ -187,6 +189,8 @@ static void run_others(void) {
     DID(netmesh_delaunay(context, &delaunay.it));
     print_report();
     DID(netmesh_persist_scales(context, &scales.it));
+    print_report();
+    DID(netmesh_persist_alpha(context, &alpha.it));
     print_report();
     DID(netmesh_persist_points(context, &rips.it));
     print_report();

@@ -138,6 +138,13 @@ std::function<netmesh_status(Run&)> of_points(netmesh_filter filter, bool repres
     };
 }
 
+// Without a triangulation.
+netmesh_status alpha_of_points(Run& run) {
+    netmesh_alpha_request request = run.alpha_request(run.points());
+    request.keep_zero_pairs = run.job.dim == 3 ? 1 : 0;
+    return netmesh_persist_alpha(run.context, &request);
+}
+
 // Three k of nested sets.
 std::function<netmesh_status(Run&)> nested_sets(netmesh_filter filter) {
     return [=](Run& run) {
@@ -288,6 +295,7 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back(Job{"vineyard", dim, few, vineyard}.large(dim > 2).tries(dim > 2 ? 40 : 100));
         jobs->push_back(Job{"analyse", dim, few, analyse}.large(large).tries(100));
         jobs->push_back(Job{"measure", dim, few, measure}.large(large).tries(100));
+        jobs->push_back({"alpha-of-points", dim, dim < 4 ? 16u : 8u, alpha_of_points});
         jobs->push_back({"rips", dim, 9, of_points(NETMESH_FILTER_RIPS, true)});
         jobs->push_back(Job{"rips-edges", dim, 9, of_points(NETMESH_FILTER_RIPS, false)}.large(dim > 3).tries(40));
         jobs->push_back({"cech", dim, 7, of_points(NETMESH_FILTER_CECH, true)});

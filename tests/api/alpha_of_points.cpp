@@ -1,0 +1,144 @@
+// netmesh_persist_alpha: the diagram of netmesh_persist on netmesh_delaunay, in less memory and without what they keep.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <limits>
+#include <new>
+#include <vector>
+
+#include "api/context.hpp"
+#include "common/dimensions.hpp"
+#include "common/session.hpp"
+
+namespace {
+
+struct Told {
+    std::vector<netmesh_pair> pairs;
+    netmesh_report report;
+};
+
+Told told(const Session& s) { return {s.pairs(), s.report()}; }
+
+// The two ways agree on every pair and on every figure of the diagram.
+void expect_same(int dim, const inputs::Points& points, std::uint32_t max_degree, bool keep_zero) {
+    INFO("D = " << dim << ", " << points.size() / static_cast<std::size_t>(dim) << " points, degree " << max_degree);
+    Session s(dim);
+    netmesh_persist_request persist = persist_by(NETMESH_FILTER_ALPHA);
+    persist.max_degree = max_degree;
+    persist.keep_zero_pairs = keep_zero ? 1 : 0;
+    s.reserve(std::size_t{1} << 26);
+    REQUIRE(s.delaunay(points) == NETMESH_OK);
+    REQUIRE(s.persist(persist) == NETMESH_OK);
+    const Told two = told(s);
+    netmesh_alpha_request request = s.alpha_request(points);
+    request.max_degree = max_degree;
+    request.keep_zero_pairs = persist.keep_zero_pairs;
+    REQUIRE(netmesh_persist_alpha(s.context, &request) == NETMESH_OK);
+    const Told one = told(s);
+    REQUIRE(one.pairs.size() == two.pairs.size());
+    for (std::size_t i = 0; i < one.pairs.size(); ++i) {
+        CHECK(one.pairs[i].degree == two.pairs[i].degree);
+        CHECK(one.pairs[i].birth == two.pairs[i].birth);
+        CHECK(one.pairs[i].death == two.pairs[i].death);
+    }
+    CHECK(one.report.diagram.simplices == two.report.diagram.simplices);
+    CHECK(one.report.diagram.value_error == two.report.diagram.value_error);
+    CHECK(one.report.diagram.certified_ratio == 1);
+    CHECK(one.report.diagram.max_degree == two.report.diagram.max_degree);
+    CHECK(one.report.input.fingerprint == two.report.input.fingerprint);
+    CHECK(one.report.input.duplicates == two.report.input.duplicates);
+    CHECK(one.report.input.distinct == two.report.input.distinct);
+    CHECK(one.report.mesh.present == 0);
+    CHECK(one.report.simplicial_complex.present == 1);
+    CHECK(one.report.simplicial_complex.vertices == two.report.input.distinct);
+}
+
+}  // namespace
+
+TEST_CASE("the diagram is that of a triangulation that is kept") {
+    for (const int dim : dimensions()) {
+        const std::size_t n = by_dimension<std::size_t>(dim, {300, 200, 60, 25, 14});
+        for (std::uint32_t degree = 0; degree <= static_cast<std::uint32_t>(dim); ++degree)
+            expect_same(dim, inputs::uniform(dim, n), degree, degree == 1);
+        expect_same(dim, inputs::grid(dim, dim < 4 ? 4 : 2), NETMESH_DIM_MAX, false);
+        expect_same(dim, inputs::grid(dim, dim < 4 ? 4 : 2), NETMESH_DIM_MAX, true);
+        expect_same(dim, inputs::repeated(dim, inputs::uniform(dim, n / 2), 2), NETMESH_DIM_MAX, false);
+        expect_same(dim, inputs::clusters(dim, n), NETMESH_DIM_MAX, false);
+        expect_same(dim, inputs::uniform(dim, static_cast<std::size_t>(dim) + 1), NETMESH_DIM_MAX, true);
+    }
+}
+
+TEST_CASE("it takes less memory than a triangulation that is kept") {
+    for (const int dim : dimensions()) {
+        const inputs::Points points = inputs::uniform(dim, by_dimension<std::size_t>(dim, {500, 500, 120, 50, 25}));
+        Session two(dim), one(dim);
+        two.reserve(std::size_t{1} << 26);
+        one.reserve(std::size_t{1} << 26);
+        REQUIRE(two.alpha(points) == NETMESH_OK);
+        const netmesh_alpha_request request = one.alpha_request(points);
+        REQUIRE(netmesh_persist_alpha(one.context, &request) == NETMESH_OK);
+        INFO("D = " << dim << ", " << one.report().memory.peak_bytes << " bytes, " << two.report().memory.peak_bytes);
+        CHECK(static_cast<double>(one.report().memory.peak_bytes) <
+              0.85 * static_cast<double>(two.report().memory.peak_bytes));
+        if (dim == 2) CHECK(one.report().memory.peak_bytes <= 100 * 1024);
+        if (dim == 3) CHECK(one.report().memory.peak_bytes <= 360 * 1024);
+    }
+}
+
+TEST_CASE("what cannot be done is said, and leaves an empty context") {
+    for (const int dim : dimensions()) {
+        Session s(dim);
+        inputs::Points points = inputs::uniform(dim, 20);
+        const auto run = [&] {
+            const netmesh_alpha_request request = s.alpha_request(points);
+            return netmesh_persist_alpha(s.context, &request);
+        };
+        REQUIRE(run() == NETMESH_OK);
+        points[7] = std::numeric_limits<double>::quiet_NaN();
+        CHECK(run() == NETMESH_NOT_FINITE);
+        CHECK(s.detail().index_a == 7 / static_cast<std::uint64_t>(dim));
+        CHECK(s.report().input.present == 0);
+        for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(dim)) points[i] = 1;
+        points[7] = 0.25;
+        if (7 % dim == 0) points[7] = 1;
+        CHECK(run() == NETMESH_FLAT);
+        CHECK(s.report().input.present == 0);
+        netmesh_alpha_request request = s.alpha_request(points);
+        request.points = nullptr;
+        CHECK(netmesh_persist_alpha(s.context, &request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(s.detail().field == NETMESH_FIELD_POINTS);
+        request = s.alpha_request(points);
+        request.dim = 7;
+        CHECK(netmesh_persist_alpha(s.context, &request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_plan_alpha(&request) == 0);
+        request.dim = static_cast<std::uint32_t>(dim);
+        request.point_count = 0;
+        CHECK(netmesh_plan_alpha(&request) == 0);
+    }
+}
+
+TEST_CASE("its diagram has bounds by its ratio, and no representatives") {
+    const int dim = dimensions().front();
+    Session s(dim);
+    const inputs::Points points = inputs::uniform(dim, 30);
+    const netmesh_alpha_request request = s.alpha_request(points);
+    REQUIRE(netmesh_persist_alpha(s.context, &request) == NETMESH_OK);
+    CHECK(s.represent() == NETMESH_NO_RESULT);
+    REQUIRE(s.bound_bars() == NETMESH_OK);
+    const std::vector<netmesh_pair> pairs = s.pairs();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        auto bounds = netmesh::sized<netmesh_bar_bounds>();
+        REQUIRE(netmesh_get_bar_bounds(s.context, i, &bounds) == NETMESH_OK);
+        CHECK(bounds.death_low <= pairs[i].death);
+        CHECK(pairs[i].death <= bounds.death_high);
+        if (pairs[i].death > 1.001 * pairs[i].birth) CHECK(bounds.certain == 1);
+    }
+}
+
+// netmesh_init fills the context with zeros and constructs nothing.
+TEST_CASE("every member of an empty context is 0") {
+    alignas(16) static unsigned char bytes[sizeof(netmesh_context)];
+    std::memset(bytes, 0, sizeof bytes);
+    new (bytes) netmesh_context{};
+    for (const unsigned char byte : bytes) REQUIRE(byte == 0);
+}
