@@ -1,7 +1,7 @@
 // The alpha complex of points whose triangulation nobody wants.
-#include "jobs/alpha_of_points.hpp"
 #include "api/points.hpp"
 #include "api/requests.hpp"
+#include "jobs/alpha_of_points.hpp"
 
 namespace netmesh {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 void keep_alpha(netmesh_context* context, const netmesh_alpha_request& request, const AlphaOfPoints& wanted,
                 const AlphaDiagram& made) {
     context->complete = true;
-    context->input = {true,          true, request.dim, made.input.rows, made.input.duplicates, made.input.fingerprint,
+    context->input = {true,         true, request.dim, made.input.rows, made.input.duplicates, made.input.fingerprint,
                       made.distinct};
     KeptDiagram& diagram = context->diagram;
     diagram.present = true;

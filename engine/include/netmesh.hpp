@@ -177,7 +177,9 @@ public:
     netmesh_status persist_scales(const netmesh_scales_request& r) {
         return status_ = netmesh_persist_scales(context_, &r);
     }
-    netmesh_status persist_alpha(const netmesh_alpha_request& r) { return status_ = netmesh_persist_alpha(context_, &r); }
+    netmesh_status persist_alpha(const netmesh_alpha_request& r) {
+        return status_ = netmesh_persist_alpha(context_, &r);
+    }
     netmesh_status persist_points(const netmesh_points_request& r) {
         return status_ = netmesh_persist_points(context_, &r);
     }

@@ -31,8 +31,7 @@ template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
 template <int D> Status run(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
     StoreState state = {};
     Store<D> store(work.arena, state);
-    const Status status =
-        triangulate<D>(store, request.points, request.count, request.seed, work.monitor, &out->input);
+    const Status status = triangulate<D>(store, request.points, request.count, request.seed, work.monitor, &out->input);
     if (status != Status::ok) return status;
     out->distinct = state.vertex_count;
     AlphaFiltration<D> filtration;
@@ -51,8 +50,7 @@ template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work
     return status == Status::ok ? move_pairs_down(low, work.arena, &out->found.pairs) : status;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_of_points<D>(const AlphaOfPoints&, const Work&, AlphaDiagram*);
+#define NETMESH_INSTANTIATE(D) template Status alpha_of_points<D>(const AlphaOfPoints&, const Work&, AlphaDiagram*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -21,7 +21,8 @@ template <int D> class Observers {
 public:
     explicit Observers(const MeshRequest& request)
         : terms_{request.method != MeshMethod::certificate, request.method == MeshMethod::hierarchy, true},
-          locates_(built::audits && request.audit_location), measures_(built::audits && request.audit_quality), kind_(request.cages) {}
+          locates_(built::audits && request.audit_location), measures_(built::audits && request.audit_quality),
+          kind_(request.cages) {}
 
     // Memory for the lists, before the store's cells are opened; later the frame is there. out_of_memory.
     Status open(Store<D>& store, std::uint32_t inputs);

@@ -33,7 +33,8 @@ public:
 
     QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), reference_(built::refine && request.method == MeshMethod::reference),
-          certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : pull_back<D>), tight_(tau_) {}
+          certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : pull_back<D>),
+          tight_(tau_) {}
 
     double choose_domain();
     double promised_radius() const { return is_reference() ? domain_.radius : Base::promised_radius(); }

@@ -123,7 +123,8 @@ static void fill_requests(void) {
     netmesh_bottleneck_request_init(&bottleneck.it, sizeof bottleneck.it, sizeof(netmesh_pair));
     netmesh_analyse_request_init(&analyse.it, sizeof analyse.it);
     look_at_guards("an init call");
-    POINTS_OF(delaunay), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(alpha), POINTS_OF(rips), POINTS_OF(nested);
+    POINTS_OF(delaunay), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(alpha), POINTS_OF(rips),
+        POINTS_OF(nested);
     mesh.it.purpose = NETMESH_PURPOSE_PERSIST;
     vineyard.it.k_last = 3;
     nested.it.point_count = 8;

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Builds of the engine without some of its parts: each switch of engine/netmesh_config.h off by itself, all of them
+off, and single dimensions. Each runs features.c: what is in gives the fingerprints of the full build, what is out
+answers NETMESH_NOT_BUILT and names its switch.
+
+    features.py SOURCE WORK CC CXX
+
+Only sources that read the switches are compiled again; the objects of the others are those of the full build.
+"""
+import concurrent.futures
+import os
+import re
+import subprocess
+import sys
+
+FLAGS = ("-O1 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -ffp-contract=off "
+         "-ffunction-sections -fdata-sections").split()
+
+
+def run(command, **more):
+    return subprocess.run(command, check=True, text=True, capture_output=True, **more).stdout
+
+
+class Builder:
+    def __init__(self, source, work, cc, cxx):
+        self.source, self.work, self.cc, self.cxx = source, work, cc, cxx
+        self.engine = os.path.join(source, "engine")
+        self.files = sorted(os.path.join(folder, name) for folder, _, names in os.walk(self.engine)
+                            for name in names if name.endswith(".cpp"))
+        self.pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
+
+    def compile(self, file, folder, defines):
+        out = os.path.join(folder, os.path.relpath(file, self.engine).replace("/", "_") + ".o")
+        run([self.cxx, "-std=c++17", *FLAGS, *defines, "-I", self.engine, "-I", self.engine + "/include", "-MD", "-c",
+             file, "-o", out])
+        return out
+
+    def objects(self, name, defines, base=None):
+        """Object files by source. With `base`, the sources that do not read the switches are taken from it."""
+        folder = os.path.join(self.work, name)
+        os.makedirs(folder, exist_ok=True)
+        made = dict(base or {})
+        again = [f for f in self.files if base is None or self.reads_switches(base[f])]
+        for file, out in zip(again, self.pool.map(lambda f: self.compile(f, folder, defines), again)):
+            made[file] = out
+        return made
+
+    @staticmethod
+    def reads_switches(made):
+        with open(made[:-2] + ".d", encoding="utf-8") as rules:
+            return "features.hpp" in rules.read()
+
+    def lines(self, name, defines, objects):
+        program = os.path.join(self.work, name, "features")
+        run([self.cc, "-std=c99", "-Wall", "-Werror", *defines, "-I", self.engine, "-I", self.engine + "/include",
+             os.path.join(self.source, "tests/embedding/features.c"), *objects.values(), "-o", program, "-lm"])
+        done = subprocess.run([program], text=True, capture_output=True)
+        if done.returncode != 0:
+            print(f"{name}: exit {done.returncode}\n{done.stderr}")
+            return None
+        return set(done.stdout.splitlines())
+
+
+def main():
+    source, work, cc, cxx = sys.argv[1:]
+    with open(os.path.join(source, "engine/netmesh_config.h"), encoding="utf-8") as header:
+        switches = re.findall(r"#ifndef (NETMESH_WITH_\w+)", header.read())
+    if len(switches) < 10:
+        sys.exit("netmesh_config.h has hardly any switch")
+    builder = Builder(source, work, cc, cxx)
+    plane = ["-DNETMESH_EACH_DIMENSION(DO)=DO(2)"]
+    base = builder.objects("plane", plane)
+    full = {}
+    builds = [("plane", plane, base), ("space", ["-DNETMESH_EACH_DIMENSION(DO)=DO(3)"], None),
+              ("both", ["-DNETMESH_EACH_DIMENSION(DO)=DO(2) DO(3)"], None)]
+    for name, defines, objects in builds:
+        full[name] = builder.lines(name, defines, objects or builder.objects(name, defines))
+    if None in full.values():
+        return 1
+    failed = full["plane"] | full["space"] != full["both"]
+    if failed:
+        print("two dimensions together give other results than each by itself")
+    for off in [[s] for s in switches] + [switches]:
+        name = off[0] if len(off) == 1 else "all"
+        defines = plane + [f"-D{switch}=0" for switch in off]
+        lines = builder.lines(name, defines, builder.objects(name, defines, base))
+        if lines is None:
+            failed = True
+        elif not lines < full["plane"]:
+            failed = True
+            print(f"without {name}:", *sorted(lines - full["plane"]) or ["no job is left out"], sep="\n    ")
+        else:
+            print(f"without {name}: {len(lines)} of {len(full['plane'])} jobs, with the same results")
+    return failed
+
+
+sys.exit(main())

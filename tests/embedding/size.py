@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""What the smallest programs take: text and constants above those of an empty program, at -Os on this machine.
+
+    size.py SOURCE WORK CC CXX           build, run, and compare with the limits below
+    size.py SOURCE WORK CC CXX --table   the same as a table for the README
+"""
+import os
+import subprocess
+import sys
+
+PROGRAMS = {"delaunay": "5", "alpha": "10", "persist": "6"}  # and what they print
+# All that a program that persists a quality mesh by the complete filter has no use for.
+WITHOUT = "alpha;cages;refine;certificate;sizes;audits;basic;nearest_k;function;tight"
+# Bytes at most, of g++ 12 on x86-64: what was measured, and a fiftieth more.
+BUILDS = {
+    "D = 2": (["-DNETMESH_DIMENSIONS=2"], {"delaunay": 30300, "alpha": 56400, "persist": 196000}),
+    "D = 2, least": (["-DNETMESH_DIMENSIONS=2", f"-DNETMESH_WITHOUT={WITHOUT}"],
+                     {"delaunay": 30300, "alpha": 56400, "persist": 71000}),
+    "D = 2 and 3": (["-DNETMESH_DIMENSIONS=2;3"], {"delaunay": 50800, "alpha": 94400, "persist": 357000}),
+}
+
+
+def run(*command):
+    done = subprocess.run(command, text=True, capture_output=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def text_of(program):
+    """Text and constants, as `size` adds them up."""
+    return int(run("size", program).splitlines()[1].split()[0])
+
+
+def main():
+    source, work, cc, cxx = sys.argv[1:5]
+    os.makedirs(work, exist_ok=True)
+    here = os.path.join(source, "tests/embedding")
+    link = ["-std=c11", "-Os", "-static", "-ffunction-sections", "-Wl,--gc-sections"]
+
+    def text_of_source(file, *library):
+        program = os.path.join(work, os.path.basename(file)[:-2])
+        run(cc, *link, "-I", os.path.join(source, "engine/include"), file, *library, "-o", program)
+        return text_of(program), run(program).strip()
+
+    empty = os.path.join(work, "empty.c")
+    with open(empty, "w", encoding="utf-8") as file:
+        file.write('#include <stdio.h>\nint main(void) {\n    printf("%u\\n", 0u);\n    return 0;\n}\n')
+    nothing = text_of_source(empty)[0]
+    failed, rows = False, []
+    for name, (settings, limits) in BUILDS.items():
+        build = os.path.join(work, name.replace(" ", "").replace(",", "-").replace("=", ""))
+        run("cmake", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=MinSizeRel", "-DNETMESH_BUILD_TOOLS=OFF",
+            "-DNETMESH_BUILD_TESTS=OFF", "-DNETMESH_INSTALL=OFF", "-DNETMESH_BUILD_FUZZ=OFF",
+            f"-DCMAKE_CXX_COMPILER={cxx}", f"-DCMAKE_C_COMPILER={cc}", *settings)
+        run("cmake", "--build", build, "-j", str(os.cpu_count()))
+        row = []
+        for program, printed in PROGRAMS.items():
+            text, said = text_of_source(f"{here}/size_{program}.c", os.path.join(build, "libnetmesh.a"))
+            row.append(f"{text - nothing:,}")
+            if said != printed:
+                failed = True
+                print(f"{name}: {program} prints {said} for {printed}")
+            if text - nothing > limits[program]:
+                failed = True
+                print(f"{name}: {program} takes {text - nothing:,} bytes, above {limits[program]:,}")
+        rows.append((name, *row))
+    if "--table" in sys.argv:
+        print("| build | " + " | ".join(f"`size_{program}.c`" for program in PROGRAMS) + " |")
+        print("|---|" + "---:|" * len(PROGRAMS))
+    for row in rows:
+        print("| " + " | ".join(row) + " |" if "--table" in sys.argv else "   ".join(row))
+    return failed
+
+
+sys.exit(main())
