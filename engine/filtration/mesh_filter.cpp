@@ -48,21 +48,20 @@ Status clip_as_needed(const CellBounds<D>& bounds, CellClipper<D>& clipper, cons
     const bool is_input = vertex.marker == Marker::input;
     double& far = is_input ? bounds.out_radius[v] : bounds.reach[v];
     const double* const from = bounds.store.point(nearest_input<D>(bounds.store, v));
-    bool knows_lo = is_input;  // as well as it can be
-    const auto know_lo = [&] {
+    if (!is_input && !(own <= c * i.lo)) {
         const double half = 0.5 * distance_to_inputs<D>(bounds.store, v);
-        if (!knows_lo) bounds.out_radius[v] = clipper.bound(vertex.x, bounds.out_radius[v], half);
-        knows_lo = true;
+        bounds.out_radius[v] = clipper.bound(vertex.x, bounds.out_radius[v], half);
         i = bounds.interval(v);
-    };
-    if (!(own <= c * i.lo)) know_lo();
+    }
     if (own <= c * i.lo && c * own < far && clipper.is_bound(from, c * own)) {
         far = c * own;
         return Status::ok;
     }
+    // A better lo has nothing to say now. With d = own (where rho cuts own, it cuts hi as well) and w = R_v / d: lo is
+    // at least d / 2 and d - R_v, hi at most d + R_v, and own <= c lo, or lo is the best there is. Where w < 1/2, lo =
+    // d (1 - w), so c >= 1 / (1 - w) and hi <= d (1 + w) <= d / (1 - w) <= c^2 lo. Elsewhere lo = d / 2 and c >= 2; hi
+    // > c^2 lo >= 2 d takes a clipped cell that reaches d or farther, of which d / 2 is all that is known.
     far = clipper.bound(from, far, bounds.rho);
-    i = bounds.interval(v);
-    if (!(i.hi <= c * c * i.lo)) know_lo();
     return Status::ok;
 }
 
