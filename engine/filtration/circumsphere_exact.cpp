@@ -90,7 +90,7 @@ ExactSphere::ExactSphere(const double* const* point, int k, int dim) : k_(k), di
 }
 
 ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
-    std::uint64_t power[scaled_power_max + 1], edge[dim_max][dim_max], gram[dim_max][dim_max];
+    std::uint64_t power[scaled_power_max + 1], edge[dim_max][dim_max], gram[dim_max][dim_max] = {};
     power[0] = 1;
     for (int i = 1; i <= power_max_; ++i) power[i] = multiply(power[i - 1], prime.excess, prime);
     for (int c = 0; c < dim_; ++c) {

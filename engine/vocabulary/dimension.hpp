@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "netmesh_config.h"
+#include "vocabulary/netmesh_config.h"
 
 namespace netmesh {
 

@@ -1,7 +1,7 @@
 // What this build of the engine holds: the switches of netmesh_config.h as constants. Code that is left out is not
 // called, which drops it from the program; it is compiled all the same.
 #pragma once
-#include "netmesh_config.h"
+#include "vocabulary/netmesh_config.h"
 
 namespace netmesh::built {
 

@@ -2,7 +2,7 @@
  * switches as the library. Prints a line for each job that is in the build, by which builds are compared; the exit
  * status is not 0 when a part that is left out does not say so. */
 #include "netmesh.h"
-#include "netmesh_config.h"
+#include "vocabulary/netmesh_config.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds of the engine without some of its parts: each switch of engine/netmesh_config.h off by itself, all of them
+"""Builds of the engine without some of its parts: each switch of engine/vocabulary/netmesh_config.h off by itself, all of them
 off, and single dimensions. Each runs features.c: what is in gives the fingerprints of the full build, what is out
 answers NETMESH_NOT_BUILT and names its switch.
 
@@ -63,7 +63,7 @@ class Builder:
 
 def main():
     source, work, cc, cxx = sys.argv[1:]
-    with open(os.path.join(source, "engine/netmesh_config.h"), encoding="utf-8") as header:
+    with open(os.path.join(source, "engine/vocabulary/netmesh_config.h"), encoding="utf-8") as header:
         switches = re.findall(r"#ifndef (NETMESH_WITH_\w+)", header.read())
     if len(switches) < 10:
         sys.exit("netmesh_config.h has hardly any switch")

@@ -43,7 +43,7 @@ typedef enum netmesh_status {
     NETMESH_INTERNAL = 11,       /* an invariant of the library does not hold: a defect, please report it */
     NETMESH_NOT_A_COMPLEX = 12,  /* simplex index_a has no place in a filtered complex; detail.fault says why */
     NETMESH_NOT_BUILT = 13       /* detail.field asks for something that was left out when the library was built, as
-                                    engine/netmesh_config.h says; detail.message names the switch */
+                                    engine/vocabulary/netmesh_config.h says; detail.message names the switch */
 } netmesh_status;
 
 /* C lets a compiler make enumerations shorter than an int (-fshort-enums, the habit of some ARM toolchains). The
