@@ -68,14 +68,15 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # What runs seldom is made small rather than fast, as single functions are that say [[gnu::cold]]: archive.size counts
 # the bytes of all that is built.
 set(seldom analysis/fatness analysis/hierarchy_size analysis/pacing analysis/size analysis/structure api/alpha
-  api/analyse api/bounds api/check api/complexes api/cycles api/figures api/fit api/items api/load api/measure_cells api/mesh
-  api/mesh_rules api/persist api/plan api/represent api/requests api/scales api/vineyard complex/faces_in_part
-  complex/listed_complex delaunay/check delaunay/load diagram/induced_matching filtration/circumsphere_exact
-  filtration/clipped_nerve filtration/explicit_complex filtration/function_filter filtration/scale_partition
-  homology/cycles/cycles jobs/alpha_of_points jobs/bar_bounds jobs/bound_bars jobs/certified_bars jobs/follow_vines jobs/join_shift
-  jobs/joined_bars jobs/k_vineyard jobs/list_simplices jobs/persist_filter jobs/persist_points jobs/persist_scales
-  jobs/points_vineyard jobs/represent jobs/scale_grid jobs/value_vineyard mesh/ball_lists mesh/cage_corner
-  mesh/check_domain mesh/check_reach mesh/domain mesh/hierarchy_quality mesh/quality_audit mesh/thesis_cages)
+  api/analyse api/bounds api/check api/complexes api/cycles api/figures api/fit api/items api/load api/measure_cells
+  api/mesh api/mesh_rules api/persist api/plan api/represent api/requests api/scales api/vineyard
+  complex/faces_in_part complex/listed_complex delaunay/check delaunay/load diagram/induced_matching
+  filtration/circumsphere_exact filtration/clipped_nerve filtration/explicit_complex filtration/function_filter
+  filtration/scale_partition homology/cycles/cycles jobs/alpha_of_points jobs/bar_bounds jobs/bound_bars
+  jobs/certified_bars jobs/follow_vines jobs/join_shift jobs/joined_bars jobs/k_vineyard jobs/list_simplices
+  jobs/persist_filter jobs/persist_points jobs/persist_scales jobs/points_vineyard jobs/represent jobs/scale_grid
+  jobs/value_vineyard mesh/ball_lists mesh/cage_corner mesh/check_domain mesh/check_reach mesh/domain
+  mesh/hierarchy_quality mesh/quality_audit mesh/thesis_cages)
 list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
 # -O3 unrolls their loops to two or three times the size.

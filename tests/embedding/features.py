@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds of the engine without some of its parts: each switch of engine/vocabulary/netmesh_config.h off by itself, all of them
+"""Builds of the engine without some of its parts: each switch of netmesh_config.h off by itself, all of them
 off, and single dimensions. Each runs features.c: what is in gives the fingerprints of the full build, what is out
 answers NETMESH_NOT_BUILT and names its switch.
 

@@ -42,8 +42,8 @@ typedef enum netmesh_status {
     NETMESH_FLOATING_POINT = 10, /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,       /* an invariant of the library does not hold: a defect, please report it */
     NETMESH_NOT_A_COMPLEX = 12,  /* simplex index_a has no place in a filtered complex; detail.fault says why */
-    NETMESH_NOT_BUILT = 13       /* detail.field asks for something that was left out when the library was built, as
-                                    engine/vocabulary/netmesh_config.h says; detail.message names the switch */
+    NETMESH_NOT_BUILT = 13       /* detail.field asks for what this build of the library leaves out (its
+                                    netmesh_config.h); detail.message names the switch */
 } netmesh_status;
 
 /* C lets a compiler make enumerations shorter than an int (-fshort-enums, the habit of some ARM toolchains). The
