@@ -88,7 +88,7 @@ size_t netmesh_plan_points(const netmesh_points_request* from) {
     if (request.point_count == 0 || request.point_count > NETMESH_POINTS_MAX) return 0;
     if (complaint_about_dim(request.dim).text != nullptr || complaint_about(request).text != nullptr) return 0;
     return whole_bytes(points_bytes(filter_of(request), request.point_count, request.dim) + sizeof(netmesh_context) +
-                       65536);
+                       complex_overhead);
 }
 
 netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology_request* from) {
@@ -117,7 +117,7 @@ size_t netmesh_plan_homology(const netmesh_homology_request* from) {
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (request.simplex_count == 0 || request.vertex_count < request.simplex_count) return 0;
     if (request.vertex_count > UINT64_MAX / 128) return 0;
-    return whole_bytes(simplices_bytes(request.simplex_count, request.vertex_count) + 65536);
+    return whole_bytes(simplices_bytes(request.simplex_count, request.vertex_count) + complex_overhead);
 }
 
 }  // extern "C"

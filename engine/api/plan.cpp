@@ -126,6 +126,19 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
 }
 
+// Without a triangulation that stays: the larger of its peak and that of the complex, which stands beside the
+// coordinates. A simplex has taken 32 and 28 bytes in the plane and in space, 35 in R^6; grids take 8 more.
+constexpr double alpha_of_points_bytes = 36;
+
+template <int D> double alpha_of_points_block(double points) {
+    const Amounts amounts = delaunay_amounts<D>(points);
+    const double triangulated = block_bytes<D>(amounts, {});
+    const double simplices = amounts.cells * figures<D>.simplices_per_cell;
+    const double filtered = margin * (sizeof(double) * D * points + alpha_of_points_bytes * simplices) +
+                            sizeof(netmesh_context) + block_overhead;
+    return triangulated > filtered ? triangulated : filtered;
+}
+
 bool is_plannable(std::uint32_t dim, std::size_t points) {
     return complaint_about_dim(dim).text == nullptr && points > 0 && points <= NETMESH_POINTS_MAX;
 }
@@ -166,11 +179,8 @@ size_t netmesh_plan_alpha(const netmesh_alpha_request* from) {
     netmesh_alpha_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (!is_plannable(request.dim, request.point_count)) return 0;
-    Planned planned;
-    planned.alpha = true;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        return block_bytes<D>(delaunay_amounts<D>(static_cast<double>(request.point_count)), planned);
+        return alpha_of_points_block<decltype(dimension)::value>(static_cast<double>(request.point_count));
     }));
 }
 

@@ -130,7 +130,7 @@ size_t netmesh_plan_points_vineyard(const netmesh_points_vineyard_request* from)
     if (request.point_count == 0 || request.point_count > NETMESH_POINTS_MAX) return 0;
     if (complaint_about_dim(request.dim).text != nullptr || complaint_about(request).text != nullptr) return 0;
     const double bytes = points_vineyard_bytes(filter_of(request), request.k_last, request.point_count, request.dim);
-    return whole_bytes(bytes + sizeof(netmesh_context) + 65536);
+    return whole_bytes(bytes + sizeof(netmesh_context) + complex_overhead);
 }
 
 netmesh_status netmesh_value_vineyard(netmesh_context* context, const netmesh_value_vineyard_request* from) {
@@ -164,7 +164,7 @@ size_t netmesh_plan_value_vineyard(const netmesh_value_vineyard_request* from) {
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (request.simplex_count == 0 || request.vertex_count < request.simplex_count) return 0;
     if (request.vertex_count > UINT64_MAX / 128 || request.step_count == 0 || request.step_count >= none) return 0;
-    return whole_bytes(value_vineyard_bytes(request.simplex_count, request.vertex_count, request.step_count) + 65536);
+    return whole_bytes(value_vineyard_bytes(request.simplex_count, request.vertex_count, request.step_count) + complex_overhead);
 }
 
 }  // extern "C"

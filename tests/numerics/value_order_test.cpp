@@ -61,7 +61,7 @@ TEST_CASE("sorted and reversed sequences") {
 }
 
 TEST_CASE("without scratch nothing happens") {
-    Block block(4096);
+    Block block(1024);
     std::vector<double> value = {3, 2, 1};
     std::vector<std::uint32_t> position = {7, 7, 7};
     CHECK(!sort_values(value.data(), position.data(), 3, block.arena));

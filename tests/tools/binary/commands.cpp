@@ -679,7 +679,7 @@ TEST_CASE("homology: a filtered complex from a file, its cycles, its faults by l
         CHECK(result.says(fault[1]));
         CHECK(result.out == "");
     }
-    CHECK(folder.run("homology t.txt --memory 4000").exit == 4);
+    CHECK(folder.run("homology t.txt --memory 2000").exit == 4);
     CHECK(folder.run("homology t.txt --memory 200K --quiet").exit == 0);
     CHECK(folder.run("homology t.txt -o t.txt").exit == 2);
     CHECK(folder.run("homology").exit == 2);
