@@ -164,7 +164,8 @@ size_t netmesh_plan_value_vineyard(const netmesh_value_vineyard_request* from) {
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (request.simplex_count == 0 || request.vertex_count < request.simplex_count) return 0;
     if (request.vertex_count > UINT64_MAX / 128 || request.step_count == 0 || request.step_count >= none) return 0;
-    return whole_bytes(value_vineyard_bytes(request.simplex_count, request.vertex_count, request.step_count) + complex_overhead);
+    return whole_bytes(value_vineyard_bytes(request.simplex_count, request.vertex_count, request.step_count) +
+                       complex_overhead);
 }
 
 }  // extern "C"
