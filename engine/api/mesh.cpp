@@ -30,7 +30,7 @@ netmesh_status finish_points(netmesh_context* context, Status status, const Inpu
 }
 
 // Aspect ratio and sizes of a mesh that was just made, as far as it goes.
-template <int D> Status measure(netmesh_context* context, Store<D>& store, const SizeRule& sizes, Status status) {
+template <int D> Status measure_made(netmesh_context* context, Store<D>& store, const SizeRule& sizes, Status status) {
     KeptMesh& mesh = context->mesh;
     if (!mesh.present) return status;
     HierarchyQuality quality;
@@ -66,7 +66,7 @@ netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_reque
     context->mesh.audited = request.audit;
     keep_input(context, D, result.input, status);
     keep_mesh<D>(context, asked, result);
-    status = measure<D>(context, store, asked.size, status);
+    status = measure_made<D>(context, store, asked.size, status);
     if (status != Status::invalid_argument) return finish_points(context, status, result.input);
     clear(context);
     if (asked.method == MeshMethod::certificate)

@@ -6,8 +6,8 @@
 namespace netmesh {
 namespace {
 
-void keep_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
-                  const FilterDiagram& diagram) {
+void keep_mesh_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
+                       const FilterDiagram& diagram) {
     const Arena& arena = context->arena;
     KeptDiagram& kept = context->diagram;
     kept.present = true;
@@ -61,7 +61,7 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
         return persist_filter<D>(filtered_mesh_of<D>(*context, store), wanted, {context->arena, monitor}, &diagram);
     });
     if (status == Status::ok) {
-        keep_diagram(context, wanted, request.values, diagram);
+        keep_mesh_diagram(context, wanted, request.values, diagram);
         return finish(context, status);
     }
     clear_diagram(context);

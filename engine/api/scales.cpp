@@ -7,7 +7,7 @@
 namespace netmesh {
 namespace {
 
-Complaint complaint_about(const netmesh_scales_request& request) {
+Complaint complaint_about_scales(const netmesh_scales_request& request) {
     Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
     if (complaint.text == nullptr) complaint = complaint_about_values(request.values);
     if (complaint.text != nullptr) return complaint;
@@ -74,7 +74,7 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
     netmesh_scales_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about(request);
+    const Complaint complaint = complaint_about_scales(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     const ScalesRequest wanted = {theta_of(request.theta),

@@ -25,8 +25,8 @@ std::uint64_t sum_of(std::uint64_t a, std::uint64_t b, const ResiduePrime& prime
 
 // det[0] = det G, det[i] = det G_i from the Gram matrix.
 template <int K>
-void solve(const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max], const ResiduePrime& prime,
-           std::uint64_t* det) {
+void solve_residues(const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max], const ResiduePrime& prime,
+                    std::uint64_t* det) {
     std::uint64_t entry[K][2][K + 1], minors[K + 1];
     for (int c = 0; c < K; ++c)
         for (int r = 0; r <= K; ++r) {
@@ -95,12 +95,12 @@ ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
         }
     Residues r;
     switch (k_) {
-    case 1: solve<1>(gram, prime, r.det); break;
-    case 2: solve<2>(gram, prime, r.det); break;
-    case 3: solve<3>(gram, prime, r.det); break;
-    case 4: solve<4>(gram, prime, r.det); break;
-    case 5: solve<5>(gram, prime, r.det); break;
-    default: solve<6>(gram, prime, r.det); break;
+    case 1: solve_residues<1>(gram, prime, r.det); break;
+    case 2: solve_residues<2>(gram, prime, r.det); break;
+    case 3: solve_residues<3>(gram, prime, r.det); break;
+    case 4: solve_residues<4>(gram, prime, r.det); break;
+    case 5: solve_residues<5>(gram, prime, r.det); break;
+    default: solve_residues<6>(gram, prime, r.det); break;
     }
     UnsignedSum sum;
     for (int i = 0; i < k_; ++i) sum.add_product(gram[i][i], r.det[i + 1]);
