@@ -21,7 +21,7 @@ PUBLIC = "netmesh_"
 UNDEFINED_ALLOWED = {"memcpy", "memmove", "memset", "memcmp"}
 HELPERS = re.compile(r"__aeabi_\w+$|__c[lt]z[sd]i2$"
                      r"|__(add|sub|mul|div|neg|fix|fixuns|float|floatun|floatuns|extend|trunc|eq|ne|lt|le|gt"
-                     r"|ge|cmp|unord)[dst][ifd]\w*$|sqrt$")
+                     r"|ge|cmp|unord)[dst][ifd]\w*$")
 
 
 def run(*command):
