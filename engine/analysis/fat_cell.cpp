@@ -1,6 +1,7 @@
 #include "analysis/fat_cell.hpp"
 
 #include "analysis/in_ball.hpp"
+#include "certificate/rounding.hpp"
 #include "delaunay/any_star.hpp"
 #include "mesh/clipped_cell.hpp"
 #include "numerics/vector.hpp"
@@ -9,7 +10,6 @@
 namespace netmesh {
 namespace {
 
-constexpr double up = 1 + 0x1p-40;
 constexpr double least_square = 0x1p-960;  // shorter edges have squares that doubles do not hold
 constexpr int clipping_rounds = 12;        // cutting planes for an in-ball at the sphere
 

@@ -2,6 +2,7 @@
 
 #include "analysis/fat_cell.hpp"
 #include "analysis/in_ball.hpp"
+#include "certificate/rounding.hpp"
 #include "delaunay/cell_list.hpp"
 #include "delaunay/load.hpp"
 #include "numerics/elementary.hpp"
@@ -11,8 +12,7 @@
 namespace netmesh {
 namespace {
 
-constexpr double up = 1 + 0x1p-40;
-constexpr int clipping_rounds = 12;  // cutting planes for an in-ball at the sphere
+constexpr int clipped_rounds = 12;  // cutting planes for an in-ball at the sphere
 
 enum Part : std::uint8_t { part_inside = 0, part_bounded = 1, part_all = 2, part_none = 3 };
 constexpr int parts = 3;
@@ -150,7 +150,7 @@ template <int D>
     if (corners.count < 2 || !domain_.contains(store_.point(v))) return 0;
     smallest_enclosing_ball<D>(corners.x, corners.count, centre, &out_radius);
     double best = 0;
-    for (int round = 0; round < clipping_rounds; ++round) {
+    for (int round = 0; round < clipped_rounds; ++round) {
         const double radius = largest_inscribed_ball<D>(neighbours.x, neighbours.count, m.nearest, centre);
         double away2 = 0, toward = 0;
         for (int k = 0; k < D; ++k) {
@@ -179,7 +179,7 @@ template <int D> [[gnu::cold]] Status Fatness<D>::measure(VertexId v, bool balls
     ArenaScope scope(arena_);
     const bool clips = part_[v] == part_bounded && domain_.radius > 0;
     Points<D> corners, neighbours, cut;
-    if (!corners.take(arena_, m->corners) || !neighbours.take(arena_, std::size_t{m->corners} * D + clipping_rounds) ||
+    if (!corners.take(arena_, m->corners) || !neighbours.take(arena_, std::size_t{m->corners} * D + clipped_rounds) ||
         !cut.take(arena_, clips ? std::size_t{m->corners} * 2 * D : 0))
         return Status::out_of_memory;
     const bool room = visit_star(store_, v, [&](CellId c) {
@@ -246,7 +246,7 @@ template <int D> [[gnu::cold]] void Fatness<D>::compare(const CellMeasure& m, in
     }
 }
 
-template <int D> [[gnu::cold]] void finish(FatPart* part) {
+template <int D> [[gnu::cold]] void finish_part(FatPart* part) {
     const double cells = static_cast<double>(part->cells);
     if (part->cells > 0) part->beta_mean /= cells;
     part->edges /= 2;
@@ -275,8 +275,8 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run(Monitor& monitor) {
         if (status != Status::ok) return status;
         for (int part = part_[v]; part <= part_bounded; ++part) compare(m, part);
     }
-    finish<D>(&analysis_.bounded);
-    finish<D>(&analysis_.inside);
+    finish_part<D>(&analysis_.bounded);
+    finish_part<D>(&analysis_.inside);
     if (analysis_.clipped > 0) analysis_.clipped_mean /= static_cast<double>(analysis_.clipped);
     return run_over_all(monitor);
 }
@@ -323,7 +323,7 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor)
         }
     }
     for (std::uint32_t v = 0; v < count; ++v) store_.vertex(v).next = none;
-    finish<D>(&analysis_.all);
+    finish_part<D>(&analysis_.all);
     return Status::ok;
 }
 

@@ -9,7 +9,7 @@ namespace {
 // eta: h / f_P(centre) of a box that is never split. What is lost in bounds is won in boxes, 2^D for each factor of
 // two.
 template <int D> constexpr double coarsest = figures<D>.coarsest_box;
-constexpr double rounding = 0x1p-26;  // more than that of sums of 2^24 terms
+constexpr double sum_rounding = 0x1p-26;  // more than that of sums of 2^24 terms
 constexpr double mean_over_max =
     0.57736;  // mean distance from the centre of a box over half its diagonal, at most 1/sqrt(3)
 constexpr int levels_max = 2200;
@@ -68,7 +68,7 @@ template <int D> Status Boxes<D>::open(Arena& arena) {
         tree_.nearest(store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
         if (d2 < least2) least2 = d2;
     }
-    feature_least_ = 0.5 * square_root(least2) * (1 - rounding);
+    feature_least_ = 0.5 * square_root(least2) * (1 - sum_rounding);
     return Status::ok;
 }
 
@@ -180,8 +180,8 @@ template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureInteg
         if (!entered) leave();
     }
     for (int j = 0; j < balls_; ++j) {
-        integral->lower[j] *= 1 - rounding;
-        integral->upper[j] *= 1 + rounding;
+        integral->lower[j] *= 1 - sum_rounding;
+        integral->upper[j] *= 1 + sum_rounding;
     }
     return Status::ok;
 }

@@ -6,7 +6,7 @@ namespace netmesh {
 namespace {
 
 // A range of the tree to be looked at, all of whose points are at least sqrt(plane2) away.
-struct Part {
+struct PrunedRange {
     TreeRange range;
     double plane2;
 };
@@ -15,11 +15,11 @@ struct Part {
 // range.
 template <int D, class Prune, class AtItem>
 void search(const Store<D>& store, const InputTree<D>& tree, const double* x, Prune&& prune, AtItem&& at_item) {
-    Part stack[64];
+    PrunedRange stack[64];
     int depth = 0;
     stack[depth++] = {tree.root(), 0};
     while (depth > 0) {
-        const Part part = stack[--depth];
+        const PrunedRange part = stack[--depth];
         if (prune(part.range, part.plane2)) continue;
         if (part.range.is_leaf()) {
             for (std::uint32_t i = part.range.begin; i < part.range.end; ++i) at_item(tree.item(i));
@@ -29,8 +29,10 @@ void search(const Store<D>& store, const InputTree<D>& tree, const double* x, Pr
         const int axis = tree.axis(middle);
         at_item(v);
         const double offset = x[axis] - store.point(v)[axis], plane2 = offset * offset;
-        const Part below = {{part.range.begin, middle}, offset > 0 && plane2 > part.plane2 ? plane2 : part.plane2};
-        const Part above = {{middle + 1, part.range.end}, offset < 0 && plane2 > part.plane2 ? plane2 : part.plane2};
+        const PrunedRange below = {{part.range.begin, middle},
+                                   offset > 0 && plane2 > part.plane2 ? plane2 : part.plane2};
+        const PrunedRange above = {{middle + 1, part.range.end},
+                                   offset < 0 && plane2 > part.plane2 ? plane2 : part.plane2};
         stack[depth++] = offset < 0 ? above : below;
         stack[depth++] = offset < 0 ? below : above;
     }

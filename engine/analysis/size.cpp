@@ -11,7 +11,7 @@
 namespace netmesh {
 namespace {
 
-constexpr double tolerance = 0x1p-15;  // of tau and of distances, where a bound is compared
+constexpr double bound_tolerance = 0x1p-15;  // of tau and of distances, where a bound is compared
 
 // |M|, the feature ratio and how far in-balls reach from the domain's centre.
 template <int D>
@@ -64,8 +64,8 @@ Status measure_pace(const Store<D>& store, const Domain<D>& domain, const InputT
     }
     const double t = analysis->theta;
     if (inputs > 2 && 5 * t < 1) analysis->theta_limit = 2 * t / (1 - 3 * t);
-    analysis->pace_lower = unit_ball_volume(D) * lower * (1 - tolerance);
-    analysis->pace_upper = unit_ball_volume(D) * upper * (1 + tolerance);
+    analysis->pace_lower = unit_ball_volume(D) * lower * (1 - bound_tolerance);
+    analysis->pace_upper = unit_ball_volume(D) * upper * (1 + bound_tolerance);
     return Status::ok;
 }
 
@@ -89,7 +89,7 @@ Status sum_domains(Store<D>& store, const Domain<D>& domain, std::uint32_t input
 }  // namespace
 
 double feature_ratio_bound(double tau, const SizeRule& rule) {
-    const double loss = 2 / (yield_radius * tau * (1 - tolerance));
+    const double loss = 2 / (yield_radius * tau * (1 - bound_tolerance));
     if (rule.function != nullptr || rule.at_inputs > 0 || !(loss < 1)) return infinity;
     const double k = (2 + 1 / yield_radius) / (1 - loss);
     return rule.eps > 0 && rule.eps < 1 ? k / rule.eps : k;
@@ -120,9 +120,10 @@ Status analyse_size(Store<D>& store, const Domain<D>& domain, std::uint32_t inpu
     }
     if (options.cage_count > 0) return sum_domains<D>(store, domain, inputs, options, work, analysis);
     const double volume = unit_ball_volume(D);
-    analysis->size_lower = analysis->integral.lower[ball_domain] / (volume * power(options.tau, D)) * (1 - tolerance);
-    analysis->size_upper =
-        analysis->integral.upper[ball_vertices] / volume * power(2 * analysis->feature_ratio + 1, D) * (1 + tolerance);
+    analysis->size_lower =
+        analysis->integral.lower[ball_domain] / (volume * power(options.tau, D)) * (1 - bound_tolerance);
+    analysis->size_upper = analysis->integral.upper[ball_vertices] / volume *
+                           power(2 * analysis->feature_ratio + 1, D) * (1 + bound_tolerance);
     return Status::ok;
 }
 

@@ -33,7 +33,7 @@ template <int D> std::uint32_t stride_of(const Store<D>& store, std::uint32_t ex
     return static_cast<std::uint32_t>(1 + looks / looks_max);
 }
 
-void note(std::uint64_t value, std::uint64_t* count, std::uint64_t* most, double* sum) {
+void note_count(std::uint64_t value, std::uint64_t* count, std::uint64_t* most, double* sum) {
     ++*count;
     *sum += static_cast<double>(value);
     if (value > *most) *most = value;
@@ -69,11 +69,11 @@ template <int D> Status measure_stars(Store<D>& store, const bool* hull, Structu
         if (!room) return Status::out_of_memory;
         double sum = 0;
         if (hull[v]) {
-            note(degree, &analysis->hull_vertices, &analysis->hull_degree_max, &sum);
+            note_count(degree, &analysis->hull_vertices, &analysis->hull_degree_max, &sum);
             continue;
         }
-        note(degree, &analysis->vertices, &analysis->degree_max, &analysis->degree_mean);
-        note(star, &stars, &analysis->star_max, &analysis->star_mean);
+        note_count(degree, &analysis->vertices, &analysis->degree_max, &analysis->degree_mean);
+        note_count(star, &stars, &analysis->star_max, &analysis->star_mean);
     }
     return Status::ok;
 }
@@ -116,7 +116,7 @@ template <int D> void barycentre(const Store<D>& store, CellId c, double* x) {
 template <int D> Status measure_ply(Store<D>& store, CellId c, const double* x, StructureAnalysis* analysis) {
     const std::uint32_t ply = ply_of<D>(store, c, x);
     if (ply == none) return Status::out_of_memory;
-    note(ply, &analysis->ply_points, &analysis->ply_max, &analysis->ply_mean);
+    note_count(ply, &analysis->ply_points, &analysis->ply_max, &analysis->ply_mean);
     return Status::ok;
 }
 
@@ -126,9 +126,9 @@ template <int D> Status measure_intersections(Store<D>& store, CellId c, bool bo
     if (met == none) return Status::out_of_memory;
     double sum = 0;
     if (boundary)
-        note(met - 1, &analysis->hull_balls, &analysis->hull_intersections_max, &sum);
+        note_count(met - 1, &analysis->hull_balls, &analysis->hull_intersections_max, &sum);
     else
-        note(met - 1, &analysis->balls, &analysis->intersections_max, &analysis->intersections_mean);
+        note_count(met - 1, &analysis->balls, &analysis->intersections_max, &analysis->intersections_mean);
     return Status::ok;
 }
 

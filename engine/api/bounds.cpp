@@ -6,7 +6,7 @@
 namespace netmesh {
 namespace {
 
-Status bound(netmesh_context* context, const netmesh_function* function, Monitor& monitor, BoundedBars* bars) {
+Status bound_diagram(netmesh_context* context, const netmesh_function* function, Monitor& monitor, BoundedBars* bars) {
     const KeptDiagram& diagram = context->diagram;
     const Work work = {context->arena, monitor};
     const Filter* const filter = find_filter(diagram.filter);
@@ -47,7 +47,7 @@ extern "C" netmesh_status netmesh_bound_bars(netmesh_context* context, const net
     const std::size_t low = context->arena.low_mark();
     Monitor monitor = monitor_of(request.monitor);
     BoundedBars bars = {};
-    const Status status = bound(context, has_function ? &function : nullptr, monitor, &bars);
+    const Status status = bound_diagram(context, has_function ? &function : nullptr, monitor, &bars);
     if (status != Status::ok) {
         context->arena.release_low(low);
         if (status == Status::invalid_argument || status == Status::not_finite)

@@ -25,7 +25,7 @@ void keep_diagram(netmesh_context* context, const KeptInput& input, const KeptDi
     keep_complex(context, *complex);
 }
 
-Complaint complaint_about(const netmesh_points_request& request) {
+Complaint complaint_about_complex(const netmesh_points_request& request) {
     const Filter* const filter = find_filter(request.filter);
     if (filter == nullptr || filter->source != FilterSource::points)
         return {NETMESH_FIELD_FILTER, "the filter is not one on points"};
@@ -42,7 +42,7 @@ Complaint complaint_about(const netmesh_points_request& request) {
     return {};
 }
 
-PointsFilter filter_of(const netmesh_points_request& request) {
+PointsFilter points_filter_of(const netmesh_points_request& request) {
     return {request.filter, values_of(request.values), request.k, request.max_degree};
 }
 
@@ -58,11 +58,11 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
     Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
-    if (complaint.text == nullptr) complaint = complaint_about(request);
+    if (complaint.text == nullptr) complaint = complaint_about_complex(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
-    const PointsRequest wanted = {filter_of(request),
+    const PointsRequest wanted = {points_filter_of(request),
                                   request.points,
                                   static_cast<std::uint32_t>(request.point_count),
                                   request.dim,
@@ -86,9 +86,9 @@ size_t netmesh_plan_points(const netmesh_points_request* from) {
     netmesh_points_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (request.point_count == 0 || request.point_count > NETMESH_POINTS_MAX) return 0;
-    if (complaint_about_dim(request.dim).text != nullptr || complaint_about(request).text != nullptr) return 0;
-    return whole_bytes(points_bytes(filter_of(request), request.point_count, request.dim) + sizeof(netmesh_context) +
-                       complex_overhead);
+    if (complaint_about_dim(request.dim).text != nullptr || complaint_about_complex(request).text != nullptr) return 0;
+    return whole_bytes(points_bytes(points_filter_of(request), request.point_count, request.dim) +
+                       sizeof(netmesh_context) + complex_overhead);
 }
 
 netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology_request* from) {

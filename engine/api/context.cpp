@@ -8,12 +8,13 @@ namespace {
 
 // Is the floating-point mode the one that all bounds and fingerprints rest on? Catches at run time what the
 // preprocessor cannot: flush-to-zero or another rounding mode set for the whole process, double rounding, contraction.
-bool floating_point_as_expected() {
-    volatile double one = 1, tiny = 0x1p-1060, half_ulp = 0x1p-53, third = 3, big = 0x1p27 + 1;
+// A template, for options that a source sets itself may be lost in those.
+template <class Real> bool floating_point_as_expected() {
+    volatile Real one = 1, tiny = 0x1p-1060, half_ulp = 0x1p-53, third = 3, big = 0x1p27 + 1;
     if (tiny * 0.5 == 0 || tiny + tiny != 0x1p-1059) return false;
     if (one + half_ulp != 1 || (one + 0x1p-52) + half_ulp != 1 + 0x1p-51 || -one - half_ulp != -1) return false;
     if (one + (half_ulp + 0x1p-80) != 1 + 0x1p-52) return false;
-    const double product = big * big;
+    const Real product = big * big;
     if (big * big - product != 0) return false;
     return square_root(one + one) == 0x1.6A09E667F3BCDp0 && one / third == 0x1.5555555555555p-2;
 }
@@ -33,7 +34,7 @@ netmesh_status netmesh_init(void* block, size_t block_bytes, netmesh_context** c
     if (context == nullptr || block == nullptr || !is_aligned(block)) return NETMESH_INVALID_ARGUMENT;
     *context = nullptr;
     if (block_bytes < block_minimum) return NETMESH_OUT_OF_MEMORY;
-    if (!floating_point_as_expected()) return NETMESH_FLOATING_POINT;
+    if (!floating_point_as_expected<double>()) return NETMESH_FLOATING_POINT;
     __builtin_memset(block, 0, sizeof(netmesh_context));  // what all members of an empty context are
     netmesh_context* const made = static_cast<netmesh_context*>(block);
     made->magic = context_magic;

@@ -2,6 +2,7 @@
 // results. Each result says itself whether it is there, holds counts, offsets and values only, and is forgotten by
 // `= {}`.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "api/slice.hpp"
@@ -141,6 +142,9 @@ struct Context {
     KeptVineyard vineyard;
     KeptScales scales;
     KeptCycles cycles;
+
+    // In the caller's block; without the header <new>, which bare compilers may lack.
+    static void* operator new(std::size_t, void* place) noexcept { return place; }
 };
 
 }  // namespace netmesh

@@ -146,7 +146,7 @@ private:
     const FilterRequest filter_;
 };
 
-Complaint complaint_about(const netmesh_fit_request& request) {
+Complaint complaint_about_fit(const netmesh_fit_request& request) {
     const Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
     if (complaint.text != nullptr) return complaint;
     if (request.ratio != 0 && !is_valid_ratio(request.ratio))
@@ -186,7 +186,7 @@ Complaint read_filter(const netmesh_fit_request& request, FilterRequest* filter,
         return {NETMESH_FIELD_RATIO, "left out of this build: NETMESH_WITH_CERTIFICATE", true};
     if (request.by_error != 0 && !built::sizes)
         return {NETMESH_FIELD_FUNCTION, "left out of this build: NETMESH_WITH_SIZES", true};
-    return complaint_about_build(row->id, k);
+    return complaint_about_built_filter(row->id, k);
 }
 
 }  // namespace
@@ -198,7 +198,7 @@ extern "C" netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fi
     netmesh_fit_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about(request);
+    const Complaint complaint = complaint_about_fit(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     netmesh_function function = {};
     FilterRequest filter;

@@ -34,7 +34,7 @@ bool are_markers_valid(const uint8_t* markers, size_t count, std::uint32_t* inpu
     return true;
 }
 
-Complaint complaint_about(const netmesh_load_request& request, std::uint32_t* inputs) {
+Complaint complaint_about_load(const netmesh_load_request& request, std::uint32_t* inputs) {
     if (request.vertices == nullptr) return {NETMESH_FIELD_VERTICES, "vertices is null"};
     if (request.vertex_count == 0) return {NETMESH_FIELD_VERTEX_COUNT, "there are no vertices"};
     if (request.vertex_count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_VERTEX_COUNT, "more than 2^28 vertices"};
@@ -89,7 +89,7 @@ Status measure_domain(netmesh_context* context, Store<D>& store, const double* g
     return status == Status::ok ? measure_sizes<D>(context, store, sizes) : status;
 }
 
-Complaint complaint_about(const netmesh_cages_request& request) {
+Complaint complaint_about_loaded_cages(const netmesh_cages_request& request) {
     if (request.cages == nullptr && request.cage_count > 0) return {NETMESH_FIELD_CAGES, "cages is null"};
     if (!built::cages && request.cage_count > 0)
         return {NETMESH_FIELD_CAGES, "left out of this build: NETMESH_WITH_CAGES", true};
@@ -119,7 +119,7 @@ netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
     std::uint32_t inputs = 0;
-    Complaint complaint = complaint_about(request, &inputs);
+    Complaint complaint = complaint_about_load(request, &inputs);
     Promises promises;
     if (complaint.text == nullptr) complaint = read_promises(request.mesh, request.dim, &promises);
     if (complaint.text != nullptr) return refuse(context, complaint);
@@ -153,7 +153,7 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
     netmesh_cages_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about(request);
+    const Complaint complaint = complaint_about_loaded_cages(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     KeptMesh& mesh = context->mesh;
     if (!mesh.is_mesh) return finish(context, Status::no_result, "there is no mesh with a domain");

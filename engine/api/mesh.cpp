@@ -30,7 +30,7 @@ netmesh_status finish_points(netmesh_context* context, Status status, const Inpu
 }
 
 // Aspect ratio and sizes of a mesh that was just made, as far as it goes.
-template <int D> Status measure(netmesh_context* context, Store<D>& store, const SizeRule& sizes, Status status) {
+template <int D> Status measure_made(netmesh_context* context, Store<D>& store, const SizeRule& sizes, Status status) {
     KeptMesh& mesh = context->mesh;
     if (!mesh.present) return status;
     HierarchyQuality quality;
@@ -66,7 +66,7 @@ netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_reque
     context->mesh.audited = request.audit;
     keep_input(context, D, result.input, status);
     keep_mesh<D>(context, asked, result);
-    status = measure<D>(context, store, asked.size, status);
+    status = measure_made<D>(context, store, asked.size, status);
     if (status != Status::invalid_argument) return finish_points(context, status, result.input);
     clear(context);
     if (asked.method == MeshMethod::certificate)
@@ -115,7 +115,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request
     if (complaint.text == nullptr) complaint = complaint_about_numbers(request);
     if (complaint.text == nullptr) complaint = complaint_about_method(request);
     if (complaint.text == nullptr) complaint = complaint_about_goal(request);
-    if (complaint.text == nullptr) complaint = complaint_about_build(request);
+    if (complaint.text == nullptr) complaint = complaint_about_built_mesh(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);

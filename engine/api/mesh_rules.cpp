@@ -96,7 +96,7 @@ Complaint complaint_about_goal(const netmesh_mesh_request& request) {
     return {};
 }
 
-Complaint complaint_about_build(const netmesh_mesh_request& request) {
+Complaint complaint_about_built_mesh(const netmesh_mesh_request& request) {
     if (!built::cages && has_cages(request))
         return {NETMESH_FIELD_METHOD, "left out of this build: NETMESH_WITH_CAGES", true};
     if (!built::thesis_cages && request.cage_kind == NETMESH_CAGES_THESIS)
@@ -115,7 +115,7 @@ Complaint complaint_about_build(const netmesh_mesh_request& request) {
 Complaint complaint_about_promises(const netmesh_mesh_request& request) {
     Complaint complaint = complaint_about_numbers(request);
     if (complaint.text == nullptr) complaint = complaint_about_ratios(request.certificate);
-    return complaint.text != nullptr ? complaint : complaint_about_build(request);
+    return complaint.text != nullptr ? complaint : complaint_about_built_mesh(request);
 }
 
 SizeRule sizes_of(const netmesh_mesh_request& request) {

@@ -10,7 +10,7 @@ Complaint complaint_about_method(const netmesh_mesh_request& request);
 Complaint complaint_about_goal(const netmesh_mesh_request& request);
 
 // Is what it asks for, and has no complaints, in this build?
-Complaint complaint_about_build(const netmesh_mesh_request& request);
+Complaint complaint_about_built_mesh(const netmesh_mesh_request& request);
 
 // Of what the request says about a mesh that is there already: numbers and enumerations alone.
 Complaint complaint_about_promises(const netmesh_mesh_request& request);

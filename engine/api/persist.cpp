@@ -6,8 +6,8 @@
 namespace netmesh {
 namespace {
 
-void keep_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
-                  const FilterDiagram& diagram) {
+void keep_mesh_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
+                       const FilterDiagram& diagram) {
     const Arena& arena = context->arena;
     KeptDiagram& kept = context->diagram;
     kept.present = true;
@@ -48,7 +48,7 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     const char* const missing = missing_result(context, *filter);
     if (missing != nullptr) return finish(context, Status::no_result, missing);
     const std::uint32_t asked_k = request.k > 1 ? request.k : 1;
-    complaint = complaint_about_build(request.filter, asked_k);
+    complaint = complaint_about_built_filter(request.filter, asked_k);
     if (complaint.text != nullptr) return refuse(context, complaint);
     const std::uint32_t k = !filter->has(filter_trait::needs_k) ? 0 : asked_k;
     if (k > context->input.distinct)
@@ -64,7 +64,7 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
         return persist_filter<D>(filtered_mesh_of<D>(*context, store), wanted, {context->arena, monitor}, &diagram);
     });
     if (status == Status::ok) {
-        keep_diagram(context, wanted, request.values, diagram);
+        keep_mesh_diagram(context, wanted, request.values, diagram);
         return finish(context, status);
     }
     clear_diagram(context);

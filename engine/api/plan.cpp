@@ -18,7 +18,7 @@ namespace netmesh {
 namespace {
 
 // Covers other seeds and small sets.
-constexpr double margin = 1.3;
+constexpr double plan_margin = 1.3;
 // Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
 struct Boundary {
     double vertices, cells;
@@ -118,11 +118,11 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
     if (planned.alpha) bytes += alpha_bytes * simplices;
     if (planned.bounds) {
         bytes += (sizeof(Interval) + bounds_vertex_bytes) * n.vertices + bounds_bar_bytes * D * n.points;
-        bytes += sizeof(ScaleStep) * 2.0 * ScaleGrid::cells_max / margin;  // the grid, and the steps made of it
+        bytes += sizeof(ScaleStep) * 2.0 * ScaleGrid::cells_max / plan_margin;  // the grid, and the steps made of it
     }
     if (planned.representatives) bytes += sizeof(std::uint32_t) * (n.cells + n.vertices) + chain_bytes * D * n.points;
     if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + ScalePartition<D>::point_bytes + order_bytes);
-    return margin * bytes + sizeof(netmesh_context) + block_overhead +
+    return plan_margin * bytes + sizeof(netmesh_context) + block_overhead +
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
 }
 

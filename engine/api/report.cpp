@@ -43,7 +43,7 @@ void add_vines(Fingerprint& f, const netmesh_context* context) {
     }
 }
 
-std::uint64_t fingerprint_of(const netmesh_context* context, const netmesh_report& report) {
+std::uint64_t fingerprint_of_report(const netmesh_context* context, const netmesh_report& report) {
     Fingerprint f;
     if (context->input.is_complex) {
         f.add(context->input.fingerprint);
@@ -217,7 +217,7 @@ netmesh_report report_of(const netmesh_context* context) {
     if (context->vineyard.present) report_vineyard(context->vineyard, &report.vineyard);
     report.simplicial_complex.present = input.is_complex;
     report.simplicial_complex.vertices = input.is_complex ? input.distinct : 0;
-    report.fingerprint = fingerprint_of(context, report);
+    report.fingerprint = fingerprint_of_report(context, report);
     return report;
 }
 

@@ -40,7 +40,7 @@ Complaint complaint_about_points(const double* points, std::size_t count, std::u
     return complaint_about_dim(dim);
 }
 
-Complaint complaint_about_build(netmesh_filter filter, std::uint32_t k) {
+Complaint complaint_about_built_filter(netmesh_filter filter, std::uint32_t k) {
     const netmesh_filter evaluated = evaluated_filter(filter, k).id;
     const auto is = [evaluated](netmesh_filter one) { return evaluated == one; };
     const char* text = nullptr;

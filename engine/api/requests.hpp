@@ -37,7 +37,7 @@ bool is_valid_scales_ratio(double ratio, double theta);  // what 1 + 3 theta lea
 Complaint complaint_about_dim(std::uint32_t dim);
 Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim);
 // Is what evaluates the filter in this build? k: 1 where it has none.
-Complaint complaint_about_build(netmesh_filter filter, std::uint32_t k);
+Complaint complaint_about_built_filter(netmesh_filter filter, std::uint32_t k);
 Complaint complaint_about_values(const netmesh_values& values);
 Complaint complaint_about_focus(double from, double to);
 // Copies the caller's function, as this version knows it.

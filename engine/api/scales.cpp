@@ -9,7 +9,7 @@ namespace netmesh {
 namespace {
 
 // Scales whose accuracy is given by eps are over-refined for the tight filter, others refined by the certificate.
-Complaint complaint_about_build(bool by_ratio) {
+Complaint complaint_about_built_scales(bool by_ratio) {
     if (by_ratio && !built::certificate)
         return {NETMESH_FIELD_RATIO, "left out of this build: NETMESH_WITH_CERTIFICATE", true};
     if (!by_ratio && !built::sizes) return {NETMESH_FIELD_EPS, "left out of this build: NETMESH_WITH_SIZES", true};
@@ -17,7 +17,7 @@ Complaint complaint_about_build(bool by_ratio) {
     return {};
 }
 
-Complaint complaint_about(const netmesh_scales_request& request) {
+Complaint complaint_about_scales(const netmesh_scales_request& request) {
     Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
     if (complaint.text == nullptr) complaint = complaint_about_values(request.values);
     if (complaint.text != nullptr) return complaint;
@@ -25,11 +25,11 @@ Complaint complaint_about(const netmesh_scales_request& request) {
         return {NETMESH_FIELD_TAU, "tau is not a finite number above 2"};
     if (!is_valid_eps(eps_of(request.eps))) return {NETMESH_FIELD_EPS, "eps is not in (0, 1/2]"};
     if (!is_valid_theta(theta_of(request.theta))) return {NETMESH_FIELD_THETA, "theta is not in (0, 1/9]"};
-    if (request.ratio == 0) return complaint_about_build(false);
+    if (request.ratio == 0) return complaint_about_built_scales(false);
     if (request.eps != 0) return {NETMESH_FIELD_EPS, "eps and ratio both say what is asked of the diagram"};
     if (!is_valid_scales_ratio(request.ratio, theta_of(request.theta)))
         return {NETMESH_FIELD_RATIO, "ratio is not a finite number above (1 + 3 theta) times the root of 2"};
-    return complaint_about_build(true);
+    return complaint_about_built_scales(true);
 }
 
 void keep_scales(netmesh_context* context, const netmesh_scales_request& request, const InputReport& input,
@@ -84,7 +84,7 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
     netmesh_scales_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about(request);
+    const Complaint complaint = complaint_about_scales(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     const ScalesRequest wanted = {theta_of(request.theta),

@@ -3,7 +3,7 @@
 namespace netmesh {
 namespace {
 
-const char* text_of(const SimplexFault& fault) {
+const char* text_of_fault(const SimplexFault& fault) {
     switch (fault.kind) {
     case NETMESH_FAULT_NONE: return "the value of a simplex is not a finite number";
     case NETMESH_FAULT_SIZE: return "a simplex has no vertices or more than 32";
@@ -20,7 +20,7 @@ const char* text_of(const SimplexFault& fault) {
 
 netmesh_status fail_at_simplex(netmesh_context* context, Status status, const SimplexFault& fault, std::uint32_t step) {
     if (status != Status::not_a_complex && status != Status::not_finite) return fail_and_clear(context, status);
-    fail_and_clear(context, status, text_of(fault), fault.simplex, fault.other);
+    fail_and_clear(context, status, text_of_fault(fault), fault.simplex, fault.other);
     context->detail.said.fault = fault.kind;
     context->detail.said.step = step;
     return static_cast<netmesh_status>(status);

@@ -102,3 +102,6 @@ const char* netmesh_field_text(netmesh_field field) {
 }
 
 }  // extern "C"
+
+#undef NETMESH_TEXT
+#undef NETMESH_TEXT_OF

@@ -18,7 +18,7 @@ Complaint complaint_about(const netmesh_vineyard_request& request) {
     if (request.k_first < 1) return {NETMESH_FIELD_K_FIRST, "k begins at 1"};
     if (request.k_last < request.k_first) return {NETMESH_FIELD_K_LAST, "the last k is below the first"};
     const Complaint complaint = complaint_about_values(request.values);
-    return complaint.text != nullptr ? complaint : complaint_about_build(request.filter, request.k_last);
+    return complaint.text != nullptr ? complaint : complaint_about_built_filter(request.filter, request.k_last);
 }
 
 Complaint complaint_about(const netmesh_value_vineyard_request& request) {

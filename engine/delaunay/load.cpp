@@ -27,7 +27,7 @@ template <int D> bool same_facet(const Cell<D>& a, std::uint32_t i, const Cell<D
     return true;
 }
 
-template <int D> Status link_facets(Store<D>& store, CheckResult* why) {
+template <int D> Status link_loaded_cells(Store<D>& store, CheckResult* why) {
     ArenaScope scope(store.arena);
     const std::size_t count = std::size_t{store.state.cell_slots} * (D + 1);
     if (count > none / 8) return Status::out_of_memory;
@@ -121,7 +121,7 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     }
     *why = {nullptr, none};
     measure_edges<D>(store);
-    return link_facets<D>(store, why);
+    return link_loaded_cells<D>(store, why);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

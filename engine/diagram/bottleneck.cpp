@@ -6,7 +6,7 @@ namespace netmesh {
 namespace {
 
 constexpr std::size_t alignment = 16;
-constexpr std::uint64_t count_max = std::uint64_t{1} << 25;
+constexpr std::uint64_t side_max = std::uint64_t{1} << 25;
 
 // Scratch in pieces. Without a base it only counts: the size asked for is the layout itself.
 struct Scratch {
@@ -56,18 +56,18 @@ struct Workspace {
 bool is_essential(const netmesh_pair& pair) { return pair.death == infinity; }
 
 // Pairs that can only be matched with their own kind, so that one number of each is left and the order decides.
-enum class Kind { essential, essential_from_zero, from_zero };
-constexpr Kind kinds[] = {Kind::essential, Kind::essential_from_zero, Kind::from_zero};
+enum class LineKind { essential, essential_from_zero, from_zero };
+constexpr LineKind kinds[] = {LineKind::essential, LineKind::essential_from_zero, LineKind::from_zero};
 
 // Collects and sorts the numbers of one kind in line; how many there are.
-std::size_t collect(const Side& side, std::uint32_t degree, bool log_scale, Kind kind) {
+std::size_t collect(const Side& side, std::uint32_t degree, bool log_scale, LineKind kind) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < side.pairs.count; ++i) {
         const netmesh_pair pair = side.pairs[i];
-        if (pair.degree != degree || is_essential(pair) == (kind == Kind::from_zero)) continue;
-        if ((log_scale && pair.birth == 0) == (kind == Kind::essential)) continue;
-        if (kind == Kind::from_zero && pair.death == 0) continue;  // on the diagonal
-        side.line[count++] = kind == Kind::from_zero ? pair.death : kind == Kind::essential ? pair.birth : 1.0;
+        if (pair.degree != degree || is_essential(pair) == (kind == LineKind::from_zero)) continue;
+        if ((log_scale && pair.birth == 0) == (kind == LineKind::essential)) continue;
+        if (kind == LineKind::from_zero && pair.death == 0) continue;  // on the diagonal
+        side.line[count++] = kind == LineKind::from_zero ? pair.death : kind == LineKind::essential ? pair.birth : 1.0;
     }
     sort(side.line, count, [](double a, double b) { return a < b; });
     return count;
@@ -133,7 +133,7 @@ std::uint64_t between(double x, double y, bool log_scale) {
 
 // Makes *largest the distance in one degree when that is larger. False when it is cancelled.
 bool distance_in(Workspace& work, std::uint32_t degree, bool log_scale, Monitor& monitor, std::uint64_t* largest) {
-    for (const Kind kind : kinds) {
+    for (const LineKind kind : kinds) {
         const std::size_t count = collect(work.side[0], degree, log_scale, kind);
         if (collect(work.side[1], degree, log_scale, kind) != count) {
             *largest = key_of_infinity;
@@ -190,7 +190,7 @@ bool are_diagram(const PairView& pairs, bool log_scale) {
 }
 
 std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b) {
-    if (count_a >= count_max || count_b >= count_max || (count_a + count_b) > SIZE_MAX / 1024) return SIZE_MAX;
+    if (count_a >= side_max || count_b >= side_max || (count_a + count_b) > SIZE_MAX / 1024) return SIZE_MAX;
     Scratch memory = {nullptr, 0};
     Workspace work = {};
     work.lay_out(memory, static_cast<std::size_t>(count_a), static_cast<std::size_t>(count_b));

@@ -21,7 +21,7 @@
 namespace netmesh {
 namespace {
 
-constexpr std::uint32_t chunk = 1024;
+constexpr std::uint32_t faces_between_polls = 1024;
 
 template <int D> class AlphaValues {
 public:
@@ -70,9 +70,9 @@ private:
     }
     void note_error(double error) { error_ = error > error_ ? error : error_; }
     bool stop(std::uint32_t f, int k) {
-        if (f % chunk != chunk - 1) return false;
-        done_ += chunk;
-        return work_.monitor.advance(done_, chunk * static_cast<std::uint32_t>(k));
+        if (f % faces_between_polls != faces_between_polls - 1) return false;
+        done_ += faces_between_polls;
+        return work_.monitor.advance(done_, faces_between_polls * static_cast<std::uint32_t>(k));
     }
 
     const Faces<D>& faces_;

@@ -117,7 +117,7 @@ Circumsphere solve(const double* const* point, int k, int dim, double* weight) {
         }
     }
 
-    const double reach_of_tie = tie * __builtin_sqrt(radius_squared.high);
+    const double reach_of_tie = tie * square_root(radius_squared.high);
     double spread = 0;
     DoubleDouble first = {1, 0};
     std::uint32_t within = 0;

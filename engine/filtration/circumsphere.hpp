@@ -24,7 +24,8 @@ struct Circumsphere {
 
 // In doubles. False when the result is not certain: the simplex is flat for the precision, its size is far from 1, or
 // some beta_i is too close to 0 to tell its sign. Otherwise `within` is exact, and the radius is off by at most
-// radius_error of the true one. point: k+1 addresses of D coordinates. 2 <= k <= D. Proof: circumsphere_fast.hpp.
+// radius_error of the true one. point: k+1 addresses of D coordinates. 2 <= k <= D. Body and proof:
+// circumsphere_fast.hpp.
 template <int K, int D> bool circumsphere_fast(const double* const* point, Circumsphere* out);
 template <int K, int D> double radius_error(double volume);
 
@@ -41,5 +42,3 @@ Circumsphere circumsphere_precise(const double* const* point, int k, int dim);
 double enclosing_error(const double* const* point, int k, int dim, double radius);
 
 }  // namespace netmesh
-
-#include "filtration/circumsphere_fast.hpp"

@@ -26,8 +26,8 @@ std::uint64_t sum_of(std::uint64_t a, std::uint64_t b, const ResiduePrime& prime
 
 // det[0] = det G, det[i] = det G_i from the Gram matrix.
 template <int K>
-void solve(const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max], const ResiduePrime& prime,
-           std::uint64_t* det) {
+void solve_residues(const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max], const ResiduePrime& prime,
+                    std::uint64_t* det) {
     std::uint64_t entry[K][2][K + 1], minors[K + 1];
     for (int c = 0; c < K; ++c)
         for (int r = 0; r <= K; ++r) {
@@ -40,14 +40,14 @@ void solve(const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_ma
     for (int i = 0; i < K; ++i) det[i + 1] = ((K - 1 - i) & 1) != 0 ? negative(minors[K - i], prime) : minors[K - i];
 }
 
-// solve<k>, K <= k.
+// solve_residues<k>, K <= k.
 template <int K>
 void solve_from(int k, const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max],
                 const ResiduePrime& prime, std::uint64_t* det) {
     if constexpr (K < dimension_most()) {
         if (k > K) return solve_from<K + 1>(k, gram, prime, det);
     }
-    solve<K>(gram, prime, det);
+    solve_residues<K>(gram, prime, det);
 }
 
 // 2^e modulo the prime.

@@ -119,7 +119,7 @@ template <int K, int D> inline bool circumsphere_fast(const double* const* point
     if (first < 0) within |= 1u;
     const double slack = error * error * largest;
     if (!(smallest > slack && first * first * whole_min > slack * (K * K))) return false;
-    out->radius = __builtin_sqrt(radius_squared);
+    out->radius = square_root(radius_squared);
     out->within = within;
     out->volume = product;
     return true;

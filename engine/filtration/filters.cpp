@@ -10,9 +10,10 @@
 #include "vocabulary/features.hpp"
 
 namespace netmesh {
-namespace {
 
-using namespace filter_trait;
+// Where traits need no prefix.
+namespace filter_trait {
+namespace {
 
 constexpr const char *offsets = "closed offsets of the points in R^{D}", *kth = "sublevel sets of d_{k} in R^{D}";
 
@@ -42,6 +43,13 @@ constexpr Filter table[] = {
     {NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, FilterPurpose::mesh, needs_k | has_values | made_of_edges,
      "barycentric-rips", kth},
 };
+
+}  // namespace
+}  // namespace filter_trait
+
+namespace {
+
+using filter_trait::table;
 constexpr std::uint32_t rows = sizeof table / sizeof table[0];
 
 constexpr bool rows_are_in_order() {
@@ -80,11 +88,13 @@ const Filter* find_filter(const netmesh_filter& filter) {
 
 const Filter& evaluated_filter(netmesh_filter filter, std::uint32_t k) {
     const Filter& row = table[filter - 1];
-    return row.source == FilterSource::mesh && row.has(needs_k) && k <= 1 ? table[NETMESH_FILTER_COMPLETE - 1] : row;
+    return row.source == FilterSource::mesh && row.has(filter_trait::needs_k) && k <= 1
+               ? table[NETMESH_FILTER_COMPLETE - 1]
+               : row;
 }
 
 std::uint32_t zero_born_count(netmesh_filter filter, std::uint32_t k, std::uint32_t inputs) {
-    return evaluated_filter(filter, k).has(inputs_enter_first) ? inputs : 0;
+    return evaluated_filter(filter, k).has(filter_trait::inputs_enter_first) ? inputs : 0;
 }
 
 template <int D>
@@ -92,7 +102,7 @@ Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, con
     out->is_there = false;
     out->ball = mesh.domain;
     if constexpr (!built::certificate) return Status::ok;
-    if (!mesh.is_clipped || !table[request.filter - 1].has(clips_cells)) return Status::ok;
+    if (!mesh.is_clipped || !table[request.filter - 1].has(filter_trait::clips_cells)) return Status::ok;
     Arena& arena = work.arena;
     const std::size_t low = arena.low_mark();
     Status status = choose_clipped_nerve<D>(mesh.store, &out->ball, work, &out->part, &out->is_there);
@@ -104,7 +114,7 @@ Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, con
 template <int D>
 Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
     const Filter& filter = evaluated_filter(request.filter, request.k);
-    out->zero_born = filter.has(inputs_enter_first) ? mesh.inputs : 0;
+    out->zero_born = filter.has(filter_trait::inputs_enter_first) ? mesh.inputs : 0;
     if (filter.id == NETMESH_FILTER_COMPLETE) return complete_filter<D>(mesh, request.values, work, out);
     if constexpr (built::basic) {
         if (filter.id == NETMESH_FILTER_BASIC) return basic_filter<D>(mesh, request.values, work, out);

@@ -192,7 +192,7 @@ private:
     std::uint32_t first_[ListedComplex::dimension_max + 1];
 };
 
-double binomial(double n, std::uint32_t k) {
+double binomial_of_real(double n, std::uint32_t k) {
     double b = 1;
     for (std::uint32_t i = 0; i < k; ++i) b = b * (n - i) / (i + 1);
     return b > 0 ? b : 0;
@@ -288,7 +288,7 @@ std::uint32_t set_size(const ListedComplex& complex, std::uint32_t k, std::uint3
 
 double skeleton_count(std::uint64_t n, std::uint32_t dimension) {
     double total = 0;
-    for (std::uint32_t k = 0; k <= dimension; ++k) total += binomial(static_cast<double>(n), k + 1);
+    for (std::uint32_t k = 0; k <= dimension; ++k) total += binomial_of_real(static_cast<double>(n), k + 1);
     return total;
 }
 
@@ -300,8 +300,8 @@ double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, s
     for (std::uint32_t m = 0; m <= dimension; ++m) {
         double next[most] = {};
         for (std::uint32_t j = k; j <= sets && j < most; ++j) {
-            total += ends[j] * binomial(static_cast<double>(n), j);
-            for (std::uint32_t i = k; i < j; ++i) next[j] += ends[i] * binomial(j, i);
+            total += ends[j] * binomial_of_real(static_cast<double>(n), j);
+            for (std::uint32_t i = k; i < j; ++i) next[j] += ends[i] * binomial_of_real(j, i);
         }
         for (std::uint32_t j = 0; j < most; ++j) ends[j] = next[j];
     }
@@ -311,7 +311,7 @@ double barycentric_count(std::uint64_t n, std::uint32_t k, std::uint32_t sets, s
 double barycentric_pairs(std::uint64_t n, std::uint32_t k, std::uint32_t max_degree) {
     double total = 0;
     for (std::uint32_t j = k; j <= k + max_degree; ++j)
-        total += binomial(static_cast<double>(n), j) * binomial(j - 1, k - 1);
+        total += binomial_of_real(static_cast<double>(n), j) * binomial_of_real(j - 1, k - 1);
     return total;
 }
 

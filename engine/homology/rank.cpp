@@ -8,7 +8,7 @@ namespace netmesh {
 namespace {
 
 // An unsigned key in the order of the doubles.
-std::uint64_t key_of(double value) {
+std::uint64_t rank_key(double value) {
     const double x = value + 0.0;  // -0.0 becomes 0.0
     const std::uint64_t bits = bits_of(x);
     return (bits >> 63) != 0 ? ~bits : bits | (std::uint64_t{1} << 63);
@@ -22,7 +22,7 @@ bool rank_vertices(const double* value, std::uint32_t count, Arena& arena, std::
     std::uint64_t* spare = arena.take_high<std::uint64_t>(count);
     if (keys == nullptr || spare == nullptr) return false;
     for (std::uint32_t v = 0; v < count; ++v) {
-        keys[v] = key_of(value[v]);
+        keys[v] = rank_key(value[v]);
         order[v] = v;
     }
     radix_sort(keys, order, spare, rank, count);

@@ -9,7 +9,7 @@ namespace netmesh {
 namespace {
 
 // Moves rows so that row j is what row from[j] was. Sets and then ignores the top bit of from.
-template <int W> void permute_rows(std::uint32_t* row, std::uint32_t* from, std::uint32_t count) {
+template <int W> void permute_facets(std::uint32_t* row, std::uint32_t* from, std::uint32_t count) {
     constexpr std::uint32_t moved = 0x80000000u;
     for (std::uint32_t start = 0; start < count; ++start) {
         if ((from[start] & moved) != 0) continue;
@@ -45,7 +45,7 @@ template <int K, int D> Status order_faces(Faces<D>& faces, int dimension, doubl
             for (std::size_t i = 0; i < words; ++i) faces.facets[K + 1][i] = place[faces.facets[K + 1][i]];
         }
     }
-    permute_rows<K + 1>(faces.facets[K], from, count);
+    permute_facets<K + 1>(faces.facets[K], from, count);
     return Status::ok;
 }
 

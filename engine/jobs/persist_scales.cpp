@@ -19,7 +19,7 @@ namespace {
 
 // Appends the bars of a cluster, without the essential one but for the first cluster. They stand somewhere above `low`,
 // where the ones before them end. False: out of memory.
-bool add_pairs(const PairList& list, bool is_first, std::size_t low, Arena& arena, PairList* joined) {
+bool join_pairs(const PairList& list, bool is_first, std::size_t low, Arena& arena, PairList* joined) {
     std::uint64_t kept = 0;
     for (std::uint64_t i = 0; i < list.count; ++i)
         if (is_first || list.pairs[i].death < infinity) list.pairs[kept++] = list.pairs[i];
@@ -37,8 +37,8 @@ bool add_pairs(const PairList& list, bool is_first, std::size_t low, Arena& aren
 }
 
 // Counts the mesh of a cluster of `points`.
-void add_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const Certificate& certificate,
-              ScalesResult* result) {
+void count_mesh(std::uint32_t points, std::uint32_t vertices, std::uint64_t simplices, const Certificate& certificate,
+                ScalesResult* result) {
     result->simplices += simplices;
     result->vertices += vertices;
     if (points > result->most_points) result->most_points = points;
@@ -183,7 +183,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
                                        {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
     bars->list = found.pairs;
-    add_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);
+    count_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);
     if (!has_more()) return Status::ok;
     bars->bounds = arena_.take_low<BarBounds>(static_cast<std::size_t>(found.pairs.count));
     if (bars->bounds == nullptr) return Status::out_of_memory;
@@ -204,7 +204,7 @@ template <int D> Status ScalesJoin<D>::add_cluster() {
     arena_.release_high(high);
     if (status != Status::ok) return status;
     const bool room =
-        has_more() ? bars_.add(bars, is_first, arena_) : add_pairs(bars.list, is_first, low, arena_, &result_->pairs);
+        has_more() ? bars_.add(bars, is_first, arena_) : join_pairs(bars.list, is_first, low, arena_, &result_->pairs);
     return room ? Status::ok : Status::out_of_memory;
 }
 

@@ -7,8 +7,8 @@
 namespace netmesh {
 namespace {
 
-double larger(double a, double b) { return a > b ? a : b; }
-double smaller(double a, double b) { return a < b ? a : b; }
+double larger_of(double a, double b) { return a > b ? a : b; }
+double smaller_of(double a, double b) { return a < b ? a : b; }
 
 }  // namespace
 
@@ -38,10 +38,10 @@ double ScaleGrid::next(std::uint32_t i) const { return i + 1 < count_ ? edge(i +
 
 void ScaleGrid::add(std::uint32_t i, const ScaleStep& step) {
     ScaleStep& cell = cells_[i];
-    cell.low = smaller(cell.low, step.low);
-    cell.high = larger(cell.high, step.high);
-    cell.reach = larger(cell.reach, step.reach);
-    cell.ratio = larger(cell.ratio, step.ratio);
+    cell.low = smaller_of(cell.low, step.low);
+    cell.high = larger_of(cell.high, step.high);
+    cell.reach = larger_of(cell.reach, step.reach);
+    cell.ratio = larger_of(cell.ratio, step.ratio);
 }
 
 bool ScaleGrid::finish(const JoinShift& join, double ratio, Arena& arena, ScaleCurve* curve) {
@@ -54,12 +54,12 @@ bool ScaleGrid::finish(const JoinShift& join, double ratio, Arena& arena, ScaleC
         const bool exact = join.is_exact_until(end);
         if (!exact) add(i, {0, join.before(cell.from), 0, join.after(end), join.factor(cell.from, end), 0});
         if (i > 0) {
-            cell.high = larger(cell.high, cells_[i - 1].high);
-            cell.reach = larger(cell.reach, cells_[i - 1].reach);
+            cell.high = larger_of(cell.high, cells_[i - 1].high);
+            cell.reach = larger_of(cell.reach, cells_[i - 1].reach);
         }
-        cell.ratio = smaller(cell.ratio, ratio);
+        cell.ratio = smaller_of(cell.ratio, ratio);
     }
-    for (std::uint32_t i = count_ - 1; i-- > 0;) cells_[i].low = smaller(cells_[i].low, cells_[i + 1].low);
+    for (std::uint32_t i = count_ - 1; i-- > 0;) cells_[i].low = smaller_of(cells_[i].low, cells_[i + 1].low);
     *curve = {arena.take_low<ScaleStep>(0), 0};
     if (curve->steps == nullptr) return false;
     for (std::uint32_t i = 0; i < count_; ++i) {

@@ -24,9 +24,9 @@ bool is_in_cell(const Store<D>& store, VertexId v, const double* x, const CellId
 }
 
 // What measure_clipped_cells and measure_worst_cells do.
-template <int D> class CellMeasure {
+template <int D> class ClippedMeasure {
 public:
-    CellMeasure(Store<D>& store, const Domain<D>& ball, double worst, double* out2)
+    ClippedMeasure(Store<D>& store, const Domain<D>& ball, double worst, double* out2)
         : store_(store), ball_(ball), worst_(worst), out2_(out2) {}
     Status run();
 
@@ -43,7 +43,7 @@ private:
     double* const out2_;
 };
 
-template <int D> void CellMeasure<D>::raise(const double* corner, VertexId v) {
+template <int D> void ClippedMeasure<D>::raise(const double* corner, VertexId v) {
     const Vertex<D>& vertex = store_.vertex(v);
     const double d2 = distance2<D>(corner, vertex.x);
     if (!(d2 > out2_[v])) return;
@@ -52,7 +52,7 @@ template <int D> void CellMeasure<D>::raise(const double* corner, VertexId v) {
 }
 
 // A corner inside the ball, or crossings of its edges.
-template <int D> void CellMeasure<D>::measure_corner(CellId c) {
+template <int D> void ClippedMeasure<D>::measure_corner(CellId c) {
     const Cell<D>& cell = store_.cell(c);
     for (int i = 0; i <= D; ++i)
         for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
@@ -77,7 +77,7 @@ template <int D> void CellMeasure<D>::measure_corner(CellId c) {
 }
 
 // Marks as queued those vertices of c, a corner outside or one that is not known, whose poles may count.
-template <int D> void CellMeasure<D>::mark_poles(CellId c) {
+template <int D> void ClippedMeasure<D>::mark_poles(CellId c) {
     const Cell<D>& cell = store_.cell(c);
     if (cell.radius2 < infinity && ball_.contains(cell.centre)) return;
     for (const VertexId v : cell.vertex) {
@@ -91,7 +91,7 @@ template <int D> void CellMeasure<D>::mark_poles(CellId c) {
     }
 }
 
-template <int D> Status CellMeasure<D>::run() {
+template <int D> Status ClippedMeasure<D>::run() {
     const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
     for (std::uint32_t v = 0; v < vertices; ++v) out2_[v] = 0;
     for (CellId c(0); c < cells; ++c) measure_corner(c);
@@ -213,11 +213,11 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
 }
 
 template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
-    return CellMeasure<D>(store, ball, -1, out2).run();
+    return ClippedMeasure<D>(store, ball, -1, out2).run();
 }
 
 template <int D> Status measure_worst_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
-    return CellMeasure<D>(store, ball, 0, out2).run();
+    return ClippedMeasure<D>(store, ball, 0, out2).run();
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

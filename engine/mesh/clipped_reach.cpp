@@ -19,8 +19,8 @@ template <int D> double doubt_of(const Cell<D>& cell) {
 // The part of a Voronoi edge in the half-space of u and s, as the head says: calls show(y, most, wrong) for its ends, y
 // relative to u. What they stand for of the true edge is within `wrong` of y and no farther from u than `most`.
 template <int D, class Show>
-void cut_edge(const Domain<D>& ball, const double* u, double s, const Cell<D>& cell, const Cell<D>& other,
-              double doubt_here, double doubt_there, Show&& show) {
+void cut_doubtful_edge(const Domain<D>& ball, const double* u, double s, const Cell<D>& cell, const Cell<D>& other,
+                       double doubt_here, double doubt_there, Show&& show) {
     double a[D], y[D], z[D];
     for (int j = 0; j < D; ++j) {
         a[j] = u[j] - ball.centre[j];
@@ -57,10 +57,10 @@ template <int D> void find_far_corners(const Store<D>& store, const Domain<D>& b
             for (int k = 0; k <= D; ++k) {
                 const VertexId v = cell.vertex[k];
                 if (k == i || !(s[v] >= 0)) continue;
-                cut_edge<D>(ball, store.point(v), s[v], cell, other, doubt, doubt,
-                            [&](const double*, double most, double) {
-                                if (!(most <= far[v])) far[v] = most;
-                            });
+                cut_doubtful_edge<D>(ball, store.point(v), s[v], cell, other, doubt, doubt,
+                                     [&](const double*, double most, double) {
+                                         if (!(most <= far[v])) far[v] = most;
+                                     });
             }
         }
 }
@@ -154,7 +154,7 @@ void CellClipper<D>::show_edge(const double* u, double s, const Cell<D>& cell, c
                                Show&& show) const {
     const double here = doubt_of<D>(cell), there = doubt_of<D>(other);
     const bool known = here < infinity && there < infinity;
-    cut_edge<D>(ball_, u, s, cell, other, known ? here : infinity, known ? there : infinity, show);
+    cut_doubtful_edge<D>(ball_, u, s, cell, other, known ? here : infinity, known ? there : infinity, show);
 }
 
 template <int D>

@@ -5,6 +5,7 @@
 #include "certificate/cells.hpp"
 #include "mesh/domain.hpp"
 #include "mesh/input_tree.hpp"
+#include "vocabulary/callback.hpp"
 
 namespace netmesh {
 
@@ -17,7 +18,9 @@ struct SizeRule {
     double at_inputs = 0, growth = 0;
 
     // What the caller's function says, +infinity without one.
-    double by_caller(const double* x) const { return function != nullptr ? function(user, x) : infinity; }
+    double by_caller(const double* x) const {
+        return function != nullptr ? never_throwing(function)(user, x) : infinity;
+    }
     bool asks() const { return eps > 0 || function != nullptr || at_inputs > 0; }
 };
 

@@ -2,6 +2,7 @@
 // Relative error of +, -, * below 2^-102, of / below 2^-100, as long as nothing overflows or underflows: magnitudes
 // (and those of products) between 2^-900 and 2^990 are safe. Dekker 1971, Knuth TAOCP 2, Joldes et al. 2017.
 #pragma once
+#include "numerics/square_root.hpp"
 
 namespace netmesh {
 
@@ -66,7 +67,7 @@ inline DoubleDouble scaled(DoubleDouble a, double power_of_two) {
 // sqrt(a), a >= 0, rounded to double: almost always the nearest.
 inline double square_root(DoubleDouble a) {
     if (!(a.high > 0)) return 0;
-    const double s = __builtin_sqrt(a.high);
+    const double s = square_root(a.high);
     const DoubleDouble rest = a - two_product(s, s);
     return s + rest.high / (2 * s);
 }

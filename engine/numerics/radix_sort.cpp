@@ -3,7 +3,7 @@
 namespace netmesh {
 namespace {
 
-void insertion_sort(std::uint64_t* keys, std::uint32_t* items, std::size_t count) {
+void sort_few_keys(std::uint64_t* keys, std::uint32_t* items, std::size_t count) {
     for (std::size_t i = 1; i < count; ++i) {
         const std::uint64_t key = keys[i];
         const std::uint32_t item = items[i];
@@ -21,7 +21,7 @@ void insertion_sort(std::uint64_t* keys, std::uint32_t* items, std::size_t count
 
 void radix_sort(std::uint64_t* keys, std::uint32_t* items, std::uint64_t* spare_keys, std::uint32_t* spare_items,
                 std::size_t count) {
-    if (count <= 48) return insertion_sort(keys, items, count);
+    if (count <= 48) return sort_few_keys(keys, items, count);
     std::uint64_t differing = 0;
     for (std::size_t i = 1; i < count; ++i) differing |= keys[i] ^ keys[0];
 

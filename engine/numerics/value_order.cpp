@@ -14,7 +14,7 @@ constexpr int depth_max = 14;  // 8 digits of the value and 4 of the position, o
 constexpr std::uint32_t short_range = 40;
 
 // Orders like the values, negative ones included.
-std::uint64_t key_of(double x) {
+std::uint64_t key_of_value(double x) {
     std::uint64_t b;
     __builtin_memcpy(&b, &x, sizeof b);
     constexpr std::uint64_t sign = std::uint64_t{1} << 63;
@@ -38,7 +38,7 @@ struct Items {
     }
 };
 
-void insertion_sort(const Items& items, Range range) {
+void sort_short(const Items& items, Range range) {
     for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
         const double v = items.value[i];
         const std::uint32_t p = items.position[i];
@@ -57,7 +57,7 @@ struct Digit {
     bool of_position;
     int shift;
     std::uint32_t of(const Items& items, std::uint32_t i) const {
-        const std::uint64_t key = of_position ? items.position[i] : key_of(items.value[i]);
+        const std::uint64_t key = of_position ? items.position[i] : key_of_value(items.value[i]);
         return static_cast<std::uint32_t>(key >> shift) & (digits - 1);
     }
 };
@@ -67,7 +67,7 @@ Digit leading_digit(const Items& items, Range range) {
     std::uint64_t differ = 0;
     std::uint32_t positions = 0;
     for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
-        differ |= key_of(items.value[i]) ^ key_of(items.value[range.begin]);
+        differ |= key_of_value(items.value[i]) ^ key_of_value(items.value[range.begin]);
         positions |= items.position[i] ^ items.position[range.begin];
     }
     const bool of_position = differ == 0;
@@ -100,7 +100,7 @@ void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end
     }
 }
 
-struct Scratch {
+struct SortScratch {
     Range* stack = nullptr;
     std::uint32_t* end = nullptr;
 
@@ -113,7 +113,7 @@ struct Scratch {
     }
 };
 
-void sort_items(const Items& items, std::uint32_t count, const Scratch& scratch) {
+void sort_items(const Items& items, std::uint32_t count, const SortScratch& scratch) {
     Range* const stack = scratch.stack;
     std::uint32_t* const end = scratch.end;
     std::size_t height = 0;
@@ -121,7 +121,7 @@ void sort_items(const Items& items, std::uint32_t count, const Scratch& scratch)
         if (range.end - range.begin > short_range) {
             stack[height++] = range;
         } else {
-            insertion_sort(items, range);
+            sort_short(items, range);
         }
     };
     if (count > 0) sort_or_wait({0, count});
@@ -140,7 +140,7 @@ void sort_items(const Items& items, std::uint32_t count, const Scratch& scratch)
 
 bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Arena& arena) {
     const ArenaScope scope(arena);
-    Scratch scratch;
+    SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
     for (std::uint32_t i = 0; i < count; ++i) position[i] = i;
     sort_items({value, position}, count, scratch);
@@ -149,7 +149,7 @@ bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Ar
 
 bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Arena& arena) {
     const ArenaScope scope(arena);
-    Scratch scratch;
+    SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
     sort_items({value, label}, count, scratch);
     return true;

@@ -60,7 +60,8 @@ inline void PortableUnsignedSum::add_product(std::uint64_t a, std::uint64_t b) {
     add_product_portable(high_, low_, a, b);
 }
 
-#if defined(__SIZEOF_INT128__) && !defined(NETMESH_PORTABLE_WIDE)
+// WebAssembly has no instruction for it, only calls of a library.
+#if defined(__SIZEOF_INT128__) && !defined(__wasm__) && !defined(NETMESH_PORTABLE_WIDE)
 
 __extension__ typedef __int128 NativeInt128;
 __extension__ typedef unsigned __int128 NativeUint128;

@@ -15,6 +15,7 @@
 // its minor lacks, add less than 2^-100 of the bound. Overflow cannot occur.
 #pragma once
 #include "numerics/minors.hpp"
+#include "numerics/square_root.hpp"
 #include "predicates/frame.hpp"
 
 namespace netmesh {
@@ -82,7 +83,7 @@ template <int D, bool lifted> FloatResult float_stage(const double* const* point
     } else {
         determinant = float_determinant<n>(a);
     }
-    return {determinant, __builtin_sqrt(half[0]) * __builtin_sqrt(half[1]) * Bounds::magnitude_factor};
+    return {determinant, square_root(half[0]) * square_root(half[1]) * Bounds::magnitude_factor};
 }
 
 // x * 2^k for |k| <= 2044, in two exact steps unless it underflows.
@@ -107,7 +108,7 @@ template <int D, bool lifted> FloatResult float_stage_scaled(const Frame<D, lift
         }
         product *= s;
     }
-    double magnitude = __builtin_sqrt(product) * Bounds::magnitude_factor;
+    double magnitude = square_root(product) * Bounds::magnitude_factor;
     if constexpr (lifted) {
         double highest = 0;
         for (int i = 0; i < n; ++i) highest = a[i][D] > highest ? a[i][D] : highest;

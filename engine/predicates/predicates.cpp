@@ -116,5 +116,6 @@ Sign in_ball_perturbed(const double* const* cell, const VertexId* ids, const dou
 
 template Sign orient<1>(const double* const*, PredicateCounts&);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -4,9 +4,14 @@
 
 namespace netmesh {
 
+// A function of the caller's, which does not throw: where exceptions are on, nothing is made for the case that it does.
+template <class Result, class... Arguments> auto never_throwing(Result (*function)(Arguments...)) {
+    return reinterpret_cast<Result (*)(Arguments...) noexcept>(function);
+}
+
 // The function's value at x; -0.0 becomes 0.0, so that equal values have equal bits.
 inline double value_at(const netmesh_function& function, const double* x) {
-    return function.evaluate(function.user, x) + 0.0;
+    return never_throwing(function.evaluate)(function.user, x) + 0.0;
 }
 
 }  // namespace netmesh

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "include/netmesh.h"
+#include "vocabulary/callback.hpp"
 
 namespace netmesh {
 
@@ -30,7 +31,7 @@ public:
         }
         countdown_ = interval;
         progress_.done = done;
-        return poll_ != nullptr && poll_(user_, &progress_) != 0;
+        return poll_ != nullptr && never_throwing(poll_)(user_, &progress_) != 0;
     }
 
 private:

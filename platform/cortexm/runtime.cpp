@@ -1,8 +1,6 @@
 // What a compiler expects of every target and finds here instead of in a C library.
 #include <cstddef>
 
-#include "square_root.hpp"
-
 extern "C" {
 
 void* memset(void* to, int value, std::size_t count) {
@@ -32,6 +30,4 @@ int memcmp(const void* a, const void* b, std::size_t count) {
         if (*p != *q) return *p < *q ? -1 : 1;
     return 0;
 }
-
-double sqrt(double x) { return board::integer_square_root(x); }
 }

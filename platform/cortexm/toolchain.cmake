@@ -10,7 +10,5 @@ if(NETMESH_CORE STREQUAL "m7")
 else()
   set(core "-mthumb -mcpu=cortex-m3 -mfloat-abi=soft")
 endif()
-# Enumerations of the interface are as wide as an int everywhere; this compiler's are as short as they can be.
-set(core "${core} -fno-short-enums")
 set(CMAKE_C_FLAGS_INIT "${core}")
 set(CMAKE_CXX_FLAGS_INIT "${core}")

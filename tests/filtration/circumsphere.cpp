@@ -1,4 +1,4 @@
-#include "filtration/circumsphere.hpp"
+#include "filtration/circumsphere_fast.hpp"
 
 #include <doctest/doctest.h>
 

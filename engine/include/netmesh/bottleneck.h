@@ -14,7 +14,7 @@ extern "C" {
 typedef enum netmesh_scale {
     NETMESH_SCALE_PLAIN = 0, /* differences of radii */
     NETMESH_SCALE_LOG = 1    /* differences of their logarithms */
-} netmesh_scale;
+} NETMESH_AN_INT netmesh_scale;
 
 #define NETMESH_ALL_DEGREES UINT32_MAX
 

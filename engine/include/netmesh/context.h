@@ -26,6 +26,14 @@ extern "C" {
 uint32_t netmesh_version(void);
 const char* netmesh_version_text(void);
 
+/* C lets a compiler make enumerations shorter than an int, the habit of ARM's toolchains (-fshort-enums). Those of this
+ * interface are ints everywhere. */
+#if defined(__ARM_SIZEOF_MINIMAL_ENUM) && __ARM_SIZEOF_MINIMAL_ENUM < 4
+#define NETMESH_AN_INT __attribute__((mode(SI)))
+#else
+#define NETMESH_AN_INT
+#endif
+
 typedef enum netmesh_status {
     NETMESH_OK = 0,
     NETMESH_INVALID_ARGUMENT = 1, /* detail.field says which field; index_a: the row concerned, where there is one */
@@ -44,10 +52,10 @@ typedef enum netmesh_status {
     NETMESH_NOT_A_COMPLEX = 12,  /* simplex index_a has no place in a filtered complex; detail.fault says why */
     NETMESH_NOT_BUILT = 13       /* detail.field asks for what this build of the library leaves out (its
                                     netmesh_config.h); detail.message names the switch */
-} netmesh_status;
+} NETMESH_AN_INT netmesh_status;
 
-/* C lets a compiler make enumerations shorter than an int (-fshort-enums, the habit of some ARM toolchains). The
- * library is built with ints, and a program whose structs differ from its own must not compile. */
+/* With other options (-fshort-enums where it is no habit) structs differ from the library's: no such program compiles.
+ */
 typedef char netmesh_enumerations_are_ints[sizeof(netmesh_status) == sizeof(int) && sizeof(int) == 4 ? 1 : -1];
 
 /* A short English phrase for a status; never null. */
@@ -119,7 +127,7 @@ typedef enum netmesh_field {
     NETMESH_FIELD_STEP_COUNT,
     NETMESH_FIELD_LONGER_THAN,
     NETMESH_FIELD_COUNT
-} netmesh_field;
+} NETMESH_AN_INT netmesh_field;
 
 /* The field's name as it stands in the requests, "tau"; never null. */
 const char* netmesh_field_text(netmesh_field field);
@@ -133,7 +141,7 @@ typedef enum netmesh_fault {
     NETMESH_FAULT_LISTED_TWICE, /* index_b: the earlier simplex that it is equal to */
     NETMESH_FAULT_FACE_MISSING, /* index_b: the vertex, from 0 in ascending order, that the missing face lacks */
     NETMESH_FAULT_FACE_LATER    /* index_b: the face that enters later */
-} netmesh_fault;
+} NETMESH_AN_INT netmesh_fault;
 
 /* What the last call that failed has to say. Unused fields are 0. */
 typedef struct netmesh_detail {
@@ -173,7 +181,7 @@ typedef enum netmesh_stage {
     NETMESH_STAGE_CHECK = 8,    /* independent checkers; unit: cells */
     NETMESH_STAGE_ANALYSE = 9,  /* pace, integral, fatness, structure; unit: points, boxes, vertices or cells */
     NETMESH_STAGE_COUNT = 10
-} netmesh_stage;
+} NETMESH_AN_INT netmesh_stage;
 
 typedef struct netmesh_progress {
     uint32_t struct_bytes; /* of the library's struct */
@@ -183,7 +191,7 @@ typedef struct netmesh_progress {
 } netmesh_progress;
 
 /* Called about every 1,000 to 10,000 units of work. A non-zero return cancels: the call that polls returns
- * NETMESH_CANCELLED. Must not call into the context. */
+ * NETMESH_CANCELLED. Must not call into the context, nor throw. */
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
 /* Who watches a job; part of every request. */

@@ -82,7 +82,7 @@ typedef enum netmesh_check_what {
                                         4.6.2 of neighbours */
     NETMESH_CHECK_BOUNDS = 16,       /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes) and 5 */
     NETMESH_CHECK_ALL = 31
-} netmesh_check_what;
+} NETMESH_AN_INT netmesh_check_what;
 
 typedef struct netmesh_check_request {
     uint32_t struct_bytes;
@@ -102,7 +102,7 @@ typedef enum netmesh_analyse_what {
     NETMESH_ANALYSE_STRUCTURE = 2,
     NETMESH_ANALYSE_FATNESS = 4,
     NETMESH_ANALYSE_ALL = 7
-} netmesh_analyse_what;
+} NETMESH_AN_INT netmesh_analyse_what;
 
 typedef struct netmesh_analyse_request {
     uint32_t struct_bytes;

@@ -17,7 +17,7 @@ typedef enum netmesh_purpose {
     NETMESH_PURPOSE_PERSIST = 1, /* persistence: of a mesh with the filters of the distance to the points or of
                                     functions, of a Delaunay triangulation with the alpha filter */
     NETMESH_PURPOSE_TIGHT = 2    /* persistence with the tight filter; of a mesh only */
-} netmesh_purpose;
+} NETMESH_AN_INT netmesh_purpose;
 
 typedef struct netmesh_delaunay_request {
     uint32_t struct_bytes;
@@ -49,7 +49,7 @@ typedef enum netmesh_method {
     NETMESH_METHOD_SVR = 0,       /* Sparse Voronoi Refinement (4.4) */
     NETMESH_METHOD_HIERARCHY = 1, /* NetMesh (4.5, 4.7): a hierarchical mesh, of linear size whatever the spread */
     NETMESH_METHOD_REFINE = 2     /* VoronoiRefine (3.2), in the bounding domain and with the boundary net of 3.5 */
-} netmesh_method;
+} NETMESH_AN_INT netmesh_method;
 
 /* Of METHOD_HIERARCHY. */
 typedef enum netmesh_cage_kind {
@@ -61,7 +61,7 @@ typedef enum netmesh_cage_kind {
                                   each place on the sphere of .64 r (a regular polygon; the corners of an icosahedron
                                   and of its edges' middles; a 600-cell; of the outermost cage the middles of 6, 36, 125
                                   squares on each side of a cube), nothing else from e r to 2 r / e */
-} netmesh_cage_kind;
+} NETMESH_AN_INT netmesh_cage_kind;
 
 /* A sizing function: the out-radius wanted of the Voronoi cell of a mesh vertex at x[D]. Must depend on x alone
  * (results are reproducible as far as it is), be defined at least up to 2.2 enclosing radii from the domain's centre,
@@ -95,7 +95,10 @@ typedef struct netmesh_certificate_goal {
  * until the largest load has halved. QUALITY: aspect ratios, degrees and the invariants of 4.8 and 4.9 are measured
  * after each insertion, until FinishMesh begins (with cages of the thesis to the end, of whole cells); K and K' until
  * over-refinement begins. */
-typedef enum netmesh_audit_what { NETMESH_AUDIT_LOCATION = 1, NETMESH_AUDIT_QUALITY = 2 } netmesh_audit_what;
+typedef enum netmesh_audit_what {
+    NETMESH_AUDIT_LOCATION = 1,
+    NETMESH_AUDIT_QUALITY = 2
+} NETMESH_AN_INT netmesh_audit_what;
 
 /* Also says, wherever a request points to it, what a mesh promises: check, analyse and load read tau, sizes,
  * certificate, size_at_inputs, size_growth, net_spacing, cage_kind and whole_cells of it. */

@@ -29,12 +29,12 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_CECH = 10,             /* Cech complex: the offsets' exact diagram */
     NETMESH_FILTER_BARYCENTRIC_CECH = 11, /* 8.5: sublevel sets of the distance to the k-th nearest point, exact */
     NETMESH_FILTER_BARYCENTRIC_RIPS = 12  /* 8.5: the same within 2^(1/4), from distances alone */
-} netmesh_filter;
+} NETMESH_AN_INT netmesh_filter;
 
 typedef enum netmesh_values {
     NETMESH_VALUES_CERTIFIED = 0, /* the filter's values, clamped so that the certified ratio is the best possible */
     NETMESH_VALUES_THESIS = 1     /* the filter's own values */
-} netmesh_values;
+} NETMESH_AN_INT netmesh_values;
 
 /* Which call a filter goes to. */
 typedef enum netmesh_source {
@@ -42,7 +42,7 @@ typedef enum netmesh_source {
     NETMESH_SOURCE_DELAUNAY = 2, /* netmesh_delaunay, then netmesh_persist */
     NETMESH_SOURCE_SCALES = 3,   /* netmesh_persist_scales */
     NETMESH_SOURCE_POINTS = 4    /* netmesh_persist_points */
-} netmesh_source;
+} NETMESH_AN_INT netmesh_source;
 
 /* What a filter is and what it needs. The library's own table: whoever reads it needs no list of filters. */
 typedef struct netmesh_filter_info {

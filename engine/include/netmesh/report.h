@@ -175,7 +175,7 @@ typedef enum netmesh_predicate_stage {
     NETMESH_PREDICATE_EXACT = 3,   /* exact arithmetic of full width */
     NETMESH_PREDICATE_TIE = 4,     /* exactly degenerate, decided by the symbolic perturbation */
     NETMESH_PREDICATE_STAGES = 5
-} netmesh_predicate_stage;
+} NETMESH_AN_INT netmesh_predicate_stage;
 
 /* Decisions of triangulation and mesh that ended in each stage. */
 typedef struct netmesh_predicates_report {
@@ -211,7 +211,7 @@ typedef enum netmesh_figure_type {
     NETMESH_FIGURE_DOUBLE = 4,
     NETMESH_FIGURE_FINGERPRINT = 5, /* uint64_t, written in hexadecimal */
     NETMESH_FIGURE_NAME = 6         /* an enumeration; `text` is the value's name */
-} netmesh_figure_type;
+} NETMESH_AN_INT netmesh_figure_type;
 
 /* One figure of a report or an analysis, for whoever writes all of them without a list of their own. */
 typedef struct netmesh_figure {

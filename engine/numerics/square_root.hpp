@@ -1,10 +1,19 @@
-// The square root of a double, correctly rounded, in integers alone: for cores without a double-precision unit.
+// Square roots of doubles, correctly rounded, without a library.
 #pragma once
 #include <cstdint>
 
-namespace board {
+// Where errno is kept, compilers call a library for negative numbers unless a declaration says that nothing is written.
+#ifndef __NO_MATH_ERRNO__
+#define NETMESH_SQUARE_ROOT sqrt
+extern "C" double sqrt(double) noexcept __attribute__((const));
+#else
+#define NETMESH_SQUARE_ROOT __builtin_sqrt
+#endif
 
-// Digit by digit, two bits of the radicand for one of the root: 54 steps.
+namespace netmesh {
+
+// In integers alone, for processors without a unit for doubles. Digit by digit, two bits of the radicand for one of the
+// root: 54 steps.
 inline double integer_square_root(double x) {
     std::uint64_t bits;
     __builtin_memcpy(&bits, &x, sizeof bits);
@@ -41,4 +50,13 @@ inline double integer_square_root(double x) {
     return x;
 }
 
-}  // namespace board
+#if defined(__arm__) && !(defined(__ARM_FP) && (__ARM_FP & 8)) ||                                                      \
+    defined(__riscv) && !(defined(__riscv_flen) && __riscv_flen >= 64)
+inline double square_root(double x) { return integer_square_root(x); }
+#else
+inline double square_root(double x) { return NETMESH_SQUARE_ROOT(x); }
+#endif
+
+}  // namespace netmesh
+
+#undef NETMESH_SQUARE_ROOT
