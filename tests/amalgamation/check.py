@@ -92,7 +92,8 @@ def check_script(options):
                     if name.endswith((".h", ".hpp", ".cpp")))
     marks = sorted(re.findall(r"^/\* ---- (\S+) ---- \*/$", text, re.M))
     check(marks == inside, "each of the engine's %d files is in them once, with its name" % len(inside))
-    check(not re.search(r"^#\s*include\s*<(?!std(def|int)\.h>)", text, re.M), "they include stddef.h and stdint.h alone")
+    others = re.search(r"^#\s*include\s*<(?!std(def|int)\.h>)", text, re.M)
+    check(not others, "they include stddef.h and stdint.h alone")
     wrong = os.path.join(work, "a_file")
     open(wrong, "w").close()
     blocked = os.path.join(work, "blocked")
@@ -109,7 +110,8 @@ PLANTS = {
     "a function twice": ("api/bounds.cpp", "namespace netmesh {\nnamespace {\nint link_facets(int x) { return x; }\n"
                          "}  // namespace\n}  // namespace netmesh\n", "link_facets is declared in api/bounds.cpp and"),
     "a type twice": ("mesh/frame.cpp", "namespace netmesh {\nnamespace {\nstruct Items {\n    int a;\n};\n"
-                     "}  // namespace\n}  // namespace netmesh\n", "Items is declared in mesh/frame.cpp and numerics/value_order.cpp"),
+                     "}  // namespace\n}  // namespace netmesh\n",
+                     "Items is declared in mesh/frame.cpp and numerics/value_order.cpp"),
     "a constant twice": ("mesh/frame.cpp", "namespace netmesh {\nnamespace {\nconstexpr double other = 1, chunk = 2;\n"
                          "}  // namespace\n}  // namespace netmesh\n", "chunk is declared in"),
     "a macro that stays": ("mesh/frame.cpp", "#define NETMESH_LEFT 1\n", "macro NETMESH_LEFT is not undefined"),

@@ -730,7 +730,7 @@ TEST_CASE("complexes") {
     CHECK(plan(0, 0) == 0);
     CHECK(plan(5, 4) == 0);
     CHECK(plan(1, UINT64_MAX) == 0);
-    CHECK(plan(3, 4) > 65536);
+    CHECK(plan(3, 4) > 16384);
     CHECK(netmesh_plan_homology(nullptr) == 0);
     CHECK(netmesh_homology(f.c, &good) == NETMESH_OK);
     CHECK(f.session.report().simplicial_complex.vertices == 2);

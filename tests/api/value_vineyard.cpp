@@ -557,7 +557,7 @@ TEST_CASE("arguments of vineyards of values") {
     CHECK(plan(3, 4, 0) == 0);
     CHECK(plan(3, 4, UINT32_MAX) == 0);
     CHECK(plan(1, UINT64_MAX, 1) == 0);
-    CHECK(plan(3, 4, 1) > 65536);
+    CHECK(plan(3, 4, 1) > 16384);
     CHECK(plan(3000, 6000, 100) > plan(3000, 6000, 1));
     CHECK(netmesh_plan_value_vineyard(nullptr) == 0);
     CHECK(netmesh_value_vineyard(f.c, &good) == NETMESH_OK);
