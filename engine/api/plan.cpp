@@ -134,7 +134,7 @@ template <int D> double alpha_of_points_block(double points) {
     const Amounts amounts = delaunay_amounts<D>(points);
     const double triangulated = block_bytes<D>(amounts, {});
     const double simplices = amounts.cells * figures<D>.simplices_per_cell;
-    const double filtered = margin * (sizeof(double) * D * points + alpha_of_points_bytes * simplices) +
+    const double filtered = plan_margin * (sizeof(double) * D * points + alpha_of_points_bytes * simplices) +
                             sizeof(netmesh_context) + block_overhead;
     return triangulated > filtered ? triangulated : filtered;
 }
