@@ -107,11 +107,14 @@ public:
         r.purpose = purpose;
         return r;
     }
+    netmesh_alpha_request alpha_request(inputs::Points&&) const = delete;  // requests point into their points
     netmesh_alpha_request alpha_request(const inputs::Points& points) const {
         netmesh_alpha_request r = on(points, watched(netmesh::requests::Alpha(request.dim)));
         r.seed = request.seed;
         return r;
     }
+    netmesh_points_request points_request(inputs::Points&&, netmesh_filter, std::uint32_t = 1,
+                                          std::uint32_t = 1) const = delete;
     netmesh_points_request points_request(const inputs::Points& points, netmesh_filter filter, std::uint32_t k = 1,
                                           std::uint32_t max_degree = 1) const {
         netmesh_points_request r = on(points, watched(netmesh::requests::Points(request.dim, filter)));

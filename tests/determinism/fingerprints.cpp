@@ -211,7 +211,8 @@ void dimension(int dim) {
     diagrams_of_meshes(session, dim, sizes);
     if (dim <= 3) dense_runs(session, dim);
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, sizes.points / 2)));
-    const netmesh_alpha_request alone = session.alpha_request(inputs::uniform(dim, sizes.points / 2));
+    const inputs::Points uniform = inputs::uniform(dim, sizes.points / 2);  // the request points into them
+    const netmesh_alpha_request alone = session.alpha_request(uniform);
     print("alpha-of-points", "uniform", session, netmesh_persist_alpha(session.context, &alone));
     complexes_on_points(session, dim, sizes.complex);
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? sizes.side : 3)));
