@@ -70,7 +70,8 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 set(seldom analysis/fatness analysis/hierarchy_size analysis/pacing analysis/size analysis/structure api/alpha
   api/analyse api/bounds api/check api/complexes api/cycles api/figures api/fit api/items api/load api/measure_cells
   api/mesh api/mesh_rules api/persist api/plan api/represent api/requests api/scales api/vineyard
-  complex/faces_in_part complex/listed_complex delaunay/check delaunay/load diagram/induced_matching
+  complex/faces_in_part complex/listed_complex delaunay/check delaunay/flat_centre delaunay/load
+  diagram/induced_matching
   filtration/circumsphere_exact filtration/clipped_nerve filtration/explicit_complex filtration/function_filter
   filtration/scale_partition homology/cycles/cycles jobs/alpha_of_points jobs/bar_bounds jobs/bound_bars
   jobs/certified_bars jobs/follow_vines jobs/join_shift jobs/joined_bars jobs/k_vineyard jobs/list_simplices

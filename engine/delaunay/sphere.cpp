@@ -1,9 +1,9 @@
 #include "delaunay/sphere.hpp"
 
-#include "numerics/double_double.hpp"
-#include "numerics/integer512.hpp"
+#include "delaunay/flat_centre.hpp"
+#include "numerics/minors.hpp"
+#include "numerics/real.hpp"
 #include "numerics/vector.hpp"
-#include "predicates/float_stage.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -64,79 +64,13 @@ template <int D> bool keep_sphere(const double* p0, const double* x, double shap
 
 constexpr double error_limit = 0.25;  // beyond it the bounds' own assumptions fail
 
-// The same in integers, for cells that only their last bits keep from being flat. They have a corner to be measured as
-// long as coordinates and edges are of comparable size.
-template <int D> [[gnu::noinline]] bool solve_sphere_exactly(const double* const* p, Cell<D>& cell) {
-    constexpr int edge_bits = (Integer512::bits - 16) / (D + 1);  // D! D 2^(edge_bits (D + 1)) < 2^511
-    int quantum = 1024, highest = -1074;
-    for (int i = 0; i <= D; ++i)
-        for (int j = 0; j < D; ++j) {
-            const int k = quantum_of(p[i][j]), e = exponent_of(__builtin_fabs(p[i][j]));
-            if (k < quantum) quantum = k;
-            if (e > highest) highest = e;
-        }
-    if (highest - quantum > 440 || quantum > 400) return false;
-    const auto integer = [&](double x) {
-        const Decoded d = decode(x);
-        if (d.mantissa == 0) return Integer512::zero();
-        const int shift = d.exponent - quantum;  // negative when the mantissa ends in zeros
-        return shift < 0 ? Integer512::of(d.mantissa >> -shift, 0, d.negative)
-                         : Integer512::of(d.mantissa, shift, d.negative);
-    };
-    Integer512 a[D + 1][D + 1], minors[D + 1];
-    for (int i = 0; i < D; ++i) {
-        Integer512 square = Integer512::zero();
-        for (int j = 0; j < D; ++j) {
-            if (exponent_of(__builtin_fabs(p[i + 1][j] - p[0][j])) - quantum >= edge_bits) return false;
-            a[j][i] = integer(p[i + 1][j]) - integer(p[0][j]);
-            square = square + a[j][i] * a[j][i];
-        }
-        a[D][i] = square;
-    }
-    minors_of_order<D>(a, minors);
-    int below;
-    const double determinant = minors[0].leading(&below);
-    double x[D];
-    for (int j = 0; j < D; ++j) {
-        int above;
-        const double numerator = minors[D - j].leading(&above);
-        const double quotient = numerator / determinant * power_of_two(above - below) * power_of_two(quantum - 1);
-        x[j] = (D - 1 - j) % 2 == 0 ? quotient : -quotient;
-    }
-    return keep_sphere<D>(p[0], x, D * 0x1p-98, error_limit, cell);
-}
-
-// The same as solve_sphere's in about 100 bits, for cells so flat that the digits of a double do not tell their centre.
-template <int D> [[gnu::noinline]] void solve_sphere_precisely(const double* const* p, Cell<D>& cell) {
-    DoubleDouble a[D + 1][D + 1], minors[D + 1];
-    double lengths2 = 1;
-    for (int i = 0; i < D; ++i) {
-        double largest = 0;
-        for (int j = 0; j < D; ++j) {
-            a[j][i] = two_difference(p[i + 1][j], p[0][j]);
-            const double size = __builtin_fabs(a[j][i].high);
-            if (size > largest) largest = size;
-        }
-        if (!(largest > 0x1p-1000 && largest < 0x1p1000)) return forget_sphere<D>(p, cell);
-        const int exponent = exponent_of(largest);
-        DoubleDouble square = {0, 0};
-        for (int j = 0; j < D; ++j) {
-            a[j][i] = scaled(a[j][i], power_of_two(-exponent));
-            square = square + a[j][i] * a[j][i];
-        }
-        a[D][i] = scaled(square, power_of_two(exponent - 1));
-        lengths2 *= square.high;
-    }
-    minors_of_order<D>(a, minors);
-    double x[D];
-    for (int j = 0; j < D; ++j) {
-        const DoubleDouble quotient = minors[D - j] / minors[0];
-        x[j] = (D - 1 - j) % 2 == 0 ? quotient.high : -quotient.high;
-    }
-    constexpr double shape = shape_factor<D>() * 0x1p-45;  // an operation errs by less than 2^-98
-    const double inverse = 1 / minors[0].high;
-    if (!keep_sphere<D>(p[0], x, shape * shape * lengths2 * (inverse * inverse), error_limit, cell) &&
-        !solve_sphere_exactly<D>(p, cell))
+// For cells so flat that the digits of a double do not tell their centre.
+template <int D> [[gnu::noinline]] void solve_flat_sphere(const double* const* p, Cell<D>& cell) {
+    double x[D], error2;
+    if (centre_in_long_digits(D, p, shape_factor<D>(), x, &error2) &&
+        keep_sphere<D>(p[0], x, error2, error_limit, cell))
+        return;
+    if (!centre_in_integers(D, p, x, &error2) || !keep_sphere<D>(p[0], x, error2, error_limit, cell))
         forget_sphere<D>(p, cell);
 }
 
@@ -166,7 +100,7 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
     for (int j = 0; j < D; ++j) x[j] = minors[D - j] * ((D - 1 - j) % 2 == 0 ? inverse : -inverse);
     constexpr double shape = shape_factor<D>();
     if (!keep_sphere<D>(p[0], x, shape * shape * lengths2 * (inverse * inverse), error_max, cell))
-        solve_sphere_precisely<D>(p, cell);
+        solve_flat_sphere<D>(p, cell);
 }
 
 template <int D> void recompute_balls(Store<D>& store) {

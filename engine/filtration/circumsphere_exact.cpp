@@ -6,48 +6,26 @@
 namespace netmesh {
 namespace {
 
-// Minors of order K of the K+1 rows "columns of G, b"; number K - i is the one without row i.
-template <int K, int L>
-void maximal_minors(const std::uint64_t (&entry)[K][2][K + 1], const std::uint64_t* below, std::uint64_t* out,
-                    const ResiduePrime& prime) {
-    if constexpr (L > K) {
-        for (int i = 0; i <= K; ++i) out[i] = below[i];
-    } else {
-        std::uint64_t minors[binomial(K + 1, L)];
-        residue_minors<K + 1, L>(entry[L - 1], below, minors, prime);
-        maximal_minors<K, L + 1>(entry, minors, out, prime);
-    }
-}
-
 std::uint64_t negative(std::uint64_t a, const ResiduePrime& prime) { return a == 0 ? 0 : prime.value - a; }
 std::uint64_t sum_of(std::uint64_t a, std::uint64_t b, const ResiduePrime& prime) {
     return a + b >= prime.value ? a + b - prime.value : a + b;
 }
 
-// det[0] = det G, det[i] = det G_i from the Gram matrix.
-template <int K>
-void solve_residues(const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max], const ResiduePrime& prime,
-                    std::uint64_t* det) {
-    std::uint64_t entry[K][2][K + 1], minors[K + 1];
-    for (int c = 0; c < K; ++c)
-        for (int r = 0; r <= K; ++r) {
-            entry[c][0][r] = gram[c][r < K ? r : c];
-            entry[c][1][r] = negative(entry[c][0][r], prime);
+// det[0] = det G, det[i] = det G_i from the k x k Gram matrix.
+void solve_residues(int k, const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max],
+                    const ResiduePrime& prime, std::uint64_t* det) {
+    // The k+1 rows "columns of G, b"; minor k - i is the one without row i.
+    ResidueMatrix a;
+    std::uint64_t level[2][widest_level(frame_rows_max)];
+    for (int c = 0; c < k; ++c)
+        for (int r = 0; r <= k; ++r) {
+            a.entry[c][0][r] = gram[c][r < k ? r : c];
+            a.entry[c][1][r] = negative(a.entry[c][0][r], prime);
         }
-    maximal_minors<K, 2>(entry, entry[0][0], minors, prime);
+    const std::uint64_t* const minors = residue_minors_up<2>(k + 1, k, a, a.entry[0][0], level, prime);
     det[0] = minors[0];
-    // b is the last row; K-1-i transpositions bring it to the place of row i.
-    for (int i = 0; i < K; ++i) det[i + 1] = ((K - 1 - i) & 1) != 0 ? negative(minors[K - i], prime) : minors[K - i];
-}
-
-// solve_residues<k>, K <= k.
-template <int K>
-void solve_from(int k, const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max],
-                const ResiduePrime& prime, std::uint64_t* det) {
-    if constexpr (K < dimension_most()) {
-        if (k > K) return solve_from<K + 1>(k, gram, prime, det);
-    }
-    solve_residues<K>(gram, prime, det);
+    // b is the last row; k-1-i transpositions bring it to the place of row i.
+    for (int i = 0; i < k; ++i) det[i + 1] = ((k - 1 - i) & 1) != 0 ? negative(minors[k - i], prime) : minors[k - i];
 }
 
 // 2^e modulo the prime.
@@ -105,7 +83,7 @@ ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
             gram[i][j] = gram[j][i] = reduce(sum, prime);
         }
     Residues r;
-    solve_from<1>(k_, gram, prime, r.det);
+    solve_residues(k_, gram, prime, r.det);
     UnsignedSum sum;
     for (int i = 0; i < k_; ++i) sum.add_product(gram[i][i], r.det[i + 1]);
     r.sum = reduce(sum, prime);

@@ -67,7 +67,7 @@ inline int exponent_of(double x) {
 inline int quantum_of(double x) {
     const Decoded d = decode(x);
     if (d.mantissa == 0) return 1024;
-    return d.exponent + log2_floor(d.mantissa & (~d.mantissa + 1));
+    return d.exponent + static_cast<int>(lowest_bit(d.mantissa));
 }
 
 }  // namespace netmesh

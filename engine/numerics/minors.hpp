@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "vocabulary/dimension.hpp"
+
 namespace netmesh {
 
 constexpr int binomial(int n, int k) {
@@ -18,29 +20,33 @@ constexpr int binomial(int n, int k) {
 
 constexpr int widest_level(int n) { return binomial(n, n / 2); }
 
-template <int N, int K> struct MinorLevel {
-    static constexpr int count = binomial(N, K);
-    struct Term {
-        std::uint8_t row, below;  // the row of a member, the number of the minor without it
-    };
-    Term term[count][K];
+struct MinorTerm {
+    std::uint8_t row, below;  // the row of a member, the number of the minor without it
+};
 
-    constexpr MinorLevel() : term() {
-        int rank_below[1 << N] = {};
-        for (int mask = 0, next = 0; mask < (1 << N); ++mask) {
-            rank_below[mask] = next;
-            if (size(mask) == K - 1) ++next;
-        }
-        for (int mask = 0, index = 0; mask < (1 << N); ++mask) {
-            if (size(mask) != K) continue;
-            for (int row = 0, j = 0; row < N; ++row) {
-                if ((mask >> row & 1) == 0) continue;
-                term[index][j].row = static_cast<std::uint8_t>(row);
-                term[index][j].below = static_cast<std::uint8_t>(rank_below[mask & ~(1 << row)]);
-                ++j;
+constexpr int minor_rows_max = dimension_most() + 1;
+
+// The terms of all minors of orders 2 to N of N rows. Row sets are numbered without regard to the rows that come
+// later, so the minors of fewer rows are the first of each order: one table serves any number of rows.
+template <int N> struct MinorTable {
+    static constexpr int terms_before(int order) {
+        int terms = 0;
+        for (int k = 2; k < order; ++k) terms += binomial(N, k) * k;
+        return terms;
+    }
+    MinorTerm term[terms_before(N + 1)];
+
+    constexpr MinorTable() : term() {
+        for (int k = 2, next = 0; k <= N; ++k)
+            for (int mask = 0; mask < (1 << N); ++mask) {
+                if (size(mask) != k) continue;
+                for (int row = 0; row < N; ++row) {
+                    if ((mask >> row & 1) == 0) continue;
+                    term[next].row = static_cast<std::uint8_t>(row);
+                    term[next].below = static_cast<std::uint8_t>(rank(mask & ~(1 << row)));
+                    ++next;
+                }
             }
-            ++index;
-        }
     }
 
 private:
@@ -49,32 +55,56 @@ private:
         for (; mask != 0; mask &= mask - 1) ++bits;
         return bits;
     }
+    // How many sets of the same size come before: the sum of binomial(member j, j + 1).
+    static constexpr int rank(int mask) {
+        int before = 0;
+        for (int row = 0, j = 0; row < N; ++row)
+            if ((mask >> row & 1) != 0) before += binomial(row, ++j);
+        return before;
+    }
 };
 
-template <int N, int K> inline constexpr MinorLevel<N, K> minor_level{};
+inline constexpr MinorTable<minor_rows_max> minor_table{};
 
-// All minors of order K from those of order K-1. Member K-1-J of a sum comes with sign (-1)^J, so that a sum starts
-// with a term that is not negated. T: double, straight-line code without a loop or a branch; or numbers of more digits,
-// in loops.
-template <int N, int K, class T> struct Minors {
-    static constexpr const MinorLevel<N, K>& level = minor_level<N, K>;
+// Where the terms of order k begin, k for each minor.
+constexpr int minor_terms_at(int k) { return MinorTable<minor_rows_max>::terms_before(k); }
 
-    static T term(const T (&a)[N][N], const T* below, int s, int j) {
-        return a[level.term[s][K - 1 - j].row][K - 1] * below[level.term[s][K - 1 - j].below];
-    }
-    [[gnu::noinline]] static void all(const T (&a)[N][N], const T* below, T* out) {
-        for (int s = 0; s < level.count; ++s) {
-            out[s] = term(a, below, s, 0);
-            for (int j = 1; j < K; ++j)
-                out[s] = (j & 1) != 0 ? out[s] - term(a, below, s, j) : out[s] + term(a, below, s, j);
+// All minors of order K of n rows from those of order K-1. column: the entries of column K-1. Member K-1-j of a sum
+// comes with sign (-1)^j, so that a sum starts with a term that is not negated. K is known when compiling, for the loop
+// over members is as short as it.
+template <int K, class T> void minors_up(int n, const T* column, const T* below, T* out) {
+    const MinorTerm* term = minor_table.term + minor_terms_at(K);
+    const int count = binomial(n, K);
+    for (int s = 0; s < count; ++s, term += K) {
+        T sum = column[term[K - 1].row] * below[term[K - 1].below];
+        for (int j = 1; j < K; ++j) {
+            const T product = column[term[K - 1 - j].row] * below[term[K - 1 - j].below];
+            sum = (j & 1) != 0 ? sum - product : sum + product;
         }
+        out[s] = sum;
     }
-};
-template <int N, int K> struct Minors<N, K, double> {
-    static constexpr const MinorLevel<N, K>& level = minor_level<N, K>;
+}
+
+// The minors of order k of the first k columns of a matrix of n rows, from those of order K-1, in one of two levels.
+template <int K, class T>
+const T* minors_of_columns(int n, int k, const T (*column)[minor_rows_max], const T* below,
+                           T (&level)[2][widest_level(minor_rows_max)]) {
+    if (K > k) return below;
+    if constexpr (K <= minor_rows_max) {
+        minors_up<K>(n, column[K - 1], below, level[K & 1]);
+        below = minors_of_columns<K + 1>(n, k, column, level[K & 1], level);
+    }
+    return below;
+}
+
+// The same in doubles for numbers of rows and columns known when compiling: straight-line code without a loop or a
+// branch.
+template <int N, int K> struct Minors {
+    static constexpr MinorTerm member(int s, int j) { return minor_table.term[minor_terms_at(K) + s * K + j]; }
 
     template <int S, int J> static double term(const double (&a)[N][N], const double* below) {
-        return a[level.term[S][K - 1 - J].row][K - 1] * below[level.term[S][K - 1 - J].below];
+        constexpr MinorTerm m = member(S, K - 1 - J);
+        return a[m.row][K - 1] * below[m.below];
     }
     template <int S, int... J>
     static double sum(const double (&a)[N][N], const double* below, std::integer_sequence<int, J...>) {
@@ -92,18 +122,18 @@ template <int N, int K> struct Minors<N, K, double> {
 };
 
 // The minors of order L, from those of order K-1.
-template <int N, int K, int L, class T> void minors_of_order(const T (&a)[N][N], const T* below, T* out) {
+template <int N, int K, int L> void minors_of_order(const double (&a)[N][N], const double* below, double* out) {
     if constexpr (K == L) {
-        Minors<N, K, T>::all(a, below, out);
+        Minors<N, K>::all(a, below, out);
     } else {
-        T minors[binomial(N, K)];
-        Minors<N, K, T>::all(a, below, minors);
+        double minors[binomial(N, K)];
+        Minors<N, K>::all(a, below, minors);
         minors_of_order<N, K + 1, L>(a, minors, out);
     }
 }
 // The minors of order L of the first L columns.
-template <int L, int N, class T> void minors_of_order(const T (&a)[N][N], T* out) {
-    T first[N];
+template <int L, int N> void minors_of_order(const double (&a)[N][N], double* out) {
+    double first[N];
     for (int i = 0; i < N; ++i) first[i] = a[i][0];
     minors_of_order<N, 2, L>(a, first, out);
 }

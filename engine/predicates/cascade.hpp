@@ -8,38 +8,14 @@
 //
 // An exact 0 is left to the caller: predicates.cpp breaks ties by index.
 #pragma once
-#include "predicates/exact_stage.hpp"
 #include "predicates/float_stage.hpp"
-#include "predicates/integer_stage.hpp"
 #include "predicates/planar_stage.hpp"
-#include "predicates/predicates.hpp"
+#include "predicates/undecided.hpp"
 
 namespace netmesh {
 
-enum PredicateStage : int { stage_float = 1, stage_integer = 2, stage_exact = 3, stage_tie = 4 };
-
-struct Decision {
-    Sign sign;
-    PredicateStage stage;
-};
-
-inline Decision decide(int sign, bool negate, PredicateStage stage) {
-    return {static_cast<Sign>(negate ? -sign : sign), stage};
-}
-
-inline int sign_of(double x) { return (x > 0) - (x < 0); }
-
-// The quantum certificate: when all coordinates are multiples of 2^quantum and the magnitude is below 2^53 quanta (of
-// the determinant), every number on the way is an integer below 2^53 in its own quanta, a double, and nothing was
-// rounded. Zero is certain then as well. (No row is zero, so the magnitude bounds what is on the way too; it is above
-// 2^-960 if it is not 0, so that no quantum is below the least double.)
-template <int D, bool lifted> bool is_exact(const FloatResult& result, int quantum) {
-    constexpr int degree = lifted ? D + 2 : D;
-    return result.magnitude > 0 && exponent_of(result.magnitude) < 53 + quantum * degree;
-}
-
-// The same for the least quantum that will do, without looking for the quantum itself. Adding and subtracting 1.5 *
-// 2^52 quanta rounds a coordinate below 2^51 quanta to a multiple of the quantum.
+// The quantum certificate (undecided.cpp) for the least quantum that will do, without looking for the quantum itself.
+// Adding and subtracting 1.5 * 2^52 quanta rounds a coordinate below 2^51 quanta to a multiple of the quantum.
 template <int D, bool lifted> bool is_exact_at_once(const double* const* points, double magnitude) {
     constexpr int degree = lifted ? D + 2 : D;
     static_assert(degree >= 2, "a quantum between -563 and 486");
@@ -47,7 +23,7 @@ template <int D, bool lifted> bool is_exact_at_once(const double* const* points,
     const int quantum = (exponent_of(magnitude) - 53 + 4096 * degree) / degree - 4096 + 1;
     const double shift = 1.5 * power_of_two(52 + quantum);
     double remainders = 0, sizes = 0;
-    for (int i = 0; i < Frame<D, lifted>::points; ++i)
+    for (int i = 0; i <= frame_rows(D, lifted); ++i)
         for (int c = 0; c < D; ++c) {
             const double x = points[i][c];
             remainders += __builtin_fabs((x + shift) - shift - x);
@@ -56,59 +32,9 @@ template <int D, bool lifted> bool is_exact_at_once(const double* const* points,
     return remainders == 0 && sizes < power_of_two(51 + quantum);
 }
 
-// Bits of the largest coordinate of a row in quanta. The lift wants one quantum, without it each column has its own:
-// units may differ by axis.
-template <int D, bool lifted> int difference_bits(const Frame<D, lifted>& frame, int row, const int (&quantum)[D]) {
-    if constexpr (lifted) return frame.exponent[row] + 1 - quantum[0];
-    int bits = 0;
-    for (int c = 0; c < D; ++c) {
-        const int k = exponent_of(__builtin_fabs(frame.row[row][c] - frame.base[c])) + 1 - quantum[c];
-        bits = k > bits ? k : bits;
-    }
-    return bits;
-}
-
-// What the float stage with the last point as base could not decide.
-template <int D, bool lifted>
-[[gnu::noinline]] Decision decide_undecided(const double* const* points, const FloatResult& first) {
-    using Set = Frame<D, lifted>;
-    int quantum[D], least = 1024;
-    for (int c = 0; c < D; ++c) {
-        quantum[c] = 1024;
-        for (int i = 0; i < Set::points; ++i) {
-            const int k = quantum_of(points[i][c]);
-            quantum[c] = k < quantum[c] ? k : quantum[c];
-        }
-        least = quantum[c] < least ? quantum[c] : least;
-    }
-    if (is_exact<D, lifted>(first, least)) return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
-
-    const Set frame = best_frame<D, lifted>(points);
-    for (int i = 0; i < Set::rows; ++i)
-        if (frame.exponent[i] == exponent_of_zero) return decide(0, false, stage_float);
-    if (frame.widest() <= 1023 && (first.magnitude == 0 || frame.gain > 2)) {
-        const FloatResult second = float_stage_scaled<D, lifted>(frame);
-        const double error = second.magnitude * FloatBounds<D, lifted>::error_factor;
-        if (__builtin_fabs(second.determinant) > error)
-            return decide(sign_of(second.determinant), frame.negate, stage_float);
-    }
-
-    if constexpr (lifted)
-        for (int& k : quantum) k = least;
-    int row_bits_max = 0, bits = ExactBounds<D, lifted>::hadamard_bits();
-    for (int i = 0; i < Set::rows; ++i) {
-        const int row_bits = difference_bits<D, lifted>(frame, i, quantum);
-        row_bits_max = row_bits > row_bits_max ? row_bits : row_bits_max;
-        bits += row_bits;
-    }
-    if (row_bits_max <= integer_stage_bits)
-        return decide(integer_stage<D, lifted>(frame, quantum), frame.negate, stage_integer);
-    if (lifted) bits += row_bits_max;
-    return decide(exact_stage<D, lifted>(frame, quantum, bits), frame.negate, stage_exact);
-}
-
 template <int D, bool lifted> bool is_sure(const FloatResult& result) {
-    return __builtin_fabs(result.determinant) > result.magnitude * FloatBounds<D, lifted>::error_factor;
+    constexpr double factor = error_factor(D, lifted);
+    return __builtin_fabs(result.determinant) > result.magnitude * factor;
 }
 
 // points: D+1.
@@ -120,7 +46,7 @@ template <int D> Decision decide_orient(const double* const* points) {
     const FloatResult first = float_stage<D, false>(points, nullptr);
     if (is_sure<D, false>(first) || is_exact_at_once<D, false>(points, first.magnitude))
         return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
-    return decide_undecided<D, false>(points, first);
+    return decide_undecided(D, false, points, first);
 }
 
 // points: D+2, q last. *minors_exact: minors[D - i] is exactly the determinant of the rows (x - q) of all points but i
@@ -137,7 +63,7 @@ template <int D> Decision decide_in_ball(const double* const* points, double* mi
         *minors_exact = true;
         return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
     }
-    return decide_undecided<D, true>(points, first);
+    return decide_undecided(D, true, points, first);
 }
 
 }  // namespace netmesh

@@ -33,79 +33,82 @@ inline std::uint64_t residue_of(const ScaledInteger& x, const std::uint64_t* pow
     return x.negative && r != 0 ? prime.value - r : r;
 }
 
-// All minors of order K modulo the prime. entry: [0] column K-1, [1] its negative.
-template <int N, int K>
-void residue_minors(const std::uint64_t (&entry)[2][N], const std::uint64_t* below, std::uint64_t* out,
-                    const ResiduePrime& prime) {
-    for (int s = 0; s < binomial(N, K); ++s) {
-        const auto& term = minor_level<N, K>.term[s];
-        UnsignedSum sum;
-        for (int j = 0; j < K; ++j) sum.add_product(entry[(K - 1 - j) & 1][term[j].row], below[term[j].below]);
-        out[s] = reduce(sum, prime);
-    }
-}
-
-template <int N, int K>
-std::uint64_t residue_determinant(const std::uint64_t (&entry)[N][2][N], const std::uint64_t* below,
-                                  const ResiduePrime& prime) {
-    std::uint64_t minors[binomial(N, K)];
-    residue_minors<N, K>(entry[K - 1], below, minors, prime);
-    if constexpr (K == N)
-        return minors[0];
-    else
-        return residue_determinant<N, K + 1>(entry, minors, prime);
-}
-
-template <int D, bool lifted> struct ExactBounds {
-    // The least b for which 2^b is at least D^(D/2), or (D+1) D^(1+D/2) for lifted points: compared by squares.
-    static constexpr int hadamard_bits() {
-        std::uint64_t square = lifted ? std::uint64_t{D + 1} * (D + 1) * D * D : 1;
-        for (int k = 0; k < D; ++k) square *= D;
-        int bits = 0;
-        while ((std::uint64_t{1} << 2 * bits) < square) ++bits;
-        return bits;
-    }
-    // A difference of finite doubles is below 2^1025 and a multiple of 2^-1074.
-    static constexpr int bits_max = (lifted ? D + 2 : D) * (1025 + 1074) + hadamard_bits();
-    static constexpr int primes_max = primes_for_bits(bits_max);
-    static_assert(primes_max <= residue_prime_count, "the table of primes is too short");
+// A matrix modulo a prime by columns, [1] with its signs changed.
+struct ResidueMatrix {
+    std::uint64_t entry[frame_rows_max][2][frame_rows_max];
 };
 
+// The minors of order `top` of the first columns of n rows modulo the prime, from those of order K-1, 1 <= top <= n.
+template <int K>
+const std::uint64_t* residue_minors_up(int n, int top, const ResidueMatrix& a, const std::uint64_t* below,
+                                       std::uint64_t (&level)[2][widest_level(frame_rows_max)],
+                                       const ResiduePrime& prime) {
+    if (K > top) return below;
+    if constexpr (K <= frame_rows_max) {
+        const MinorTerm* term = minor_table.term + minor_terms_at(K);
+        std::uint64_t* const out = level[K & 1];
+        for (int s = 0; s < binomial(n, K); ++s, term += K) {
+            UnsignedSum sum;
+            for (int j = 0; j < K; ++j)
+                sum.add_product(a.entry[K - 1][(K - 1 - j) & 1][term[j].row], below[term[j].below]);
+            out[s] = reduce(sum, prime);
+        }
+        below = residue_minors_up<K + 1>(n, top, a, out, level, prime);
+    }
+    return below;
+}
+
+// The least b for which 2^b is at least D^(D/2), or (D+1) D^(1+D/2) for lifted points: compared by squares.
+constexpr int hadamard_bits(int dim, bool lifted) {
+    const std::uint64_t d = static_cast<std::uint64_t>(dim);
+    std::uint64_t square = lifted ? (d + 1) * (d + 1) * d * d : 1;
+    for (int k = 0; k < dim; ++k) square *= d;
+    int bits = 0;
+    while ((std::uint64_t{1} << 2 * bits) < square) ++bits;
+    return bits;
+}
+
+// A difference of finite doubles is below 2^1025 and a multiple of 2^-1074.
+constexpr int exact_primes_max =
+    primes_for_bits((dimension_most() + 2) * (1025 + 1074) + hadamard_bits(dimension_most(), true));
+static_assert(exact_primes_max <= residue_prime_count, "the table of primes is too short");
+
 // Sign of the determinant, which has at most `bits` bits in quanta. quantum: see integer_stage.
-template <int D, bool lifted> int exact_stage(const Frame<D, lifted>& frame, const int (&quantum)[D], int bits) {
-    constexpr int n = Frame<D, lifted>::rows;
-    ScaledInteger x[D][n + 1];
+[[gnu::noinline]] inline int exact_stage(const Frame& frame, int dim, bool lifted, const int* quantum, int bits) {
+    const int n = frame_rows(dim, lifted);
+    ScaledInteger x[dimension_most()][frame_rows_max + 1];
     int power_max = 0;
-    for (int c = 0; c < D; ++c)
+    for (int c = 0; c < dim; ++c)
         for (int i = 0; i <= n; ++i) {
             x[c][i] = scaled_integer(i < n ? frame.row[i][c] : frame.base[c], quantum[c]);
             power_max = x[c][i].power > power_max ? x[c][i].power : power_max;
         }
-    std::uint64_t residues[ExactBounds<D, lifted>::primes_max];
+    std::uint64_t residues[exact_primes_max];
     const int primes = primes_for_bits(bits);
     for (int k = 0; k < primes; ++k) {
         const ResiduePrime prime = residue_prime(k);
         std::uint64_t power[scaled_power_max + 1];
         power[0] = 1;
         for (int i = 1; i <= power_max; ++i) power[i] = multiply(power[i - 1], prime.excess, prime);
-        std::uint64_t entry[n][2][n];
-        UnsignedSum lift[n];
-        for (int c = 0; c < D; ++c) {
+        ResidueMatrix a;
+        UnsignedSum lift[frame_rows_max];
+        for (int c = 0; c < dim; ++c) {
             const std::uint64_t base = residue_of(x[c][n], power, prime);
             for (int i = 0; i < n; ++i) {
                 const std::uint64_t r = residue_of(x[c][i], power, prime);
                 const std::uint64_t difference = r >= base ? r - base : r + prime.value - base;
-                entry[c][0][i] = difference;
-                entry[c][1][i] = prime.value - difference;
-                if constexpr (lifted) lift[i].add_product(difference, difference);
+                a.entry[c][0][i] = difference;
+                a.entry[c][1][i] = prime.value - difference;
+                lift[i].add_product(difference, difference);
             }
         }
-        if constexpr (lifted)
+        if (lifted)
             for (int i = 0; i < n; ++i) {
-                entry[D][0][i] = reduce(lift[i], prime);
-                entry[D][1][i] = prime.value - entry[D][0][i];
+                a.entry[dim][0][i] = reduce(lift[i], prime);
+                a.entry[dim][1][i] = prime.value - a.entry[dim][0][i];
             }
-        residues[k] = residue_determinant<n, 2>(entry, entry[0][0], prime);
+        std::uint64_t level[2][widest_level(frame_rows_max)];
+        residues[k] = *residue_minors_up<2>(n, n, a, a.entry[0][0], level, prime);
     }
     return sign_of_residues(residues, primes);
 }

@@ -20,27 +20,25 @@
 
 namespace netmesh {
 
-template <int N> double float_determinant(const double (&a)[N][N]) {
-    double determinant;
-    minors_of_order<N>(a, &determinant);
-    return determinant;
-}
-
 struct FloatResult {
     double determinant;
     double magnitude;  // 0: nothing is known
 };
 
+constexpr double permanent_constants[7] = {1, 1, 1, 1.15471, 1.5, 2.14664, 3.33334};  // rounded up
+
+// 1.001 covers the second order and the rounding of the magnitude itself.
+constexpr double magnitude_factor(int dim, bool lifted) {
+    return (lifted ? permanent_constants[dim] * (dim + 1) : permanent_constants[dim]) * 1.001;
+}
+constexpr double error_factor(int dim, bool lifted) {
+    int roundings = 1;
+    for (int k = 2; k <= dim; ++k) roundings += k + 1;
+    if (lifted) roundings += 2 * dim + 3;
+    return roundings * 1.1102230246251565e-16 * 1.001;
+}
+
 template <int D, bool lifted> struct FloatBounds {
-    static constexpr int roundings() {
-        int e = 1;
-        for (int k = 2; k <= D; ++k) e += k + 1;
-        return lifted ? e + 2 * D + 3 : e;
-    }
-    static constexpr double permanent_constant() {
-        constexpr double c[7] = {1, 1, 1, 1.15471, 1.5, 2.14664, 3.33334};  // rounded up
-        return lifted ? c[D] * (D + 1) : c[D];
-    }
     // Lengths in the magnitude: one a row and, with a lift, the largest once more.
     static constexpr int factors = lifted ? D + 2 : D;
     static constexpr double range() {
@@ -50,15 +48,12 @@ template <int D, bool lifted> struct FloatBounds {
     }
     static constexpr double length_squared_max = range();
     static constexpr double length_squared_min = 1 / range();
-    // 1.001 covers the second order and the rounding of the magnitude itself.
-    static constexpr double magnitude_factor = permanent_constant() * 1.001;
-    static constexpr double error_factor = roundings() * 1.1102230246251565e-16 * 1.001;
 };
 
 // With the last of the points as base. minors, if not null: what multiplies the lifts, minors[D - i] for row i.
 template <int D, bool lifted> FloatResult float_stage(const double* const* points, double* minors) {
     using Bounds = FloatBounds<D, lifted>;
-    constexpr int n = Frame<D, lifted>::rows;
+    constexpr int n = frame_rows(D, lifted);
     double a[n][n], half[2] = {1, 1}, longest = 0;
     bool admitted = true;
     for (int i = 0; i < n; ++i) {
@@ -79,11 +74,12 @@ template <int D, bool lifted> FloatResult float_stage(const double* const* point
     double determinant;
     if constexpr (lifted) {
         minors_of_order<D>(a, minors);
-        Minors<n, n, double>::all(a, minors, &determinant);
+        Minors<n, n>::all(a, minors, &determinant);
     } else {
-        determinant = float_determinant<n>(a);
+        minors_of_order<n>(a, &determinant);
     }
-    return {determinant, square_root(half[0]) * square_root(half[1]) * Bounds::magnitude_factor};
+    constexpr double factor = magnitude_factor(D, lifted);
+    return {determinant, square_root(half[0]) * square_root(half[1]) * factor};
 }
 
 // x * 2^k for |k| <= 2044, in two exact steps unless it underflows.
@@ -91,30 +87,28 @@ inline double scale(double x, int k) { return x * power_of_two(k / 2) * power_of
 
 // With the frame's base, each row divided by its size, so that no range is too wide: an entry or a lift that underflows
 // is too small to matter by far. The rows must be neither zero nor infinite.
-template <int D, bool lifted> FloatResult float_stage_scaled(const Frame<D, lifted>& frame) {
-    using Bounds = FloatBounds<D, lifted>;
-    constexpr int n = Frame<D, lifted>::rows;
-    const int widest = frame.widest();
-    double a[n][n], product = 1;
+template <class Dim, class Lifted> FloatResult float_stage_scaled(const Frame& frame, Dim dim, Lifted lifted) {
+    const int n = frame_rows(dim, lifted), widest = frame.widest(n);
+    double column[frame_rows_max][minor_rows_max], product = 1, highest = 0;
     for (int i = 0; i < n; ++i) {
         double s = 0;
-        for (int c = 0; c < D; ++c) {
-            a[i][c] = scale(frame.row[i][c] - frame.base[c], -frame.exponent[i]);
-            s += a[i][c] * a[i][c];  // in [1, 4 D)
+        for (int c = 0; c < dim; ++c) {
+            const double d = scale(frame.row[i][c] - frame.base[c], -frame.exponent[i]);
+            column[c][i] = d;
+            s += d * d;  // in [1, 4 D)
         }
-        if constexpr (lifted) {
+        if (lifted) {
             const int fall = widest - frame.exponent[i];
-            a[i][D] = scale(s, fall < 2000 ? -fall : -2000);
+            const double lift = scale(s, fall < 2000 ? -fall : -2000);
+            column[dim][i] = lift;
+            highest = lift > highest ? lift : highest;
         }
         product *= s;
     }
-    double magnitude = square_root(product) * Bounds::magnitude_factor;
-    if constexpr (lifted) {
-        double highest = 0;
-        for (int i = 0; i < n; ++i) highest = a[i][D] > highest ? a[i][D] : highest;
-        magnitude *= highest;  // a lift over its row's length is at most the lift
-    }
-    return {float_determinant<n>(a), magnitude};
+    double magnitude = square_root(product) * magnitude_factor(dim, lifted);
+    if (lifted) magnitude *= highest;  // a lift over its row's length is at most the lift
+    double level[2][widest_level(minor_rows_max)];
+    return {*minors_of_columns<2>(n, n, column, column[0], level), magnitude};
 }
 
 }  // namespace netmesh

@@ -9,20 +9,23 @@
 // the end by transpositions first.
 #pragma once
 #include "numerics/bits.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
-template <int D, bool lifted> struct Frame {
-    static constexpr int rows = lifted ? D + 1 : D;
-    static constexpr int points = rows + 1;
+constexpr int frame_rows(int dim, bool lifted) { return lifted ? dim + 1 : dim; }
+constexpr int frame_rows_max = dimension_most() + 1;
 
-    const double* row[rows];
+// Sizes come beside a frame, dim as an int or a Dimension<D>, lifted as a bool or a std::bool_constant: constants make
+// loops this short faster, variables serve all dimensions with one piece of code.
+struct Frame {
+    const double* row[frame_rows_max];
     const double* base;
-    int exponent[rows];  // exponent_of the largest coordinate of the difference, which is below 2^(exponent+1)
-    bool negate;         // the answer is the negated sign of the determinant
-    int gain;            // how many bits shorter the product of distances is than with the last point as base
+    int exponent[frame_rows_max];  // exponent_of the largest coordinate of the difference, below 2^(exponent+1)
+    bool negate;                   // the answer is the negated sign of the determinant
+    int gain;                      // how many bits shorter the product of distances is than about the last point
 
-    int widest() const {
+    int widest(int rows) const {
         int e = exponent[0];
         for (int i = 1; i < rows; ++i) e = exponent[i] > e ? exponent[i] : e;
         return e;
@@ -31,9 +34,9 @@ template <int D, bool lifted> struct Frame {
 
 // Exponent of the largest coordinate of a - b. Rounding does not carry a difference past a power of two, it may
 // bring it up to one.
-template <int D> int difference_exponent(const double* a, const double* b) {
+template <class Dim> int difference_exponent(Dim dim, const double* a, const double* b) {
     double largest = 0;
-    for (int c = 0; c < D; ++c) {
+    for (int c = 0; c < dim; ++c) {
         const double d = __builtin_fabs(a[c] - b[c]);
         largest = d > largest ? d : largest;
     }
@@ -41,22 +44,22 @@ template <int D> int difference_exponent(const double* a, const double* b) {
 }
 
 // The frame whose base has the least product of (largest coordinate) distances to the other points.
-template <int D, bool lifted> Frame<D, lifted> best_frame(const double* const* points) {
-    constexpr int n = Frame<D, lifted>::points;
-    int exponent[n][n], sum[n] = {};
+template <class Dim, class Lifted> Frame best_frame(Dim dim, Lifted lifted, const double* const* points) {
+    const int n = frame_rows(dim, lifted) + 1;
+    int exponent[frame_rows_max + 1][frame_rows_max + 1], sum[frame_rows_max + 1] = {};
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < i; ++j) {
-            const int e = difference_exponent<D>(points[i], points[j]);
+            const int e = difference_exponent(dim, points[i], points[j]);
             exponent[i][j] = exponent[j][i] = e;
             sum[i] += e;
             sum[j] += e;
         }
     int best = n - 1;
     for (int i = n - 2; i >= 0; --i) best = sum[i] < sum[best] ? i : best;
-    Frame<D, lifted> frame;
+    Frame frame;
     frame.base = points[best];
     frame.gain = sum[n - 1] - sum[best];
-    frame.negate = ((D + n - 1 - best) & 1) != 0;
+    frame.negate = ((dim + n - 1 - best) & 1) != 0;
     for (int r = 0; r < n - 1; ++r) {
         const int i = r + (r >= best);
         frame.row[r] = points[i];

@@ -35,11 +35,18 @@ private:
     double per_unit_;
 };
 
+// The matrix by columns, [1] with its signs changed.
+struct IntegerMatrix {
+    std::int64_t entry[frame_rows_max][2][frame_rows_max];
+};
+
 // All minors of order K, K digits each, from those of order K-1. entry: [0] the matrix's column K-1, [1] its negative.
-template <int N, int K>
-void integer_minors(const std::int64_t (&entry)[2][N], const std::int64_t* below, std::int64_t* out) {
-    for (int s = 0; s < binomial(N, K); ++s) {
-        const auto& term = minor_level<N, K>.term[s];
+// K is known when compiling, for the loops over digits and members are as short as it.
+template <int K>
+void integer_minors(int n, const std::int64_t (&entry)[2][frame_rows_max], const std::int64_t* below,
+                    std::int64_t* out) {
+    const MinorTerm* term = minor_table.term + minor_terms_at(K);
+    for (int left = binomial(n, K); left > 0; --left, term += K, out += K) {
         SignedSum carry;
         for (int t = 0; t < K - 1; ++t) {
             SignedSum sum = carry;
@@ -49,22 +56,27 @@ void integer_minors(const std::int64_t (&entry)[2][N], const std::int64_t* below
             carry = sum;
         }
         out[K - 1] = carry.take_digit();
-        out += K;
     }
 }
 
-template <int N, int D> struct IntegerMatrix { std::int64_t entry[D][2][N]; };
+// Digits of all minors of one order, at most.
+constexpr int integer_digits_most() {
+    int most = 0;
+    for (int k = 2; k <= frame_rows_max; ++k)
+        most = binomial(frame_rows_max, k) * k > most ? binomial(frame_rows_max, k) * k : most;
+    return most;
+}
 
-// The minors of order D: one for orient, with N = D; those of all but one row for in_ball, with N = D+1.
-template <int N, int D, int K>
-void integer_minors_up(const IntegerMatrix<N, D>& a, const std::int64_t* below, std::int64_t* top) {
-    if constexpr (K == D) {
-        integer_minors<N, K>(a.entry[K - 1], below, top);
-    } else {
-        std::int64_t minors[binomial(N, K) * K];
-        integer_minors<N, K>(a.entry[K - 1], below, minors);
-        integer_minors_up<N, D, K + 1>(a, minors, top);
+// The minors of order `top` in one of two levels, from those of order K-1.
+template <int K>
+const std::int64_t* integer_minors_up(int n, int top, const IntegerMatrix& a, const std::int64_t* below,
+                                      std::int64_t (&level)[2][integer_digits_most()]) {
+    if (K > top) return below;
+    if constexpr (K <= dimension_most()) {
+        integer_minors<K>(n, a.entry[K - 1], below, level[K & 1]);
+        below = integer_minors_up<K + 1>(n, top, a, level[K & 1], level);
     }
+    return below;
 }
 
 inline int sign_of_digits(const std::int64_t* digit, int count) {
@@ -74,10 +86,10 @@ inline int sign_of_digits(const std::int64_t* digit, int count) {
 }
 
 // Sign of the determinant. quantum[c]: all coordinates c are multiples of 2^quantum[c] (with a lift: all equal).
-template <int D, bool lifted> int integer_stage(const Frame<D, lifted>& frame, const int (&quantum)[D]) {
-    constexpr int n = Frame<D, lifted>::rows;
-    IntegerMatrix<n, D> a;
-    for (int c = 0; c < D; ++c) {
+template <class Dim, class Lifted> int integer_stage(const Frame& frame, Dim dim, Lifted lifted, const int* quantum) {
+    const int n = frame_rows(dim, lifted);
+    IntegerMatrix a;
+    for (int c = 0; c < dim; ++c) {
         const Quanta quanta(quantum[c]);
         const std::uint64_t base = quanta.of(frame.base[c]);
         for (int i = 0; i < n; ++i) {
@@ -85,28 +97,29 @@ template <int D, bool lifted> int integer_stage(const Frame<D, lifted>& frame, c
             a.entry[c][1][i] = -a.entry[c][0][i];
         }
     }
-    std::int64_t top[binomial(n, D) * D];
-    integer_minors_up<n, D, 2>(a, a.entry[0][0], top);
-    if constexpr (!lifted) return sign_of_digits(top, D);
+    // The minors of order D: one for orient, those of all but one row for in_ball.
+    std::int64_t level[2][integer_digits_most()];
+    const std::int64_t* const top = integer_minors_up<2>(n, dim, a, a.entry[0][0], level);
+    if (!lifted) return sign_of_digits(top, dim);
 
-    std::int64_t determinant[D + 2] = {};
+    std::int64_t determinant[dimension_most() + 2] = {};
     for (int i = 0; i < n; ++i) {
         // The minor without row i is number n-1-i; a negated lift makes up for its sign.
-        const std::int64_t* minor = top + (n - 1 - i) * D;
+        const std::int64_t* minor = top + (n - 1 - i) * dim;
         SignedSum square;
-        for (int c = 0; c < D; ++c) square.add_product(a.entry[c][0][i], a.entry[c][(n - 1 - i) & 1][i]);
+        for (int c = 0; c < dim; ++c) square.add_product(a.entry[c][0][i], a.entry[c][(n - 1 - i) & 1][i]);
         const std::int64_t low = square.take_digit(), high = square.take_digit();
         SignedSum carry;
-        for (int t = 0; t < D + 2; ++t) {
+        for (int t = 0; t < dim + 2; ++t) {
             SignedSum sum = carry;
             sum.add_product(determinant[t], 1);
-            if (t < D) sum.add_product(low, minor[t]);
-            if (t > 0 && t <= D) sum.add_product(high, minor[t - 1]);
+            if (t < dim) sum.add_product(low, minor[t]);
+            if (t > 0 && t <= dim) sum.add_product(high, minor[t - 1]);
             determinant[t] = sum.take_digit();
             carry = sum;
         }
     }
-    return sign_of_digits(determinant, D + 2);
+    return sign_of_digits(determinant, dim + 2);
 }
 
 }  // namespace netmesh
