@@ -45,20 +45,28 @@ constexpr std::uint64_t inverse(std::uint64_t a, std::uint64_t p) {
     return static_cast<std::uint64_t>(t0 < 0 ? t0 + static_cast<std::int64_t>(p) : t0);
 }
 
-// value[j]: the inverse, modulo prime j, of the product of the primes before it. Prime i is excess[j] - excess[i]
-// modulo prime j, and positive.
+// The inverse, modulo prime j, of the product of the primes before it. Prime i is excess[j] - excess[i] modulo prime j,
+// and positive.
+constexpr std::uint64_t prefix_inverse(int j) {
+    const std::uint64_t excess = prime_excess[j], p = (std::uint64_t{1} << 61) - excess;
+    std::uint64_t product = 1;
+    for (int i = 0; i < j; ++i) product = multiply_small(product, excess - prime_excess[i], excess);
+    return inverse(product >= p ? product - p : product, p);
+}
+
+#ifdef __OPTIMIZE_SIZE__
+// Found each time: a table takes 2 KiB.
+constexpr std::uint64_t known_prefix_inverse(int j) { return prefix_inverse(j); }
+#else
 struct PrefixInverses {
     std::uint64_t value[residue_prime_count];
     constexpr PrefixInverses() : value() {
-        for (int j = 0; j < residue_prime_count; ++j) {
-            const std::uint64_t excess = prime_excess[j], p = (std::uint64_t{1} << 61) - excess;
-            std::uint64_t product = 1;
-            for (int i = 0; i < j; ++i) product = multiply_small(product, excess - prime_excess[i], excess);
-            value[j] = inverse(product >= p ? product - p : product, p);
-        }
+        for (int j = 0; j < residue_prime_count; ++j) value[j] = prefix_inverse(j);
     }
 };
 constexpr PrefixInverses prefix_inverses;
+constexpr std::uint64_t known_prefix_inverse(int j) { return prefix_inverses.value[j]; }
+#endif
 
 }  // namespace
 
@@ -79,7 +87,7 @@ int sign_of_residues(std::uint64_t* residues, int n) {
         UnsignedSum sum(known);
         known = reduce(sum, prime);
         const std::uint64_t r = residues[j];
-        residues[j] = multiply(r >= known ? r - known : r + prime.value - known, prefix_inverses.value[j], prime);
+        residues[j] = multiply(r >= known ? r - known : r + prime.value - known, known_prefix_inverse(j), prime);
         all_zero &= residues[j] == 0;
     }
     if (all_zero) return 0;
