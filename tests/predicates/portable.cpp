@@ -3,6 +3,7 @@
 #define netmesh netmesh_portable
 #include "numerics/residues.cpp"
 #include "predicates/predicates.cpp"
+#include "predicates/undecided.cpp"
 #undef netmesh
 
 #include "portable.hpp"
