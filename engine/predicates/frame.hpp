@@ -16,7 +16,7 @@ namespace netmesh {
 constexpr int frame_rows(int dim, bool lifted) { return lifted ? dim + 1 : dim; }
 constexpr int frame_rows_max = dimension_most() + 1;
 
-// Sizes come beside a frame, dim as an int or a Dimension<D>, lifted as a bool or a std::bool_constant: constants make
+// Sizes come beside a frame, dim as an int or a Dimension<D>, lifted as a bool or as a type that is one: constants make
 // loops this short faster, variables serve all dimensions with one piece of code.
 struct Frame {
     const double* row[frame_rows_max];
