@@ -14,7 +14,7 @@ const char* netmesh_version_text(void) {
 }
 
 const char* netmesh_status_text(netmesh_status status) {
-    if (!netmesh::in_range(status, NETMESH_OK, NETMESH_NOT_BUILT)) return "unknown status";
+    if (!netmesh::in_range(status, NETMESH_OK, NETMESH_STACK_OVERFLOW)) return "unknown status";
     switch (status) {
     case NETMESH_OK: return "done";
     case NETMESH_INVALID_ARGUMENT: return "invalid argument";
@@ -29,6 +29,8 @@ const char* netmesh_status_text(netmesh_status status) {
     case NETMESH_FLOATING_POINT: return "the floating-point mode is not IEEE double precision, rounding to nearest";
     case NETMESH_NOT_A_COMPLEX: return "the simplices are not a filtered complex";
     case NETMESH_NOT_BUILT: return "left out of this build of the library";
+    case NETMESH_PAUSED: return "the job has paused";
+    case NETMESH_STACK_OVERFLOW: return "the job's stack is too small";
     case NETMESH_INTERNAL: return "an invariant of the library does not hold";
     }
     return "unknown status";

@@ -14,6 +14,7 @@
  *     netmesh/complexes.h     other complexes: by scales, of points, any filtered one
  *     netmesh/bottleneck.h    the distance of two diagrams
  *     netmesh/report.h        what a context holds and how it came about
+ *     netmesh/job.h           calls in slices: pause at a poll, go on later
  *
  * Life of a context:   init -> delaunay | mesh | load -> persist | vineyard -> bound_bars, represent -> get_*
  *                      init -> fit | persist_scales | persist_points | points_vineyard | homology | value_vineyard
@@ -43,6 +44,7 @@
 #include "netmesh/bottleneck.h"
 #include "netmesh/complexes.h"
 #include "netmesh/context.h"
+#include "netmesh/job.h"
 #include "netmesh/measure.h"
 #include "netmesh/mesh.h"
 #include "netmesh/persistence.h"

@@ -141,6 +141,28 @@ template <class Visit> void for_each_figure(const netmesh_analysis& analysis, Vi
     for (std::uint32_t i = 0; netmesh_get_analysis_figure(&analysis, i, &figure) == NETMESH_OK; ++i) visit(figure);
 }
 
+// Calls in slices, on a stack that the caller keeps alive: see netmesh/job.h. An object is a handle.
+class Job {
+public:
+    // status() tells whether there is a job; every other call on none does nothing.
+    Job(void* stack, std::size_t stack_bytes, netmesh_task task, void* user) {
+        status_ = netmesh_job_init(stack, stack_bytes, task, user, &job_);
+    }
+    netmesh_status status() const { return status_; }
+    netmesh_status resume() { return status_ = netmesh_resume(job_); }
+    netmesh_status cancel() { return status_ = netmesh_cancel(job_); }
+    bool ended() const { return netmesh_job_ended(job_) != 0; }
+    std::size_t stack_used() const { return netmesh_stack_used(job_); }
+    // For the task: true when it is to end.
+    bool pause() { return netmesh_pause(job_) != 0; }
+    // For requests of calls that the task makes: pauses at each poll.
+    netmesh_monitor monitor() { return {netmesh_poll_pause, job_}; }
+
+private:
+    netmesh_job* job_ = nullptr;
+    netmesh_status status_ = NETMESH_NO_RESULT;
+};
+
 // A context in a block that the caller keeps alive. Copying the object copies the handle, not the context.
 class Engine {
 public:

@@ -14,4 +14,6 @@ inline double value_at(const netmesh_function& function, const double* x) {
     return never_throwing(function.evaluate)(function.user, x) + 0.0;
 }
 
+inline netmesh_status run_task(netmesh_task task, void* user) { return never_throwing(task)(user); }
+
 }  // namespace netmesh

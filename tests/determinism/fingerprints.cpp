@@ -3,6 +3,8 @@
 // line must be the same on every compiler, optimisation level and processor.
 //
 //   fingerprints [small]      small: without the Clifford set
+//
+// With NETMESH_SLICES in the environment all of it runs in a job that pauses at every poll.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +17,12 @@
 namespace {
 
 bool failed = false;
+netmesh_monitor monitor = {};  // of every call
+
+// A session whose calls are watched by it.
+struct Watched : Session {
+    explicit Watched(int dim) : Session(dim) { request.monitor = monitor; }
+};
 
 std::uint64_t bits_of(double x) {
     std::uint64_t bits;
@@ -204,7 +212,7 @@ void complexes_on_points(Session& session, int dim, std::size_t number) {
 
 void dimension(int dim) {
     const Sizes sizes = sizes_of(dim);
-    Session session(dim);
+    Watched session(dim);
     session.reserve(std::size_t(1) << 28);
     triangulations(session, dim, sizes);
     meshes(session, dim, sizes.meshed);
@@ -220,7 +228,7 @@ void dimension(int dim) {
 
 // Distances of the diagrams of two samples, as the bits that netmesh_bottleneck returns.
 void distances() {
-    Session a(2), b(2);
+    Watched a(2), b(2);
     const bool made = a.alpha(inputs::shell(2, 500, 0.5, 1, 1)) == NETMESH_OK &&
                       b.alpha(inputs::shell(2, 500, 0.5, 1, 2)) == NETMESH_OK;
     const std::vector<netmesh_pair> x = a.pairs(), y = b.pairs();
@@ -260,7 +268,7 @@ void homology() {
         for (const std::uint32_t v : face) value = std::max(value, v * 0.25 / (1 + v % 7) - 2);
         values.push_back(value + static_cast<double>(face.size()) * 0.125);
     }
-    Session session(2);
+    Watched session(2);
     netmesh::requests::Homology request;
     request.vertices = list.data();
     request.vertex_count = list.size();
@@ -273,18 +281,41 @@ void homology() {
     std::printf("homology cycles %016" PRIx64 "\n", hash_of_cycles(session));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const bool small = argc > 1 && std::strcmp(argv[1], "small") == 0;
+void all(bool small) {
     for (int dim = NETMESH_DIM_MIN; dim <= NETMESH_DIM_MAX; ++dim)
         if (plans_for(dim)) dimension(dim);
     distances();
     homology();
-    if (!small && plans_for(4)) {
-        Session session(4);
-        session.request.tau = 3.08;
-        print("persist", "clifford", session, session.mesh_and_persist(inputs::clifford(2000)));
-    }
+    if (small || !plans_for(4)) return;
+    Watched session(4);
+    session.request.tau = 3.08;
+    print("persist", "clifford", session, session.mesh_and_persist(inputs::clifford(2000)));
+}
+
+// Whether it paused, and ended well.
+bool all_in_slices(bool small) {
+    static unsigned char stack[1 << 20];
+    netmesh_job* job = nullptr;
+    const auto task = [](void* is_small) {
+        all(*static_cast<bool*>(is_small));
+        return NETMESH_OK;
+    };
+    if (netmesh_job_init(stack, sizeof stack, task, &small, &job) != NETMESH_OK) return false;
+    monitor = {netmesh_poll_pause, job};
+    long pauses = 0;
+    netmesh_status status;
+    while ((status = netmesh_resume(job)) == NETMESH_PAUSED) ++pauses;
+    std::fprintf(stderr, "%ld pauses, %zu bytes of stack\n", pauses, netmesh_stack_used(job));
+    return status == NETMESH_OK && pauses > 10;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const bool small = argc > 1 && std::strcmp(argv[1], "small") == 0;
+    if (std::getenv("NETMESH_SLICES") == nullptr)
+        all(small);
+    else
+        failed = !all_in_slices(small) || failed;
     return failed ? 1 : 0;
 }

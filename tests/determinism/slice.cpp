@@ -217,7 +217,11 @@ std::uint64_t hash_of_bars(const netmesh_context* context) {
     return hash.value();
 }
 
-double slope(void*, const double* x) { return (x[0] < 0 ? -x[0] : x[0]) * 0.5 + (x[1] < 0 ? -x[1] : x[1]) * 0.25; }
+// Pauses the job that it is given, if any.
+double slope(void* job, const double* x) {
+    netmesh_pause(static_cast<netmesh_job*>(job));
+    return (x[0] < 0 ? -x[0] : x[0]) * 0.5 + (x[1] < 0 ? -x[1] : x[1]) * 0.25;
+}
 
 // The jobs in one block. Each that takes points begins with a fresh context.
 class Context {
@@ -312,7 +316,27 @@ private:
         of.cut = 2;
         netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
         request.function = &of;
-        return netmesh_persist(context_.handle, &request);
+        return in_slices(&of.user, &request);
+    }
+    // Paused at every value of the function, where there are jobs on stacks of their own.
+    netmesh_status in_slices(void** user, const netmesh_persist_request* request) {
+        alignas(16) static unsigned char stack[NETMESH_STACK_BYTES(NETMESH_DIM_MAX) + 4096];
+        struct Work {
+            netmesh_context* context;
+            const netmesh_persist_request* request;
+        } work = {context_.handle, request};
+        const auto task = [](void* of) {
+            const Work& w = *static_cast<const Work*>(of);
+            return netmesh_persist(w.context, w.request);
+        };
+        netmesh_job* job = nullptr;
+        const netmesh_status made = netmesh_job_init(stack, sizeof stack, task, &work, &job);
+        if (made == NETMESH_NOT_BUILT) return task(&work);
+        *user = job;
+        int pauses = 0;
+        netmesh_status status;
+        while ((status = netmesh_resume(job)) == NETMESH_PAUSED) ++pauses;
+        return status == NETMESH_OK && pauses < in_.count ? NETMESH_INTERNAL : status;
     }
 
     // With cages and without; what is measured of them.

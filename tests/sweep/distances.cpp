@@ -61,9 +61,20 @@ void sweep_distances() {
         const long polls = disturbance.polls;
         require(undisturbed.status == NETMESH_OK, "the undisturbed run fails");
         place.phase = "poll";
+        Slices slices(std::size_t{1} << 20);
+        const auto in_slices = [&](long cancel_at) {
+            Result result = {};
+            disturbance = {};
+            slices.run([&] { return (result = job.in(&block, bytes)).status; }, cancel_at);
+            total.pauses += slices.pauses;
+            return result;
+        };
+        require(in_slices(-1) == undisturbed, "in slices it ends differently");
+        require(slices.pauses == polls, "it did not pause at each poll");
         for (long k = 0; k < polls; ++k) {
             place.where = k;
-            disturbance = {-1, -1, k, 0, 0};
+            require(in_slices(k).status == NETMESH_CANCELLED, "went on as if nothing had happened");
+            disturbance = {-1, -1, k, 0, 0, nullptr};
             require(job.in(&block, bytes).status == NETMESH_CANCELLED, "went on as if nothing had happened");
             disturbance = {};
             require(job.in(&block, bytes) == undisturbed, "the next run is another one");
@@ -76,8 +87,9 @@ void sweep_distances() {
             require(job.in(&tight, size) == first, "the content of the block before matters");
             if (size >= bytes) require(first == undisturbed, "does not fit in the bytes that it asks for");
         }
-        std::printf("%-16s   :                 %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %6ld whole\n",
-                    scale == NETMESH_SCALE_LOG ? "distance, log" : "distance", polls, bytes,
-                    total.refused - before.refused, total.cancelled - before.cancelled, total.whole - before.whole);
+        std::printf(
+            "%-16s   :                 %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %6ld whole, %6ld pauses\n",
+            scale == NETMESH_SCALE_LOG ? "distance, log" : "distance", polls, bytes, total.refused - before.refused,
+            total.cancelled - before.cancelled, total.whole - before.whole, total.pauses - before.pauses);
     }
 }

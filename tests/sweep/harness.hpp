@@ -3,14 +3,16 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 
 #include "netmesh.h"
 
 // Requests for memory refuse_from .. refuse_to - 1 are refused, poll cancel_at is answered with a stop; all are counted
-// from 0.
+// from 0. With a job each poll pauses it before it answers.
 struct Disturbance {
     long refuse_from = -1, refuse_to = -1, cancel_at = -1;
     long requests = 0, polls = 0;  // made so far
+    netmesh_job* job = nullptr;
 };
 extern Disturbance disturbance;
 
@@ -55,8 +57,20 @@ extern Place place;
 extern long faults;
 bool require(bool good, const char* what);
 
+// Runs a function in a job that pauses at every poll, and ends the job at pause `cancel_at` (-1: never).
+class Slices {
+public:
+    explicit Slices(std::size_t stack_bytes) : stack_(stack_bytes, 0, false), bytes_(stack_bytes) {}
+    netmesh_status run(const std::function<netmesh_status()>& steps, long cancel_at);
+    long pauses = 0;
+
+private:
+    Block stack_;
+    std::size_t bytes_;
+};
+
 struct Tally {
-    long refused = 0, cancelled = 0, whole = 0, partial = 0;
+    long refused = 0, cancelled = 0, whole = 0, partial = 0, pauses = 0;
     void count(netmesh_status status, bool holds) {
         refused += status == NETMESH_OUT_OF_MEMORY;
         cancelled += status == NETMESH_CANCELLED;

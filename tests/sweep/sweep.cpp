@@ -27,7 +27,27 @@ bool sweep_refuses() {
 }
 }  // namespace netmesh
 
-int sweep_poll(void*, const netmesh_progress*) { return disturbance.polls++ == disturbance.cancel_at; }
+int sweep_poll(void*, const netmesh_progress*) {
+    if (disturbance.job != nullptr && netmesh_pause(disturbance.job) != 0) return 1;
+    return disturbance.polls++ == disturbance.cancel_at;
+}
+
+netmesh_status Slices::run(const std::function<netmesh_status()>& steps, long cancel_at) {
+    const auto task = [](void* user) { return (*static_cast<const std::function<netmesh_status()>*>(user))(); };
+    netmesh_job* job = nullptr;
+    auto* const user = const_cast<std::function<netmesh_status()>*>(&steps);
+    if (!require(netmesh_job_init(stack_.base(), bytes_, task, user, &job) == NETMESH_OK, "no job"))
+        return NETMESH_INTERNAL;
+    disturbance.job = job;
+    pauses = 0;
+    netmesh_status status = netmesh_resume(job);
+    for (; status == NETMESH_PAUSED && pauses != cancel_at; ++pauses) status = netmesh_resume(job);
+    if (status == NETMESH_PAUSED) status = netmesh_cancel(job);
+    disturbance.job = nullptr;
+    require(netmesh_job_ended(job) == 1, "the job has not ended");
+    require(stack_.guards_intact(), "wrote outside the job's stack");
+    return status;
+}
 
 bool require(bool good, const char* what) {
     if (!good && ++faults <= 50)
@@ -92,12 +112,12 @@ void look_at_pairs(const netmesh_context* context, const netmesh_report& report)
     require(pairs.size() == counted && pairs.empty() == (report.diagram.present == 0), "pairs and report differ");
 }
 
-// Runs the job and looks at what it leaves behind, disturbed or not.
-Outcome run(const Job& job, netmesh_context* context) {
+// Runs the job, in slices when some are given, and looks at what it leaves behind, disturbed or not.
+Outcome run(const Job& job, netmesh_context* context, Slices* slices = nullptr, long cancel_at = -1) {
     Run calls(job, context);
     figures_of_run = 0;
     Outcome outcome = {};
-    outcome.status = job.steps(calls);
+    outcome.status = slices != nullptr ? slices->run([&] { return job.steps(calls); }, cancel_at) : job.steps(calls);
     const bool disturbed = outcome.status == NETMESH_OUT_OF_MEMORY || outcome.status == NETMESH_CANCELLED;
     require(outcome.status == NETMESH_OK || disturbed, netmesh_status_text(outcome.status));
     const netmesh_detail detail = calls.detail();
@@ -184,10 +204,35 @@ void refuse_and_cancel(const Job& job, const Undisturbed& u, Mode mode) {
     };
     const long all = u.requests * 100 + 1000;
     for (long k = 0; k < u.requests; k += step_of(job, mode, u.requests)) {
-        once("request refused", k, {k, k + 1, -1, 0, 0}, false);
-        if (mode != Mode::refuse) once("requests refused from", k, {k, all, -1, 0, 0}, true);
+        once("request refused", k, {k, k + 1, -1, 0, 0, nullptr}, false);
+        if (mode != Mode::refuse) once("requests refused from", k, {k, all, -1, 0, 0, nullptr}, true);
     }
-    for (long k = 0; k < u.polls; k += step_of(job, mode, u.polls)) once("poll", k, {-1, -1, k, 0, 0}, true);
+    for (long k = 0; k < u.polls; k += step_of(job, mode, u.polls)) once("poll", k, {-1, -1, k, 0, 0, nullptr}, true);
+}
+
+// Paused at every poll, and ended at pause k: what the undivided run gives, and the one that is cancelled at poll k.
+void slice(const Job& job, const Undisturbed& u, Mode mode) {
+    Block block(enough(job), 0xAA, false);
+    netmesh_context* const context = fresh(&block, enough(job));
+    Slices slices(std::size_t{1} << 20);
+    place.phase = "paused at each poll";
+    place.where = 0;
+    disturbance = {};
+    require(run(job, context, &slices) == u.outcome, "in slices it ends differently");
+    require(slices.pauses == u.polls, "it did not pause at each poll");
+    total.pauses += slices.pauses;
+    place.phase = "ended at pause";
+    for (long k = 0; k < u.polls; k += step_of(job, mode, u.polls)) {
+        place.where = k;
+        disturbance = {};
+        const Outcome ended = run(job, context, &slices, k);
+        disturbance = {-1, -1, k, 0, 0, nullptr};
+        require(ended == run(job, context), "ends differently from a run that is cancelled there");
+        total.pauses += slices.pauses + 1;
+    }
+    disturbance = {};
+    require(run(job, context) == u.outcome, "the next run is another one");
+    require(block.guards_intact(), "wrote outside the block");
 }
 
 // One block size: two contents before, between guards and tight.
@@ -271,6 +316,7 @@ const Job planted_jobs[] = {
          return status;
      }},
     {"looks", 2, 8, [](Run& run) { return delaunay_of(run, run.job.points - (end_of(run)[-1] == 0x55)); }},
+    {"pauses", 2, 8, [](Run& run) { return delaunay_of(run, run.job.points - (disturbance.job != nullptr)); }},
 };
 
 // The number of planted jobs in which no fault is found.
@@ -281,6 +327,7 @@ int unseen() {
         faults = 0;
         const Undisturbed u = undisturbed(job);
         refuse_and_cancel(job, u, Mode::all);
+        slice(job, u, Mode::all);
         for (std::size_t bytes = 4096; bytes < u.bytes + 4096; bytes += 256)
             if (std::strcmp(job.name, "overruns") != 0) size(job, u, bytes);
         std::printf("planted job \"%s\": %ld faults seen\n", job.name, faults);
@@ -308,16 +355,17 @@ void sweep(const Job& job, Mode mode) {
     const Tally before = total;
     const Undisturbed u = undisturbed(job);
     refuse_and_cancel(job, u, mode);
+    if (mode != Mode::refuse) slice(job, u, mode);
     const double growth = mode == Mode::quick ? 1.1 : job.tries_max > 0 ? 1.1 : 1.005;
     if (mode != Mode::refuse) sizes(job, u, mode == Mode::quick ? 256 : 16, growth);
     // Every single byte of the way, where it is short: by what the job takes, so that a larger context leaves none out.
     const bool every_byte = mode == Mode::all && job.dim == 2 && u.own_bytes < 8000;
     if (every_byte) sizes(job, u, 1, 1);
     std::printf("%-16s D%d: %5ld requests, %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %5ld of them with "
-                "a partial mesh, %6ld whole%s\n",
+                "a partial mesh, %6ld whole, %6ld pauses%s\n",
                 job.name, job.dim, u.requests, u.polls, u.bytes, total.refused - before.refused,
                 total.cancelled - before.cancelled, total.partial - before.partial, total.whole - before.whole,
-                every_byte ? ", at every byte" : "");
+                total.pauses - before.pauses, every_byte ? ", at every byte" : "");
     std::fflush(stdout);
 }
 
@@ -332,6 +380,7 @@ int main(int argc, char** argv) {
     misaligned();
     sweep_distances();
     for (const Job& job : jobs_of(mode, argc > first_name ? argc - first_name : 0, argv + first_name)) sweep(job, mode);
-    std::printf("%ld points of failure, %ld faults\n", total.refused + total.cancelled, faults);
+    std::printf("%ld points of failure, %ld pauses, %ld faults\n", total.refused + total.cancelled, total.pauses,
+                faults);
     return faults == 0 ? 0 : 1;
 }

@@ -50,8 +50,10 @@ typedef enum netmesh_status {
     NETMESH_FLOATING_POINT = 10, /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,       /* an invariant of the library does not hold: a defect, please report it */
     NETMESH_NOT_A_COMPLEX = 12,  /* simplex index_a has no place in a filtered complex; detail.fault says why */
-    NETMESH_NOT_BUILT = 13       /* detail.field asks for what this build of the library leaves out (its
+    NETMESH_NOT_BUILT = 13,      /* detail.field asks for what this build of the library leaves out (its
                                     netmesh_config.h); detail.message names the switch */
+    NETMESH_PAUSED = 14,         /* the job waits for netmesh_resume (job.h) */
+    NETMESH_STACK_OVERFLOW = 15  /* the job's stack was too small (job.h) */
 } NETMESH_AN_INT netmesh_status;
 
 /* With other options (-fshort-enums where it is no habit) structs differ from the library's: no such program compiles.

@@ -1,0 +1,74 @@
+/* Jobs in slices: calls that stop in the middle and go on later, without threads or an operating system.
+ *
+ * A job is a function of yours that makes any calls of this library. It runs on a stack of its own, so it can be left
+ * at any poll and taken up again there; between two slices the program does what it wants. Results are those of an
+ * undivided run, byte for byte.
+ *
+ *     static netmesh_status work(void* user) {
+ *         struct work* const w = user;
+ *         ...
+ *         request.monitor.poll = netmesh_poll_pause;
+ *         request.monitor.user = w->job;
+ *         status = netmesh_mesh(w->context, &request);
+ *         ...
+ *         return status;
+ *     }
+ *
+ *     netmesh_job_init(stack, sizeof stack, work, &w, &w.job);
+ *     while ((status = netmesh_resume(w.job)) == NETMESH_PAUSED) other_work();
+ */
+#ifndef NETMESH_JOB_H
+#define NETMESH_JOB_H
+
+#include "context.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a job's stack needs for the calls of this library in dimension dim, and for complexes that have none with 2: the
+ * deepest of them takes less (archive.stack). Add what your own functions on it take, the job's and those that requests
+ * name, printf among them; and what signals or interrupts take that run on the stack in use. */
+#define NETMESH_STACK_BYTES(dim) ((size_t)((dim) <= 4 ? 16384 : 32768) + 1024)
+
+typedef struct netmesh_job netmesh_job;
+
+/* The function that a job runs, and what netmesh_resume returns when it has ended; must not throw. */
+typedef netmesh_status (*netmesh_task)(void* user);
+
+/* Makes a job of task(user) on stack[0, stack_bytes), which is the job's alone until it ends and may not be moved.
+ * Nothing runs yet. Costs O(stack_bytes).
+ * INVALID_ARGUMENT (a null pointer), OUT_OF_MEMORY (less than NETMESH_STACK_BYTES_MIN), NOT_BUILT: there is no way to
+ * switch stacks on this processor (WebAssembly, ARMv6-M), or a shadow stack is in use. */
+#define NETMESH_STACK_BYTES_MIN 2048
+netmesh_status netmesh_job_init(void* stack, size_t stack_bytes, netmesh_task task, void* user, netmesh_job** job);
+
+/* Begins the job, or goes on with it where it paused, until it pauses again, NETMESH_PAUSED, or ends: what its task
+ * returned. Any thread may call it, one at a time. Costs some ten instructions, and what the job does.
+ * INVALID_ARGUMENT: no job, or one that runs or has ended. STACK_OVERFLOW: the stack was too small; the job has ended,
+ * and memory below the stack may have been written to. */
+netmesh_status netmesh_resume(netmesh_job* job);
+
+/* Ends a job that has paused: netmesh_pause returns 1 from now on, at which a poll cancels the call that is on its way.
+ * Returns when the task has ended, with what it returned; of a job that never began NETMESH_CANCELLED. What contexts
+ * hold then is what a call that is cancelled leaves. A job may be dropped without this, but its contexts have to be
+ * made anew. Errors as of netmesh_resume. */
+netmesh_status netmesh_cancel(netmesh_job* job);
+
+/* To be called by the job, mostly in a poll: leaves it there; netmesh_resume returns NETMESH_PAUSED. Returns when the
+ * job is resumed: 0, or 1 when it is to end. Outside of the job that is given it does nothing and returns 0. */
+int netmesh_pause(netmesh_job* job);
+
+/* A poll for requests, its user the job: pauses each time. */
+int netmesh_poll_pause(void* job, const netmesh_progress* progress);
+
+/* Has the job ended? */
+int netmesh_job_ended(const netmesh_job* job);
+
+/* The most bytes of the stack that were in use so far. Costs O(stack_bytes). */
+size_t netmesh_stack_used(const netmesh_job* job);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
