@@ -72,8 +72,10 @@ Decision decide_undecided(int dim, bool lifted, const double* const* points, con
     // Surfaces and grids in space put most of their questions here: sizes known when compiling save a third of the
     // time.
     constexpr std::integral_constant<bool, true> in_ball{};
-    if (dim == 3 && lifted) return decide_in_stages(Dimension<3>{}, in_ball, points, first);
-    if (dim == 2 && lifted) return decide_in_stages(Dimension<2>{}, in_ball, points, first);
+    if constexpr (serves_dimension(3))
+        if (dim == 3 && lifted) return decide_in_stages(Dimension<3>{}, in_ball, points, first);
+    if constexpr (serves_dimension(2))
+        if (dim == 2 && lifted) return decide_in_stages(Dimension<2>{}, in_ball, points, first);
 #endif
     return decide_in_stages(dim, lifted, points, first);
 }
