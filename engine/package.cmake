@@ -22,16 +22,19 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
-set(about "From points in R^2 to R^6 to a quality Voronoi/Delaunay mesh, and from that to certified persistent homology.\n")
-string(APPEND about "Predicates are exact, results are the same bytes on every machine, and a diagram carries the ratio within\n")
-string(APPEND about "which it provably agrees with the exact one.\n")
+# Lines of at most 79 columns.
+set(about "From points in R^2 to R^6 to a quality Voronoi/Delaunay mesh, and from that to
+certified persistent homology. Predicates are exact, results are the same
+bytes on every machine, and a diagram carries the ratio within which it
+provably agrees with the exact one.\n")
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME netmesh)
 set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION math)
 set(CPACK_COMPONENT_TOOL_DESCRIPTION "${about}This package has the command-line tool.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libnetmesh-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-  "${about}This package has the library, which works in one block of memory of the caller's, and its C and C++ headers.")
+  "${about}This package has the library, which works in one block of memory of the
+caller's, and its headers for C and C++.")
 # The versions that the tool needs, where dpkg-shlibdeps (of dpkg-dev) can tell; the library needs nothing.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 find_program(NETMESH_SHLIBDEPS dpkg-shlibdeps)

@@ -14,8 +14,10 @@ fail() { echo "$*"; exit 1; }
 
 rm -rf "$work"
 mkdir -p "$work/root" "$work/packages"
-(cd "$work/packages" && "$cpack" -G DEB --config "$build/CPackConfig.cmake" -B "$work/packages") >"$work/log" 2>&1 ||
-    { cat "$work/log"; exit 1; }
+# Of what is built: with the generator of Makefiles cpack would build all first.
+(cd "$work/packages" &&
+    "$cpack" -G DEB -D CPACK_CMAKE_GENERATOR=Ninja --config "$build/CPackConfig.cmake" -B "$work/packages") \
+    >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 tool=$(find "$work/packages" -maxdepth 1 -name 'netmesh_*.deb')
 library=$(find "$work/packages" -maxdepth 1 -name 'libnetmesh-dev_*.deb')
 [ -f "$tool" ] && [ -f "$library" ] || fail "not one package of each: $tool $library"
@@ -70,7 +72,6 @@ if [ "$(id -u)" -eq 0 ]; then
     [ -z "$(find "$system" -name '*netmesh*')" ] || fail "not all is gone after purging"
 fi
 if command -v lintian >/dev/null; then
-    # A static library has no other package, the project no manual page.
     lintian --fail-on error "$tool" "$library" >"$work/lintian" 2>&1 || { cat "$work/lintian"; exit 1; }
     sed 's/^/lintian: /' "$work/lintian"
 else
