@@ -81,12 +81,14 @@ template <int D> [[gnu::cold]] Status Fatness<D>::open() {
     part_ = arena_.take_low<std::uint8_t>(count);
     if (part_ == nullptr) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < count; ++v) {
+        store_.arena.step(v, 8);
         part_[v] = store_.vertex(v).cell == none               ? part_none
                    : store_.vertex(v).marker == Marker::exempt ? part_all
                                                                : part_inside;
         store_.vertex(v).next = none;
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
+        store_.arena.step(c, 60 * D);
         const Cell<D>& cell = store_.cell(c);
         const bool known = FatCells<D>::knows(store_, CellId(c));
         const std::uint8_t least = !known ? part_none : domain_.contains(cell.centre) ? part_inside : part_bounded;
@@ -266,14 +268,18 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run(Monitor& monitor) {
         if (clipped > 0) ++analysis_.clipped;
         analysis_.clipped_mean += clipped;
         if (clipped > analysis_.clipped_max) analysis_.clipped_max = clipped;
-        if (monitor.advance(v, 4 * m.corners)) return Status::cancelled;
+        if (monitor.advance(v, 1 + 12 * m.corners)) return Status::cancelled;
     }
-    for (std::uint32_t v = 0; v < count; ++v) store_.vertex(v).next = none;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        store_.arena.step(v, 8);
+        store_.vertex(v).next = none;
+    }
     for (VertexId v(0); v < count; ++v) {
         if (!holds(part_bounded, v)) continue;
         const Status status = measure(v, false, &m, &clipped);
         if (status != Status::ok) return status;
         for (int part = part_[v]; part <= part_bounded; ++part) compare(m, part);
+        if (monitor.advance(v, 1 + 2 * m.corners)) return Status::cancelled;
     }
     finish_part<D>(&analysis_.bounded);
     finish_part<D>(&analysis_.inside);
@@ -308,6 +314,7 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor)
     analysis_.all_radius = cells.radius();
     const std::uint32_t count = store_.state.vertex_count;
     for (std::uint32_t v = 0; v < count; ++v) {
+        store_.arena.step(v, 8);
         analysis_.left_out += part_[v] == part_none && store_.vertex(v).cell != none;
         store_.vertex(v).next = none;
     }
@@ -319,10 +326,13 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor)
             if (status != Status::ok) return status;
             if (pass == 1) add(m, part_all);
             if (pass == 2) compare(m, part_all);
-            if (monitor.advance(v, 4 * m.corners)) return Status::cancelled;
+            if (monitor.advance(v, 1 + 12 * m.corners)) return Status::cancelled;
         }
     }
-    for (std::uint32_t v = 0; v < count; ++v) store_.vertex(v).next = none;
+    for (std::uint32_t v = 0; v < count; ++v) {
+        store_.arena.step(v, 8);
+        store_.vertex(v).next = none;
+    }
     finish_part<D>(&analysis_.all);
     return Status::ok;
 }

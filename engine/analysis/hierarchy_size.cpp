@@ -58,8 +58,12 @@ template <int D> Status DomainSums<D>::open() {
     if (status != Status::ok || !quality.is_hierarchy) return status == Status::ok ? Status::check_failed : status;
     recomputed_nearest2<D>(store_, nearest2_);
     sort_vertices(domain);
-    for (std::uint32_t d = 0; d <= cages; ++d) inside_[d] = none;
+    for (std::uint32_t d = 0; d <= cages; ++d) {
+        store_.arena.step(d, 4);
+        inside_[d] = none;
+    }
     for (std::uint32_t d = 0; d < cages; ++d) {
+        store_.arena.step(d, 8);
         std::uint32_t& head = inside_[place(request_.cages[d].parent)];
         request_.cages[d].next = head;
         head = d;
@@ -69,12 +73,22 @@ template <int D> Status DomainSums<D>::open() {
 
 template <int D> void DomainSums<D>::sort_vertices(const std::uint32_t* domain) {
     const std::uint32_t vertices = store_.state.vertex_count, domains = request_.cage_count + 1;
-    for (std::uint32_t d = 0; d <= domains; ++d) first_[d] = 0;
-    for (std::uint32_t v = 0; v < vertices; ++v)
+    for (std::uint32_t d = 0; d <= domains; ++d) {
+        store_.arena.step(d, 4);
+        first_[d] = 0;
+    }
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+        store_.arena.step(v, 10);
         if (is_inserted(v)) ++first_[place(domain[v])];
-    for (std::uint32_t d = 1; d <= domains; ++d) first_[d] += first_[d - 1];  // where each domain ends
-    for (std::uint32_t v = vertices; v-- > 0;)
+    }
+    for (std::uint32_t d = 1; d <= domains; ++d) {
+        store_.arena.step(d, 4);
+        first_[d] += first_[d - 1];
+    }  // where each domain ends
+    for (std::uint32_t v = vertices; v-- > 0;) {
+        store_.arena.step(v, 10);
         if (is_inserted(v)) vertices_[--first_[place(domain[v])]] = v;
+    }
 }
 
 // Q in inputs_; *foreign: F.
@@ -82,6 +96,7 @@ template <int D> std::uint32_t DomainSums<D>::gather_inputs(std::uint32_t d, con
     std::uint32_t count = 0, nearest = none;
     double far2 = infinity;
     for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1]; ++k) {
+        store_.arena.step(k, 30);
         const std::uint32_t v = vertices_[k];
         if (v < request_.inputs) inputs_[count++] = v;
         if (!is_exempt(v) || !(ball.distance2(store_.point(v)) < far2)) continue;
@@ -125,6 +140,7 @@ template <int D> Status DomainSums<D>::add(std::uint32_t d) {
     if (tree.build(store_, work_.arena, count, false, inputs_) != Status::ok) return Status::out_of_memory;
     std::uint32_t size = 0;
     for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1]; ++k) {
+        store_.arena.step(k, 800);
         const std::uint32_t v = vertices_[k];
         if (d != none || !is_exempt(v)) ++sum_.size;
         if (is_exempt(v)) continue;
@@ -146,6 +162,7 @@ template <int D> Status DomainSums<D>::add(std::uint32_t d) {
         return Status::ok;
     }
     for (std::uint32_t k = 0; k < count; ++k) {
+        store_.arena.step(k, 20);
         const double q2 = ball.distance2(store_.point(inputs_[k]));
         if (q2 < off2) off2 = q2;
     }

@@ -23,6 +23,7 @@ Status measure_vertices(const Store<D>& store, const Domain<D>& domain, const In
     recomputed_nearest2<D>(store, nearest2);
     double reach = domain.radius;
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
+        arena.step(v, 700 * D);
         if (store.vertex(v).cell == none || store.vertex(v).marker == Marker::exempt) continue;
         ++analysis->size;
         const double nearest = square_root(nearest2[v]);
@@ -55,6 +56,7 @@ Status measure_pace(const Store<D>& store, const Domain<D>& domain, const InputT
     // theta_i^D - 1.
     double lower = 0, upper = 1 + D * logarithm(2 * c);
     for (std::uint32_t i = 2; i < inputs; ++i) {
+        work.arena.step(i, 200);
         const double log_inverse = -logarithm(theta[i]);
         const double gain = D * log_inverse / power(3, D) + power(theta[i], D) - 1;
         analysis->theta_log_sum += log_inverse;

@@ -21,9 +21,16 @@ template <int D> double distance_to_inputs(const Store<D>& store, VertexId v) {
 // input or more; reach may be null. The unbounded sides of cells on the hull are not seen. O(cells).
 template <int D> void measure_cells(const Store<D>& store, double* out_radius, double* reach) {
     const std::uint32_t count = store.state.vertex_count;
-    for (VertexId v(0); v < count; ++v) out_radius[v] = 0;
-    for (VertexId v(0); v < count && reach != nullptr; ++v) reach[v] = 0;
+    for (VertexId v(0); v < count; ++v) {
+        store.arena.step(v, 4);
+        out_radius[v] = 0;
+    }
+    for (VertexId v(0); v < count && reach != nullptr; ++v) {
+        store.arena.step(v, 4);
+        reach[v] = 0;
+    }
     for (CellId c(0); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 30 * (D + 1));
         const Cell<D>& cell = store.cell(c);
         const double radius = square_root(cell.radius2);
         const double doubt = static_cast<double>(cell.error) * radius;

@@ -18,7 +18,10 @@ public:
     bool reserve(std::uint32_t vertex_count, Arena& arena) {
         name_of_ = arena.take_high<std::uint32_t>(vertex_count);
         if (name_of_ == nullptr) return false;
-        for (std::uint32_t v = 0; v < vertex_count; ++v) name_of_[vertex_of_[v]] = v;
+        for (std::uint32_t v = 0; v < vertex_count; ++v) {
+            arena.step(v, 5);
+            name_of_[vertex_of_[v]] = v;
+        }
         for (int k = 0; k <= faces_.dimension_max; ++k) {
             mark_[k] = arena.take_high<std::uint8_t>(faces_.count[k]);
             if (mark_[k] == nullptr) return false;
@@ -26,9 +29,10 @@ public:
         return true;
     }
     // Every face by its vertices and by the list.
-    void mark_faces() {
+    void mark_faces(const Arena& arena) {
         for (int k = 0; k <= faces_.dimension_max; ++k) {
             for (std::uint32_t face = 0; face < faces_.count[k]; ++face) {
+                arena.step(face, 60);
                 const std::uint8_t last = part_.vertex[vertex_of_[faces_.last_vertex[k][face]]];
                 const std::uint8_t rest = k > 0 ? mark_[k - 1][faces_.facets_of(k, face)[k]] : std::uint8_t{all_cut};
                 const bool whole = rest == in || last == VertexPart::whole;
@@ -95,6 +99,7 @@ bool move_faces(const FaceMarks<D>& marks, std::uint32_t* const* number, Arena& 
         const std::uint32_t *const below = number[(k + 1) & 1], *const from = faces->facets[k];
         std::uint32_t *const own = number[k & 1], count = 0;
         for (std::uint32_t face = 0; face < faces->count[k]; ++face) {
+            arena.step(face, 25);
             own[face] = count;
             count += marks.has(k, face) ? 1 : 0;
         }
@@ -102,6 +107,7 @@ bool move_faces(const FaceMarks<D>& marks, std::uint32_t* const* number, Arena& 
         if (k > 0) faces->facets[k] = arena.take_low<std::uint32_t>(count * width);
         if (k > 0 && faces->facets[k] == nullptr) return false;
         for (std::uint32_t face = 0; face < faces->count[k]; ++face) {
+            arena.step(face, 25);
             if (!marks.has(k, face)) continue;
             faces->last_vertex[k][own[face]] = faces->last_vertex[k][face];
             for (std::size_t i = 0; k > 0 && i < width; ++i)
@@ -127,10 +133,10 @@ Status keep_faces_in_part(const Subcomplex<D>& part, const TriangulationView<D>&
     }
     FaceMarks<D> marks(part, vertex_of, *faces);
     if (!marks.reserve(triangulation.vertex_count, work.arena)) return Status::out_of_memory;
-    marks.mark_faces();
+    marks.mark_faces(work.arena);
     for (CellId c(0); c < triangulation.cell_count; ++c) {
         if (part.cell[c] != 0) marks.mark_cell(triangulation.vertices(c));
-        if (work.monitor.advance(c)) return Status::cancelled;
+        if (work.monitor.advance(c, 1)) return Status::cancelled;
     }
     return move_faces(marks, number, work.arena, faces) ? Status::ok : Status::out_of_memory;
 }

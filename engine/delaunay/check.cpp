@@ -47,6 +47,7 @@ template <int D> bool contains(const Store<D>& store, CellId c, const double* x,
 
 template <int D> CheckResult check_combinatorial(const Store<D>& store) {
     for (CellId c(0); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 30 * D * D);
         const Cell<D>& cell = store.cell(c);
         for (int i = 0; i <= D; ++i) {
             if (cell.vertex[i] >= store.state.vertex_count) return {"a cell has a vertex that does not exist", c};
@@ -67,6 +68,7 @@ template <int D> CheckResult check_combinatorial(const Store<D>& store) {
         }
     }
     for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        store.arena.step(v, 12);
         const CellId c = store.vertex(v).cell;
         if (c == none) continue;
         if (c >= store.state.cell_slots || position_of<D>(store.cell(c), v) < 0)
@@ -79,6 +81,7 @@ template <int D> CheckResult check_geometric(const Store<D>& store) {
     PredicateCounts counts = {};
     const double* p[D + 1];
     for (CellId c(0); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 80 * D);
         points_of<D>(store, c, p);
         if (orient<D>(p, counts) != Sign::positive) return {"a cell is not positively oriented", c};
         for (int i = 0; i <= D; ++i) {
@@ -104,6 +107,7 @@ template <int D> CheckResult check_geometric(const Store<D>& store) {
     }
     if (!contains<D>(store, CellId(0), x, counts)) return {nullptr, none};  // a cell too thin for a double inside
     for (CellId c(1); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 40 * D);
         if (!contains<D>(store, c, x, counts)) continue;
         // On a common facet is fine, inside of both is not.
         points_of<D>(store, c, p);
@@ -123,6 +127,7 @@ template <int D> CheckResult check_delaunay(const Store<D>& store) {
     PredicateCounts counts = {};
     const double* p[D + 1];
     for (CellId c(0); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 100 * D);
         points_of<D>(store, c, p);
         for (int i = 0; i <= D; ++i) {
             const FacetId facet = store.cell(c).neighbour[i];

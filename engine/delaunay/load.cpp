@@ -38,15 +38,18 @@ template <int D> Status link_loaded_cells(Store<D>& store, CheckResult* why) {
     if (keys == nullptr || facets == nullptr || spare_keys == nullptr || spare_facets == nullptr)
         return Status::out_of_memory;
     std::size_t k = 0;
-    for (CellId c(0); c < store.state.cell_slots; ++c)
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, (D + 1) * (8 + 8 * D));
         for (std::uint32_t i = 0; i <= D; ++i, ++k) {
             keys[k] = facet_key<D>(store.cell(c), i);
             facets[k] = FacetId(c, i).word();
             store.cell(c).neighbour[i] = none;
         }
-    radix_sort(keys, facets, spare_keys, spare_facets, count);
+    }
+    radix_sort(keys, facets, spare_keys, spare_facets, count, store.arena);
     // Of three equal facets the first meets the second, then the third.
-    for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t a = 0; a < count; ++a) {
+        store.arena.step(a, 20 + 5 * D * D);
         for (std::size_t b = a + 1; b < count && keys[b] == keys[a]; ++b) {
             const FacetId one = FacetId::from_word(facets[a]), two = FacetId::from_word(facets[b]);
             Cell<D>& first = store.cell(one.cell());
@@ -60,6 +63,7 @@ template <int D> Status link_loaded_cells(Store<D>& store, CheckResult* why) {
             first.neighbour[i] = two;
             second.neighbour[j] = one;
         }
+    }
     return Status::ok;
 }
 
@@ -111,9 +115,12 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     if (store.open_vertices(vertex_count) != Status::ok || store.open_cells() != Status::ok ||
         !store.has_room(cell_count, 0, 0))
         return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < vertex_count; ++v)
+    for (std::uint32_t v = 0; v < vertex_count; ++v) {
+        store.arena.step(v, 30);
         load_vertex<D>(coordinates + std::size_t{v} * D, v, store.vertex(v));
+    }
     for (std::uint32_t c = 0; c < cell_count; ++c) {
+        store.arena.step(c, 100 * D);
         const CellId made = store.new_cell();
         *why = {take_vertices<D>(store, cells + std::size_t{c} * (D + 1), made), made};
         if (why->violation != nullptr) return Status::check_failed;

@@ -105,6 +105,7 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
 
 template <int D> void recompute_balls(Store<D>& store) {
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 60 * D);
         const double* p[D + 1];
         for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
         solve_sphere<D>(p, corner_error_max, store.cell(c));
@@ -112,8 +113,12 @@ template <int D> void recompute_balls(Store<D>& store) {
 }
 
 template <int D> void measure_edges(Store<D>& store) {
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) store.vertex(v).nearest2 = infinity;
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
+        store.arena.step(v, 6);
+        store.vertex(v).nearest2 = infinity;
+    }
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 10 * D * D);
         Vertex<D>* vertex[D + 1];
         double least2[D + 1];
         for (int i = 0; i <= D; ++i) {

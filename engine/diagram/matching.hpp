@@ -35,6 +35,7 @@ public:
         std::uint32_t end = 0;
         bool fits = true;
         for (std::uint32_t i = 0; i < left_.count() && fits; ++i) {
+            left_.step(i, 60);
             scratch_.start[i] = end;
             if (left_[i].diagonal <= limit) continue;
             right_.visit_within<Scale>(left_[i], limit, [&](std::uint32_t j) {
@@ -48,7 +49,10 @@ public:
     }
     void begin_search() {
         rewind();
-        for (std::uint32_t j = 0; j < right_.count(); ++j) scratch_.level[j] = none;
+        for (std::uint32_t j = 0; j < right_.count(); ++j) {
+            left_.step(j, 3);
+            scratch_.level[j] = none;
+        }
     }
     void begin_augment() { rewind(); }
     std::uint32_t next(std::uint32_t i, std::uint32_t level) {
@@ -62,7 +66,10 @@ public:
 
 private:
     void rewind() {
-        for (std::uint32_t i = 0; i < left_.count(); ++i) scratch_.cursor[i] = scratch_.start[i];
+        for (std::uint32_t i = 0; i < left_.count(); ++i) {
+            left_.step(i, 4);
+            scratch_.cursor[i] = scratch_.start[i];
+        }
     }
     const PointTree &left_, &right_;
     const MatchingScratch& scratch_;
@@ -76,7 +83,10 @@ public:
 
     void begin_search() {
         right_.mark_all(mark_of(none));
-        for (std::uint32_t j = 0; j < right_.count(); ++j) scratch_.level[j] = none;
+        for (std::uint32_t j = 0; j < right_.count(); ++j) {
+            left_.step(j, 3);
+            scratch_.level[j] = none;
+        }
     }
     void begin_augment() {}
     std::uint32_t next(std::uint32_t i, std::uint32_t level) const {
@@ -112,8 +122,14 @@ public:
         left_mate_ = left_mate;
         right_mate_ = right_mate;
         scratch_ = scratch;
-        for (std::uint32_t i = 0; i < left.count(); ++i) left_mate_[i] = none;
-        for (std::uint32_t i = 0; i < right.count(); ++i) right_mate_[i] = none;
+        for (std::uint32_t i = 0; i < left.count(); ++i) {
+            left.step(i, 3);
+            left_mate_[i] = none;
+        }
+        for (std::uint32_t i = 0; i < right.count(); ++i) {
+            left.step(i, 3);
+            right_mate_[i] = none;
+        }
     }
 
     // Whether every left point beyond `limit` of the diagonal can be matched. If so, *next is the largest distance that
@@ -129,6 +145,7 @@ public:
             return false;
         }
         for (std::uint32_t i = 0; i < left_->count(); ++i) {
+            left_->step(i, 12);
             if (left_mate_[i] == none) continue;
             const std::uint64_t used = distance<Scale>(i, left_mate_[i]);
             if (used > *next) *next = used;
@@ -152,6 +169,7 @@ private:
     template <class Scale> std::uint64_t drop_beyond(std::uint64_t limit) {
         std::uint64_t largest = 0;
         for (std::uint32_t i = 0; i < left_->count(); ++i) {
+            left_->step(i, 12);
             const std::uint64_t diagonal = (*left_)[i].diagonal;
             if (diagonal <= limit && diagonal > largest) largest = diagonal;
             const std::uint32_t j = left_mate_[i];
@@ -172,6 +190,7 @@ private:
             if (cancelled_) return 0;
             edges.begin_augment();
             for (std::uint32_t i = 0; i < left_->count(); ++i) {
+                left_->step(i, 12);
                 if (is_free(i, limit)) augment(edges, i, found);
             }
         }
@@ -182,12 +201,14 @@ private:
     template <class Edges> std::uint32_t search(Edges& edges, std::uint64_t limit, std::uint32_t* found) {
         std::uint32_t end = 0;
         for (std::uint32_t i = 0; i < left_->count(); ++i) {
+            left_->step(i, 12);
             if (is_free(i, limit)) scratch_.queue[end++] = i;
         }
         if (end == 0) return 0;
         edges.begin_search();
         std::uint32_t level = 0, level_end = end;
         for (std::uint32_t at = 0; at < end; ++at) {
+            left_->step(at, 100);
             if (at == level_end) {
                 if (*found != none) break;
                 ++level;
@@ -232,10 +253,12 @@ private:
     template <class Scale> std::uint64_t next_limit(std::uint32_t reached) const {
         right_->mark_all(1);
         for (std::uint32_t j = 0; j < right_->count(); ++j) {
+            left_->step(j, 200);
             if (scratch_.level[j] != none) right_->mark(j, 0);
         }
         std::uint64_t next = key_of_infinity;
         for (std::uint32_t at = 0; at < reached; ++at) {
+            left_->step(at, 600);
             const DiagramPoint& from = (*left_)[scratch_.queue[at]];
             if (from.diagonal < next) next = from.diagonal;
             next = right_->nearest<Scale>(from, next, 1);

@@ -52,7 +52,10 @@ public:
         cell_ = work_.arena.template take_low<std::uint8_t>(cells_);
         vertex_ = work_.arena.template take_low<std::uint8_t>(store_.state.vertex_count);
         if (cell_ == nullptr || vertex_ == nullptr) return Status::out_of_memory;
-        for (CellId c(0); c < cells_; ++c) cell_[c] = static_cast<std::uint8_t>(by_record(c));
+        for (CellId c(0); c < cells_; ++c) {
+            work_.arena.step(c, 15 * D);
+            cell_[c] = static_cast<std::uint8_t>(by_record(c));
+        }
         find_absent();
         Status status = settle_open_cells();
         if (status == Status::ok && certain_) status = find_sources();
@@ -130,8 +133,12 @@ template <int D> CellPart NerveFinder<D>::by_record(CellId c) const {
 // (|v - o|^2 - |w - o|^2) / (2 |v - w|) from it. Any other vertex w will do, those of one cell are at hand. The
 // difference is off by less than sum_slack of its terms' sum.
 template <int D> void NerveFinder<D>::find_absent() {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) vertex_[v] = VertexPart::cut;
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        work_.arena.step(v, 8);
+        vertex_[v] = VertexPart::cut;
+    }
     for (CellId c(0); c < cells_; ++c) {
+        work_.arena.step(c, 12 * D * D);
         if (is_in(c)) continue;
         const Cell<D>& cell = store_.cell(c);
         const double* point[D + 1];
@@ -296,12 +303,17 @@ template <int D> Status NerveFinder<D>::insert(const Face<D>& face) {
 }
 
 template <int D> void NerveFinder<D>::finish() {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) vertex_[v] = 0;
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        work_.arena.step(v, 8);
+        vertex_[v] = 0;
+    }
     for (CellId c(0); c < cells_; ++c) {
+        work_.arena.step(c, 15 * D);
         if (!is_in(c)) cell_[c] = static_cast<std::uint8_t>(CellPart::out);
         for (const VertexId v : store_.cell(c).vertex) vertex_[v] |= is_in(c) ? sees_in : sees_out;
     }
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        work_.arena.step(v, 8);
         const std::uint8_t sees = vertex_[v];
         vertex_[v] = sees == sees_in                                   ? VertexPart::whole
                      : (sees & sees_in) != 0 || faces_.contains(&v, 1) ? VertexPart::cut

@@ -89,6 +89,7 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     double from = 0;
     Clamp clamp(values);
     for (VertexId v(0); v < count; ++v) {
+        store.arena.step(v, 60);
         if (!mesh.has(v) || (clips && clipper.is_marked(v))) continue;
         const Interval i = bounds.interval(v);
         if (!is_zero(v)) {
@@ -99,6 +100,7 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     }
     Status status = Status::ok;
     for (VertexId v(0); clips && v < count; ++v) {
+        store.arena.step(v, 300);
         if (!clipper.is_marked(v)) continue;
         const Status clipped = clip_as_needed<D>(bounds, clipper, clamp, v);
         if (clipped != Status::ok) status = clipped;
@@ -107,6 +109,7 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     if (status != Status::ok) return status;
     clamp.fix_ratio();
     for (VertexId v(0); v < count; ++v) {
+        store.arena.step(v, 60);
         const Interval i = mesh.has(v) ? bounds.interval(v) : Interval{mesh.cut(), mesh.cut()};
         if (out->interval != nullptr) out->interval[v] = i;
         out->value[v] = is_zero(v) ? 0 : mesh.has(v) ? clamp.value(bounds.own_value(v), i) : mesh.cut();

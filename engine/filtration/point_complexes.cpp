@@ -24,6 +24,7 @@ public:
         out_.count[0] = n_;
         if (!take(0)) return Status::out_of_memory;
         for (std::uint32_t i = 0; i < n_; ++i) {
+            arena_.step(i, 5);
             out_.rows[0][i] = i;
             out_.value[0][i] = 0;
         }
@@ -67,7 +68,7 @@ private:
     template <class F> bool extend(std::uint32_t k, F f) {
         for (std::uint32_t i = 0; i < out_.count[k - 1]; ++i) {
             const std::uint32_t* const row = out_.rows[k - 1] + std::size_t{i} * k;
-            if (monitor_.advance(i, 1 + (n_ - row[k - 1]) / 16)) return false;
+            if (monitor_.advance(i, 1 + (n_ - row[k - 1]) / 12)) return false;
             for (std::uint32_t last = row[k - 1] + 1; last < n_; ++last) {
                 double value = out_.value[k - 1][i];
                 for (std::uint32_t v = 0; v < k && value <= limit_; ++v) {
@@ -219,6 +220,7 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
     if (status != Status::ok) return status;
     double least = infinity, most = 0;
     for (std::uint32_t i = 0; i < (out->dimension > 0 ? out->count[1] : 0); ++i) {
+        work.arena.step(i, 8);
         const double half = out->value[1][i];
         if (half < least) least = half;
         if (half > most) most = half;
@@ -227,7 +229,7 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
     const FilteredComplex complex = out->filtered();
     for (std::uint32_t k = 2; k <= out->dimension; ++k) {
         for (std::uint32_t i = 0; i < out->count[k]; ++i) {
-            if (work.monitor.advance(i, k)) return Status::cancelled;
+            if (work.monitor.advance(i, 2 * k)) return Status::cancelled;
             out->value[k][i] = enclosing_radius<D>(coordinates, complex, out->rows[0], k, i, error);
         }
     }
@@ -247,7 +249,7 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
         if (m > 0) {
             count = 0;
             for (std::uint32_t i = 0; i < out->count[m - 1]; ++i) {
-                if (work.monitor.advance(i, 4)) return Status::cancelled;
+                if (work.monitor.advance(i, 1u << (span < 4 ? span + 2 : 6))) return Status::cancelled;
                 const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
                 nested.subsets(chain[0], chain[m - 1], span, [&count](std::uint32_t) { ++count; });
             }
@@ -264,11 +266,12 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
         std::uint32_t* row = out->rows[m];
         double* value = out->value[m];
         for (std::uint32_t i = 0; m == 0 && i < out->count[0]; ++i) {
+            work.arena.step(i, 20);
             *row++ = i;
             *value++ = nested.value(i);
         }
         for (std::uint32_t i = 0; m > 0 && i < out->count[m - 1]; ++i) {
-            if (work.monitor.advance(i, 4)) return Status::cancelled;
+            if (work.monitor.advance(i, 1u << (span < 4 ? span + 2 : 6))) return Status::cancelled;
             const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
             const double enters = out->value[m - 1][i];
             nested.subsets(chain[0], chain[m - 1], span, [&](std::uint32_t subset) {

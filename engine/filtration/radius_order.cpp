@@ -97,7 +97,10 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     std::uint64_t faces = 0, radii = 0, room = 0;
     for (int k = 1; k <= D; ++k) {
         faces += faces_.count[k];
-        for (std::uint32_t i = 0; i < faces_.count[k]; ++i) radii += value_[k][i] >= 0;
+        for (std::uint32_t i = 0; i < faces_.count[k]; ++i) {
+            work_.arena.step(i, 5);
+            radii += value_[k][i] >= 0;
+        }
     }
     if (faces > 0xFFFFFFFFu) return false;
     const std::size_t low = work_.arena.low_mark();
@@ -105,8 +108,10 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     if (!all) {
         if (!close.take(radii, spread_, work_.arena)) return false;
         for (int k = 1; k <= D; ++k)
-            for (std::uint32_t i = 0; i < faces_.count[k]; ++i)
+            for (std::uint32_t i = 0; i < faces_.count[k]; ++i) {
+                work_.arena.step(i, 30);
                 if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
+            }
     }
     if (all || room > radii) room = radii;
     radius_ = work_.arena.template take_high<double>(static_cast<std::size_t>(room));
@@ -118,6 +123,7 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     std::uint32_t label = 0;
     for (int k = 1; k <= D; ++k)
         for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
+            work_.arena.step(i, 30);
             if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) continue;
             radius_[count_] = value_[k][i];
             label_[count_++] = label;
@@ -145,8 +151,9 @@ template <int D> Status RadiusOrder<D>::pass(bool all) {
     last_ = 0;
     const double low = 1 - spread_, high = 1 + spread_;
     for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
+        work_.arena.step(begin, 25);
         end = begin + 1;
-        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high) ++end;
+        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high) work_.arena.step(++end, 10);
         top_ = radius_[end - 1] * (1 + spread_ / 2);
         if (end == begin + 1 && radius_[begin] > last_) {
             last_ = radius_[begin];
@@ -280,6 +287,7 @@ template <int D>
 [[gnu::cold]] bool RadiusOrder<D>::compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error) {
     bool in_range = true;
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
+        work_.arena.pass(20);
         const ExactSphere x = sphere_of(a), y = sphere_of(b);
         double excess = 0;
         in_range = in_range && (ExactSphere::congruent(x, y) || ExactSphere::excess(x, y, scratch_, &excess));
@@ -308,6 +316,7 @@ template <int D>
     if (radius > top_) crowded_ = true;
     error_ = error > error_ ? error : error_;
     for (std::uint32_t i = begin; i < end; ++i) {
+        work_.arena.step(i, 15);
         const Place place = place_of(label_[i]);
         value_[place.k][place.face] = radius;
     }

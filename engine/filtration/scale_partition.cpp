@@ -30,7 +30,10 @@ Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, doubl
     chosen_ = arena.take_low<std::uint32_t>(count);
     if (left_ == nullptr || chosen_ == nullptr) return Status::out_of_memory;
     NETMESH_ASSERT(arena.low_mark() - low <= point_bytes * count + 2 * Arena::alignment);
-    for (std::uint32_t i = 0; i < total_; ++i) left_[i] = {0, 0, i + 1, 0};
+    for (std::uint32_t i = 0; i < total_; ++i) {
+        store_->arena.step(i, 4);
+        left_[i] = {0, 0, i + 1, 0};
+    }
     return Status::ok;
 }
 
@@ -42,6 +45,7 @@ template <int D> double ScalePartition<D>::distance(std::uint32_t a, std::uint32
 template <int D> std::uint32_t ScalePartition<D>::farthest(std::uint32_t begin, std::uint32_t end) const {
     std::uint32_t best = end;
     for (std::uint32_t i = begin; i < end; ++i) {
+        store_->arena.step(i, 15);
         const PointLeft& left = left_[i];
         if (chosen_count_ > 1 && !(left.near >= theta_ * left.second)) continue;
         if (best == end || left.near > left_[best].near ||
@@ -55,6 +59,7 @@ template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32
     const std::uint32_t place = chosen_count_++;
     chosen_[place] = point;
     for (std::uint32_t i = begin; i < end; ++i) {
+        store_->arena.step(i, 15);
         PointLeft& left = left_[i];
         const double d = distance(point, left.point);
         if (place == 0 || d < left.near) {
@@ -69,11 +74,13 @@ template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32
 
 // Makes clusters of what is left.
 template <int D> void ScalePartition<D>::group(std::uint32_t begin, std::uint32_t end) {
-    sort(left_ + begin, end - begin, ByOwner{});
+    sort(left_ + begin, end - begin, ByOwner{}, store_->arena);
     for (std::uint32_t i = begin; i < end;) {
+        store_->arena.step(i, 40);
         const std::uint32_t place = left_[i].owner, representative = chosen_[place];
         double gap = infinity, radius = 0;
         for (std::uint32_t j = 0; j < chosen_count_; ++j) {
+            store_->arena.step(j, 10 * D);
             const double d = j == place ? infinity : distance(representative, chosen_[j]);
             if (d < gap) gap = d;
         }

@@ -65,6 +65,7 @@ template <int D> Status Clumps<D>::open(Arena& arena) {
 // The clumps, hi(W), and what r_p has from the other inputs' distances to W.
 template <int D> void Clumps<D>::gather_clumps(const InputTree<D>& tree) {
     for (VertexId p(0); p < inputs_; ++p) {
+        store_.arena.step(p, 500);
         double d2;
         tree.nearest(store_.point(p), none, p, &d2);
         half_[p] = 0.5 * square_root(d2);
@@ -72,6 +73,7 @@ template <int D> void Clumps<D>::gather_clumps(const InputTree<D>& tree) {
         outer_[p] = 0;
     }
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
+        store_.arena.step(v, 500);
         const VertexId n = nearest_input<D>(store_, v);
         const bool joins =
             store_.vertex(v).marker != Marker::exempt && distance<D>(store_.point(v), store_.point(n)) <= half_[n];
@@ -90,6 +92,7 @@ template <int D> void Clumps<D>::gather_clumps(const InputTree<D>& tree) {
 // W.
 template <int D> void Clumps<D>::bound_by_outside() {
     for (CellId c(0); c < store_.state.cell_slots; ++c) {
+        store_.arena.step(c, 60 * D);
         const Cell<D>& cell = store_.cell(c);
         for (const VertexId w : cell.vertex) {
             const VertexId p = clump_[w];
@@ -113,9 +116,17 @@ Status tight_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work
     Clumps<D> clumps(mesh.store, rho, mesh.inputs);
     const Status status = clumps.open(work.arena);
     if (status != Status::ok) return status;
-    for (VertexId v(0); v < mesh.vertices(); ++v) out->value[v] = clumps.own_value(v);
+    for (VertexId v(0); v < mesh.vertices(); ++v) {
+        mesh.store.arena.step(v, 40);
+        out->value[v] = clumps.own_value(v);
+    }
     out->certificate = clamp_values(
-        mesh.vertices(), rho, values, [&](VertexId v) { return clumps.interval(v); }, out->value, out->interval);
+        mesh.vertices(), rho, values,
+        [&](VertexId v) {
+            work.arena.step(v, 60);
+            return clumps.interval(v);
+        },
+        out->value, out->interval);
     return Status::ok;
 }
 

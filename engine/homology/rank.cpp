@@ -22,11 +22,15 @@ bool rank_vertices(const double* value, std::uint32_t count, Arena& arena, std::
     std::uint64_t* spare = arena.take_high<std::uint64_t>(count);
     if (keys == nullptr || spare == nullptr) return false;
     for (std::uint32_t v = 0; v < count; ++v) {
+        arena.step(v, 8);
         keys[v] = rank_key(value[v]);
         order[v] = v;
     }
-    radix_sort(keys, order, spare, rank, count);
-    for (std::uint32_t i = 0; i < count; ++i) rank[order[i]] = i;
+    radix_sort(keys, order, spare, rank, count, arena);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        arena.step(i, 5);
+        rank[order[i]] = i;
+    }
     return true;
 }
 

@@ -38,10 +38,14 @@ bool write_image(const Cycle& chain, std::uint32_t degree, const std::uint32_t* 
     Named* const named = arena.take_high<Named>(chain.count);
     if (named == nullptr) return false;
     std::uint32_t count = 0, kept = 0;
-    for (std::uint32_t i = 0; i < chain.count; ++i)
+    for (std::uint32_t i = 0; i < chain.count; ++i) {
+        arena.step(i, 60);
         count += name_simplex(chain.simplices + std::size_t{i} * size, size, name, &named[count]);
-    sort(named, count, [](const Named& a, const Named& b) { return a.compare(b) < 0; });
-    for (std::uint32_t i = 0; i < count; ++i) {  // over Z/2
+    }
+    sort(
+        named, count, [](const Named& a, const Named& b) { return a.compare(b) < 0; }, arena);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        arena.step(i, 40);  // over Z/2
         if (kept > 0 && named[kept - 1].compare(named[i]) == 0) {
             --kept;
         } else {
@@ -50,8 +54,10 @@ bool write_image(const Cycle& chain, std::uint32_t degree, const std::uint32_t* 
     }
     std::uint32_t* to = writer->append(kept, degree, handle);
     if (to == nullptr) return false;
-    for (std::uint32_t i = 0; i < kept; ++i)
+    for (std::uint32_t i = 0; i < kept; ++i) {
+        arena.step(i, 12);
         for (std::uint32_t k = 0; k < size; ++k) *to++ = named[i].vertex[k];
+    }
     return true;
 }
 
@@ -73,6 +79,7 @@ Status write_images(const Representatives& found, const std::uint32_t* name, Are
     CycleWriter writer(arena);
     std::uint64_t next = 0;
     for (std::uint64_t i = 0; i < list.count; ++i) {
+        arena.step(i, 60);
         if (!is_long(list.pairs[i])) continue;
         const Pair& pair = found.pairs.pairs[next++];
         if (!write_image(lower_star_cycle(found.store, arena, pair), pair.degree, name, arena, &writer,
@@ -100,17 +107,21 @@ void JoinedBars::open(const Arena& arena) {
 bool JoinedBars::add(const MeshBars& mesh, bool with_essential, Arena& arena) {
     const auto is_kept = [&](const Pair& pair) { return with_essential || pair.death < infinity; };
     std::uint64_t kept = 0;
-    for (std::uint64_t i = 0; i < mesh.list.count; ++i) kept += is_kept(mesh.list.pairs[i]);
+    for (std::uint64_t i = 0; i < mesh.list.count; ++i) {
+        arena.step(i, 30);
+        kept += is_kept(mesh.list.pairs[i]);
+    }
     if (kept >= none - count_ || mesh.steps >= none - steps_) return false;
     if (!arena.extend_high(static_cast<std::size_t>(kept) * sizeof(Bar))) return false;
     for (std::uint64_t i = 0; i < mesh.list.count; ++i) {
+        arena.step(i, 30);
         if (!is_kept(mesh.list.pairs[i])) continue;
         Bar* const bar = at(count_++, arena);
         *bar = {mesh.list.pairs[i], mesh.bounds[i]};
         if (bar->bounds.unused != 0) bar->bounds.unused += steps_;
     }
     const std::size_t to = begin_ + std::size_t{steps_} * step_bytes;
-    __builtin_memmove(arena.at(to), arena.at(mesh.chains), mesh.steps * step_bytes);
+    move_bytes(arena.at(to), arena.at(mesh.chains), mesh.steps * step_bytes, arena);
     steps_ += static_cast<std::uint32_t>(mesh.steps);
     arena.release_low(begin_ + std::size_t{steps_} * step_bytes);
     return true;
@@ -120,19 +131,22 @@ bool JoinedBars::finish(Arena& arena, CycleStore* chains, PairList* list, BarBou
     const std::size_t bytes = std::size_t{steps_} * step_bytes;
     unsigned char* const moved = arena.take_low<unsigned char>(bytes);
     if (moved == nullptr) return false;
-    __builtin_memmove(moved, arena.at(begin_), bytes);
+    move_bytes(moved, arena.at(begin_), bytes, arena);
     *chains = {arena.offset_of(moved), 0};
     *list = {arena.take_low<Pair>(count_), count_};
     if (bounds != nullptr) *bounds = arena.take_low<BarBounds>(count_);
     if (list->pairs == nullptr || (bounds != nullptr && *bounds == nullptr)) return false;
     for (std::uint32_t i = 0; i < count_; ++i) {
+        arena.step(i, 30);
         list->pairs[i] = at(i, arena)->pair;
         list->pairs[i].cycle = i;  // for what is known of it
     }
     const CanonicalOrder before;
-    sort(list->pairs, count_,
-         [&](const Pair& a, const Pair& b) { return before(a, b) || (!before(b, a) && a.cycle < b.cycle); });
+    sort(
+        list->pairs, count_,
+        [&](const Pair& a, const Pair& b) { return before(a, b) || (!before(b, a) && a.cycle < b.cycle); }, arena);
     for (std::uint32_t i = 0; i < count_; ++i) {
+        arena.step(i, 30);
         const BarBounds& known = at(list->pairs[i].cycle, arena)->bounds;
         list->pairs[i].cycle = known.unused;
         if (bounds == nullptr) continue;

@@ -7,9 +7,10 @@ namespace netmesh {
 namespace {
 
 // What each simplex by itself has to satisfy; counts the dimensions.
-Status count_simplices(const SimplexList& list, ListedComplex* complex, SimplexFault* fault) {
+Status count_simplices(const SimplexList& list, const Arena& arena, ListedComplex* complex, SimplexFault* fault) {
     *complex = {};
     for (std::uint64_t i = 0; i < list.count; ++i) {
+        arena.step(i, 20);
         fault->simplex = i;
         fault->kind = NETMESH_FAULT_SIZE;
         if (list.starts[i + 1] <= list.starts[i] || list.size(i) > ListedComplex::dimension_max + 1)
@@ -52,6 +53,7 @@ Status copy_simplices(const SimplexList& list, Arena& arena, ListedSimplices* ou
     std::uint32_t filled[ListedComplex::dimension_max + 1] = {};
     Fingerprint f;
     for (std::uint64_t i = 0; i < list.count; ++i) {
+        arena.step(i, static_cast<std::uint32_t>(60 + 20 * list.size(i)));
         const std::uint32_t size = static_cast<std::uint32_t>(list.size(i)), k = size - 1;
         std::uint32_t* const row = complex.rows[k] + std::size_t{filled[k]} * size;
         if (!sort_vertices(list.vertices + list.starts[i], size, row)) {
@@ -89,7 +91,7 @@ std::uint64_t place_of(const SimplexList& list, std::uint32_t k, std::uint32_t i
 
 Status list_simplices(const SimplexList& list, const Work& work, ListedSimplices* out) {
     *out = {};
-    Status status = count_simplices(list, &out->complex, &out->fault);
+    Status status = count_simplices(list, work.arena, &out->complex, &out->fault);
     if (status == Status::ok) status = copy_simplices(list, work.arena, out);
     if (status != Status::ok) return status;
     ComplexFault fault = {};

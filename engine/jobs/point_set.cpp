@@ -29,6 +29,7 @@ Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::u
     Fingerprint f;
     f.add(static_cast<std::uint64_t>(dim));
     for (std::uint32_t i = 0; i < n; ++i) {
+        arena.step(i, 20 * dim);
         for (std::uint32_t d = 0; d < dim; ++d) {
             const std::size_t at = std::size_t{i} * dim + d;
             *culprit = i;
@@ -46,13 +47,20 @@ Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::u
         }
         return 0;
     };
-    sort(order, n, [compare](std::uint32_t a, std::uint32_t b) {
-        const int c = compare(a, b);
-        return c != 0 ? c < 0 : a < b;
-    });
-    for (std::uint32_t i = 1; i < n; ++i) repeated[order[i]] = compare(order[i - 1], order[i]) == 0;
+    sort(
+        order, n,
+        [compare](std::uint32_t a, std::uint32_t b) {
+            const int c = compare(a, b);
+            return c != 0 ? c < 0 : a < b;
+        },
+        arena);
+    for (std::uint32_t i = 1; i < n; ++i) {
+        arena.step(i, 30);
+        repeated[order[i]] = compare(order[i - 1], order[i]) == 0;
+    }
     out->count = 0;
     for (std::uint32_t i = 0; i < n; ++i) {
+        arena.step(i, 20 * dim);
         if (repeated[i] != 0) continue;
         for (std::uint32_t d = 0; d < dim; ++d) x[std::size_t{out->count} * dim + d] = x[std::size_t{i} * dim + d];
         ++out->count;

@@ -17,6 +17,7 @@ template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::u
     }
     NETMESH_ASSERT(arena.low_mark() - low <= input_bytes * inputs + 5 * Arena::alignment);
     for (std::uint32_t p = 0; p < inputs; ++p) {
+        arena.step(p, 8);
         first_of_input_[p] = none;
         ply_[p] = stamp_[p] = touches_[p] = 0;
     }
@@ -55,7 +56,7 @@ template <int D> bool BallLists<D>::store(CellId cell, std::uint32_t input) {
 
 // Stores the input in the cell's ball if that contains it.
 template <int D> bool BallLists<D>::consider(Kernel<D>& kernel, CellId cell, std::uint32_t input) {
-    ++tests_;
+    store_->arena.step(++tests_, 60 * D);
     return !kernel.in_conflict(cell, store_->point(input), VertexId(input)) || store(cell, input);
 }
 
@@ -72,6 +73,7 @@ template <int D> bool BallLists<D>::open_ball(CellId cell) {
 
 template <int D> bool BallLists<D>::start(Kernel<D>& kernel) {
     for (CellId c(0); c < store_->state.cell_slots; ++c) {
+        store_->arena.step(c, 30);
         if (!open_ball(c)) return false;
         if (!store_->is_live(c) || store_->is_ghost(c)) continue;
         for (std::uint32_t p = 0; p < inputs_; ++p)
@@ -107,6 +109,7 @@ template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity
         const CellId c = kernel.cavity_cell(k);
         for (std::uint32_t e = first_of_cell_[c]; e != none;) {
             const std::uint32_t p = entries_[e].input, next = entries_[e].next_of_cell;
+            store_->arena.step(e, 80);
             unlink_from_input(e);
             entries_[e].next_of_cell = free_;
             free_ = e;
@@ -155,8 +158,10 @@ template <int D> bool BallLists<D>::agrees(const Kernel<D>& kernel, const Cavity
 
 template <int D> std::uint32_t BallLists<D>::load() const {
     std::uint32_t most = 0;
-    for (CellId c(0); c < store_->state.cell_slots; ++c)
+    for (CellId c(0); c < store_->state.cell_slots; ++c) {
+        store_->arena.step(c, 30);
         if (store_->is_live(c) && !store_->is_ghost(c) && load_of_cell_[c] > most) most = load_of_cell_[c];
+    }
     return most;
 }
 
@@ -165,6 +170,7 @@ template <int D> std::uint32_t BallLists<D>::draw_nets(std::uint32_t most, std::
     std::uint64_t random = mix64(seed);
     now_ += 2;
     for (CellId c(0); c < store_->state.cell_slots; ++c) {
+        store_->arena.step(c, 30);
         if (!store_->is_live(c) || store_->is_ghost(c) || load_of_cell_[c] <= most) continue;
         std::uint32_t left = 0;  // not drawn yet
         for (std::uint32_t e = first_of_cell_[c]; e != none; e = entries_[e].next_of_cell)
@@ -188,6 +194,7 @@ template <int D> void BallLists<D>::report(LocationAudit* audit) const {
     std::uint64_t touches = 0;
     audit->touches_max = 0;
     for (std::uint32_t p = 0; p < inputs_; ++p) {
+        store_->arena.step(p, 100);
         touches += touches_[p];
         if (touches_[p] > audit->touches_max) audit->touches_max = touches_[p];
     }

@@ -52,6 +52,7 @@ public:
             const int b = w * 64 + lowest_bit(filled_[w]);
             Bucket& bucket = buckets_[b];
             const VertexId v = bucket.head;
+            store_->arena.step(v, 20);
             bucket.head = store_->vertex(v).next;
             if (bucket.head == none) {
                 bucket.tail = none;

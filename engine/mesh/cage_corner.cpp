@@ -34,6 +34,7 @@ template <int D> [[gnu::cold]] bool is_in_cage_cell(const Store<D>& store, const
     const double* nearest = store.point(cage.centre);
     double inside2 = distance2<D>(x, nearest), y[D];
     for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        store.arena.step(v, 10 * D);
         const double* const p = store.point(v);
         if (store.vertex(v).cell == none || !is_inside<D>(store, cage, p) || !(distance2<D>(x, p) < inside2)) continue;
         inside2 = distance2<D>(x, p);
@@ -42,6 +43,7 @@ template <int D> [[gnu::cold]] bool is_in_cage_cell(const Store<D>& store, const
     for (int k = 0; k < D; ++k) y[k] = x[k] - nearest[k];
     const double length = square_root(inside2);
     for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        store.arena.step(v, 10 * D);
         const double* const p = store.point(v);
         if (store.vertex(v).cell == none || is_inside<D>(store, cage, p)) continue;
         if (is_nearer_to<D>(p, nearest, y, length)) return false;
@@ -68,6 +70,7 @@ template <int D>
     CutCorners<D> corners;
     const auto for_each_pair = [&](auto&& visit) {
         for (CellId c(0); c < store.state.cell_slots; ++c) {
+            store.arena.step(c, 15 * D);
             if (!store.is_live(c) || store.is_ghost(c) || !is_on_boundary<D>(store, cage, c)) continue;
             for (const VertexId w : store.cell(c).vertex)
                 if (is_inside<D>(store, cage, store.point(w))) visit(w, c);

@@ -232,6 +232,7 @@ template <int D> [[gnu::cold]] bool Reach<D>::comes_within(VertexId v, const Hal
 
 template <int D> [[gnu::cold]] Status Reach<D>::find_beyond(std::uint32_t* beyond) {
     for (CellId c(0); c < store_.state.cell_slots; ++c) {
+        store_.arena.step(c, 1000 * D * D);
         const Centre<D> centre = centre_of<D>(store_, c);
         if (!centre.known) continue;
         for (const VertexId v : store_.cell(c).vertex) {

@@ -47,8 +47,12 @@ void cut_doubtful_edge(const Domain<D>& ball, const double* u, double s, const C
 
 // B of the head for every vertex with s >= 0, the others are left alone. O(cells).
 template <int D> void find_far_corners(const Store<D>& store, const Domain<D>& ball, const double* s, double* far) {
-    for (VertexId v(0); v < store.state.vertex_count; ++v) far[v] = 0;
-    for (CellId c(0); c < store.state.cell_slots; ++c)
+    for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        store.arena.step(v, 6);
+        far[v] = 0;
+    }
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 150 * D * D);
         for (int i = 0; i <= D; ++i) {
             const Cell<D>& cell = store.cell(c);
             if (cell.neighbour[i] == none || cell.neighbour[i].cell() < c) continue;
@@ -63,12 +67,17 @@ template <int D> void find_far_corners(const Store<D>& store, const Domain<D>& b
                                      });
             }
         }
+    }
 }
 
 // Distances from the ball's centre to the cells of vertices outside of the ball, at least.
 template <int D> void find_bisectors(const Store<D>& store, const Domain<D>& ball, double* distance_of) {
-    for (VertexId v(0); v < store.state.vertex_count; ++v) distance_of[v] = 0;
-    for (CellId c(0); c < store.state.cell_slots; ++c)
+    for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        store.arena.step(v, 6);
+        distance_of[v] = 0;
+    }
+    for (CellId c(0); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 80 * D * D);
         for (const VertexId v : store.cell(c).vertex) {
             const double away2 = ball.distance2(store.point(v));
             if (!(away2 > ball.radius * ball.radius)) continue;
@@ -80,6 +89,7 @@ template <int D> void find_bisectors(const Store<D>& store, const Domain<D>& bal
                 if (d > distance_of[v]) distance_of[v] = d;
             }
         }
+    }
 }
 
 }  // namespace
@@ -87,6 +97,7 @@ template <int D> void find_bisectors(const Store<D>& store, const Domain<D>& bal
 // Marked: 1, cells with a corner that may be outside; 2, unbounded ones.
 template <int D> void CellClipper<D>::mark() {
     for (CellId c(0); c < store_.state.cell_slots; ++c) {
+        store_.arena.step(c, 30 * D);
         const Cell<D>& cell = store_.cell(c);
         const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
         const bool inside = (square_root(ball_.distance2(cell.centre)) + doubt) * up <= ball_.radius;
@@ -97,6 +108,7 @@ template <int D> void CellClipper<D>::mark() {
         }
     }
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
+        store_.arena.step(v, 10);
         Vertex<D>& vertex = store_.vertex(v);
         const bool is_absent = needed_.present != nullptr && needed_.present[v] == 0;
         vertex.queued = vertex.queued == 1 && vertex.marker != Marker::exempt && !is_absent ? 1 : 0;
@@ -316,6 +328,7 @@ Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReac
     clipper.mark();
     Status status = Status::ok;
     for (VertexId v(0); v < store.state.vertex_count; ++v) {
+        store.arena.step(v, 6);
         if (!clipper.is_marked(v)) continue;
         if (clipper.open(v))
             clipper.clip(&out_radius[v], &reach[v]);
@@ -338,6 +351,7 @@ template <int D>
     const double radius = ball.radius * up, enclosing = (ball.radius + ball.enclosing_radius) * up;
     const auto away_from = [&](VertexId v) { return square_root(ball.distance2(store.point(v))); };
     for (VertexId v(0); v < count; ++v) {
+        store.arena.step(v, 20);
         if (store.vertex(v).marker == Marker::exempt || !(far[v] < infinity)) out_radius[v] = infinity;
         // What is in the ball is within r + |v - c| of v; and no nearer to v than to an input, in the enclosing ball.
         const double away = away_from(v) * up, most = smaller(enclosing, (away + radius) * up);
@@ -349,13 +363,19 @@ template <int D>
     // A cell whose farthest point is the pole of a face may need more than its measured reach.
     constexpr double growths[] = {1, 1.02, 1.25};
     for (const double growth : growths) {
-        for (VertexId v(0); v < count; ++v) s[v] *= growth;
+        for (VertexId v(0); v < count; ++v) {
+            store.arena.step(v, 20);
+            s[v] *= growth;
+        }
         find_far_corners<D>(store, ball, s, far);
-        for (VertexId v(0); v < count; ++v)
+        for (VertexId v(0); v < count; ++v) {
+            store.arena.step(v, 20);
             if (s[v] >= 0) reach[v].from_vertex = smaller(reach[v].from_vertex, larger(s[v], far[v]));
+        }
     }
     find_bisectors<D>(store, ball, far);
     for (VertexId v(0); v < count; ++v) {
+        store.arena.step(v, 20);
         if (!(reach[v].below < infinity)) continue;
         const double away = away_from(v), slack = 0x1p-40 * (radius + away);
         const double below = smaller(reach[v].from_vertex - (away - radius), radius - far[v]) + slack;

@@ -88,13 +88,17 @@ public:
     std::uint32_t keep_live() {
         std::uint32_t kept = 0, out = 0;
         for (std::uint32_t d = 0; d < made_; ++d) {
+            store_->arena.step(d, 15);
             if (!is_live(d)) continue;
             parent(d);
             cages_[d].next = kept++;
         }
-        for (std::uint32_t d = 0; d < made_; ++d)
+        for (std::uint32_t d = 0; d < made_; ++d) {
+            store_->arena.step(d, 15);
             if (is_live(d) && cages_[d].parent != none) cages_[d].parent = cages_[cages_[d].parent].next;
+        }
         for (std::uint32_t d = 0; out < kept; ++d) {
+            store_->arena.step(d, 20);
             if (!is_live(d)) continue;
             cages_[out] = cages_[d];
             cages_[out++].next = none;

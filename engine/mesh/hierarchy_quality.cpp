@@ -109,7 +109,10 @@ template <int D> [[gnu::cold]] Status Measurement<D>::open() {
     NETMESH_ASSERT(arena_.low_mark() - low <= HierarchyScratch::cage_bytes * count_ +
                                                   HierarchyScratch::vertex_bytes * vertices +
                                                   HierarchyScratch::cell_bytes * cells + 9 * Arena::alignment);
-    for (std::uint32_t c = 0; c < cells; ++c) mark_[c] = 0;
+    for (std::uint32_t c = 0; c < cells; ++c) {
+        arena_.step(c, 6);
+        mark_[c] = 0;
+    }
     return Status::ok;
 }
 
@@ -124,6 +127,7 @@ void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& vis
     list_[count++] = store_.vertex(centre).cell;
     mark_[list_[0]] = stamp_;
     for (std::uint32_t k = 0; k < count; ++k) {
+        store_.arena.step(k, 50 * D);
         const Cell<D>& cell = store_.cell(list_[k]);
         unsigned inside = 0;
         for (int i = 0; i <= D; ++i) {
@@ -145,19 +149,22 @@ void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& vis
 // From the largest cage to the smallest: each takes its vertices from the one around it.
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        store_.arena.step(v, 10);
         domain_[v] = none;
         out2_[v] = 0;
         leaves_ball_[v] = false;
     }
     for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
         order_[d] = d;
         const Cage& cage = cages_[d];
         if (cage.centre >= store_.state.vertex_count || store_.vertex(cage.centre).marker != Marker::input ||
             store_.vertex(cage.centre).cell == none || !(cage.radius > 0 && cage.radius < infinity))
             return {"a cage's centre is not an input, or its radius not positive", cage.centre};
     }
-    sort(order_, count_, LargerCage{cages_});
+    sort(order_, count_, LargerCage{cages_}, arena_);
     for (std::uint32_t k = 0; k < count_; ++k) {
+        store_.arena.step(k, 60);
         const std::uint32_t d = order_[k];
         Cage& cage = cages_[d];
         cage.parent = domain_[cage.centre];
@@ -177,8 +184,12 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
     if constexpr (D <= thesis_dim_max)
         if (is_thesis()) return find_thesis_shells();
     CheckResult result = {nullptr, none};
-    for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
+        cages_[d].next = 0;
+    }
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        store_.arena.step(v, 10);
         if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
         Cage& cage = cages_[domain_[v]];
         const double least = shell_least * cage.radius;
@@ -188,6 +199,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
             result = {"an exempt vertex within a cage is not of its shell", v};
     }
     for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
         if (cages_[d].next != shell_size<D>) result = {"a cage lacks its shell", cages_[d].centre};
         cages_[d].next = none;
     }
@@ -225,13 +237,19 @@ template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uin
 // As many vertices near the sphere as the template has points, of which inputs may be some, and one at each; the other
 // exempt vertices are on the hull.
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() {
-    for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
+        cages_[d].next = 0;
+    }
     const std::uint32_t cells = store_.state.cell_slots;
-    for (std::uint32_t c = 0; c < cells; ++c)
+    for (std::uint32_t c = 0; c < cells; ++c) {
+        store_.arena.step(c, 10 * D);
         for (int i = 0; i <= D && is_finite(c); ++i)
             for (int k = 0; k <= D && neighbour(c, i) == none; ++k)
                 if (k != i) out2_[store_.cell(c).vertex[k]] = infinity;
+    }
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        store_.arena.step(v, 10);
         if (store_.vertex(v).cell == none) continue;
         const bool exempt = store_.vertex(v).marker == Marker::exempt;
         if (domain_[v] == none) {
@@ -247,6 +265,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
     CheckResult result = {nullptr, none};
     std::uint32_t outermost = 0;
     for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
         if (is_outermost(d) && ++outermost > 1) return {"there are two outermost cages", cages_[d].centre};
         const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
         if (cages_[d].next != size)
@@ -260,6 +279,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
 
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_encroached() {
     for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
         Cage& cage = cages_[d];
         const double inside = is_thesis() ? ThesisCage::epsilon : cage_epsilon;
         const double r2 = cage.radius * cage.radius, e2 = inside * inside * r2;
@@ -355,16 +375,19 @@ template <int D> [[gnu::cold]] void Measurement<D>::raise_cages(std::uint32_t c,
 
 template <int D> void Measurement<D>::measure_cells() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        store_.arena.step(v, 10);
         nearest2_[v] = infinity;
         out2_[v] = 0;
         leaves_ball_[v] = false;
     }
     for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
         cages_[d].nearest2 = infinity;
         cage_out2_[d] = 0;
         cage_leaves_ball_[d] = false;
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
+        store_.arena.step(c, 200 * D * D);
         if (!is_finite(c)) continue;
         const Cell<D>& cell = store_.cell(c);
         bool equal = true;
@@ -396,11 +419,13 @@ template <int D> void Measurement<D>::measure_cells() {
 template <int D> [[gnu::cold]] Status Measurement<D>::measure_poles() {
     if (is_thesis()) return Status::ok;
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
+        store_.arena.step(v, 20);
         if (!leaves_ball_[v] || !(out2_[v] < infinity) || !counts(v)) continue;
         const Domain<D> ball = domain_ball<D>(store_, cages_, domain_[v], outermost_);
         if (!raise_to_poles<D>(store_, ball, v, &out2_[v])) return Status::out_of_memory;
     }
     for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
         const Domain<D> ball = domain_ball<D>(store_, cages_, cages_[d].parent, outermost_);
         Corner<D> pole;
         if (cage_leaves_ball_[d]) find_cage_pole<D>(store_, cages_[d], ball, cage_out2_[d] * (1 + 0x1p-40), &pole);
@@ -417,9 +442,14 @@ template <int D> [[gnu::cold]] void Measurement<D>::worst(HierarchyQuality* qual
         quality->worst = ratio;
         quality->vertex = v;
     };
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) offer(ratio(v), v);
-    for (std::uint32_t d = 0; d < count_; ++d)
+    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
+        store_.arena.step(v, 10);
+        offer(ratio(v), v);
+    }
+    for (std::uint32_t d = 0; d < count_; ++d) {
+        store_.arena.step(d, 40);
         if (!is_outermost(d)) offer(square_root(cage_out2_[d]) / in_radius_of(cages_[d]), cages_[d].centre);
+    }
 }
 
 template <int D> [[gnu::cold]] void Measurement<D>::copy(const HierarchyRequest<D>& request) const {

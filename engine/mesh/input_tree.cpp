@@ -20,6 +20,7 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
     for (int k = 0; k < D; ++k) {
         double low = infinity, high = -infinity;
         for (std::uint32_t i = begin; i < end; ++i) {
+            store_->arena.step(i, 12);
             const double x = store_->point(items_[i])[k];
             if (x < low) low = x;
             if (x > high) high = x;
@@ -39,6 +40,7 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
             while (store_->point(items_[i])[axis] < pivot) ++i;
             while (store_->point(items_[j])[axis] > pivot) --j;
             if (i > j) break;
+            store_->arena.step(i, 30);
             const std::uint32_t t = items_[i];
             items_[i++] = items_[j];
             items_[j--] = t;
@@ -64,7 +66,10 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
     store_ = &store;
     count_ = count;
     touches_ = 0;
-    for (std::uint32_t i = 0; i < count; ++i) items_[i] = chosen != nullptr ? chosen[i] : i;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        arena.step(i, 5);
+        items_[i] = chosen != nullptr ? chosen[i] : i;
+    }
     TreeRange stack[40];
     int depth = 0;
     stack[depth++] = {0, count};
@@ -72,12 +77,14 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
         const TreeRange range = stack[--depth];
         if (range.is_leaf()) continue;
         split(range.begin, range.end);
+        arena.pass(2);
         const std::uint32_t middle = range.middle();
         stack[depth++] = range.below();
         stack[depth++] = range.above();
         if (!rings) continue;
         double reach2 = 0;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            arena.step(i, 10 + 5 * D);
             const double d2 = squared_distance(store.point(items_[middle]), items_[i]);
             if (d2 > reach2) reach2 = d2;
         }

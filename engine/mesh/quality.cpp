@@ -16,6 +16,7 @@ Status worst_aspect_ratio(Store<D>& store, const Domain<D>& domain, Arena& arena
     const Status status = measure_worst_cells<D>(store, domain, out2);
     double worst2 = 0;
     for (std::uint32_t v = 0; v < store.state.vertex_count && status == Status::ok; ++v) {
+        store.arena.step(v, 12);
         const double ratio2 = 4 * out2[v] / store.vertex(v).nearest2;
         if (!(ratio2 > worst2)) continue;
         worst2 = ratio2;
@@ -26,8 +27,12 @@ Status worst_aspect_ratio(Store<D>& store, const Domain<D>& domain, Arena& arena
 }
 
 template <int D> void recomputed_nearest2(const Store<D>& store, double* nearest2) {
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) nearest2[v] = infinity;
+    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
+        store.arena.step(v, 4);
+        nearest2[v] = infinity;
+    }
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 15 * D * D);
         const Cell<D>& cell = store.cell(c);
         for (int i = 0; i <= D; ++i)
             for (int j = 0; j <= D; ++j) {

@@ -18,14 +18,17 @@ template <int D> double magnitude_of(const double* x) {
 template <int D>
 Status check_separation(const Store<D>& store, const InputTree<D>& tree, double finest, InputReport* input) {
     const std::uint32_t inputs = store.state.vertex_count;
-    for (std::uint32_t v = 0; v < inputs; ++v)
+    for (std::uint32_t v = 0; v < inputs; ++v) {
+        store.arena.step(v, 10 * D);
         for (int k = 0; k < D; ++k)
             if (!(absolute(store.point(v)[k]) <= coordinate_max)) {
                 input->row_a = store.vertex(v).origin;
                 return Status::out_of_range;
             }
+    }
     if (inputs == 1) return Status::ok;
     for (std::uint32_t v = 0; v < inputs; ++v) {
+        store.arena.step(v, 500 * D);
         double d2;
         const std::uint32_t near = tree.nearest(store.point(v), v > 0 ? v - 1 : 1, v, &d2);
         const bool tiny = d2 < separation_min * separation_min;

@@ -130,6 +130,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::begin() {
     if (status != Status::ok) return status;
     double far2 = inputs_ > 1 ? 0 : domain_.enclosing_radius * domain_.enclosing_radius;
     for (std::uint32_t p = 0; p < inputs_; ++p) {
+        store_.arena.step(p, 8 * D);
         const double p2 = distance2<D>(store_.point(p), store_.point(centre));
         if (p2 > far2) far2 = p2;
     }
@@ -302,6 +303,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::after_step() {
         if (!has_yielded_) return Status::ok;
         has_yielded_ = false;
         for (VertexId p(0); p < inputs_; ++p) {
+            store_.arena.step(p, 300);
             if (store_.vertex(p).cell == none) continue;
             hierarchy_.of(p);
             const Status status = grow_encroached(p, is_of_shell(p));

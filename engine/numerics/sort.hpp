@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 
+#include "memory/arena.hpp"
+
 namespace netmesh {
 
 struct Ascending {
@@ -82,6 +84,15 @@ template <class T, class Less> void sort(T* items, std::uint64_t count, Less les
         waiting[waiting_count++] = first.count < second.count ? second : first;
         now = first.count < second.count ? first : second;
     }
+}
+
+// A large sort, of whose comparisons `arena` is told.
+template <class T, class Less> void sort(T* items, std::uint64_t count, Less less, const Arena& arena) {
+    std::uint64_t compared = 0;
+    sort(items, count, [&arena, &compared, less](const T& a, const T& b) {
+        arena.step(++compared, 20);
+        return less(a, b);
+    });
 }
 
 }  // namespace netmesh

@@ -16,7 +16,6 @@ public:
         progress_.stage = stage;
         progress_.done = 0;
         progress_.total = total;
-        countdown_ = interval;
     }
     void mesh_size(std::uint64_t vertices, std::uint64_t cells) {
         progress_.vertices = vertices;
@@ -29,21 +28,37 @@ public:
             countdown_ -= work;
             return false;
         }
-        countdown_ = interval;
         progress_.done = done;
-        return poll_ != nullptr && never_throwing(poll_)(user_, &progress_) != 0;
+        return report();
     }
+    // The same in the middle of what cannot be left half done. A wish to stop is remembered: whoever asks next, by
+    // advance or by has_stopped at the end of the phase, is told. The caller is not polled again.
+    void pass(std::uint32_t work) {
+        if (countdown_ > work)
+            countdown_ -= work;
+        else
+            report();
+    }
+    // Has the caller said that it wants to stop?
+    bool has_stopped() const { return stopped_; }
 
 private:
+    [[gnu::noinline]] bool report() {
+        if (!stopped_ && poll_ != nullptr) stopped_ = never_throwing(poll_)(user_, &progress_) != 0;
+        countdown_ = stopped_ ? 0 : interval;
+        return stopped_;
+    }
+
 #ifdef NETMESH_SWEEP
     static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
 #else
-    static constexpr std::uint32_t interval = 100000;  // about every ten milliseconds
+    static constexpr std::uint32_t interval = 5000;  // about every half millisecond
 #endif
     netmesh_poll poll_ = nullptr;
     void* user_ = nullptr;
     netmesh_progress progress_ = {};
     std::uint32_t countdown_ = interval;
+    bool stopped_ = false;
 };
 
 }  // namespace netmesh

@@ -44,6 +44,7 @@ volatile std::size_t sample_count = 0;
 bool sampling = false;
 
 extern "C" char __executable_start, etext;
+extern "C" void* __libc_stack_end;
 
 void take_sample(int, siginfo_t*, void* where) {
     const greg_t* const registers = static_cast<ucontext_t*>(where)->uc_mcontext.gregs;
@@ -54,7 +55,7 @@ void take_sample(int, siginfo_t*, void* where) {
     // What looks like a return address further up.
     std::size_t n = 1;
     const auto* stack = reinterpret_cast<const std::uint64_t*>(registers[REG_RSP]);
-    for (int i = 0; i < 2000 && n < 8; ++i) {
+    for (int i = 0; i < 2000 && n < 8 && stack + i < __libc_stack_end; ++i) {
         const std::uint64_t word = stack[i];
         if (word <= reinterpret_cast<std::uint64_t>(&__executable_start) ||
             word >= reinterpret_cast<std::uint64_t>(&etext))
@@ -144,7 +145,7 @@ int poll(void*, const netmesh_progress* progress) {
     return 0;
 }
 
-const char* const stages[] = {"none",   "sort",     "delaunay", "refine", "certify", "filter",
+const char* const stages[] = {"none",     "sort",   "delaunay", "refine",  "certify", "filter",
                               "gradient", "reduce", "check",    "analyse", "begin",   "end"};
 std::string text(const Place& place) {
     return stages[place.stage] + (place.stage < NETMESH_STAGE_COUNT ? " " + std::to_string(place.done) : "");
@@ -167,8 +168,8 @@ template <class Call> void measure(const char* name, int dim, std::size_t size, 
     std::printf("%-24s D%d %7zu %8llu %9.1f %9.3f  %4llu  %s .. %s%s%s\n", name, dim, size,
                 static_cast<unsigned long long>(watch.polls), static_cast<double>(all) / 1e6,
                 static_cast<double>(watch.longest) / 1e6, static_cast<unsigned long long>(watch.above),
-                text(watch.longest_from).c_str(), text(watch.longest_to).c_str(), status == NETMESH_OK ? "" : "  FAILED: ",
-                status == NETMESH_OK ? "" : netmesh_status_text(status));
+                text(watch.longest_from).c_str(), text(watch.longest_to).c_str(),
+                status == NETMESH_OK ? "" : "  FAILED: ", status == NETMESH_OK ? "" : netmesh_status_text(status));
     std::vector<std::pair<std::uint64_t, std::string>> sorted;
     for (const auto& [chain, worst] : culprits) sorted.emplace_back(worst, chain);
     std::sort(sorted.rbegin(), sorted.rend());
@@ -208,9 +209,7 @@ netmesh_function function_of_planes() {
     return function;
 }
 
-std::size_t points_of(int dim) {
-    return dim == 4 ? some(4000, 300) : some(100000, 3000);
-}
+std::size_t points_of(int dim) { return dim == 4 ? some(4000, 300) : some(100000, 3000); }
 
 void delaunay(int dim) {
     const std::size_t n = points_of(dim);
@@ -253,8 +252,7 @@ void mesh(int dim) {
     measure("persist kdistance", dim, n, [&] { return room.persist(persist_by(NETMESH_FILTER_KDISTANCE, 5)); });
     measure("persist tight", dim, n, [&] { return room.persist(NETMESH_FILTER_TIGHT); });
     const netmesh_function function = function_of_planes();
-    measure("persist function", dim, n,
-            [&] { return room.persist(function, persist_by(NETMESH_FILTER_FUNCTION)); });
+    measure("persist function", dim, n, [&] { return room.persist(function, persist_by(NETMESH_FILTER_FUNCTION)); });
     measure("bound function", dim, n, [&] { return room.bound_bars(function); });
     measure("persist complete", dim, n, [&] { return room.persist(NETMESH_FILTER_COMPLETE); });
     measure("represent", dim, n, [&] { return room.represent(); });
@@ -527,9 +525,9 @@ struct Group {
     const char* name;
     void (*run)(int dim);
 };
-const Group groups[] = {{"delaunay", delaunay}, {"grids", grids},       {"mesh", mesh},         {"analyses", analyses},
-                        {"goals", goals},       {"cages", cages},       {"refine", refine},     {"fit", fit},
-                        {"scales", scales},     {"vineyard", vineyard}, {"points", points},     {"homology", homology},
+const Group groups[] = {{"delaunay", delaunay},    {"grids", grids},       {"mesh", mesh},     {"analyses", analyses},
+                        {"goals", goals},          {"cages", cages},       {"refine", refine}, {"fit", fit},
+                        {"scales", scales},        {"vineyard", vineyard}, {"points", points}, {"homology", homology},
                         {"bottleneck", bottleneck}};
 
 }  // namespace

@@ -12,6 +12,7 @@ class SpanningForest {
 public:
     // Takes 28 bytes a vertex from the arena's high end. False: out of memory.
     bool reserve(std::uint32_t vertices, Arena& arena) {
+        arena_ = &arena;
         vertices_ = vertices;
         parent_ = arena.take_high<std::uint32_t>(vertices);
         parent_edge_ = arena.take_high<std::uint32_t>(vertices);
@@ -25,20 +26,30 @@ public:
 
     // The edges e with is_tree(e), which make no circle. ends: [edges][2]. O(vertices + edges).
     template <class IsTree> void grow(const std::uint32_t* ends, std::uint32_t edges, IsTree is_tree) {
-        for (std::uint32_t v = 0; v <= vertices_; ++v) start_[v] = 0;
+        for (std::uint32_t v = 0; v <= vertices_; ++v) {
+            arena_->step(v, 5);
+            start_[v] = 0;
+        }
         for (std::uint32_t e = 0; e < edges; ++e) {
+            arena_->step(e, 20);
             for (int i = 0; i < 2 && is_tree(e); ++i) ++start_[ends[2 * std::size_t{e} + i]];
         }
         std::uint32_t sum = 0;
         for (std::uint32_t v = 0; v <= vertices_; ++v) {
+            arena_->step(v, 5);
             sum += start_[v];
             start_[v] = sum;
         }
         for (std::uint32_t e = 0; e < edges; ++e) {
+            arena_->step(e, 20);
             for (int i = 0; i < 2 && is_tree(e); ++i) incident_[--start_[ends[2 * std::size_t{e} + i]]] = e;
         }
-        for (std::uint32_t v = 0; v < vertices_; ++v) parent_[v] = none;
+        for (std::uint32_t v = 0; v < vertices_; ++v) {
+            arena_->step(v, 3);
+            parent_[v] = none;
+        }
         for (std::uint32_t root = 0; root < vertices_; ++root) {
+            arena_->step(root, 5);
             if (parent_[root] == none) visit(ends, root);
         }
     }
@@ -59,6 +70,7 @@ private:
         parent_[root] = root;
         depth_[root] = 0;
         for (std::uint32_t at = 0; at < end; ++at) {
+            arena_->step(at, 60);
             const std::uint32_t v = queue_[at];
             for (std::uint32_t i = start_[v]; i < start_[v + 1]; ++i) {
                 const std::uint32_t* const edge = ends + 2 * std::size_t{incident_[i]};
@@ -72,6 +84,7 @@ private:
         }
     }
 
+    const Arena* arena_ = nullptr;
     std::uint32_t vertices_ = 0;
     std::uint32_t *parent_ = nullptr, *parent_edge_ = nullptr, *depth_ = nullptr, *queue_ = nullptr;
     std::uint32_t *start_ = nullptr, *incident_ = nullptr;

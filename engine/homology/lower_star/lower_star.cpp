@@ -107,6 +107,7 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
     Link<D> link;
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
     for (VertexId v(0); v < ball_.vertex_count; ++v) {
+        arena_.step(v, 10);
         if (ball_.begin[v] == ball_.begin[v + 1]) return Status::invalid_argument;
         if ((ball_.flags[v] & TriangulatedBall<D>::absent) != 0) {
             below_[v] = above_[v] = ball_.outside;
@@ -150,6 +151,7 @@ template <int D> std::uint32_t LowerStars<D>::lowest_neighbour() const {
 template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
     for (VertexId v(0); v < ball_.vertex_count; ++v) {
         if constexpr (Link<D>::tells_all) {
+            arena_.step(v, 6);
             if ((ball_.flags[v] & TriangulatedBall<D>::large) == 0) continue;
         }
         if ((ball_.flags[v] & TriangulatedBall<D>::absent) != 0) continue;

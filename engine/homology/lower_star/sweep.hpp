@@ -100,6 +100,7 @@ template <int D> Status Sweep<D>::run(Arena& arena) {
     }
     if (!front_.reserve(ball_.vertex_count, arena)) return Status::out_of_memory;
     for (std::uint32_t r = 0; r < ball_.vertex_count; ++r) {
+        arena.step(r, 8);
         if ((ball_.flags[ball_.order[r]] & TriangulatedBall<D>::irregular) != 0) front_.waiting().insert(r);
     }
     monitor_.begin(NETMESH_STAGE_REDUCE, ball_.vertex_count);

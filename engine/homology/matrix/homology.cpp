@@ -61,8 +61,12 @@ bool Homology::reserve() {
 // Counts in owner_.
 bool Homology::has_two_cofaces_at_most(std::uint32_t k) {
     const std::size_t faces = std::size_t{of(k).count} * (k + 1);
-    for (std::uint32_t f = 0; f < of(k - 1).count; ++f) owner_[f] = 0;
+    for (std::uint32_t f = 0; f < of(k - 1).count; ++f) {
+        arena_.step(f, 3);
+        owner_[f] = 0;
+    }
     for (std::size_t i = 0; i < faces; ++i) {
+        arena_.step(i, 6);
         if (++owner_[of(k).faces[i]] == 3) return false;
     }
     return true;
@@ -78,12 +82,19 @@ Status Homology::unite_top(std::uint32_t k) {
     std::uint32_t* const second = arena_.take_high<std::uint32_t>(rows);
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(std::size_t{columns} + 1);
     if (second == nullptr || parent == nullptr) return Status::out_of_memory;
-    for (std::uint32_t f = 0; f < rows; ++f) first[f] = second[f] = none;
+    for (std::uint32_t f = 0; f < rows; ++f) {
+        arena_.step(f, 4);
+        first[f] = second[f] = none;
+    }
     for (std::size_t i = 0; i < faces; ++i) {
+        arena_.step(i, 12);
         const std::uint32_t f = of(k).faces[i];
         (first[f] == none ? first : second)[f] = static_cast<std::uint32_t>(i / (k + 1));
     }
-    for (std::uint32_t j = 0; j <= columns; ++j) parent[j] = j;
+    for (std::uint32_t j = 0; j <= columns; ++j) {
+        arena_.step(j, 3);
+        parent[j] = j;
+    }
     for (std::uint32_t f = rows; f-- > 0;) {
         if (progress_.stop(1)) return Status::cancelled;
         if (first[f] == none) continue;
@@ -93,6 +104,7 @@ Status Homology::unite_top(std::uint32_t k) {
         if (!writer_.add(of(k - 1).value[f], of(k).value[b], k - 1)) return Status::out_of_memory;
     }
     for (std::uint32_t j = 0; j < columns && k <= max_degree_; ++j) {
+        arena_.step(j, 15);
         if (parent[j] == j && !writer_.add_essential(of(k).value[j], k)) return Status::out_of_memory;
     }
     progress_.done += columns;
@@ -107,6 +119,7 @@ public:
 
     bool next(std::uint32_t* j) {
         for (; next_ < h_.of(k_).count; ++next_, ++h_.progress_.done) {
+            h_.arena_.step(next_, 10);
             if (h_.paired_above_.has(next_)) continue;
             ++h_.progress_.done;
             *j = next_++;
@@ -146,6 +159,7 @@ Status Homology::reduce(std::uint32_t k) {
 // Essential classes of degree 1.
 Status Homology::add_loops() {
     for (std::uint32_t e = 0; e < of(1).count; ++e) {
+        arena_.step(e, 15);
         if (joining_.has(e) || paired_above_.has(e)) continue;
         if (!writer_.add_essential(of(1).value[e], 1)) return Status::out_of_memory;
     }

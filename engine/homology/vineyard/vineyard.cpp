@@ -80,6 +80,7 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
         if (position == nullptr || !rank_vertices(value[k], complex.count[k], work.arena, of_[k].order, position))
             return Status::out_of_memory;
         for (std::uint32_t s = 0; s < complex.count[k]; ++s) {
+            work.arena.step(s, 20);
             of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, {0, 0}};
             of_[k].vine[s] = none;
         }
@@ -93,8 +94,10 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
     if (status == Status::ok) NETMESH_VALIDATE_WHOLE(violation());
     vine_count_ = 0;
     for (std::uint32_t k = 0; k <= max_degree_; ++k)
-        for (std::uint32_t s = 0; s < complex.count[k]; ++s)
+        for (std::uint32_t s = 0; s < complex.count[k]; ++s) {
+            work.arena.step(s, 20);
             if (is_positive(k, s)) of_[k].vine[s] = vine_count_++;
+        }
     return status;
 }
 
@@ -237,13 +240,20 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
         if (order == nullptr || target == nullptr || !rank_vertices(to[k], complex_.count[k], *arena_, order, target))
             return Status::out_of_memory;
         for (std::uint32_t s = 0; s < complex_.count[k]; ++s) {
+            arena_->step(s, 12);
             of_[k].at[s].target = target[s];
             of_[k].at[s].value = {from[k][s], to[k][s]};
         }
-        for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) time_[of_[k].slot + i] = crossing_time(k, i);
+        for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) {
+            arena_->step(i, 60);
+            time_[of_[k].slot + i] = crossing_time(k, i);
+        }
     }
     if (slots_ == 0) return Status::ok;
-    for (std::uint32_t node = slots_ - 1; node >= 1; --node) find_winner(node);
+    for (std::uint32_t node = slots_ - 1; node >= 1; --node) {
+        arena_->step(node, 40);
+        find_winner(node);
+    }
     monitor.begin(NETMESH_STAGE_REDUCE, 0);
     for (std::uint32_t slot; time_[slot = slot_at(1)] < infinity;) {
         const std::uint32_t k = dimension_of(slot);
