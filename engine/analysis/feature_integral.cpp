@@ -64,7 +64,7 @@ template <int D> Status Boxes<D>::open(Arena& arena) {
     if (centres_ == nullptr || child_ == nullptr) return Status::out_of_memory;
     double least2 = infinity;
     for (std::uint32_t i = 0; i < tree_.root().end; ++i) {
-        arena.step(i, 600);
+        arena.step(i, 40);
         double d2;
         tree_.nearest(store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
         if (d2 < least2) least2 = d2;

@@ -140,7 +140,7 @@ template <int D> Status DomainSums<D>::add(std::uint32_t d) {
     if (tree.build(store_, work_.arena, count, false, inputs_) != Status::ok) return Status::out_of_memory;
     std::uint32_t size = 0;
     for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1]; ++k) {
-        store_.arena.step(k, 800);
+        store_.arena.step(k, 100);
         const std::uint32_t v = vertices_[k];
         if (d != none || !is_exempt(v)) ++sum_.size;
         if (is_exempt(v)) continue;

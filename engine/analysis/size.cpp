@@ -23,7 +23,7 @@ Status measure_vertices(const Store<D>& store, const Domain<D>& domain, const In
     recomputed_nearest2<D>(store, nearest2);
     double reach = domain.radius;
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        arena.step(v, 700 * D);
+        arena.step(v, 100);
         if (store.vertex(v).cell == none || store.vertex(v).marker == Marker::exempt) continue;
         ++analysis->size;
         const double nearest = square_root(nearest2[v]);

@@ -56,7 +56,7 @@ template <int D>
 [[gnu::cold]] ReachRequest<D> whole_cells(const Store<D>& store, const ReachRequest<D>& reach, double most,
                                           double* limit2) {
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        store.arena.step(v, 50 * D);
+        store.arena.step(v, 60);
         if (has_yielded_to<D>(store, reach.cages, reach.domains[v], v)) limit2[v] = infinity;
     }
     const Cage* outermost = reach.cages;

@@ -17,7 +17,7 @@ template <int D> Status find_origins(Store<D>& store, std::uint32_t inputs) {
     if (tree.build(store, store.arena, inputs) != Status::ok) return Status::out_of_memory;
     std::uint32_t last = 0;
     for (std::uint32_t v = inputs; v < store.state.vertex_count; ++v) {
-        store.arena.step(v, 500 * D);
+        store.arena.step(v, 40);
         double d2;
         store.vertex(v).origin = last = tree.nearest(store.point(v), last, none, &d2);
     }

@@ -39,7 +39,7 @@ template <int D> Status link_loaded_cells(Store<D>& store, CheckResult* why) {
         return Status::out_of_memory;
     std::size_t k = 0;
     for (CellId c(0); c < store.state.cell_slots; ++c) {
-        store.arena.step(c, (D + 1) * (8 + 8 * D));
+        store.arena.step(c, 2 * (D + 1) * (8 + 8 * D));
         for (std::uint32_t i = 0; i <= D; ++i, ++k) {
             keys[k] = facet_key<D>(store.cell(c), i);
             facets[k] = FacetId(c, i).word();
@@ -49,7 +49,7 @@ template <int D> Status link_loaded_cells(Store<D>& store, CheckResult* why) {
     radix_sort(keys, facets, spare_keys, spare_facets, count, store.arena);
     // Of three equal facets the first meets the second, then the third.
     for (std::size_t a = 0; a < count; ++a) {
-        store.arena.step(a, 20 + 5 * D * D);
+        store.arena.step(a, 40 + 10 * D * D);
         for (std::size_t b = a + 1; b < count && keys[b] == keys[a]; ++b) {
             const FacetId one = FacetId::from_word(facets[a]), two = FacetId::from_word(facets[b]);
             Cell<D>& first = store.cell(one.cell());
@@ -120,7 +120,7 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
         load_vertex<D>(coordinates + std::size_t{v} * D, v, store.vertex(v));
     }
     for (std::uint32_t c = 0; c < cell_count; ++c) {
-        store.arena.step(c, 100 * D);
+        store.arena.step(c, 80 * D * D);
         const CellId made = store.new_cell();
         *why = {take_vertices<D>(store, cells + std::size_t{c} * (D + 1), made), made};
         if (why->violation != nullptr) return Status::check_failed;

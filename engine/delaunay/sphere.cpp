@@ -105,7 +105,7 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
 
 template <int D> void recompute_balls(Store<D>& store) {
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        store.arena.step(c, 60 * D);
+        store.arena.step(c, 70 * D * D);
         const double* p[D + 1];
         for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
         solve_sphere<D>(p, corner_error_max, store.cell(c));
@@ -118,7 +118,7 @@ template <int D> void measure_edges(Store<D>& store) {
         store.vertex(v).nearest2 = infinity;
     }
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        store.arena.step(c, 10 * D * D);
+        store.arena.step(c, 30 * D * D);
         Vertex<D>* vertex[D + 1];
         double least2[D + 1];
         for (int i = 0; i <= D; ++i) {

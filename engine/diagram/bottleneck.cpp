@@ -95,7 +95,7 @@ std::uint32_t collect_points(const Side& side, std::uint32_t degree, bool log_sc
 template <class Scale> void bound(const PointTree& from, PointTree& to, std::uint64_t* least, std::uint64_t* most) {
     to.mark_all(1);
     for (std::uint32_t i = 0; i < from.count(); ++i) {
-        from.step(i, 1500);
+        from.step(i, 4000);
         const std::uint64_t diagonal = from[i].diagonal;
         if (diagonal > *most) *most = diagonal;
         if (diagonal <= *least) continue;

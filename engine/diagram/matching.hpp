@@ -208,7 +208,7 @@ private:
         edges.begin_search();
         std::uint32_t level = 0, level_end = end;
         for (std::uint32_t at = 0; at < end; ++at) {
-            left_->step(at, 100);
+            left_->step(at, 600);
             if (at == level_end) {
                 if (*found != none) break;
                 ++level;
@@ -253,12 +253,12 @@ private:
     template <class Scale> std::uint64_t next_limit(std::uint32_t reached) const {
         right_->mark_all(1);
         for (std::uint32_t j = 0; j < right_->count(); ++j) {
-            left_->step(j, 200);
+            left_->step(j, 300);
             if (scratch_.level[j] != none) right_->mark(j, 0);
         }
         std::uint64_t next = key_of_infinity;
         for (std::uint32_t at = 0; at < reached; ++at) {
-            left_->step(at, 600);
+            left_->step(at, 3000);
             const DiagramPoint& from = (*left_)[scratch_.queue[at]];
             if (from.diagonal < next) next = from.diagonal;
             next = right_->nearest<Scale>(from, next, 1);

@@ -64,6 +64,7 @@ private:
     }
     // Any simplex; not in the loop, and not often.
     [[gnu::noinline]] bool evaluate_exactly(const double* const* point, int k, Circumsphere* out) {
+        work_.arena.pass(40 * D);
         const ExactSphere sphere(point, k, D);
         if (!sphere.in_range()) return false;
         *out = sphere.evaluate(scratch_);

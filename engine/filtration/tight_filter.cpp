@@ -65,7 +65,7 @@ template <int D> Status Clumps<D>::open(Arena& arena) {
 // The clumps, hi(W), and what r_p has from the other inputs' distances to W.
 template <int D> void Clumps<D>::gather_clumps(const InputTree<D>& tree) {
     for (VertexId p(0); p < inputs_; ++p) {
-        store_.arena.step(p, 500);
+        store_.arena.step(p, 40);
         double d2;
         tree.nearest(store_.point(p), none, p, &d2);
         half_[p] = 0.5 * square_root(d2);
@@ -73,7 +73,7 @@ template <int D> void Clumps<D>::gather_clumps(const InputTree<D>& tree) {
         outer_[p] = 0;
     }
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
-        store_.arena.step(v, 500);
+        store_.arena.step(v, 100);
         const VertexId n = nearest_input<D>(store_, v);
         const bool joins =
             store_.vertex(v).marker != Marker::exempt && distance<D>(store_.point(v), store_.point(n)) <= half_[n];

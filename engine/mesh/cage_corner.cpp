@@ -57,7 +57,10 @@ template <int D>
 bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, Corner<D>* corner, bool* leaves_ball) {
     *leaves_ball = false;
     return visit_cage_boundary(store, cage,
-                               [&](CellId c) { *leaves_ball |= offer_clipped<D>(store, cage, ball, c, corner); });
+                               [&](CellId c) {
+                                   store.arena.pass(2 * D);
+                                   *leaves_ball |= offer_clipped<D>(store, cage, ball, c, corner);
+                               });
 }
 
 // The edges of the cage's cell after the cut are those behind mixed facets: where one with vertices inside of the cage
@@ -70,7 +73,7 @@ template <int D>
     CutCorners<D> corners;
     const auto for_each_pair = [&](auto&& visit) {
         for (CellId c(0); c < store.state.cell_slots; ++c) {
-            store.arena.step(c, 15 * D);
+            store.arena.step(c, 60 * D);
             if (!store.is_live(c) || store.is_ghost(c) || !is_on_boundary<D>(store, cage, c)) continue;
             for (const VertexId w : store.cell(c).vertex)
                 if (is_inside<D>(store, cage, store.point(w))) visit(w, c);

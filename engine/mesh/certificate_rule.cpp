@@ -128,7 +128,7 @@ template <int D> Status CertificateRule<D>::check_goal() {
     if (!(goal_.focus > 0)) return Status::ok;
     double size = 0;
     for (std::uint32_t v = 0; v < inputs_; ++v) {
-        store_.arena.step(v, 600);
+        store_.arena.step(v, 60);
         for (int k = 0; k < D; ++k)
             if (absolute(store_.point(v)[k]) > size) size = absolute(store_.point(v)[k]);
     }

@@ -39,7 +39,7 @@ private:
 
     void mark() {
         for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
-            store_.arena.step(c, 30 * D);
+            store_.arena.step(c, 40 * D);
             for (int i = 0; i <= D; ++i) {
                 store_.vertex(store_.cell(c).vertex[i]).queued |= in_cell;
                 for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
@@ -115,7 +115,7 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_net() {
         }
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
-        store_.arena.step(c, 30 * D);
+        store_.arena.step(c, 40 * D);
         for (int i = 0; i <= D; ++i)
             if (store_.cell(c).neighbour[i] == none && leaves_hole(c, i)) return {"the boundary net has a hole", c};
     }
@@ -129,7 +129,7 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_frame() const {
             return {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
     }
     for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
-        store_.arena.step(c, 30 * D);
+        store_.arena.step(c, 40 * D);
         for (int i = 0; i <= D; ++i)
             if (store_.cell(c).neighbour[i] == none && reaches_beyond(c, i))
                 return {"the domain reaches beyond the hull", c};
@@ -141,6 +141,7 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_frame() const {
 // inner; null when the facet has no normal.
 template <int D>
 [[gnu::cold]] double* DomainCheck<D>::normal_of(std::uint32_t c, int i, double* inner, double* centre) const {
+    store_.arena.pass(2 * D);
     const Cell<D>& cell = store_.cell(c);
     const double* const p = store_.point(cell.vertex[i == 0 ? 1 : 0]);
     double along[D][D];  // orthonormal directions of the facet

@@ -12,6 +12,7 @@ constexpr double lost2 = 0x1p-60;
 // Is x as near to v as to all other vertices of its star?
 template <int D>
 bool is_in_cell(const Store<D>& store, VertexId v, const double* x, const CellId* star, std::uint32_t count) {
+    store.arena.pass(1 + count / 8);
     const double* const p = store.point(v);
     double y[D];
     for (int k = 0; k < D; ++k) y[k] = x[k] - p[k];
@@ -205,6 +206,7 @@ template <int D>
     for (std::uint32_t s = 0; s < count; ++s) {
         const CellId c = star[-1 - static_cast<std::ptrdiff_t>(s)];
         if (store.is_ghost(c)) continue;
+        store.arena.pass(1 << D);
         offer_poles<D>(store, ball, u, v, c, neighbours_before<D>(store, v, c), contains, farthest);
     }
 }
@@ -213,6 +215,7 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
     const Cut<D> cut(ball, store.point(v), *out2 * (1 + 0x1p-40));
     std::uint32_t count = 0;
     if (!visit_star(store, v, [&](CellId) { ++count; })) return false;
+    store.arena.pass(count / 2);
     const CellId* const star = store.list_top();
     if (!may_reach_beyond<D>(store, cut, v, cut.distance2(), star, count)) return true;
     Corner<D> farthest;

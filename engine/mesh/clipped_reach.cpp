@@ -119,7 +119,9 @@ template <int D> bool CellClipper<D>::open(VertexId v) {
     v_ = v;
     count_ = 0;
     pass_over(v);
-    return visit_star(store_, v, [&](CellId) { ++count_; });
+    const bool fits = visit_star(store_, v, [&](CellId) { ++count_; });
+    store_.arena.pass(1 + count_ / 4);
+    return fits;
 }
 
 template <int D> void CellClipper<D>::clip(double* out_radius, double* reach) const {
@@ -137,6 +139,7 @@ template <int D> void CellClipper<D>::clip(double* out_radius, double* reach) co
 // By corners in the ball and crossings of edges, up to the first that is as far as the root of enough2. Corners first:
 // few crossings are farther.
 template <int D> void CellClipper<D>::measure(const double* u, double enough2, Corner<D>* farthest) const {
+    store_.arena.pass(1 + count_ * D / 4);
     const double* const p = store_.point(v_);
     if (ball_.contains(p)) farthest->offer(p, distance2<D>(p, u), store_.vertex(v_).cell);
     for (std::uint32_t k = 0; k < count_ && farthest->distance2 < enough2; ++k) {
@@ -172,6 +175,7 @@ void CellClipper<D>::show_edge(const double* u, double s, const Cell<D>& cell, c
 template <int D>
 template <class Show>
 [[gnu::cold]] void CellClipper<D>::cut(const double* u, double s, Show&& show) const {
+    store_.arena.pass(1 + count_ * D);
     for (std::uint32_t k = 0; k < count_; ++k) {
         const CellId c = star(k);
         const Cell<D>& cell = store_.cell(c);
@@ -200,6 +204,7 @@ template <int D> bool CellClipper<D>::is_bound(const double* u, double s) const 
         return End{2 * dot<D>(y, a) + level, y2 + cell.radius2, y2 <= near2 && cell.radius2 <= near2};
     };
     bool is_within = true;
+    store_.arena.pass(1 + count_ * D / 4);
     for (std::uint32_t k = 0; k < count_ && is_within; ++k) {
         const CellId c = star(k);
         const Cell<D>& cell = store_.cell(c);

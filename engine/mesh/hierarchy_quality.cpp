@@ -222,6 +222,7 @@ template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uin
         if (looked_at || domain_[v] != d || !(d2 > 0.25 * radius * radius)) return;
         looked_at = true;
         if (store_.vertex(v).marker != Marker::exempt && !has_yielded(v)) return;
+        store_.arena.pass(size / 4);
         for (std::uint32_t k = 0; k < size; ++k) {
             double place[D];
             is_outermost(d) ? RootTemplate<D>::point(k, place) : CageTemplate<D>::point(k, place);

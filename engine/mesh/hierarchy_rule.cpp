@@ -369,6 +369,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
         }
     });
     if (!fits) return Verdict::out_of_memory;
+    store_.arena.pass(cells / 4);
     if (!is_bad(corner.distance2, nearest2) && !sizes_.are_exceeded(v, corner.distance2)) {
         corner.distance2 = -1;
         if (leaves_ball) this->find_sized_beyond(ball, v, cells, &corner);
@@ -438,7 +439,7 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
 // What filters and sizes ask of a mesh without cages: the nearest input of each vertex.
 template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
     for (std::uint32_t v = inputs_; v < store_.state.vertex_count; ++v) {
-        store_.arena.step(v, 500 * D);
+        store_.arena.step(v, 40);
         double d2;
         store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);
     }

@@ -82,7 +82,7 @@ public:
 private:
     void split(std::uint32_t begin, std::uint32_t end);
     double squared_distance(const double* x, std::uint32_t v) const {
-        ++touches_;
+        store_->arena.step(++touches_, 60);
         return netmesh::distance2<D>(x, store_->point(v));
     }
     // Calls consider(input), which returns the squared distance or 0, for every input that can be nearer than bound2()

@@ -32,7 +32,7 @@ template <int D> void recomputed_nearest2(const Store<D>& store, double* nearest
         nearest2[v] = infinity;
     }
     for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        store.arena.step(c, 15 * D * D);
+        store.arena.step(c, 50 * D * D);
         const Cell<D>& cell = store.cell(c);
         for (int i = 0; i <= D; ++i)
             for (int j = 0; j <= D; ++j) {

@@ -292,7 +292,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::reach_sizes() {
     observers_.stop_measuring_features();
     sizes_.start();
     for (VertexId v(0); v < count; ++v) {
-        store_.arena.step(v, 500 * D);
+        store_.arena.step(v, 100);
         if (store_.vertex(v).marker == Marker::exempt) continue;
         const Status status = note_size(v);
         if (status != Status::ok) return status;

@@ -28,7 +28,7 @@ Status check_separation(const Store<D>& store, const InputTree<D>& tree, double 
     }
     if (inputs == 1) return Status::ok;
     for (std::uint32_t v = 0; v < inputs; ++v) {
-        store.arena.step(v, 500 * D);
+        store.arena.step(v, 40);
         double d2;
         const std::uint32_t near = tree.nearest(store.point(v), v > 0 ? v - 1 : 1, v, &d2);
         const bool tiny = d2 < separation_min * separation_min;

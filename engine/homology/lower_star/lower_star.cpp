@@ -131,7 +131,7 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
                 return Status::out_of_memory;
             }
         }
-        if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 8)) return Status::cancelled;
+        if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 3)) return Status::cancelled;
     }
     above_[ball_.outside] = ball_.outside;
     return Status::ok;
@@ -168,7 +168,7 @@ template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
         if (regular) NETMESH_VALIDATE_WHOLE(star_.gradient_violation(0));
         star_.close(ball_);
         if (!count_star(v, counts, regular)) return Status::out_of_memory;
-        if (monitor_.advance(v, 1 + star_.count() / 2)) return Status::cancelled;
+        if (monitor_.advance(v, 1 + star_.count())) return Status::cancelled;
     }
     return Status::ok;
 }

@@ -213,6 +213,7 @@ void Vineyard::find_winner(std::uint32_t node) {
     bool later = t < s || (t == s && b < a);
     const double least = t < s ? t : s, most = t < s ? s : t;
     if (most <= may_equal(least) && least < infinity) {
+        arena_->pass(10);
         const std::uint32_t ka = dimension_of(a), kb = dimension_of(b);
         const int order = compare_times(crossing(ka, a - of_[ka].slot), crossing(kb, b - of_[kb].slot));
         later = order > 0 || (order == 0 && b < a);
@@ -283,6 +284,7 @@ Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monit
         const Record &a = d.at[d.order[j]], &b = d.at[d.order[j + 1]];
         time[j] = infinity;
         if (a.target < b.target) return false;
+        arena_->pass(2);
         const Crossing next = {a.value, b.value};
         const bool same = are_equal(next, now);
         time[j] = same ? now_time : time_of(next);
