@@ -63,12 +63,12 @@ template <int D> Status Boxes<D>::open(Arena& arena) {
     child_ = arena.take_high<std::uint8_t>(levels_max);
     if (centres_ == nullptr || child_ == nullptr) return Status::out_of_memory;
     double least2 = infinity;
-    for (std::uint32_t i = 0; i < tree_.root().end; ++i) {
-        arena.step(i, 40);
-        double d2;
-        tree_.nearest(store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
-        if (d2 < least2) least2 = d2;
-    }
+    for (std::uint32_t i = 0; i < tree_.root().end;)
+        for (const std::uint64_t piece = arena.piece(i, tree_.root().end, 500 * D); i < piece; ++i) {
+            double d2;
+            tree_.nearest(store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
+            if (d2 < least2) least2 = d2;
+        }
     feature_least_ = 0.5 * square_root(least2) * (1 - sum_rounding);
     return Status::ok;
 }

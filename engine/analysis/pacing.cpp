@@ -56,13 +56,13 @@ T summary(const InputTree<D>& tree, TreeRange range, const T* value, Of&& of, Be
 template <int D> std::uint32_t list_ranges(const InputTree<D>& tree, const Arena& arena, TreeRange* list) {
     std::uint32_t count = 0;
     list[count++] = tree.root();
-    for (std::uint32_t k = 0; k < count; ++k) {
-        arena.step(k, 25);
-        const TreeRange range = list[k];
-        if (range.is_leaf()) continue;
-        list[count++] = range.below();
-        list[count++] = range.above();
-    }
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = arena.piece(k, count, 25); k < piece; ++k) {
+            const TreeRange range = list[k];
+            if (range.is_leaf()) continue;
+            list[count++] = range.below();
+            list[count++] = range.above();
+        }
     return count;
 }
 
@@ -78,10 +78,10 @@ public:
         far2_ = arena.take_high<double>(count);
         visited_ = arena.take_high<TreeRange>(count);
         if (near2_ == nullptr || far2_ == nullptr || visited_ == nullptr) return false;
-        for (std::uint32_t v = 0; v < count; ++v) {
-            arena.step(v, 5);
-            near2_[v] = far2_[v] = infinity;
-        }
+        for (std::uint32_t v = 0; v < count;)
+            for (const std::uint64_t piece = arena.piece(v, count, 5); v < piece; ++v) {
+                near2_[v] = far2_[v] = infinity;
+            }
         return true;
     }
     // The one farthest from input 0, which is not taken yet.
@@ -103,13 +103,13 @@ private:
 template <int D> std::uint32_t FarthestFirst<D>::from_input_0() const {
     std::uint32_t farthest = 0;
     double reach2 = -1;
-    for (std::uint32_t v = 0; v < count_; ++v) {
-        store_.arena.step(v, 8 * D);
-        const double d2 = distance2<D>(store_.point(0), store_.point(v));
-        if (!(d2 > reach2)) continue;
-        reach2 = d2;
-        farthest = v;
-    }
+    for (std::uint32_t v = 0; v < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(v, count_, 8 * D); v < piece; ++v) {
+            const double d2 = distance2<D>(store_.point(0), store_.point(v));
+            if (!(d2 > reach2)) continue;
+            reach2 = d2;
+            farthest = v;
+        }
     return farthest;
 }
 
@@ -166,10 +166,10 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
     std::uint32_t* const rank = work.arena.take_high<std::uint32_t>(count);
     std::uint32_t* const least = work.arena.take_high<std::uint32_t>(count);
     if (rank == nullptr || least == nullptr) return Status::out_of_memory;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        work.arena.step(i, 5);
-        rank[order[i]] = i;
-    }
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = work.arena.piece(i, count, 5); i < piece; ++i) {
+            rank[order[i]] = i;
+        }
     {
         ArenaScope inner(work.arena);
         TreeRange* const ranges = work.arena.take_high<TreeRange>(count);

@@ -30,22 +30,22 @@ Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& 
     const ArenaScope scope(arena);
     InputTree<D> tree;
     if (tree.build(store, arena, inputs) != Status::ok) return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        store.arena.step(v, 20);
-        if (!(limit2[v] < infinity)) continue;
-        Neighbour near[2] = {{infinity, none, 0}, {infinity, none, 0}};
-        tree.nearest_k(store.point(v), inputs < 2 ? inputs : 2, near);
-        double size = infinity;
-        if (sizes.eps > 0) size = sizes.eps * square_root(near[1].distance2);
-        if (sizes.at_inputs > 0) {
-            const double by_distance = sizes.at_inputs + sizes.growth * square_root(near[0].distance2);
-            if (by_distance < size) size = by_distance;
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 20); v < piece; ++v) {
+            if (!(limit2[v] < infinity)) continue;
+            Neighbour near[2] = {{infinity, none, 0}, {infinity, none, 0}};
+            tree.nearest_k(store.point(v), inputs < 2 ? inputs : 2, near);
+            double size = infinity;
+            if (sizes.eps > 0) size = sizes.eps * square_root(near[1].distance2);
+            if (sizes.at_inputs > 0) {
+                const double by_distance = sizes.at_inputs + sizes.growth * square_root(near[0].distance2);
+                if (by_distance < size) size = by_distance;
+            }
+            const double by_caller = sizes.by_caller(store.point(v));
+            if (!(by_caller >= size)) size = by_caller;
+            size *= 1 + ratio_tolerance;
+            limit2[v] = size > 0 ? size * size : 0;
         }
-        const double by_caller = sizes.by_caller(store.point(v));
-        if (!(by_caller >= size)) size = by_caller;
-        size *= 1 + ratio_tolerance;
-        limit2[v] = size > 0 ? size * size : 0;
-    }
     return Status::ok;
 }
 
@@ -55,10 +55,10 @@ Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& 
 template <int D>
 [[gnu::cold]] ReachRequest<D> whole_cells(const Store<D>& store, const ReachRequest<D>& reach, double most,
                                           double* limit2) {
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        store.arena.step(v, 60);
-        if (has_yielded_to<D>(store, reach.cages, reach.domains[v], v)) limit2[v] = infinity;
-    }
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
+            if (has_yielded_to<D>(store, reach.cages, reach.domains[v], v)) limit2[v] = infinity;
+        }
     const Cage* outermost = reach.cages;
     while (outermost->parent != none) outermost = reach.cages + outermost->parent;
     Domain<D> ball = reach.outermost;
@@ -97,11 +97,12 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     if (why->violation != nullptr) return Status::check_failed;
     recomputed_nearest2<D>(store, limit2);
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
-    for (std::uint32_t v = 0; v < vertices; ++v) {
-        store.arena.step(v, 15);
-        limit2[v] = store.vertex(v).marker == Marker::exempt || store.vertex(v).cell == none ? infinity
-                                                                                             : most * most * limit2[v];
-    }
+    for (std::uint32_t v = 0; v < vertices;)
+        for (const std::uint64_t piece = store.arena.piece(v, vertices, 15); v < piece; ++v) {
+            limit2[v] = store.vertex(v).marker == Marker::exempt || store.vertex(v).cell == none
+                            ? infinity
+                            : most * most * limit2[v];
+        }
     ReachRequest<D> reach = {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains};
     if (cages > 0 && context.mesh.cage_kind == CageKind::thesis) reach = whole_cells<D>(store, reach, most, limit2);
     std::uint32_t beyond;
@@ -130,15 +131,16 @@ Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Mon
     Status status = clip_cells<D>({store, mesh.domain, mesh.inputs, goal.clipped}, filter, work, &cells);
     if (status == Status::ok) status = evaluate<D>(cells.of(mesh), filter, work, &evaluation);
     if (status != Status::ok) return status;
-    for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr; ++v) {
-        store.arena.step(v, 25);
-        const Interval& i = interval[v];
-        const double ratio = square_root(i.hi / i.lo) * (1 - ratio_tolerance);
-        const bool focused =
-            goal.focus > 0 && store.vertex(v).marker == Marker::steiner && i.hi > goal.from && i.lo < goal.to;
-        if (ratio > goal.ratio) *why = {"the certified ratio is above the one asked for", v};
-        if (focused && ratio > goal.focus) *why = {"a cell's ratio is above the one asked for at its scale", v};
-    }
+    for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 25);
+             v < piece && why->violation == nullptr; ++v) {
+            const Interval& i = interval[v];
+            const double ratio = square_root(i.hi / i.lo) * (1 - ratio_tolerance);
+            const bool focused =
+                goal.focus > 0 && store.vertex(v).marker == Marker::steiner && i.hi > goal.from && i.lo < goal.to;
+            if (ratio > goal.ratio) *why = {"the certified ratio is above the one asked for", v};
+            if (focused && ratio > goal.focus) *why = {"a cell's ratio is above the one asked for at its scale", v};
+        }
     return why->violation == nullptr ? Status::ok : Status::check_failed;
 }
 

@@ -28,13 +28,13 @@ Status measure_focus(Context& context, const netmesh_fit_request& request, const
     Status status = clip_cells<D>(mesh, filter, work, &clipped);
     if (status == Status::ok) status = evaluate<D>(clipped.of(mesh), filter, work, &cells);
     double widest = 1;
-    for (VertexId v(0); v < count && status == Status::ok; ++v) {
-        context.arena.step(v, 15);
-        const Interval i = cells.interval[v];
-        if (store.vertex(v).marker != Marker::steiner || !(i.hi > request.focus_from && i.lo < request.focus_to))
-            continue;
-        if (!(i.hi / i.lo <= widest)) widest = i.hi / i.lo;
-    }
+    for (VertexId v(0); v < count && status == Status::ok;)
+        for (const std::uint64_t piece = context.arena.piece(v, count, 15); v < piece && status == Status::ok; ++v) {
+            const Interval i = cells.interval[v];
+            if (store.vertex(v).marker != Marker::steiner || !(i.hi > request.focus_from && i.lo < request.focus_to))
+                continue;
+            if (!(i.hi / i.lo <= widest)) widest = i.hi / i.lo;
+        }
     *ratio = widest > 1 ? square_root(widest) * up : 1;
     return watch.heed(status);
 }

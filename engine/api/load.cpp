@@ -16,23 +16,23 @@ template <int D> Status find_origins(Store<D>& store, std::uint32_t inputs) {
     InputTree<D> tree;
     if (tree.build(store, store.arena, inputs) != Status::ok) return Status::out_of_memory;
     std::uint32_t last = 0;
-    for (std::uint32_t v = inputs; v < store.state.vertex_count; ++v) {
-        store.arena.step(v, 40);
-        double d2;
-        store.vertex(v).origin = last = tree.nearest(store.point(v), last, none, &d2);
-    }
+    for (std::uint32_t v = inputs; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
+            double d2;
+            store.vertex(v).origin = last = tree.nearest(store.point(v), last, none, &d2);
+        }
     return Status::ok;
 }
 
 bool are_markers_valid(const Arena& arena, const uint8_t* markers, size_t count, std::uint32_t* inputs) {
     *inputs = 0;
-    for (size_t v = 0; v < count; ++v) {
-        arena.step(v, 7);
-        if (markers[v] > 2) return false;
-        if (markers[v] != 0) continue;
-        if (*inputs != v) return false;
-        ++*inputs;
-    }
+    for (size_t v = 0; v < count;)
+        for (const std::uint64_t piece = arena.piece(v, count, 7); v < piece; ++v) {
+            if (markers[v] > 2) return false;
+            if (markers[v] != 0) continue;
+            if (*inputs != v) return false;
+            ++*inputs;
+        }
     return true;
 }
 
@@ -61,10 +61,10 @@ Status take_over(Store<D>& store, const netmesh_load_request& request, std::uint
     const Status status = load_cells<D>(store, request.vertices, count, request.cells,
                                         static_cast<std::uint32_t>(request.cell_count), why);
     if (status != Status::ok) return status;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        store.arena.step(v, 8);
-        store.vertex(v).marker = static_cast<Marker>(request.markers[v]);
-    }
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 8); v < piece; ++v) {
+            store.vertex(v).marker = static_cast<Marker>(request.markers[v]);
+        }
     return find_origins<D>(store, inputs);
 }
 
@@ -76,11 +76,11 @@ template <int D> Domain<D> domain_about(const Store<D>& store, std::uint32_t inp
     for (int k = 0; k < D; ++k) domain.centre[k] = given[k];
     domain.radius = given[D];
     domain.enclosing_radius = 0;
-    for (std::uint32_t v = 0; v < inputs; ++v) {
-        store.arena.step(v, 10 * D);
-        const double r = square_root(domain.distance2(store.point(v))) * (1 + 8 * unit_roundoff);
-        if (r > domain.enclosing_radius) domain.enclosing_radius = r;
-    }
+    for (std::uint32_t v = 0; v < inputs;)
+        for (const std::uint64_t piece = store.arena.piece(v, inputs, 10 * D); v < piece; ++v) {
+            const double r = square_root(domain.distance2(store.point(v))) * (1 + 8 * unit_roundoff);
+            if (r > domain.enclosing_radius) domain.enclosing_radius = r;
+        }
     if (domain.enclosing_radius == 0) domain.enclosing_radius = smallest;
     return domain;
 }
@@ -132,11 +132,12 @@ netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request
     Promises promises;
     if (complaint.text == nullptr) complaint = read_promises(request.mesh, request.dim, &promises);
     if (complaint.text != nullptr) return refuse(context, complaint);
-    for (size_t i = 0; i < request.vertex_count * request.dim; ++i) {
-        context->arena.step(i, 6);
-        if (!is_finite(request.vertices[i]))
-            return fail_and_clear(context, Status::not_finite, nullptr, i / request.dim);
-    }
+    for (size_t i = 0; i < request.vertex_count * request.dim;)
+        for (const std::uint64_t piece = context->arena.piece(i, request.vertex_count * request.dim, 6); i < piece;
+             ++i) {
+            if (!is_finite(request.vertices[i]))
+                return fail_and_clear(context, Status::not_finite, nullptr, i / request.dim);
+        }
     clear(context);
     return with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
@@ -177,11 +178,11 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
     mesh.cages = {};
     Cage* const kept = context->arena.take_low<Cage>(request.cage_count);
     if (kept == nullptr) return finish(context, Status::out_of_memory);
-    for (size_t d = 0; d < request.cage_count; ++d) {
-        context->arena.step(d, 30);
-        const netmesh_cage cage = cage_at(request, d);
-        kept[d] = {cage.centre, none, none, none, cage.radius, infinity};
-    }
+    for (size_t d = 0; d < request.cage_count;)
+        for (const std::uint64_t piece = context->arena.piece(d, request.cage_count, 30); d < piece; ++d) {
+            const netmesh_cage cage = cage_at(request, d);
+            kept[d] = {cage.centre, none, none, none, cage.radius, infinity};
+        }
     return with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, mesh.store);

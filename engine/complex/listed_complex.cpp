@@ -18,10 +18,10 @@ public:
         while (slots < 2 * std::uint64_t{count}) slots *= 2;
         mask_ = slots - 1;
         slot_ = slots > SIZE_MAX / 8 ? nullptr : arena.take_high<std::uint32_t>(static_cast<std::size_t>(slots));
-        for (std::uint64_t i = 0; i < slots && slot_ != nullptr; ++i) {
-            arena.step(i, 3);
-            slot_[i] = none;
-        }
+        for (std::uint64_t i = 0; i < slots && slot_ != nullptr;)
+            for (const std::uint64_t piece = arena.piece(i, slots, 3); i < piece && slot_ != nullptr; ++i) {
+                slot_[i] = none;
+            }
         return slot_ != nullptr;
     }
     // The index of the equal row that is there already; none when it was added.
@@ -66,11 +66,11 @@ void note(ComplexFault* fault, ComplexFault::Kind kind, std::uint32_t k, std::ui
 Status fill_table(const ListedComplex& complex, std::uint32_t k, bool check, Arena& arena, SimplexTable* table,
                   ComplexFault* fault) {
     if (!table->begin(complex.rows[k], complex.count[k], k + 1, arena)) return Status::out_of_memory;
-    for (std::uint32_t i = 0; i < complex.count[k]; ++i) {
-        arena.step(i, 80 + 30 * k);
-        const std::uint32_t before = table->add(i);
-        if (check && before != none) note(fault, ComplexFault::repeated, k, i, before);
-    }
+    for (std::uint32_t i = 0; i < complex.count[k];)
+        for (const std::uint64_t piece = arena.piece(i, complex.count[k], 80 + 30 * k); i < piece; ++i) {
+            const std::uint32_t before = table->add(i);
+            if (check && before != none) note(fault, ComplexFault::repeated, k, i, before);
+        }
     return Status::ok;
 }
 
@@ -154,16 +154,16 @@ Status order_dimension(ListedComplex& complex, std::uint32_t k, Arena& arena) {
     if (k < complex.dimension) {
         std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
         if (place == nullptr) return Status::out_of_memory;
-        for (std::uint32_t j = 0; j < count; ++j) {
-            arena.step(j, 5);
-            place[from[j]] = j;
-        }
+        for (std::uint32_t j = 0; j < count;)
+            for (const std::uint64_t piece = arena.piece(j, count, 5); j < piece; ++j) {
+                place[from[j]] = j;
+            }
         std::uint32_t* const facets = complex.rows[k + 1];
         const std::size_t words = std::size_t{complex.count[k + 1]} * (k + 2);
-        for (std::size_t i = 0; i < words; ++i) {
-            arena.step(i, 5);
-            facets[i] = place[facets[i]];
-        }
+        for (std::size_t i = 0; i < words;)
+            for (const std::uint64_t piece = arena.piece(i, words, 5); i < piece; ++i) {
+                facets[i] = place[facets[i]];
+            }
     }
     permute_rows(complex.rows[k], k + 1, from, count, arena);
     return Status::ok;

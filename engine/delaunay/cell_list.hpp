@@ -22,7 +22,6 @@ public:
             store_.arena.refuse(sizeof(CellId));
             return false;
         }
-        store_.arena.step(size_ + 1, 100);
         cell.mark = stamp_;
         __builtin_prefetch(&cell);
         end_[-1 - static_cast<std::ptrdiff_t>(size_++)] = c;

@@ -123,12 +123,12 @@ template <int D> struct Sorter {
         double low[D], scale[D];
         for (int k = 0; k < D; ++k) {
             double lo = point(order[begin])[k], hi = lo;
-            for (std::size_t i = begin; i < end; ++i) {
-                arena.step(i, 9);
-                const double x = point(order[i])[k];
-                if (x < lo) lo = x;
-                if (x > hi) hi = x;
-            }
+            for (std::size_t i = begin; i < end;)
+                for (const std::uint64_t piece = arena.piece(i, end, 9); i < piece; ++i) {
+                    const double x = point(order[i])[k];
+                    if (x < lo) lo = x;
+                    if (x > hi) hi = x;
+                }
             low[k] = lo * 0.5;
             scale[k] = hi * 0.5 - lo * 0.5;
         }
@@ -137,14 +137,14 @@ template <int D> struct Sorter {
             if (scale[k] > widest) widest = scale[k];
         const int bits = Curve<D>::bits_for(end - begin);
         const double cells = static_cast<double>((std::uint32_t{1} << bits) - 1);
-        for (std::size_t i = begin; i < end; ++i) {
-            arena.step(i, 60 * D);
-            const double* x = point(order[i]);
-            std::uint32_t g[D];
-            for (int k = 0; k < D; ++k)
-                g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
-            keys[i] = Curve<D>::position(g, bits);
-        }
+        for (std::size_t i = begin; i < end;)
+            for (const std::uint64_t piece = arena.piece(i, end, 60 * D); i < piece; ++i) {
+                const double* x = point(order[i]);
+                std::uint32_t g[D];
+                for (int k = 0; k < D; ++k)
+                    g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
+                keys[i] = Curve<D>::position(g, bits);
+            }
     }
     void sort_range(std::size_t begin, std::size_t end) {
         radix_sort(keys + begin, order + begin, spare_keys, spare_items, end - begin, arena);
@@ -173,10 +173,10 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
         }
         key_range(begin, end);
         bool split = false;
-        for (std::size_t i = begin + 1; i < end; ++i) {
-            arena.step(i, 5);
-            split |= keys[i] != keys[begin];
-        }
+        for (std::size_t i = begin + 1; i < end;)
+            for (const std::uint64_t piece = arena.piece(i, end, 5); i < piece; ++i) {
+                split |= keys[i] != keys[begin];
+            }
         if (split) {
             sort_range(begin, end);
             continue;
@@ -224,13 +224,13 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
     // fall into the same round. Small sets need few rounds.
     std::uint32_t rounds_max = 0;
     for (std::uint32_t left = count; left > 64 && rounds_max < 15; left /= 4) ++rounds_max;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        arena.step(i, 20 + 10 * D);
-        std::uint64_t h = mix64(s.hash(i) ^ seed);
-        std::uint32_t round = rounds_max;
-        for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
-        s.keys[i] |= static_cast<std::uint64_t>(round) << 60;
-    }
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 20 + 10 * D); i < piece; ++i) {
+            std::uint64_t h = mix64(s.hash(i) ^ seed);
+            std::uint32_t round = rounds_max;
+            for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
+            s.keys[i] |= static_cast<std::uint64_t>(round) << 60;
+        }
     s.sort_range(0, count);
     *repeats = s.split_equal_keys(count);
     return Status::ok;

@@ -94,14 +94,14 @@ std::uint32_t collect_points(const Side& side, std::uint32_t degree, bool log_sc
 // Bounds by what each point alone needs: *least is reached by no smaller limit, *most suffices.
 template <class Scale> void bound(const PointTree& from, PointTree& to, std::uint64_t* least, std::uint64_t* most) {
     to.mark_all(1);
-    for (std::uint32_t i = 0; i < from.count(); ++i) {
-        from.step(i, 4000);
-        const std::uint64_t diagonal = from[i].diagonal;
-        if (diagonal > *most) *most = diagonal;
-        if (diagonal <= *least) continue;
-        const std::uint64_t needs = to.nearest<Scale>(from[i], diagonal, 1);
-        if (needs > *least) *least = needs;
-    }
+    for (std::uint32_t i = 0; i < from.count();)
+        for (const std::uint64_t piece = from.piece(i, from.count(), 4000); i < piece; ++i) {
+            const std::uint64_t diagonal = from[i].diagonal;
+            if (diagonal > *most) *most = diagonal;
+            if (diagonal <= *least) continue;
+            const std::uint64_t needs = to.nearest<Scale>(from[i], diagonal, 1);
+            if (needs > *least) *least = needs;
+        }
 }
 
 // False when it is cancelled. Not inlined: what its caller keeps in registers would cost its searches a fortieth.

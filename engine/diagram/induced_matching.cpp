@@ -9,10 +9,10 @@ namespace {
 // By degree, death, birth, then place.
 void order_by_death(const PairList& list, std::uint32_t* order, const Arena& arena) {
     const Pair* const pairs = list.pairs;
-    for (std::uint32_t i = 0; i < list.count; ++i) {
-        arena.step(i, 3);
-        order[i] = i;
-    }
+    for (std::uint32_t i = 0; i < list.count;)
+        for (const std::uint64_t piece = arena.piece(i, list.count, 3); i < piece; ++i) {
+            order[i] = i;
+        }
     sort(
         order, list.count,
         [pairs](std::uint32_t a, std::uint32_t b) {
@@ -41,18 +41,18 @@ Status match_induced(const MappedDiagrams& diagrams, Arena& arena, std::uint32_t
     order_by_death(target, target_order, arena);
     // Of one death the first to be born is the longest.
     std::uint64_t t = 0;
-    for (std::uint32_t i = 0; i < images; ++i) {
-        arena.step(i, 40);
-        const Pair& pair = image.pairs[image_order[i]];
-        while (t < target.count && !same_death(target.pairs[target_order[t]], pair)) ++t;
-        if (t == target.count || target.pairs[target_order[t]].birth > pair.birth) return Status::internal;
-        end[image_order[i]] = target_order[t++];
-    }
+    for (std::uint32_t i = 0; i < images;)
+        for (const std::uint64_t piece = arena.piece(i, images, 40); i < piece; ++i) {
+            const Pair& pair = image.pairs[image_order[i]];
+            while (t < target.count && !same_death(target.pairs[target_order[t]], pair)) ++t;
+            if (t == target.count || target.pairs[target_order[t]].birth > pair.birth) return Status::internal;
+            end[image_order[i]] = target_order[t++];
+        }
     // Of one birth the last to die is.
-    for (std::uint64_t s = 0; s < source.count; ++s) {
-        arena.step(s, 3);
-        to[s] = none;
-    }
+    for (std::uint64_t s = 0; s < source.count;)
+        for (const std::uint64_t piece = arena.piece(s, source.count, 3); s < piece; ++s) {
+            to[s] = none;
+        }
     std::uint64_t left = source.count;
     for (std::uint32_t i = images; i-- > 0;) {
         arena.step(i, 40);

@@ -46,9 +46,13 @@ public:
     std::uint32_t count() const { return count_; }
     const DiagramPoint& operator[](std::uint32_t i) const { return points_[i]; }
 
-    // Reports step i of a loop; see Arena::step.
+    // Reports step i of a loop, or a piece of one; see Arena.
     void step(std::uint64_t i, std::uint32_t cost) const {
         if (i % 256 == 0 && monitor_ != nullptr) monitor_->pass(cost);
+    }
+    std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
+        if (monitor_ != nullptr) monitor_->pass(cost / 4);
+        return to - from < 64 ? to : from + 64;
     }
     // The same marks for every point. O(count).
     void mark_all(std::uint64_t marks) {

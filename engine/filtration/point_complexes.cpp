@@ -23,11 +23,11 @@ public:
         out_.dimension = dimension;
         out_.count[0] = n_;
         if (!take(0)) return Status::out_of_memory;
-        for (std::uint32_t i = 0; i < n_; ++i) {
-            arena_.step(i, 5);
-            out_.rows[0][i] = i;
-            out_.value[0][i] = 0;
-        }
+        for (std::uint32_t i = 0; i < n_;)
+            for (const std::uint64_t piece = arena_.piece(i, n_, 5); i < piece; ++i) {
+                out_.rows[0][i] = i;
+                out_.value[0][i] = 0;
+            }
         monitor_.begin(NETMESH_STAGE_FILTER, 0);
         for (std::uint32_t k = 1; k <= dimension; ++k) {
             std::uint64_t count = 0;
@@ -219,12 +219,13 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
     const Status status = full_rips_complex<D>(coordinates, n, dimension, work, out);
     if (status != Status::ok) return status;
     double least = infinity, most = 0;
-    for (std::uint32_t i = 0; i < (out->dimension > 0 ? out->count[1] : 0); ++i) {
-        work.arena.step(i, 8);
-        const double half = out->value[1][i];
-        if (half < least) least = half;
-        if (half > most) most = half;
-    }
+    for (std::uint32_t i = 0; i < (out->dimension > 0 ? out->count[1] : 0);)
+        for (const std::uint64_t piece = work.arena.piece(i, (out->dimension > 0 ? out->count[1] : 0), 8); i < piece;
+             ++i) {
+            const double half = out->value[1][i];
+            if (half < least) least = half;
+            if (half > most) most = half;
+        }
     *error = half_distance_error<D>(least, most);
     const FilteredComplex complex = out->filtered();
     for (std::uint32_t k = 2; k <= out->dimension; ++k) {

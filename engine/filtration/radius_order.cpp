@@ -97,10 +97,10 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     std::uint64_t faces = 0, radii = 0, room = 0;
     for (int k = 1; k <= D; ++k) {
         faces += faces_.count[k];
-        for (std::uint32_t i = 0; i < faces_.count[k]; ++i) {
-            work_.arena.step(i, 5);
-            radii += value_[k][i] >= 0;
-        }
+        for (std::uint32_t i = 0; i < faces_.count[k];)
+            for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 5); i < piece; ++i) {
+                radii += value_[k][i] >= 0;
+            }
     }
     if (faces > 0xFFFFFFFFu) return false;
     const std::size_t low = work_.arena.low_mark();
@@ -108,10 +108,10 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     if (!all) {
         if (!close.take(radii, spread_, work_.arena)) return false;
         for (int k = 1; k <= D; ++k)
-            for (std::uint32_t i = 0; i < faces_.count[k]; ++i) {
-                work_.arena.step(i, 30);
-                if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
-            }
+            for (std::uint32_t i = 0; i < faces_.count[k];)
+                for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 30); i < piece; ++i) {
+                    if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
+                }
     }
     if (all || room > radii) room = radii;
     radius_ = work_.arena.template take_high<double>(static_cast<std::size_t>(room));
@@ -121,13 +121,14 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
         return false;
     }
     std::uint32_t label = 0;
-    for (int k = 1; k <= D; ++k)
-        for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
-            work_.arena.step(i, 30);
-            if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) continue;
+    for (int k = 1; k <= D; ++k) {
+        work_.arena.each(faces_.count[k], 30, [&](std::uint64_t i) {
+            if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) return;
             radius_[count_] = value_[k][i];
-            label_[count_++] = label;
-        }
+            label_[count_++] = label + static_cast<std::uint32_t>(i);
+        });
+        label += faces_.count[k];
+    }
     done_ = faces;
     work_.arena.release_low(low);
     return sort_labelled(radius_, label_, count_, work_.arena);
@@ -315,11 +316,11 @@ template <int D>
     last_ = radius;
     if (radius > top_) crowded_ = true;
     error_ = error > error_ ? error : error_;
-    for (std::uint32_t i = begin; i < end; ++i) {
-        work_.arena.step(i, 15);
-        const Place place = place_of(label_[i]);
-        value_[place.k][place.face] = radius;
-    }
+    for (std::uint32_t i = begin; i < end;)
+        for (const std::uint64_t piece = work_.arena.piece(i, end, 15); i < piece; ++i) {
+            const Place place = place_of(label_[i]);
+            value_[place.k][place.face] = radius;
+        }
 }
 
 }  // namespace

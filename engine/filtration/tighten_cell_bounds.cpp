@@ -55,25 +55,25 @@ template <int D> Status CellTightener<D>::open() {
     const std::uint32_t count = store_.state.vertex_count;
     degree_ = arena_.take_low<std::uint32_t>(count);
     if (degree_ == nullptr || tree_.build(store_, arena_, inputs_) != Status::ok) return Status::out_of_memory;
-    for (VertexId v(0); v < count; ++v) {
-        arena_.step(v, 5);
-        degree_[v] = 0;
-    }
-    for (CellId c(0); c < store_.state.cell_slots; ++c) {
-        arena_.step(c, 6 * D);
-        for (const VertexId v : store_.cell(c).vertex) ++degree_[v];
-    }
-    for (CellId c(0); c < store_.state.cell_slots; ++c) {
-        arena_.step(c, 6 * D);
-        for (int i = 0; i <= D; ++i)
-            for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
-                if (j != i) degree_[store_.cell(c).vertex[j]] = 0;
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = arena_.piece(v, count, 5); v < piece; ++v) {
+            degree_[v] = 0;
+        }
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = arena_.piece(c, store_.state.cell_slots, 6 * D); c < piece; ++c) {
+            for (const VertexId v : store_.cell(c).vertex) ++degree_[v];
+        }
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = arena_.piece(c, store_.state.cell_slots, 6 * D); c < piece; ++c) {
+            for (int i = 0; i <= D; ++i)
+                for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
+                    if (j != i) degree_[store_.cell(c).vertex[j]] = 0;
+        }
     std::uint32_t most = 0;
-    for (VertexId v(0); v < count; ++v) {
-        arena_.step(v, 5);
-        if (store_.vertex(v).marker == Marker::steiner && degree_[v] > most) most = degree_[v];
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = arena_.piece(v, count, 5); v < piece; ++v) {
+            if (store_.vertex(v).marker == Marker::steiner && degree_[v] > most) most = degree_[v];
+        }
     corner_ = arena_.take_low<double>(std::size_t{most} * D);
     return corner_ == nullptr ? Status::out_of_memory : Status::ok;
 }

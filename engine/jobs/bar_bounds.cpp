@@ -105,19 +105,19 @@ namespace {
 template <class After>
 void bound_each(const Interleaving& interleaving, const BarList& bars, bool zero_is_exact, After&& certain_after,
                 const Arena& arena, BarBounds* bounds) {
-    for (std::uint64_t i = 0; i < bars.count; ++i) {
-        arena.step(i, 1200);
-        const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
-        const double latest = interleaving.phi(birth), after = certain_after(latest);
-        bounds[i] = {interleaving.psi_inverse(birth),
-                     latest,
-                     interleaving.psi_inverse(death),
-                     death < infinity ? interleaving.phi(death) : infinity,
-                     after,
-                     death > after ? 1u : 0u,
-                     0};
-        if (birth == 0 && zero_is_exact) bounds[i].birth_low = 0;
-    }
+    for (std::uint64_t i = 0; i < bars.count;)
+        for (const std::uint64_t piece = arena.piece(i, bars.count, 1200); i < piece; ++i) {
+            const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
+            const double latest = interleaving.phi(birth), after = certain_after(latest);
+            bounds[i] = {interleaving.psi_inverse(birth),
+                         latest,
+                         interleaving.psi_inverse(death),
+                         death < infinity ? interleaving.phi(death) : infinity,
+                         after,
+                         death > after ? 1u : 0u,
+                         0};
+            if (birth == 0 && zero_is_exact) bounds[i].birth_low = 0;
+        }
 }
 
 }  // namespace
@@ -150,10 +150,10 @@ Status bound_in_join(const FilterBounds& filter, const BarList& bars, const Join
     // From there on the join can move what is exact to where the mesh has cells.
     const double first = join.before(interleaving.first_scale()), end = interleaving.end_scale();
     grid->begin_at(first);
-    for (std::uint32_t i = grid->cell_of(first); i < grid->count() && grid->from(i) <= end; ++i) {
-        arena.step(i, 3000);
-        grid->add(i, interleaving.step_in_join(i == 0 ? first : grid->from(i), grid->next(i), join));
-    }
+    for (std::uint32_t i = grid->cell_of(first); i < grid->count() && grid->from(i) <= end;)
+        for (const std::uint64_t piece = arena.piece(i, grid->count(), 3000); i < piece && grid->from(i) <= end; ++i) {
+            grid->add(i, interleaving.step_in_join(i == 0 ? first : grid->from(i), grid->next(i), join));
+        }
     bound_each(
         interleaving, bars, true, [&](double latest) { return interleaving.psi(join.after(latest)); }, arena, bounds);
     return Status::ok;
@@ -202,13 +202,13 @@ Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& are
     const double ratio = bound.ratio, slack = bound.value_error > 0 ? 1 + 1.01 * bound.value_error + 0x1p-51 : 1;
     const bool is_additive = bound.error >= 0, has_ratio = ratio < infinity || !is_additive;
     double from = 0;
-    for (std::uint64_t i = 0; i < bars.count; ++i) {
-        arena.step(i, 80);
-        bounds[i] = has_ratio ? by_ratio(bars.pairs[i], ratio, slack, bound.in_order)
-                              : BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0};
-        if (is_additive) narrow(bars.pairs[i], bound.error, &bounds[i]);
-        if (bars.pairs[i].birth < from) from = bars.pairs[i].birth;
-    }
+    for (std::uint64_t i = 0; i < bars.count;)
+        for (const std::uint64_t piece = arena.piece(i, bars.count, 80); i < piece; ++i) {
+            bounds[i] = has_ratio ? by_ratio(bars.pairs[i], ratio, slack, bound.in_order)
+                                  : BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0};
+            if (is_additive) narrow(bars.pairs[i], bound.error, &bounds[i]);
+            if (bars.pairs[i].birth < from) from = bars.pairs[i].birth;
+        }
     *curve = {arena.take_low<ScaleStep>(ratio > 1 ? 1 : 0), ratio > 1 ? 1u : 0u};
     if (curve->steps == nullptr) return Status::out_of_memory;
     if (ratio > 1)

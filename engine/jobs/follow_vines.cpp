@@ -11,16 +11,16 @@ Status number_vines(VinePoint* points, std::uint64_t count, std::uint32_t raw_co
     VinePoint* const first = arena.take_high<VinePoint>(raw_count);
     if (number == nullptr || first == nullptr || count >= none) return Status::out_of_memory;
     std::uint32_t vines = 0;
-    for (std::uint32_t v = 0; v < raw_count; ++v) {
-        arena.step(v, 3);
-        number[v] = none;
-    }
-    for (std::uint64_t i = 0; i < count; ++i) {
-        arena.step(i, 15);  // in the order of steps
-        if (number[points[i].vine] != none) continue;
-        number[points[i].vine] = 0;
-        first[vines++] = points[i];
-    }
+    for (std::uint32_t v = 0; v < raw_count;)
+        for (const std::uint64_t piece = arena.piece(v, raw_count, 3); v < piece; ++v) {
+            number[v] = none;
+        }
+    for (std::uint64_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 15); i < piece; ++i) {  // in the order of steps
+            if (number[points[i].vine] != none) continue;
+            number[points[i].vine] = 0;
+            first[vines++] = points[i];
+        }
     sort(
         first, vines,
         [](const VinePoint& a, const VinePoint& b) {
@@ -31,14 +31,14 @@ Status number_vines(VinePoint* points, std::uint64_t count, std::uint32_t raw_co
             return a.vine < b.vine;
         },
         arena);
-    for (std::uint32_t v = 0; v < vines; ++v) {
-        arena.step(v, 6);
-        number[first[v].vine] = v;
-    }
-    for (std::uint64_t i = 0; i < count; ++i) {
-        arena.step(i, 15);
-        points[i].vine = number[points[i].vine];
-    }
+    for (std::uint32_t v = 0; v < vines;)
+        for (const std::uint64_t piece = arena.piece(v, vines, 6); v < piece; ++v) {
+            number[first[v].vine] = v;
+        }
+    for (std::uint64_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 15); i < piece; ++i) {
+            points[i].vine = number[points[i].vine];
+        }
     sort(
         points, count,
         [](const VinePoint& a, const VinePoint& b) { return a.vine != b.vine ? a.vine < b.vine : a.k < b.k; }, arena);
@@ -111,14 +111,14 @@ Status VineRoom::keep(VineList* out) {
 
 void raise_to_vertices(const ComplexView& complex, double* const* value, const Arena& arena) {
     for (std::uint32_t k = 1; k <= complex.dimension; ++k)
-        for (std::uint32_t i = 0; i < complex.count[k]; ++i) {
-            arena.step(i, 8 + 4 * k);
-            const std::uint32_t* const facets = complex.facets[k] + std::size_t{i} * (k + 1);
-            double most = value[k - 1][facets[0]];
-            for (std::uint32_t j = 1; j <= k; ++j)
-                if (value[k - 1][facets[j]] > most) most = value[k - 1][facets[j]];
-            value[k][i] = most;
-        }
+        for (std::uint32_t i = 0; i < complex.count[k];)
+            for (const std::uint64_t piece = arena.piece(i, complex.count[k], 8 + 4 * k); i < piece; ++i) {
+                const std::uint32_t* const facets = complex.facets[k] + std::size_t{i} * (k + 1);
+                double most = value[k - 1][facets[0]];
+                for (std::uint32_t j = 1; j <= k; ++j)
+                    if (value[k - 1][facets[j]] > most) most = value[k - 1][facets[j]];
+                value[k][i] = most;
+            }
 }
 
 }  // namespace netmesh

@@ -42,15 +42,15 @@ template <int K, int D> Status order_faces(Faces<D>& faces, int dimension, doubl
         if (K < dimension) {
             std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
             if (place == nullptr) return Status::out_of_memory;
-            for (std::uint32_t j = 0; j < count; ++j) {
-                arena.step(j, 5);
-                place[from[j]] = j;
-            }
+            for (std::uint32_t j = 0; j < count;)
+                for (const std::uint64_t piece = arena.piece(j, count, 5); j < piece; ++j) {
+                    place[from[j]] = j;
+                }
             const std::size_t words = static_cast<std::size_t>(faces.count[K + 1]) * (K + 2);
-            for (std::size_t i = 0; i < words; ++i) {
-                arena.step(i, 5);
-                faces.facets[K + 1][i] = place[faces.facets[K + 1][i]];
-            }
+            for (std::size_t i = 0; i < words;)
+                for (const std::uint64_t piece = arena.piece(i, words, 5); i < piece; ++i) {
+                    faces.facets[K + 1][i] = place[faces.facets[K + 1][i]];
+                }
         }
     }
     permute_facets<K + 1>(faces.facets[K], from, count, arena);

@@ -51,19 +51,23 @@ public:
     void pass(std::uint32_t work) const {
         if (monitor_ != nullptr) monitor_->pass(work);
     }
-    // Reports step i of a loop, in each 256th for all of them. cost: instructions of one step, or so; 256 steps of 300
-    // are 256 units.
+    // For a loop over [from, to), in pieces: reports the piece that begins at `from`, and returns where it ends. cost:
+    // instructions of one step, or so.
+    //     for (std::uint32_t i = 0; i < count;)
+    //         for (const std::uint64_t piece = arena.piece(i, count, 20); i < piece; ++i) ...
+    std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
+        const std::uint64_t most = cost < 300 ? 1024 : 64;
+        pass(static_cast<std::uint32_t>(most / 64) * cost / 4);
+        return to - from < most ? to : from + most;
+    }
+    // For other loops: reports step i, in each 256th for all of them.
     void step(std::uint64_t i, std::uint32_t cost) const {
         if (i % 256 == 0) pass(cost);
     }
     // Does step(i) for i in [0, count), with reports between.
     template <class Step> void each(std::uint64_t count, std::uint32_t cost, Step&& take_step) const {
-        constexpr std::uint64_t chunk = 4096;
-        for (std::uint64_t begin = 0; begin < count; begin += chunk) {
-            const std::uint64_t end = count - begin < chunk ? count : begin + chunk;
-            for (std::uint64_t i = begin; i < end; ++i) take_step(i);
-            pass(cost * (chunk / 256));
-        }
+        for (std::uint64_t i = 0; i < count;)
+            for (const std::uint64_t end = piece(i, count, cost); i < end; ++i) take_step(i);
     }
     // Has whoever watches said that it wants to stop?
     bool has_stopped() const { return monitor_ != nullptr && monitor_->has_stopped(); }

@@ -52,7 +52,6 @@ public:
             const int b = w * 64 + lowest_bit(filled_[w]);
             Bucket& bucket = buckets_[b];
             const VertexId v = bucket.head;
-            store_->arena.step(v, 20);
             bucket.head = store_->vertex(v).next;
             if (bucket.head == none) {
                 bucket.tail = none;
@@ -61,6 +60,7 @@ public:
             const bool is_good = (store_->vertex(v).queued & passed_over) != 0;
             store_->vertex(v).queued = 0;
             if (!is_good) return v;
+            store_->arena.step(v, 40);
             --w;  // there may be more in this word
         }
         return none;

@@ -234,23 +234,23 @@ template <int D> [[gnu::cold]] bool Reach<D>::comes_within(VertexId v, const Hal
 }
 
 template <int D> [[gnu::cold]] Status Reach<D>::find_beyond(std::uint32_t* beyond) {
-    for (CellId c(0); c < store_.state.cell_slots; ++c) {
-        store_.arena.step(c, 100 * D);
-        const Centre<D> centre = centre_of<D>(store_, c);
-        if (!centre.known) continue;
-        for (const VertexId v : store_.cell(c).vertex) {
-            if (!(request_.limit2[v] < infinity)) continue;
-            const HalfSpace half = half_space_of(v);
-            if (!has_corner_beyond(c, centre, v, half)) continue;
-            bool fits = true;
-            if (half.level < 0 && !comes_within(v, half, &fits)) {
-                if (!fits) return Status::out_of_memory;
-                continue;
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 100 * D); c < piece; ++c) {
+            const Centre<D> centre = centre_of<D>(store_, c);
+            if (!centre.known) continue;
+            for (const VertexId v : store_.cell(c).vertex) {
+                if (!(request_.limit2[v] < infinity)) continue;
+                const HalfSpace half = half_space_of(v);
+                if (!has_corner_beyond(c, centre, v, half)) continue;
+                bool fits = true;
+                if (half.level < 0 && !comes_within(v, half, &fits)) {
+                    if (!fits) return Status::out_of_memory;
+                    continue;
+                }
+                *beyond = v;
+                return Status::ok;
             }
-            *beyond = v;
-            return Status::ok;
         }
-    }
     return Status::ok;
 }
 

@@ -94,28 +94,28 @@ template <int D> void ClippedMeasure<D>::mark_poles(CellId c) {
 
 template <int D> Status ClippedMeasure<D>::run() {
     const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
-    for (std::uint32_t v = 0; v < vertices; ++v) {
-        store_.arena.step(v, 6);
-        out2_[v] = 0;
-    }
-    for (CellId c(0); c < cells; ++c) {
-        store_.arena.step(c, 70 * D);
-        measure_corner(c);
-    }
-    for (CellId c(0); c < cells; ++c) {
-        store_.arena.step(c, 40 * D);
-        mark_poles(c);
-    }
-    Status status = Status::ok;
-    for (VertexId v(0); v < vertices; ++v) {
-        store_.arena.step(v, 30);
-        Vertex<D>& vertex = store_.vertex(v);
-        if (vertex.cell == none || vertex.marker == Marker::exempt)
+    for (std::uint32_t v = 0; v < vertices;)
+        for (const std::uint64_t piece = store_.arena.piece(v, vertices, 6); v < piece; ++v) {
             out2_[v] = 0;
-        else if (vertex.queued != 0 && status == Status::ok && !raise_to_poles<D>(store_, ball_, v, &out2_[v]))
-            status = Status::out_of_memory;
-        vertex.queued = 0;
-    }
+        }
+    for (CellId c(0); c < cells;)
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 70 * D); c < piece; ++c) {
+            measure_corner(c);
+        }
+    for (CellId c(0); c < cells;)
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 40 * D); c < piece; ++c) {
+            mark_poles(c);
+        }
+    Status status = Status::ok;
+    for (VertexId v(0); v < vertices;)
+        for (const std::uint64_t piece = store_.arena.piece(v, vertices, 30); v < piece; ++v) {
+            Vertex<D>& vertex = store_.vertex(v);
+            if (vertex.cell == none || vertex.marker == Marker::exempt)
+                out2_[v] = 0;
+            else if (vertex.queued != 0 && status == Status::ok && !raise_to_poles<D>(store_, ball_, v, &out2_[v]))
+                status = Status::out_of_memory;
+            vertex.queued = 0;
+        }
     return status;
 }
 

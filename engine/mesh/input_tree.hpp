@@ -82,12 +82,19 @@ public:
 private:
     void split(std::uint32_t begin, std::uint32_t end);
     double squared_distance(const double* x, std::uint32_t v) const {
-        store_->arena.step(++touches_, 60);
+        ++touches_;
         return netmesh::distance2<D>(x, store_->point(v));
     }
     // Calls consider(input), which returns the squared distance or 0, for every input that can be nearer than bound2()
     // or as near, near parts first.
     template <class Consider, class Bound> void visit(const double* x, Consider&& consider, Bound&& bound2) const;
+
+    // Reports a search that has looked at many inputs, as it does where these are crowded; others are their callers'.
+    void report(std::uint64_t touches_before) const {
+        constexpr std::uint64_t many = 64;
+        if (touches_ - touches_before > many)
+            store_->arena.pass(static_cast<std::uint32_t>((touches_ - touches_before) / 8));
+    }
 
     const Store<D>* store_;
     std::uint32_t* items_;

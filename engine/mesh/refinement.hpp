@@ -291,13 +291,13 @@ template <int D, class Rule> Status Refinement<D, Rule>::reach_sizes() {
     const std::uint32_t count = store_.state.vertex_count;
     observers_.stop_measuring_features();
     sizes_.start();
-    for (VertexId v(0); v < count; ++v) {
-        store_.arena.step(v, 100);
-        if (store_.vertex(v).marker == Marker::exempt) continue;
-        const Status status = note_size(v);
-        if (status != Status::ok) return status;
-        queue_.push(v);
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, count, 500 * D); v < piece; ++v) {
+            if (store_.vertex(v).marker == Marker::exempt) continue;
+            const Status status = note_size(v);
+            if (status != Status::ok) return status;
+            queue_.push(v);
+        }
     return clean();
 }
 

@@ -66,11 +66,11 @@ struct Digit {
 Digit leading_digit(const Items& items, Range range, const Arena& arena) {
     std::uint64_t differ = 0;
     std::uint32_t positions = 0;
-    for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
-        arena.step(i, 12);
-        differ |= key_of_value(items.value[i]) ^ key_of_value(items.value[range.begin]);
-        positions |= items.position[i] ^ items.position[range.begin];
-    }
+    for (std::uint32_t i = range.begin + 1; i < range.end;)
+        for (const std::uint64_t piece = arena.piece(i, range.end, 12); i < piece; ++i) {
+            differ |= key_of_value(items.value[i]) ^ key_of_value(items.value[range.begin]);
+            positions |= items.position[i] ^ items.position[range.begin];
+        }
     const bool of_position = differ == 0;
     int top = 63;
     if (of_position) differ = positions;
@@ -82,25 +82,25 @@ Digit leading_digit(const Items& items, Range range, const Arena& arena) {
 void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end, const Arena& arena) {
     std::uint32_t next[digits];
     for (std::uint32_t d = 0; d < digits; ++d) end[d] = 0;
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        arena.step(i, 12);
-        ++end[digit.of(items, i)];
-    }
+    for (std::uint32_t i = range.begin; i < range.end;)
+        for (const std::uint64_t piece = arena.piece(i, range.end, 12); i < piece; ++i) {
+            ++end[digit.of(items, i)];
+        }
     std::uint32_t sum = range.begin;
     for (std::uint32_t d = 0; d < digits; ++d) {
         next[d] = sum;
         sum += end[d];
         end[d] = sum;
     }
-    std::uint32_t steps = 0;
     for (std::uint32_t d = 0; d < digits; ++d) {
-        while (next[d] < end[d]) {
-            arena.step(++steps, 25);
-            const std::uint32_t home = digit.of(items, next[d]);
-            if (home == d) {
-                ++next[d];
-            } else {
-                items.swap(next[d], next[home]++);
+        for (; next[d] < end[d]; arena.pass(1)) {
+            for (int left = digits; left > 0 && next[d] < end[d]; --left) {
+                const std::uint32_t home = digit.of(items, next[d]);
+                if (home == d) {
+                    ++next[d];
+                } else {
+                    items.swap(next[d], next[home]++);
+                }
             }
         }
     }

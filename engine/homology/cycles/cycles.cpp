@@ -101,16 +101,16 @@ Status Tracer::close_edges() {
     CountedColumn cycle;
     cycle.adopt(column_words_[0], edges.count > 0 ? edges.count : 1);
     forest_.grow(edges.faces, edges.count, [this](std::uint32_t e) { return joining_.has(e); });
-    for (std::uint32_t e = 0; e < edges.count; ++e) {
-        arena_.step(e, 10);
-        if (joining_.has(e) || paired_above_.has(e)) continue;
-        cycle.toggle(e);
-        forest_.path(edges.faces[2 * std::size_t{e}], edges.faces[2 * std::size_t{e} + 1],
-                     [&cycle](std::uint32_t tree_edge) { cycle.toggle(tree_edge); });
-        if (progress_.stop(1 + static_cast<std::uint32_t>(cycle.members() / 16))) return Status::cancelled;
-        const Status status = write(edges.value[e], __builtin_inf(), 1, cycle);
-        if (status != Status::ok) return status;
-    }
+    for (std::uint32_t e = 0; e < edges.count;)
+        for (const std::uint64_t piece = arena_.piece(e, edges.count, 10); e < piece; ++e) {
+            if (joining_.has(e) || paired_above_.has(e)) continue;
+            cycle.toggle(e);
+            forest_.path(edges.faces[2 * std::size_t{e}], edges.faces[2 * std::size_t{e} + 1],
+                         [&cycle](std::uint32_t tree_edge) { cycle.toggle(tree_edge); });
+            if (progress_.stop(1 + static_cast<std::uint32_t>(cycle.members() / 16))) return Status::cancelled;
+            const Status status = write(edges.value[e], __builtin_inf(), 1, cycle);
+            if (status != Status::ok) return status;
+        }
     return Status::ok;
 }
 

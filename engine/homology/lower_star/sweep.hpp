@@ -99,10 +99,10 @@ template <int D> Status Sweep<D>::run(Arena& arena) {
         if (!reserve_columns(arena)) return Status::out_of_memory;
     }
     if (!front_.reserve(ball_.vertex_count, arena)) return Status::out_of_memory;
-    for (std::uint32_t r = 0; r < ball_.vertex_count; ++r) {
-        arena.step(r, 8);
-        if ((ball_.flags[ball_.order[r]] & TriangulatedBall<D>::irregular) != 0) front_.waiting().insert(r);
-    }
+    for (std::uint32_t r = 0; r < ball_.vertex_count;)
+        for (const std::uint64_t piece = arena.piece(r, ball_.vertex_count, 8); r < piece; ++r) {
+            if ((ball_.flags[ball_.order[r]] & TriangulatedBall<D>::irregular) != 0) front_.waiting().insert(r);
+        }
     monitor_.begin(NETMESH_STAGE_REDUCE, ball_.vertex_count);
     for (std::uint32_t r = front_.waiting().top(); r != none; r = front_.waiting().top()) {
         front_.waiting().toggle(r);

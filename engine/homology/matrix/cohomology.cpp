@@ -63,20 +63,20 @@ bool Cohomology::list_cofaces(std::uint32_t k, CoboundaryMatrix* out) {
         arena_.step(j, 5);
         start[j] = 0;
     }
-    for (std::size_t i = 0; i < words; ++i) {
-        arena_.step(i, 4);
-        ++start[faces[i]];
-    }
+    for (std::size_t i = 0; i < words;)
+        for (const std::uint64_t piece = arena_.piece(i, words, 4); i < piece; ++i) {
+            ++start[faces[i]];
+        }
     std::uint32_t sum = 0;
     for (std::uint32_t j = 0; j <= columns; ++j) {
         arena_.step(j, 5);
         sum += start[j];
         start[j] = sum;
     }
-    for (std::size_t i = static_cast<std::size_t>(words); i-- > 0;) {
-        arena_.step(i, 15);
+    arena_.each(words, 15, [&](std::uint64_t left) {
+        const std::size_t i = static_cast<std::size_t>(words - 1 - left);
         coface[--start[faces[i]]] = rows - 1 - static_cast<std::uint32_t>(i / (k + 2));
-    }
+    });
     *out = {start, coface};
     return true;
 }
@@ -131,10 +131,10 @@ Status Cohomology::reduce(std::uint32_t k) {
 
 // Simplices without cofaces that kill nothing.
 Status Cohomology::add_essential(std::uint32_t k) {
-    for (std::uint32_t j = 0; j < of(k).count; ++j) {
-        arena_.step(j, 12);
-        if (!kills_.has(j) && !writer_.add_essential(of(k).value[j], k)) return Status::out_of_memory;
-    }
+    for (std::uint32_t j = 0; j < of(k).count;)
+        for (const std::uint64_t piece = arena_.piece(j, of(k).count, 12); j < piece; ++j) {
+            if (!kills_.has(j) && !writer_.add_essential(of(k).value[j], k)) return Status::out_of_memory;
+        }
     return Status::ok;
 }
 

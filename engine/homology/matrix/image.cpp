@@ -112,12 +112,12 @@ Status Image::end_classes(std::uint32_t k) {
     if (rank == nullptr || row == nullptr) return Status::out_of_memory;
     std::uint32_t next = 0;
     for (int others = 0; others < 2; ++others) {
-        for (std::uint32_t i = 0; i < rows; ++i) {
-            arena_.step(i, 12);
-            if (part_.of[k - 1].has(i) == (others != 0)) continue;
-            rank[i] = next;
-            row[next++] = i;
-        }
+        for (std::uint32_t i = 0; i < rows;)
+            for (const std::uint64_t piece = arena_.piece(i, rows, 12); i < piece; ++i) {
+                if (part_.of[k - 1].has(i) == (others != 0)) continue;
+                rank[i] = next;
+                row[next++] = i;
+            }
     }
     ColumnStore store;
     store.open(arena_);
@@ -156,11 +156,11 @@ private:
 Status Image::find_essential(std::uint32_t k) {
     const HighScope scope(arena_);
     if (k == 0) {
-        for (std::uint32_t v = 0; v < of(0).count; ++v) {
-            arena_.step(v, 12);
-            if (!part_.of[0].has(v) || cyclic_.has(v)) continue;
-            if (!writer_.add_essential(of(0).value[v], 0)) return Status::out_of_memory;
-        }
+        for (std::uint32_t v = 0; v < of(0).count;)
+            for (const std::uint64_t piece = arena_.piece(v, of(0).count, 12); v < piece; ++v) {
+                if (!part_.of[0].has(v) || cyclic_.has(v)) continue;
+                if (!writer_.add_essential(of(0).value[v], 0)) return Status::out_of_memory;
+            }
         return Status::ok;
     }
     ColumnStore store;

@@ -60,11 +60,11 @@ bool RipsSimplices::open(RipsGraph& graph, std::uint32_t others, Arena& arena) {
     choose_ = arena.take_high<std::uint64_t>((std::size_t{others} + 1) * n_);
     if (rank_ == nullptr || choose_ == nullptr) return false;
     arena.each(std::uint64_t{n_} * n_, 1, [this](std::uint64_t i) { rank_[i] = none; });
-    for (std::uint32_t e = 0; e < graph.edge_count; ++e) {
-        arena.step(e, 20);
-        rank_[std::size_t{larger_end(e)} * n_ + smaller_end(e)] = e;
-        rank_[std::size_t{smaller_end(e)} * n_ + larger_end(e)] = e;
-    }
+    for (std::uint32_t e = 0; e < graph.edge_count;)
+        for (const std::uint64_t piece = arena.piece(e, graph.edge_count, 20); e < piece; ++e) {
+            rank_[std::size_t{larger_end(e)} * n_ + smaller_end(e)] = e;
+            rank_[std::size_t{smaller_end(e)} * n_ + larger_end(e)] = e;
+        }
     choose_all(others);
     return true;
 }

@@ -79,11 +79,11 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
         std::uint32_t* const position = work.arena.take_high<std::uint32_t>(complex.count[k]);
         if (position == nullptr || !rank_vertices(value[k], complex.count[k], work.arena, of_[k].order, position))
             return Status::out_of_memory;
-        for (std::uint32_t s = 0; s < complex.count[k]; ++s) {
-            work.arena.step(s, 20);
-            of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, {0, 0}};
-            of_[k].vine[s] = none;
-        }
+        for (std::uint32_t s = 0; s < complex.count[k];)
+            for (const std::uint64_t piece = work.arena.piece(s, complex.count[k], 20); s < piece; ++s) {
+                of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, {0, 0}};
+                of_[k].vine[s] = none;
+            }
     }
     Status status = pool_.open(work.arena, longest);
     std::uint64_t total = 0;
@@ -94,10 +94,10 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
     if (status == Status::ok) NETMESH_VALIDATE_WHOLE(violation());
     vine_count_ = 0;
     for (std::uint32_t k = 0; k <= max_degree_; ++k)
-        for (std::uint32_t s = 0; s < complex.count[k]; ++s) {
-            work.arena.step(s, 20);
-            if (is_positive(k, s)) of_[k].vine[s] = vine_count_++;
-        }
+        for (std::uint32_t s = 0; s < complex.count[k];)
+            for (const std::uint64_t piece = work.arena.piece(s, complex.count[k], 20); s < piece; ++s) {
+                if (is_positive(k, s)) of_[k].vine[s] = vine_count_++;
+            }
     return status;
 }
 
@@ -240,11 +240,11 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
         std::uint32_t* const target = arena_->take_high<std::uint32_t>(complex_.count[k]);
         if (order == nullptr || target == nullptr || !rank_vertices(to[k], complex_.count[k], *arena_, order, target))
             return Status::out_of_memory;
-        for (std::uint32_t s = 0; s < complex_.count[k]; ++s) {
-            arena_->step(s, 12);
-            of_[k].at[s].target = target[s];
-            of_[k].at[s].value = {from[k][s], to[k][s]};
-        }
+        for (std::uint32_t s = 0; s < complex_.count[k];)
+            for (const std::uint64_t piece = arena_->piece(s, complex_.count[k], 12); s < piece; ++s) {
+                of_[k].at[s].target = target[s];
+                of_[k].at[s].value = {from[k][s], to[k][s]};
+            }
         for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) {
             arena_->step(i, 60);
             time_[of_[k].slot + i] = crossing_time(k, i);
