@@ -138,7 +138,7 @@ template <int D> struct Sorter {
         const int bits = Curve<D>::bits_for(end - begin);
         const double cells = static_cast<double>((std::uint32_t{1} << bits) - 1);
         for (std::size_t i = begin; i < end;)
-            for (const std::uint64_t piece = arena.piece(i, end, 60 * D); i < piece; ++i) {
+            for (const std::uint64_t piece = arena.piece(i, end, 120 * D); i < piece; ++i) {
                 const double* x = point(order[i]);
                 std::uint32_t g[D];
                 for (int k = 0; k < D; ++k)

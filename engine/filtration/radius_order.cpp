@@ -237,10 +237,12 @@ template <int D> [[gnu::cold]] Status RadiusOrder<D>::decide(std::uint32_t begin
         const double near = radius_[i] - x + deviation_error(radius_[i]) + deviation_error(x);
         bool found = false;
         for (std::uint32_t j = 0; j < kinds && !found; ++j) {
+            work_.arena.pass(20);
             const ExactSphere other = sphere_of(equal[j]);
             found = ExactSphere::equal_if_within(sphere, other, near) || ExactSphere::congruent(sphere, other);
         }
         if (!found) {
+            work_.arena.pass(100);
             double difference;
             if (!ExactSphere::excess(sphere, sphere_of(equal[0]), scratch_, &difference)) return Status::out_of_range;
             if (difference != 0) break;

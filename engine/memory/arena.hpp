@@ -40,7 +40,7 @@ public:
     // The same block at a new address, with nobody who watches.
     void rebase(void* base) {
         base_ = static_cast<unsigned char*>(base);
-        monitor_ = nullptr;
+        watch(nullptr);
     }
 
     // Who watches the job that works in this block, for the time of one call; null: nobody. So whoever is given memory

@@ -110,7 +110,7 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_net() {
             if (!is_on_sphere(v))
                 return {"an exempt vertex is not on the domain's sphere, where the boundary net is", v};
             for (std::uint32_t w = 0; w < v;)
-                for (const std::uint64_t piece = store_.arena.piece(w, v, 8); w < piece; ++w) {
+                for (const std::uint64_t piece = store_.arena.piece(w, v, 40); w < piece; ++w) {
                     if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < apart * apart)
                         return {"two vertices of the boundary net are too near", v};
                 }

@@ -238,6 +238,7 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::release_cage(std::uint32
                 if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
         });
         if (!fits) return Status::out_of_memory;
+        store_.arena.pass(20 * D);
     }
     return Status::ok;
 }

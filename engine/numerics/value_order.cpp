@@ -93,8 +93,9 @@ void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end
         end[d] = sum;
     }
     for (std::uint32_t d = 0; d < digits; ++d) {
-        for (; next[d] < end[d]; arena.pass(1)) {
-            for (int left = digits; left > 0 && next[d] < end[d]; --left) {
+        while (next[d] < end[d]) {
+            std::uint32_t left = digits;
+            for (; left > 0 && next[d] < end[d]; --left) {
                 const std::uint32_t home = digit.of(items, next[d]);
                 if (home == d) {
                     ++next[d];
@@ -102,6 +103,7 @@ void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end
                     items.swap(next[d], next[home]++);
                 }
             }
+            arena.pass((digits - left) / 5);
         }
     }
 }
