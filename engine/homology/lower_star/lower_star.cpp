@@ -168,7 +168,7 @@ template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
         if (regular) NETMESH_VALIDATE_WHOLE(star_.gradient_violation(0));
         star_.close(ball_);
         if (!count_star(v, counts, regular)) return Status::out_of_memory;
-        if (monitor_.advance(v, 1 + star_.count())) return Status::cancelled;
+        if (monitor_.advance(v, 1 + 3 * star_.count())) return Status::cancelled;
     }
     return Status::ok;
 }

@@ -132,7 +132,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     prefetch_star(front_.waiting().top());
     critical_ = star_.match();
     NETMESH_VALIDATE_WHOLE(star_.gradient_violation(critical_));
-    work_ += star_.count();
+    work_ += 3 * star_.count();
     for (std::uint32_t i = 0; i < star_.count(); ++i) star_.owner(i) = none;
     Status status = critical_ > 0 ? components_.unite_critical_facets(v) : Status::ok;
     if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
