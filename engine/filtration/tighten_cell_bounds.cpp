@@ -109,6 +109,7 @@ template <int D> void CellTightener<D>::bound_input(std::uint32_t input) {
         if (b > bound) bound = b;
     }
     if (!(bound < least_)) return;
+    arena_.pass(30 + corners_ / 2);
     HalfSpace<D> best;
     NearestInHull<D>().run(corner_, corners_, q, &best);
     const double b = best.distance(q) - slack;
@@ -179,6 +180,7 @@ template <int D> double CellTightener<D>::input_distance_low(VertexId v, double 
 // The largest |y|^2 - 2 y.mean + square over the corners.
 template <int D>
 double CellTightener<D>::farthest_corner(const double* mean, double square, std::uint32_t* corner) const {
+    arena_.pass(corners_ / 8);
     double worst = -infinity;
     for (std::uint32_t i = 0; i < corners_; ++i) {
         const double* const y = corner_ + std::size_t{i} * D;

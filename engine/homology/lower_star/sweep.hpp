@@ -309,7 +309,7 @@ template <int D> bool Sweep<D>::flush(std::uint32_t c) {
 // Reduces column_, the part of column c in this star, until it takes a pivot or nothing is left here.
 template <int D> bool Sweep<D>::reduce(std::uint32_t c, VertexId v) {
     for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
-        ++work_;
+        writer_.arena().pass(1);
         const std::uint32_t i = star_.at(p);
         if (star_.is_tail(i)) {
             const std::uint32_t coface = star_.partner(i);
@@ -324,7 +324,7 @@ template <int D> bool Sweep<D>::reduce(std::uint32_t c, VertexId v) {
         } else {
             const std::uint32_t older = star_.owner(i);
             const Run positions = front_.local(older);
-            work_ += positions.count / 64;
+            writer_.arena().pass(positions.count / 16);
             for (auto at = front_.begin(positions); at.left > 0; front_.advance(&at)) {
                 column_.toggle(*front_.entry(at, 1));
             }
