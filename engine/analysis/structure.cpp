@@ -20,7 +20,7 @@ template <int D, class Take> std::uint32_t flood(Store<D>& store, CellId from, b
     *hull = false;
     if (!taken.add(from)) return none;
     for (std::uint32_t k = 0; k < taken.size();)
-        for (const std::uint64_t piece = store.arena.piece(k, taken.size(), 60 * D); k < piece; ++k) {
+        for (const std::uint64_t piece = store.arena.piece(k, taken.size(), 20 * D); k < piece; ++k) {
             for (const FacetId facet : store.cell(taken[k]).neighbour) {
                 *hull |= facet == none;
                 if (facet == none || taken.has(facet.cell()) || !take(store.cell(facet.cell()))) continue;
@@ -174,13 +174,13 @@ Status analyse_structure(Store<D>& store, const double* centre, double reach, co
         const Cell<D>& cell = store.cell(c);
         if (status == Status::ok && cell.radius2 < infinity && distance2<D>(cell.centre, centre) < reach * reach)
             status = measure_ply<D>(store, c, cell.centre, analysis);
-        if (status == Status::ok && work.monitor.advance(c, 4 * ply_expected<D>)) status = Status::cancelled;
+        if (status == Status::ok && work.monitor.advance(c, 1)) status = Status::cancelled;
     }
     const std::uint32_t stride = analysis->balls_stride = stride_of<D>(store, intersections_expected<D>);
     for (CellId c(0); c < cells && status == Status::ok; c = CellId(c + stride)) {
         if (store.cell(c).radius2 < infinity)
             status = measure_intersections<D>(store, c, is_at_boundary<D>(store, hull, c), analysis);
-        if (status == Status::ok && work.monitor.advance(c, 4 * intersections_expected<D>)) status = Status::cancelled;
+        if (status == Status::ok && work.monitor.advance(c, 1)) status = Status::cancelled;
     }
     const auto mean = [](double* sum, std::uint64_t count) {
         *sum = count > 0 ? *sum / static_cast<double>(count) : 0;
