@@ -16,7 +16,9 @@ TEST_CASE("pieces of a loop cover its range, and are reported as the work of all
     for (const std::uint32_t cost : {1u, 40u, 299u, 300u, 5000u})
         for (const std::uint64_t from : {0u, 3u, 100000u})
             for (const std::uint64_t count : {0u, 1u, 63u, 64u, 65u, 1024u, 5000u, 200000u}) {
-                CAPTURE(cost, from, count);
+                CAPTURE(cost);
+                CAPTURE(from);
+                CAPTURE(count);
                 Polls polls;
                 Monitor monitor(Polls::answer, &polls);
                 block.arena.watch(&monitor);
