@@ -1,6 +1,6 @@
-/* A budget of polls (about a third of a millisecond of work each): a job that goes beyond it stops with a valid mesh of what it
- * had inserted. There is no way to go on from there: a second call starts anew, in the same block, and with a larger
- * budget gives the result that it would have given at first. */
+/* A budget of polls (about a third of a millisecond of work each): a job that goes beyond it stops with a valid mesh of
+ * what it had inserted. There is no way to go on from there: a second call starts anew, in the same block, and with a
+ * larger budget gives the result that it would have given at first. */
 #include <netmesh.h>
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
 /* The four functions that the engine asks for, counted as its own code is; sixteen bytes take as many instructions as
- * g++ makes of these loops, more than the C library's take. Hidden: shared libraries, whose code keeps something else in
- * r15, have their own. */
+ * g++ makes of these loops, more than the C library's take. Hidden: shared libraries, whose code keeps something else
+ * in r15, have their own. */
 #include <stddef.h>
 
 #pragma GCC visibility push(hidden)

@@ -191,10 +191,10 @@ typedef struct netmesh_progress {
 } netmesh_progress;
 
 /* Called by every call that is given a netmesh_monitor, in all of its phases, about every million instructions, some
- * hundred microseconds on a desktop processor; on the inputs of tests/gaps never later than after 5 million. What cannot
- * be divided is one star, column or ball, and what a function of the caller's takes. A non-zero return cancels: the call
- * that polls returns NETMESH_CANCELLED and polls no more. Where nothing can stop in the middle (sorting, compaction of a
- * finished mesh) it does so at the end of the phase. Must not call into the context, nor throw. */
+ * hundred microseconds on a desktop processor. What cannot be divided is one star, column or ball, and what a function
+ * of the caller's takes. A non-zero return cancels: the call that polls returns NETMESH_CANCELLED and polls no more.
+ * Where nothing can stop in the middle (sorting, compaction of a finished mesh) it does so at the end of the phase.
+ * Must not call into the context, nor throw. */
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
 /* Who watches a job; part of every request. */
