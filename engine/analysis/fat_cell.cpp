@@ -28,10 +28,11 @@ template <int D> [[gnu::cold]] Domain<D> FatCells<D>::surrounding_ball(const Sto
     Domain<D> ball;
     smallest_enclosing_ball<D>(store, store.state.vertex_count, ball);
     double reach2 = ball.enclosing_radius * ball.enclosing_radius;
-    for (CellId c(0); c < store.state.cell_slots; ++c) {
-        const double d2 = ball.distance2(store.cell(c).centre);
-        if (knows(store, c) && d2 > reach2) reach2 = d2;
-    }
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 60 * D); c < piece; ++c) {
+            const double d2 = ball.distance2(store.cell(c).centre);
+            if (knows(store, c) && d2 > reach2) reach2 = d2;
+        }
     ball.radius = 2 * square_root(reach2);
     return ball;
 }

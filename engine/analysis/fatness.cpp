@@ -80,23 +80,25 @@ template <int D> [[gnu::cold]] Status Fatness<D>::open() {
     const std::uint32_t count = store_.state.vertex_count;
     part_ = arena_.take_low<std::uint8_t>(count);
     if (part_ == nullptr) return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        part_[v] = store_.vertex(v).cell == none               ? part_none
-                   : store_.vertex(v).marker == Marker::exempt ? part_all
-                                                               : part_inside;
-        store_.vertex(v).next = none;
-    }
-    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
-        const Cell<D>& cell = store_.cell(c);
-        const bool known = FatCells<D>::knows(store_, CellId(c));
-        const std::uint8_t least = !known ? part_none : domain_.contains(cell.centre) ? part_inside : part_bounded;
-        for (int i = 0; i <= D; ++i) {
-            if (part_[cell.vertex[i]] < least) part_[cell.vertex[i]] = least;
-            if (cell.neighbour[i] != none) continue;
-            for (int j = 0; j <= D; ++j)
-                if (j != i && part_[cell.vertex[j]] < part_all) part_[cell.vertex[j]] = part_all;
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, count, 8); v < piece; ++v) {
+            part_[v] = store_.vertex(v).cell == none               ? part_none
+                       : store_.vertex(v).marker == Marker::exempt ? part_all
+                                                                   : part_inside;
+            store_.vertex(v).next = none;
         }
-    }
+    for (std::uint32_t c = 0; c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 60 * D); c < piece; ++c) {
+            const Cell<D>& cell = store_.cell(c);
+            const bool known = FatCells<D>::knows(store_, CellId(c));
+            const std::uint8_t least = !known ? part_none : domain_.contains(cell.centre) ? part_inside : part_bounded;
+            for (int i = 0; i <= D; ++i) {
+                if (part_[cell.vertex[i]] < least) part_[cell.vertex[i]] = least;
+                if (cell.neighbour[i] != none) continue;
+                for (int j = 0; j <= D; ++j)
+                    if (j != i && part_[cell.vertex[j]] < part_all) part_[cell.vertex[j]] = part_all;
+            }
+        }
     return Status::ok;
 }
 
@@ -266,14 +268,18 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run(Monitor& monitor) {
         if (clipped > 0) ++analysis_.clipped;
         analysis_.clipped_mean += clipped;
         if (clipped > analysis_.clipped_max) analysis_.clipped_max = clipped;
-        if (monitor.advance(v, 4 * m.corners)) return Status::cancelled;
+        if (monitor.advance(v, 1 + 12 * m.corners)) return Status::cancelled;
     }
-    for (std::uint32_t v = 0; v < count; ++v) store_.vertex(v).next = none;
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, count, 8); v < piece; ++v) {
+            store_.vertex(v).next = none;
+        }
     for (VertexId v(0); v < count; ++v) {
         if (!holds(part_bounded, v)) continue;
         const Status status = measure(v, false, &m, &clipped);
         if (status != Status::ok) return status;
         for (int part = part_[v]; part <= part_bounded; ++part) compare(m, part);
+        if (monitor.advance(v, 1 + 2 * m.corners)) return Status::cancelled;
     }
     finish_part<D>(&analysis_.bounded);
     finish_part<D>(&analysis_.inside);
@@ -307,10 +313,11 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor)
     FattestCells<D> cells(store_, domain_, arena_, part_, part_all);
     analysis_.all_radius = cells.radius();
     const std::uint32_t count = store_.state.vertex_count;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        analysis_.left_out += part_[v] == part_none && store_.vertex(v).cell != none;
-        store_.vertex(v).next = none;
-    }
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, count, 8); v < piece; ++v) {
+            analysis_.left_out += part_[v] == part_none && store_.vertex(v).cell != none;
+            store_.vertex(v).next = none;
+        }
     CellMeasure m;
     for (int pass = 0; pass < 3; ++pass) {
         for (VertexId v(0); v < count; ++v) {
@@ -319,10 +326,13 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor)
             if (status != Status::ok) return status;
             if (pass == 1) add(m, part_all);
             if (pass == 2) compare(m, part_all);
-            if (monitor.advance(v, 4 * m.corners)) return Status::cancelled;
+            if (monitor.advance(v, 1 + 12 * m.corners)) return Status::cancelled;
         }
     }
-    for (std::uint32_t v = 0; v < count; ++v) store_.vertex(v).next = none;
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, count, 8); v < piece; ++v) {
+            store_.vertex(v).next = none;
+        }
     finish_part<D>(&analysis_.all);
     return Status::ok;
 }

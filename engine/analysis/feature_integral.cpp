@@ -63,11 +63,12 @@ template <int D> Status Boxes<D>::open(Arena& arena) {
     child_ = arena.take_high<std::uint8_t>(levels_max);
     if (centres_ == nullptr || child_ == nullptr) return Status::out_of_memory;
     double least2 = infinity;
-    for (std::uint32_t i = 0; i < tree_.root().end; ++i) {
-        double d2;
-        tree_.nearest(store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
-        if (d2 < least2) least2 = d2;
-    }
+    for (std::uint32_t i = 0; i < tree_.root().end;)
+        for (const std::uint64_t piece = arena.piece(i, tree_.root().end, 500 * D); i < piece; ++i) {
+            double d2;
+            tree_.nearest(store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
+            if (d2 < least2) least2 = d2;
+        }
     feature_least_ = 0.5 * square_root(least2) * (1 - sum_rounding);
     return Status::ok;
 }
@@ -172,10 +173,8 @@ template <int D> Status Boxes<D>::run(double eta, Monitor& monitor, FeatureInteg
     enter_root();
     for (bool entered = true; level_ >= 0;) {
         const bool settled = entered && settle(at(level_), half_, eta, is_finest(), integral);
-        if (entered && !settled) {
-            if (monitor.advance(integral->boxes, 8)) return Status::cancelled;
-            child_[level_] = 0;
-        }
+        if (entered && monitor.advance(integral->boxes, 4 * D)) return Status::cancelled;
+        if (entered && !settled) child_[level_] = 0;
         entered = !settled && enter_child();
         if (!entered) leave();
     }

@@ -58,36 +58,51 @@ template <int D> Status DomainSums<D>::open() {
     if (status != Status::ok || !quality.is_hierarchy) return status == Status::ok ? Status::check_failed : status;
     recomputed_nearest2<D>(store_, nearest2_);
     sort_vertices(domain);
-    for (std::uint32_t d = 0; d <= cages; ++d) inside_[d] = none;
-    for (std::uint32_t d = 0; d < cages; ++d) {
-        std::uint32_t& head = inside_[place(request_.cages[d].parent)];
-        request_.cages[d].next = head;
-        head = d;
+    for (std::uint32_t d = 0; d <= cages; ++d) {
+        store_.arena.step(d, 4);
+        inside_[d] = none;
     }
+    for (std::uint32_t d = 0; d < cages;)
+        for (const std::uint64_t piece = store_.arena.piece(d, cages, 8); d < piece; ++d) {
+            std::uint32_t& head = inside_[place(request_.cages[d].parent)];
+            request_.cages[d].next = head;
+            head = d;
+        }
     return Status::ok;
 }
 
 template <int D> void DomainSums<D>::sort_vertices(const std::uint32_t* domain) {
     const std::uint32_t vertices = store_.state.vertex_count, domains = request_.cage_count + 1;
-    for (std::uint32_t d = 0; d <= domains; ++d) first_[d] = 0;
-    for (std::uint32_t v = 0; v < vertices; ++v)
-        if (is_inserted(v)) ++first_[place(domain[v])];
-    for (std::uint32_t d = 1; d <= domains; ++d) first_[d] += first_[d - 1];  // where each domain ends
-    for (std::uint32_t v = vertices; v-- > 0;)
+    for (std::uint32_t d = 0; d <= domains; ++d) {
+        store_.arena.step(d, 4);
+        first_[d] = 0;
+    }
+    for (std::uint32_t v = 0; v < vertices;)
+        for (const std::uint64_t piece = store_.arena.piece(v, vertices, 10); v < piece; ++v) {
+            if (is_inserted(v)) ++first_[place(domain[v])];
+        }
+    for (std::uint32_t d = 1; d <= domains; ++d) {
+        store_.arena.step(d, 4);
+        first_[d] += first_[d - 1];
+    }  // where each domain ends
+    for (std::uint32_t v = vertices; v-- > 0;) {
+        store_.arena.step(v, 10);
         if (is_inserted(v)) vertices_[--first_[place(domain[v])]] = v;
+    }
 }
 
 // Q in inputs_; *foreign: F.
 template <int D> std::uint32_t DomainSums<D>::gather_inputs(std::uint32_t d, const Domain<D>& ball, double* foreign) {
     std::uint32_t count = 0, nearest = none;
     double far2 = infinity;
-    for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1]; ++k) {
-        const std::uint32_t v = vertices_[k];
-        if (v < request_.inputs) inputs_[count++] = v;
-        if (!is_exempt(v) || !(ball.distance2(store_.point(v)) < far2)) continue;
-        far2 = ball.distance2(store_.point(v));
-        nearest = v;
-    }
+    for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1];)
+        for (const std::uint64_t piece = store_.arena.piece(k, first_[place(d) + 1], 30); k < piece; ++k) {
+            const std::uint32_t v = vertices_[k];
+            if (v < request_.inputs) inputs_[count++] = v;
+            if (!is_exempt(v) || !(ball.distance2(store_.point(v)) < far2)) continue;
+            far2 = ball.distance2(store_.point(v));
+            nearest = v;
+        }
     for (std::uint32_t e = inside_[place(d)]; e != none; e = request_.cages[e].next)
         inputs_[count++] = request_.cages[e].centre;
     if (count == 1 && nearest != none) inputs_[count++] = nearest;
@@ -124,17 +139,18 @@ template <int D> Status DomainSums<D>::add(std::uint32_t d) {
     InputTree<D> tree;
     if (tree.build(store_, work_.arena, count, false, inputs_) != Status::ok) return Status::out_of_memory;
     std::uint32_t size = 0;
-    for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1]; ++k) {
-        const std::uint32_t v = vertices_[k];
-        if (d != none || !is_exempt(v)) ++sum_.size;
-        if (is_exempt(v)) continue;
-        ++size;
-        const double nearest = square_root(nearest2_[v]),
-                     f = count > 1 ? feature_size(tree, store_.point(v)) : infinity;
-        const double out = square_root(ball.distance2(store_.point(v))) + 0.5 * nearest;
-        if (f / nearest > ratio) ratio = f / nearest;
-        if (out > reach) reach = out;
-    }
+    for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1];)
+        for (const std::uint64_t piece = store_.arena.piece(k, first_[place(d) + 1], 800); k < piece; ++k) {
+            const std::uint32_t v = vertices_[k];
+            if (d != none || !is_exempt(v)) ++sum_.size;
+            if (is_exempt(v)) continue;
+            ++size;
+            const double nearest = square_root(nearest2_[v]),
+                         f = count > 1 ? feature_size(tree, store_.point(v)) : infinity;
+            const double out = square_root(ball.distance2(store_.point(v))) + 0.5 * nearest;
+            if (f / nearest > ratio) ratio = f / nearest;
+            if (out > reach) reach = out;
+        }
     if (d != none) {
         sum_.lower += shell_size<D>;
         sum_.upper += shell_size<D>;
@@ -145,10 +161,11 @@ template <int D> Status DomainSums<D>::add(std::uint32_t d) {
         sum_.upper = infinity;
         return Status::ok;
     }
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const double q2 = ball.distance2(store_.point(inputs_[k]));
-        if (q2 < off2) off2 = q2;
-    }
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = store_.arena.piece(k, count, 20); k < piece; ++k) {
+            const double q2 = ball.distance2(store_.point(inputs_[k]));
+            if (q2 < off2) off2 = q2;
+        }
     const double room = 0.5 * (foreign - square_root(off2)), inner = room < ball.radius ? room : ball.radius;
     double radius[2] = {inner > 0 ? inner * (1 - margin) : 0, reach * (1 + margin)};
     if (radius[1] < radius[0]) radius[1] = radius[0];

@@ -53,15 +53,16 @@ T summary(const InputTree<D>& tree, TreeRange range, const T* value, Of&& of, Be
 }
 
 // All ranges, parents before children. list has room for count entries.
-template <int D> std::uint32_t list_ranges(const InputTree<D>& tree, TreeRange* list) {
+template <int D> std::uint32_t list_ranges(const InputTree<D>& tree, const Arena& arena, TreeRange* list) {
     std::uint32_t count = 0;
     list[count++] = tree.root();
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const TreeRange range = list[k];
-        if (range.is_leaf()) continue;
-        list[count++] = range.below();
-        list[count++] = range.above();
-    }
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = arena.piece(k, count, 25); k < piece; ++k) {
+            const TreeRange range = list[k];
+            if (range.is_leaf()) continue;
+            list[count++] = range.below();
+            list[count++] = range.above();
+        }
     return count;
 }
 
@@ -77,7 +78,10 @@ public:
         far2_ = arena.take_high<double>(count);
         visited_ = arena.take_high<TreeRange>(count);
         if (near2_ == nullptr || far2_ == nullptr || visited_ == nullptr) return false;
-        for (std::uint32_t v = 0; v < count; ++v) near2_[v] = far2_[v] = infinity;
+        for (std::uint32_t v = 0; v < count;)
+            for (const std::uint64_t piece = arena.piece(v, count, 5); v < piece; ++v) {
+                near2_[v] = far2_[v] = infinity;
+            }
         return true;
     }
     // The one farthest from input 0, which is not taken yet.
@@ -99,12 +103,13 @@ private:
 template <int D> std::uint32_t FarthestFirst<D>::from_input_0() const {
     std::uint32_t farthest = 0;
     double reach2 = -1;
-    for (std::uint32_t v = 0; v < count_; ++v) {
-        const double d2 = distance2<D>(store_.point(0), store_.point(v));
-        if (!(d2 > reach2)) continue;
-        reach2 = d2;
-        farthest = v;
-    }
+    for (std::uint32_t v = 0; v < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(v, count_, 8 * D); v < piece; ++v) {
+            const double d2 = distance2<D>(store_.point(0), store_.point(v));
+            if (!(d2 > reach2)) continue;
+            reach2 = d2;
+            farthest = v;
+        }
     return farthest;
 }
 
@@ -121,13 +126,16 @@ template <int D> std::uint32_t FarthestFirst<D>::take(std::uint32_t input) {
             return false;
         },
         [&](std::uint32_t v) {
+            store_.arena.step(v, 60);
             const double d2 = distance2<D>(x, store_.point(v));
             if (d2 < near2_[v]) near2_[v] = d2;
         });
-    for (std::uint32_t k = visits; k-- > 0;)
+    for (std::uint32_t k = visits; k-- > 0;) {
+        store_.arena.step(k + 1, 60);
         far2_[visited_[k].middle()] = summary<D>(
             tree_, visited_[k], far2_, [&](std::uint32_t v) { return near2_[v]; },
             [](double a, double b) { return a > b; });
+    }
     return visits;
 }
 
@@ -158,15 +166,20 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
     std::uint32_t* const rank = work.arena.take_high<std::uint32_t>(count);
     std::uint32_t* const least = work.arena.take_high<std::uint32_t>(count);
     if (rank == nullptr || least == nullptr) return Status::out_of_memory;
-    for (std::uint32_t i = 0; i < count; ++i) rank[order[i]] = i;
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = work.arena.piece(i, count, 5); i < piece; ++i) {
+            rank[order[i]] = i;
+        }
     {
         ArenaScope inner(work.arena);
         TreeRange* const ranges = work.arena.take_high<TreeRange>(count);
         if (ranges == nullptr) return Status::out_of_memory;
-        for (std::uint32_t k = list_ranges<D>(tree, ranges); k-- > 0;)
+        for (std::uint32_t k = list_ranges<D>(tree, work.arena, ranges); k-- > 0;) {
+            work.arena.step(k, 60);
             least[ranges[k].middle()] = summary<D>(
                 tree, ranges[k], least, [&](std::uint32_t v) { return rank[v]; },
                 [](std::uint32_t a, std::uint32_t b) { return a < b; });
+        }
     }
     for (std::uint32_t i = 0; i < count; ++i) {
         theta[i] = 1;

@@ -22,15 +22,16 @@ Status measure_vertices(const Store<D>& store, const Domain<D>& domain, const In
     if (nearest2 == nullptr) return Status::out_of_memory;
     recomputed_nearest2<D>(store, nearest2);
     double reach = domain.radius;
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        if (store.vertex(v).cell == none || store.vertex(v).marker == Marker::exempt) continue;
-        ++analysis->size;
-        const double nearest = square_root(nearest2[v]);
-        const double ratio = feature_size<D>(store, tree, v) / nearest;
-        if (ratio > analysis->feature_ratio) analysis->feature_ratio = ratio;
-        const double out = distance<D>(store.point(v), domain.centre) + 0.5 * nearest;
-        if (out > reach) reach = out;
-    }
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = arena.piece(v, store.state.vertex_count, 700 * D); v < piece; ++v) {
+            if (store.vertex(v).cell == none || store.vertex(v).marker == Marker::exempt) continue;
+            ++analysis->size;
+            const double nearest = square_root(nearest2[v]);
+            const double ratio = feature_size<D>(store, tree, v) / nearest;
+            if (ratio > analysis->feature_ratio) analysis->feature_ratio = ratio;
+            const double out = distance<D>(store.point(v), domain.centre) + 0.5 * nearest;
+            if (out > reach) reach = out;
+        }
     analysis->radius[ball_domain] = domain.radius;
     analysis->radius[ball_vertices] = reach;
     const double wide = 7 * domain.enclosing_radius;
@@ -54,14 +55,15 @@ Status measure_pace(const Store<D>& store, const Domain<D>& domain, const InputT
     // 3.8.3 is V_D (1 + D ln(2c)); 3.8.5 adds 1 + D ln(3D / theta_i), 3.8.6 at least D ln(1 / theta_i) / 3^D +
     // theta_i^D - 1.
     double lower = 0, upper = 1 + D * logarithm(2 * c);
-    for (std::uint32_t i = 2; i < inputs; ++i) {
-        const double log_inverse = -logarithm(theta[i]);
-        const double gain = D * log_inverse / power(3, D) + power(theta[i], D) - 1;
-        analysis->theta_log_sum += log_inverse;
-        if (theta[i] < analysis->theta) analysis->theta = theta[i];
-        if (gain > 0) lower += gain;
-        upper += 1 + D * (log_inverse + logarithm(3.0 * D));
-    }
+    for (std::uint32_t i = 2; i < inputs;)
+        for (const std::uint64_t piece = work.arena.piece(i, inputs, 200); i < piece; ++i) {
+            const double log_inverse = -logarithm(theta[i]);
+            const double gain = D * log_inverse / power(3, D) + power(theta[i], D) - 1;
+            analysis->theta_log_sum += log_inverse;
+            if (theta[i] < analysis->theta) analysis->theta = theta[i];
+            if (gain > 0) lower += gain;
+            upper += 1 + D * (log_inverse + logarithm(3.0 * D));
+        }
     const double t = analysis->theta;
     if (inputs > 2 && 5 * t < 1) analysis->theta_limit = 2 * t / (1 - 3 * t);
     analysis->pace_lower = unit_ball_volume(D) * lower * (1 - bound_tolerance);

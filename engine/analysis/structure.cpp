@@ -19,11 +19,13 @@ template <int D, class Take> std::uint32_t flood(Store<D>& store, CellId from, b
     CellList<D> taken(store);
     *hull = false;
     if (!taken.add(from)) return none;
-    for (std::uint32_t k = 0; k < taken.size(); ++k)
-        for (const FacetId facet : store.cell(taken[k]).neighbour) {
-            *hull |= facet == none;
-            if (facet == none || taken.has(facet.cell()) || !take(store.cell(facet.cell()))) continue;
-            if (!taken.add(facet.cell())) return none;
+    for (std::uint32_t k = 0; k < taken.size();)
+        for (const std::uint64_t piece = store.arena.piece(k, taken.size(), 20 * D); k < piece; ++k) {
+            for (const FacetId facet : store.cell(taken[k]).neighbour) {
+                *hull |= facet == none;
+                if (facet == none || taken.has(facet.cell()) || !take(store.cell(facet.cell()))) continue;
+                if (!taken.add(facet.cell())) return none;
+            }
         }
     return taken.size();
 }
@@ -43,38 +45,47 @@ void note_count(std::uint64_t value, std::uint64_t* count, std::uint64_t* most, 
 template <int D> bool* find_hull(const Store<D>& store, Arena& arena) {
     bool* const hull = arena.take_low<bool>(store.state.vertex_count);
     if (hull == nullptr) return nullptr;
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) hull[v] = false;
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c)
-        for (int i = 0; i <= D; ++i)
-            for (int j = 0; j <= D && store.cell(c).neighbour[i] == none; ++j)
-                if (j != i) hull[store.cell(c).vertex[j]] = true;
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 4); v < piece; ++v) {
+            hull[v] = false;
+        }
+    for (std::uint32_t c = 0; c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 10 * D); c < piece; ++c) {
+            for (int i = 0; i <= D; ++i)
+                for (int j = 0; j <= D && store.cell(c).neighbour[i] == none; ++j)
+                    if (j != i) hull[store.cell(c).vertex[j]] = true;
+        }
     return hull;
 }
 
 template <int D> Status measure_stars(Store<D>& store, const bool* hull, StructureAnalysis* analysis) {
     const std::uint32_t count = store.state.vertex_count;
-    for (std::uint32_t v = 0; v < count; ++v) store.vertex(v).next = none;
-    std::uint64_t stars = 0;
-    for (VertexId v(0); v < count; ++v) {
-        if (store.vertex(v).cell == none) continue;
-        std::uint64_t degree = 0, star = 0;
-        const bool room = visit_any_star(store, v, [&](CellId c) {
-            ++star;
-            for (const VertexId w : store.cell(c).vertex) {
-                if (w == v || store.vertex(w).next == v) continue;
-                store.vertex(w).next = v;
-                ++degree;
-            }
-        });
-        if (!room) return Status::out_of_memory;
-        double sum = 0;
-        if (hull[v]) {
-            note_count(degree, &analysis->hull_vertices, &analysis->hull_degree_max, &sum);
-            continue;
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 4); v < piece; ++v) {
+            store.vertex(v).next = none;
         }
-        note_count(degree, &analysis->vertices, &analysis->degree_max, &analysis->degree_mean);
-        note_count(star, &stars, &analysis->star_max, &analysis->star_mean);
-    }
+    std::uint64_t stars = 0;
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 300 * D * D); v < piece; ++v) {
+            if (store.vertex(v).cell == none) continue;
+            std::uint64_t degree = 0, star = 0;
+            const bool room = visit_any_star(store, v, [&](CellId c) {
+                ++star;
+                for (const VertexId w : store.cell(c).vertex) {
+                    if (w == v || store.vertex(w).next == v) continue;
+                    store.vertex(w).next = v;
+                    ++degree;
+                }
+            });
+            if (!room) return Status::out_of_memory;
+            double sum = 0;
+            if (hull[v]) {
+                note_count(degree, &analysis->hull_vertices, &analysis->hull_degree_max, &sum);
+                continue;
+            }
+            note_count(degree, &analysis->vertices, &analysis->degree_max, &analysis->degree_mean);
+            note_count(star, &stars, &analysis->star_max, &analysis->star_mean);
+        }
     return Status::ok;
 }
 
@@ -103,7 +114,10 @@ template <int D> std::uint32_t balls_at(Store<D>& store, CellId c) {
     const std::uint32_t met = flood<D>(store, c, &hull, meets);
     if (met == none || !hull) return met;
     std::uint32_t count = 0;
-    for (std::uint32_t b = 0; b < store.state.cell_slots; ++b) count += b == c || meets(store.cell(b));
+    for (std::uint32_t b = 0; b < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(b, store.state.cell_slots, 8 * D); b < piece; ++b) {
+            count += b == c || meets(store.cell(b));
+        }
     return count;
 }
 
@@ -160,13 +174,13 @@ Status analyse_structure(Store<D>& store, const double* centre, double reach, co
         const Cell<D>& cell = store.cell(c);
         if (status == Status::ok && cell.radius2 < infinity && distance2<D>(cell.centre, centre) < reach * reach)
             status = measure_ply<D>(store, c, cell.centre, analysis);
-        if (status == Status::ok && work.monitor.advance(c, ply_expected<D>)) status = Status::cancelled;
+        if (status == Status::ok && work.monitor.advance(c, 1)) status = Status::cancelled;
     }
     const std::uint32_t stride = analysis->balls_stride = stride_of<D>(store, intersections_expected<D>);
     for (CellId c(0); c < cells && status == Status::ok; c = CellId(c + stride)) {
         if (store.cell(c).radius2 < infinity)
             status = measure_intersections<D>(store, c, is_at_boundary<D>(store, hull, c), analysis);
-        if (status == Status::ok && work.monitor.advance(c, intersections_expected<D>)) status = Status::cancelled;
+        if (status == Status::ok && work.monitor.advance(c, 1)) status = Status::cancelled;
     }
     const auto mean = [](double* sum, std::uint64_t count) {
         *sum = count > 0 ? *sum / static_cast<double>(count) : 0;

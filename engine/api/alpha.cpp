@@ -35,14 +35,16 @@ extern "C" netmesh_status netmesh_persist_alpha(netmesh_context* context, const 
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     const AlphaOfPoints wanted = {request.points,
                                   request.point_count,
                                   request.seed,
                                   {degree_of(request.max_degree, request.dim), request.keep_zero_pairs != 0}};
     AlphaDiagram made = {};
-    const Status status = with_dimension(request.dim, [&](auto dimension) {
+    const Status found = with_dimension(request.dim, [&](auto dimension) {
         return alpha_of_points<decltype(dimension)::value>(wanted, {context->arena, monitor}, &made);
     });
+    const Status status = watch.heed(found);
     if (status != Status::ok) return fail_and_clear(context, status, nullptr, made.input.row_a);
     keep_alpha(context, request, wanted, made);
     return finish(context, status);

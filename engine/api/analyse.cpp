@@ -114,6 +114,7 @@ template <int D>
 Status analyse(Context& context, const netmesh_analyse_request& request, const Promises& promises,
                netmesh_analysis* analysis) {
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context.arena, monitor);
     const Work work = {context.arena, monitor};
     Store<D> store(context.arena, context.mesh.store);
     const Domain<D> domain = domain_of<D>(context.mesh);
@@ -137,7 +138,7 @@ Status analyse(Context& context, const netmesh_analyse_request& request, const P
             give_all_cells(fatness, &analysis->all_cells);
         }
     }
-    return status;
+    return watch.heed(status);
 }
 
 const char* const no_triangulation = "there is no triangulation or mesh";

@@ -46,8 +46,9 @@ extern "C" netmesh_status netmesh_bound_bars(netmesh_context* context, const net
     if (context->bounds.present) return finish(context, Status::ok);
     const std::size_t low = context->arena.low_mark();
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     BoundedBars bars = {};
-    const Status status = bound_diagram(context, has_function ? &function : nullptr, monitor, &bars);
+    const Status status = watch.heed(bound_diagram(context, has_function ? &function : nullptr, monitor, &bars));
     if (status != Status::ok) {
         context->arena.release_low(low);
         if (status == Status::invalid_argument || status == Status::not_finite)

@@ -54,6 +54,23 @@ template <class Request> netmesh_status begin(netmesh_context* context, const Re
 
 inline Monitor monitor_of(const netmesh_monitor& monitor) { return Monitor(monitor.poll, monitor.user); }
 
+// For the time of a call the context's arena knows who watches it.
+class Watch {
+public:
+    Watch(Arena& arena, Monitor& monitor) : arena_(arena), monitor_(monitor) { arena.watch(&monitor); }
+    ~Watch() { arena_.watch(nullptr); }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+    // The status of the job so far: a wish to stop may have come where nothing could stop.
+    Status heed(Status status) const {
+        return status == Status::ok && monitor_.has_stopped() ? Status::cancelled : status;
+    }
+
+private:
+    Arena& arena_;
+    const Monitor& monitor_;
+};
+
 // Whether an enumeration that came from outside has a value in [least, most]. Callers in C may pass any int, which C++
 // must not even read as an enumeration.
 template <class E> bool in_range(const E& e, E least, E most) {

@@ -30,21 +30,22 @@ Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& 
     const ArenaScope scope(arena);
     InputTree<D> tree;
     if (tree.build(store, arena, inputs) != Status::ok) return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        if (!(limit2[v] < infinity)) continue;
-        Neighbour near[2] = {{infinity, none, 0}, {infinity, none, 0}};
-        tree.nearest_k(store.point(v), inputs < 2 ? inputs : 2, near);
-        double size = infinity;
-        if (sizes.eps > 0) size = sizes.eps * square_root(near[1].distance2);
-        if (sizes.at_inputs > 0) {
-            const double by_distance = sizes.at_inputs + sizes.growth * square_root(near[0].distance2);
-            if (by_distance < size) size = by_distance;
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 20); v < piece; ++v) {
+            if (!(limit2[v] < infinity)) continue;
+            Neighbour near[2] = {{infinity, none, 0}, {infinity, none, 0}};
+            tree.nearest_k(store.point(v), inputs < 2 ? inputs : 2, near);
+            double size = infinity;
+            if (sizes.eps > 0) size = sizes.eps * square_root(near[1].distance2);
+            if (sizes.at_inputs > 0) {
+                const double by_distance = sizes.at_inputs + sizes.growth * square_root(near[0].distance2);
+                if (by_distance < size) size = by_distance;
+            }
+            const double by_caller = sizes.by_caller(store.point(v));
+            if (!(by_caller >= size)) size = by_caller;
+            size *= 1 + ratio_tolerance;
+            limit2[v] = size > 0 ? size * size : 0;
         }
-        const double by_caller = sizes.by_caller(store.point(v));
-        if (!(by_caller >= size)) size = by_caller;
-        size *= 1 + ratio_tolerance;
-        limit2[v] = size > 0 ? size * size : 0;
-    }
     return Status::ok;
 }
 
@@ -54,8 +55,10 @@ Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& 
 template <int D>
 [[gnu::cold]] ReachRequest<D> whole_cells(const Store<D>& store, const ReachRequest<D>& reach, double most,
                                           double* limit2) {
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v)
-        if (has_yielded_to<D>(store, reach.cages, reach.domains[v], v)) limit2[v] = infinity;
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
+            if (has_yielded_to<D>(store, reach.cages, reach.domains[v], v)) limit2[v] = infinity;
+        }
     const Cage* outermost = reach.cages;
     while (outermost->parent != none) outermost = reach.cages + outermost->parent;
     Domain<D> ball = reach.outermost;
@@ -94,9 +97,12 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     if (why->violation != nullptr) return Status::check_failed;
     recomputed_nearest2<D>(store, limit2);
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
-    for (std::uint32_t v = 0; v < vertices; ++v)
-        limit2[v] = store.vertex(v).marker == Marker::exempt || store.vertex(v).cell == none ? infinity
-                                                                                             : most * most * limit2[v];
+    for (std::uint32_t v = 0; v < vertices;)
+        for (const std::uint64_t piece = store.arena.piece(v, vertices, 15); v < piece; ++v) {
+            limit2[v] = store.vertex(v).marker == Marker::exempt || store.vertex(v).cell == none
+                            ? infinity
+                            : most * most * limit2[v];
+        }
     ReachRequest<D> reach = {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains};
     if (cages > 0 && context.mesh.cage_kind == CageKind::thesis) reach = whole_cells<D>(store, reach, most, limit2);
     std::uint32_t beyond;
@@ -125,14 +131,16 @@ Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Mon
     Status status = clip_cells<D>({store, mesh.domain, mesh.inputs, goal.clipped}, filter, work, &cells);
     if (status == Status::ok) status = evaluate<D>(cells.of(mesh), filter, work, &evaluation);
     if (status != Status::ok) return status;
-    for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr; ++v) {
-        const Interval& i = interval[v];
-        const double ratio = square_root(i.hi / i.lo) * (1 - ratio_tolerance);
-        const bool focused =
-            goal.focus > 0 && store.vertex(v).marker == Marker::steiner && i.hi > goal.from && i.lo < goal.to;
-        if (ratio > goal.ratio) *why = {"the certified ratio is above the one asked for", v};
-        if (focused && ratio > goal.focus) *why = {"a cell's ratio is above the one asked for at its scale", v};
-    }
+    for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 25);
+             v < piece && why->violation == nullptr; ++v) {
+            const Interval& i = interval[v];
+            const double ratio = square_root(i.hi / i.lo) * (1 - ratio_tolerance);
+            const bool focused =
+                goal.focus > 0 && store.vertex(v).marker == Marker::steiner && i.hi > goal.from && i.lo < goal.to;
+            if (ratio > goal.ratio) *why = {"the certified ratio is above the one asked for", v};
+            if (focused && ratio > goal.focus) *why = {"a cell's ratio is above the one asked for at its scale", v};
+        }
     return why->violation == nullptr ? Status::ok : Status::check_failed;
 }
 
@@ -173,13 +181,14 @@ template <int D>
 Status check(Context& context, std::uint32_t what, const Promises& promises, Monitor& monitor, CheckResult* why) {
     Store<D> store(context.arena, context.mesh.store);
     Status status = Status::ok;
+    const auto goes_on = [&] { return status == Status::ok && why->violation == nullptr && !monitor.has_stopped(); };
+    monitor.begin(NETMESH_STAGE_CHECK, store.state.cell_slots);
     *why = check_combinatorial<D>(store);  // of every kind of check
-    if (why->violation == nullptr && (what & (NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY)) != 0)
-        *why = check_geometric<D>(store);
-    if (why->violation == nullptr && (what & NETMESH_CHECK_DELAUNAY) != 0) *why = check_delaunay<D>(store);
-    if (why->violation == nullptr && (what & NETMESH_CHECK_QUALITY) != 0 && context.mesh.is_mesh)
+    if (goes_on() && (what & (NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY)) != 0) *why = check_geometric<D>(store);
+    if (goes_on() && (what & NETMESH_CHECK_DELAUNAY) != 0) *why = check_delaunay<D>(store);
+    if (goes_on() && (what & NETMESH_CHECK_QUALITY) != 0 && context.mesh.is_mesh)
         status = check_promises<D>(context, store, promises, monitor, why);
-    if (status == Status::ok && why->violation == nullptr && (what & NETMESH_CHECK_BOUNDS) != 0)
+    if (goes_on() && (what & NETMESH_CHECK_BOUNDS) != 0)
         status = check_bounds<D>(context, store, promises, monitor, why);
     return why->violation != nullptr ? Status::check_failed : status;
 }
@@ -200,9 +209,10 @@ extern "C" netmesh_status netmesh_check(netmesh_context* context, const netmesh_
     const Complaint complaint = read_promises(request.mesh, context->input.dim, &promises);
     if (complaint.text != nullptr) return refuse(context, complaint);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     CheckResult why = {nullptr, 0};
-    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
+    const Status found = with_dimension(context->input.dim, [&](auto dimension) {
         return check<decltype(dimension)::value>(*context, request.what, promises, monitor, &why);
     });
-    return finish(context, status, why.violation, why.violation != nullptr ? why.cell : 0);
+    return finish(context, watch.heed(found), why.violation, why.violation != nullptr ? why.cell : 0);
 }

@@ -62,6 +62,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     const PointsRequest wanted = {points_filter_of(request),
                                   request.points,
                                   static_cast<std::uint32_t>(request.point_count),
@@ -69,7 +70,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
                                   request.keep_zero_pairs != 0,
                                   request.representatives != 0};
     PointsDiagram made;
-    const Status status = persist_points(wanted, {context->arena, monitor}, &made);
+    const Status status = watch.heed(persist_points(wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_points(context, status, NETMESH_FIELD_K, made);
     KeptDiagram diagram;
     diagram.filter = request.filter;
@@ -99,10 +100,11 @@ netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     const SimplexList list = {request.vertices, request.starts, request.entries, request.simplex_count};
     const ComplexRequest wanted = {{request.max_degree, request.keep_zero_pairs != 0}, request.representatives != 0};
     SimplicesDiagram made;
-    const Status status = persist_simplices(list, wanted, {context->arena, monitor}, &made);
+    const Status status = watch.heed(persist_simplices(list, wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_simplex(context, status, made.listed.fault);
     KeptDiagram diagram;
     diagram.max_degree = made.max_degree;

@@ -21,20 +21,22 @@ Status measure_focus(Context& context, const netmesh_fit_request& request, const
     Evaluation cells = {context.arena.take_high<double>(count), context.arena.take_high<Interval>(count)};
     if (cells.value == nullptr || cells.interval == nullptr) return Status::out_of_memory;
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context.arena, monitor);
     const FilteredMesh<D> mesh = filtered_mesh_of<D>(context, store);
     const Work work = {context.arena, monitor};
     ClippedCells<D> clipped;
     Status status = clip_cells<D>(mesh, filter, work, &clipped);
     if (status == Status::ok) status = evaluate<D>(clipped.of(mesh), filter, work, &cells);
     double widest = 1;
-    for (VertexId v(0); v < count && status == Status::ok; ++v) {
-        const Interval i = cells.interval[v];
-        if (store.vertex(v).marker != Marker::steiner || !(i.hi > request.focus_from && i.lo < request.focus_to))
-            continue;
-        if (!(i.hi / i.lo <= widest)) widest = i.hi / i.lo;
-    }
+    for (VertexId v(0); v < count && status == Status::ok;)
+        for (const std::uint64_t piece = context.arena.piece(v, count, 15); v < piece && status == Status::ok; ++v) {
+            const Interval i = cells.interval[v];
+            if (store.vertex(v).marker != Marker::steiner || !(i.hi > request.focus_from && i.lo < request.focus_to))
+                continue;
+            if (!(i.hi / i.lo <= widest)) widest = i.hi / i.lo;
+        }
     *ratio = widest > 1 ? square_root(widest) * up : 1;
-    return status;
+    return watch.heed(status);
 }
 
 // Mesh, diagram and bounds of one goal, in place of what the context held.

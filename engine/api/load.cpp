@@ -16,29 +16,31 @@ template <int D> Status find_origins(Store<D>& store, std::uint32_t inputs) {
     InputTree<D> tree;
     if (tree.build(store, store.arena, inputs) != Status::ok) return Status::out_of_memory;
     std::uint32_t last = 0;
-    for (std::uint32_t v = inputs; v < store.state.vertex_count; ++v) {
-        double d2;
-        store.vertex(v).origin = last = tree.nearest(store.point(v), last, none, &d2);
-    }
+    for (std::uint32_t v = inputs; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
+            double d2;
+            store.vertex(v).origin = last = tree.nearest(store.point(v), last, none, &d2);
+        }
     return Status::ok;
 }
 
-bool are_markers_valid(const uint8_t* markers, size_t count, std::uint32_t* inputs) {
+bool are_markers_valid(const Arena& arena, const uint8_t* markers, size_t count, std::uint32_t* inputs) {
     *inputs = 0;
-    for (size_t v = 0; v < count; ++v) {
-        if (markers[v] > 2) return false;
-        if (markers[v] != 0) continue;
-        if (*inputs != v) return false;
-        ++*inputs;
-    }
+    for (size_t v = 0; v < count;)
+        for (const std::uint64_t piece = arena.piece(v, count, 7); v < piece; ++v) {
+            if (markers[v] > 2) return false;
+            if (markers[v] != 0) continue;
+            if (*inputs != v) return false;
+            ++*inputs;
+        }
     return true;
 }
 
-Complaint complaint_about_load(const netmesh_load_request& request, std::uint32_t* inputs) {
+Complaint complaint_about_load(const netmesh_load_request& request, const Arena& arena, std::uint32_t* inputs) {
     if (request.vertices == nullptr) return {NETMESH_FIELD_VERTICES, "vertices is null"};
     if (request.vertex_count == 0) return {NETMESH_FIELD_VERTEX_COUNT, "there are no vertices"};
     if (request.vertex_count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_VERTEX_COUNT, "more than 2^28 vertices"};
-    if (request.markers == nullptr || !are_markers_valid(request.markers, request.vertex_count, inputs))
+    if (request.markers == nullptr || !are_markers_valid(arena, request.markers, request.vertex_count, inputs))
         return {NETMESH_FIELD_MARKERS, "markers are not 0, 1 or 2 with the inputs first"};
     if (*inputs == 0) return {NETMESH_FIELD_MARKERS, "there is no input vertex"};
     if (request.cells == nullptr) return {NETMESH_FIELD_CELLS, "cells is null"};
@@ -59,7 +61,10 @@ Status take_over(Store<D>& store, const netmesh_load_request& request, std::uint
     const Status status = load_cells<D>(store, request.vertices, count, request.cells,
                                         static_cast<std::uint32_t>(request.cell_count), why);
     if (status != Status::ok) return status;
-    for (std::uint32_t v = 0; v < count; ++v) store.vertex(v).marker = static_cast<Marker>(request.markers[v]);
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 8); v < piece; ++v) {
+            store.vertex(v).marker = static_cast<Marker>(request.markers[v]);
+        }
     return find_origins<D>(store, inputs);
 }
 
@@ -71,10 +76,11 @@ template <int D> Domain<D> domain_about(const Store<D>& store, std::uint32_t inp
     for (int k = 0; k < D; ++k) domain.centre[k] = given[k];
     domain.radius = given[D];
     domain.enclosing_radius = 0;
-    for (std::uint32_t v = 0; v < inputs; ++v) {
-        const double r = square_root(domain.distance2(store.point(v))) * (1 + 8 * unit_roundoff);
-        if (r > domain.enclosing_radius) domain.enclosing_radius = r;
-    }
+    for (std::uint32_t v = 0; v < inputs;)
+        for (const std::uint64_t piece = store.arena.piece(v, inputs, 10 * D); v < piece; ++v) {
+            const double r = square_root(domain.distance2(store.point(v))) * (1 + 8 * unit_roundoff);
+            if (r > domain.enclosing_radius) domain.enclosing_radius = r;
+        }
     if (domain.enclosing_radius == 0) domain.enclosing_radius = smallest;
     return domain;
 }
@@ -118,20 +124,26 @@ netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request
     netmesh_load_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
+    Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
+    monitor.begin(NETMESH_STAGE_CHECK, request.cell_count);
     std::uint32_t inputs = 0;
-    Complaint complaint = complaint_about_load(request, &inputs);
+    Complaint complaint = complaint_about_load(request, context->arena, &inputs);
     Promises promises;
     if (complaint.text == nullptr) complaint = read_promises(request.mesh, request.dim, &promises);
     if (complaint.text != nullptr) return refuse(context, complaint);
-    for (size_t i = 0; i < request.vertex_count * request.dim; ++i)
-        if (!is_finite(request.vertices[i]))
-            return fail_and_clear(context, Status::not_finite, nullptr, i / request.dim);
+    for (size_t i = 0; i < request.vertex_count * request.dim;)
+        for (const std::uint64_t piece = context->arena.piece(i, request.vertex_count * request.dim, 6); i < piece;
+             ++i) {
+            if (!is_finite(request.vertices[i]))
+                return fail_and_clear(context, Status::not_finite, nullptr, i / request.dim);
+        }
     clear(context);
     return with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, context->mesh.store);
         CheckResult why = {nullptr, none};
-        Status status = take_over<D>(store, request, inputs, &why);
+        Status status = watch.heed(take_over<D>(store, request, inputs, &why));
         if (status != Status::ok)
             return fail_and_clear(context, status, why.violation, why.violation != nullptr ? why.cell : 0);
         context->complete = true;
@@ -145,7 +157,8 @@ netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request
         mesh.size_eps = promises.sizes.eps;
         mesh.cage_kind = promises.cages;
         if (mesh.is_mesh) status = measure_domain<D>(context, store, request.domain, promises.sizes);
-        return status == Status::ok ? finish(context, status) : fail_and_clear(context, Status::out_of_memory);
+        status = watch.heed(status);
+        return status == Status::ok ? finish(context, status) : fail_and_clear(context, status);
     });
 }
 
@@ -157,15 +170,19 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
     if (complaint.text != nullptr) return refuse(context, complaint);
     KeptMesh& mesh = context->mesh;
     if (!mesh.is_mesh) return finish(context, Status::no_result, "there is no mesh with a domain");
+    Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
+    monitor.begin(NETMESH_STAGE_CHECK, mesh.store.cell_slots);
     clear_diagram(context);
     mesh.hierarchy = {};
     mesh.cages = {};
     Cage* const kept = context->arena.take_low<Cage>(request.cage_count);
     if (kept == nullptr) return finish(context, Status::out_of_memory);
-    for (size_t d = 0; d < request.cage_count; ++d) {
-        const netmesh_cage cage = cage_at(request, d);
-        kept[d] = {cage.centre, none, none, none, cage.radius, infinity};
-    }
+    for (size_t d = 0; d < request.cage_count;)
+        for (const std::uint64_t piece = context->arena.piece(d, request.cage_count, 30); d < piece; ++d) {
+            const netmesh_cage cage = cage_at(request, d);
+            kept[d] = {cage.centre, none, none, none, cage.radius, infinity};
+        }
     return with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, mesh.store);
@@ -173,7 +190,7 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
         const auto count = static_cast<std::uint32_t>(request.cage_count);
         HierarchyRequest<D> asked = {kept, count, domain_of<D>(mesh)};
         asked.kind = mesh.cage_kind;
-        Status status = measure_hierarchy<D>(store, asked, context->arena, &quality);
+        const Status status = watch.heed(measure_hierarchy<D>(store, asked, context->arena, &quality));
         if (status != Status::ok || !quality.is_hierarchy) {
             context->arena.release_low(mesh.low_end);
             if (status != Status::ok) return finish(context, status);

@@ -56,7 +56,8 @@ template <int D> void keep_mesh(netmesh_context* context, const MeshRequest& req
 }
 
 template <int D>
-netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_request& request, Monitor& monitor) {
+netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_request& request, Monitor& monitor,
+                              const Watch& watch) {
     const MeshRequest asked = mesh_request_of(request);
     MeshResult<D> result = {};
     Store<D> store(context->arena, context->mesh.store);
@@ -66,7 +67,8 @@ netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_reque
     context->mesh.audited = request.audit;
     keep_input(context, D, result.input, status);
     keep_mesh<D>(context, asked, result);
-    status = measure_made<D>(context, store, asked.size, status);
+    status = watch.heed(measure_made<D>(context, store, asked.size, status));
+    context->complete = status == Status::ok;
     if (status != Status::invalid_argument) return finish_points(context, status, result.input);
     clear(context);
     if (asked.method == MeshMethod::certificate)
@@ -97,11 +99,13 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const netmesh_delaunay
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     return with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         InputReport input;
         Store<D> store(context->arena, context->mesh.store);
-        const Status status = triangulate<D>(store, request.points, request.point_count, request.seed, monitor, &input);
+        const Status status =
+            watch.heed(triangulate<D>(store, request.points, request.point_count, request.seed, monitor, &input));
         keep_input(context, D, input, status);
         return finish_points(context, status, input);
     });
@@ -119,8 +123,9 @@ netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     return with_dimension(request.dim, [&](auto dimension) {
-        return mesh_points_of<decltype(dimension)::value>(context, request, monitor);
+        return mesh_points_of<decltype(dimension)::value>(context, request, monitor, watch);
     });
 }
 

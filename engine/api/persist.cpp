@@ -57,12 +57,14 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
                                    {degree_of(request.max_degree, context->input.dim), request.keep_zero_pairs != 0}};
     clear_diagram(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     FilterDiagram diagram;
-    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
+    const Status found = with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, context->mesh.store);
         return persist_filter<D>(filtered_mesh_of<D>(*context, store), wanted, {context->arena, monitor}, &diagram);
     });
+    const Status status = watch.heed(found);
     if (status == Status::ok) {
         keep_mesh_diagram(context, wanted, request.values, diagram);
         return finish(context, status);

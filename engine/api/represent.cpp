@@ -34,6 +34,7 @@ extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netm
     if (context->cycles.present) return finish(context, Status::ok);
     const std::size_t high = context->arena.high_mark();
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     Representation made = {};
     const Status status = find_cycles(context, monitor, &made);
     if (status != Status::ok) return finish(context, status);

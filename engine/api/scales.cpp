@@ -98,11 +98,13 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
                                   request.bounds != 0,
                                   request.representatives != 0};
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     InputReport input = {};
     ScalesResult result = {};
-    const Status status = with_dimension(request.dim, [&](auto dimension) {
+    const Status found = with_dimension(request.dim, [&](auto dimension) {
         return persist<decltype(dimension)::value>(context, request, wanted, monitor, &input, &result);
     });
+    const Status status = watch.heed(found);
     if (status == Status::ok) {
         keep_scales(context, request, input, result);
         return finish(context, status);

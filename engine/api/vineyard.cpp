@@ -79,14 +79,16 @@ netmesh_status netmesh_vineyard(netmesh_context* context, const netmesh_vineyard
         return refuse(context, NETMESH_FIELD_K_LAST, "k is more than the number of different points");
     clear_diagram(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     VineList vines = {};
     const VineRequest wanted = {request.filter, request.k_first, request.k_last, values_of(request.values),
                                 degree_of(request.max_degree, context->input.dim)};
-    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
+    const Status found = with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         Store<D> store(context->arena, context->mesh.store);
         return k_vineyard<D>(filtered_mesh_of<D>(*context, store), wanted, {context->arena, monitor}, &vines);
     });
+    const Status status = watch.heed(found);
     KeptVineyard kept;
     kept.filter = request.filter;
     kept.values = request.values;
@@ -106,10 +108,11 @@ netmesh_status netmesh_points_vineyard(netmesh_context* context, const netmesh_p
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     const std::uint32_t count = static_cast<std::uint32_t>(request.point_count);
     const PointsVineyardRequest wanted = {{request.points, count, request.dim}, filter_of(request), request.k_last};
     PointsVineyard made;
-    const Status status = points_vineyard(wanted, {context->arena, monitor}, &made);
+    const Status status = watch.heed(points_vineyard(wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_points(context, status, NETMESH_FIELD_K_LAST, made);
     context->complete = true;
     context->input = input_of(request, made);
@@ -141,13 +144,14 @@ netmesh_status netmesh_value_vineyard(netmesh_context* context, const netmesh_va
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
     const ValueVineyardRequest wanted = {{request.vertices, request.starts, nullptr, request.simplex_count},
                                          request.entries,
                                          static_cast<std::uint32_t>(request.step_count),
                                          request.by_vertex != 0,
                                          request.max_degree};
     ValueVineyard made;
-    const Status status = value_vineyard(wanted, {context->arena, monitor}, &made);
+    const Status status = watch.heed(value_vineyard(wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_simplex(context, status, made.fault, made.step);
     context->complete = true;
     context->input = {true, true, 0, 0, 0, made.input_fingerprint, made.vertices};

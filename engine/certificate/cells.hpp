@@ -21,20 +21,27 @@ template <int D> double distance_to_inputs(const Store<D>& store, VertexId v) {
 // input or more; reach may be null. The unbounded sides of cells on the hull are not seen. O(cells).
 template <int D> void measure_cells(const Store<D>& store, double* out_radius, double* reach) {
     const std::uint32_t count = store.state.vertex_count;
-    for (VertexId v(0); v < count; ++v) out_radius[v] = 0;
-    for (VertexId v(0); v < count && reach != nullptr; ++v) reach[v] = 0;
-    for (CellId c(0); c < store.state.cell_slots; ++c) {
-        const Cell<D>& cell = store.cell(c);
-        const double radius = square_root(cell.radius2);
-        const double doubt = static_cast<double>(cell.error) * radius;
-        const double r = (radius + doubt) * up;
-        for (const VertexId v : cell.vertex) {
-            if (!(r <= out_radius[v])) out_radius[v] = r;
-            if (reach == nullptr) continue;
-            const double far = (distance<D>(cell.centre, store.point(nearest_input<D>(store, v))) + doubt) * up;
-            if (!(far <= reach[v])) reach[v] = far;
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 4); v < piece; ++v) {
+            out_radius[v] = 0;
         }
-    }
+    for (VertexId v(0); v < count && reach != nullptr;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 4); v < piece && reach != nullptr; ++v) {
+            reach[v] = 0;
+        }
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 30 * (D + 1)); c < piece; ++c) {
+            const Cell<D>& cell = store.cell(c);
+            const double radius = square_root(cell.radius2);
+            const double doubt = static_cast<double>(cell.error) * radius;
+            const double r = (radius + doubt) * up;
+            for (const VertexId v : cell.vertex) {
+                if (!(r <= out_radius[v])) out_radius[v] = r;
+                if (reach == nullptr) continue;
+                const double far = (distance<D>(cell.centre, store.point(nearest_input<D>(store, v))) + doubt) * up;
+                if (!(far <= reach[v])) reach[v] = far;
+            }
+        }
 }
 
 }  // namespace netmesh

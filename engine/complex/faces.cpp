@@ -29,18 +29,23 @@ template <int D> bool build_incidence(const TriangulationView<D>& complex, Arena
     CellId* cell =
         arena.take_high<CellId>(static_cast<std::size_t>(complex.cell_count) * static_cast<std::size_t>(D + 1));
     if (first == nullptr || cell == nullptr) return false;
-    for (std::size_t v = 0; v <= n; ++v) first[v] = 0;
-    for (CellId c(0); c < complex.cell_count; ++c)
-        for (int i = 0; i <= D; ++i) ++first[complex.vertices(c)[i]];
+    arena.each(n + 1, 2, [first](std::uint64_t v) { first[v] = 0; });
+    for (CellId c(0); c < complex.cell_count;)
+        for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 5 * (D + 1)); c < piece; ++c) {
+            for (int i = 0; i <= D; ++i) ++first[complex.vertices(c)[i]];
+        }
     std::uint32_t sum = 0, degree_max = 0;
-    for (std::size_t v = 0; v < n; ++v) {
-        if (first[v] > degree_max) degree_max = first[v];
-        sum += first[v];
-        first[v] = sum;
-    }
+    for (std::size_t v = 0; v < n;)
+        for (const std::uint64_t piece = arena.piece(v, n, 8); v < piece; ++v) {
+            if (first[v] > degree_max) degree_max = first[v];
+            sum += first[v];
+            first[v] = sum;
+        }
     first[n] = sum;
-    for (std::uint32_t c = complex.cell_count; c-- > 0;)
-        for (int i = 0; i <= D; ++i) cell[--first[complex.vertices(CellId(c))[i]]] = CellId(c);
+    arena.each(complex.cell_count, 8 * (D + 1), [&](std::uint64_t k) {
+        const CellId c(complex.cell_count - 1 - static_cast<std::uint32_t>(k));
+        for (int i = 0; i <= D; ++i) cell[--first[complex.vertices(c)[i]]] = c;
+    });
     *out = {first, cell, degree_max};
     return true;
 }
@@ -85,10 +90,11 @@ template <int D> struct Trie { std::uint32_t* first_child[D + 1]; };
 // Reads the stream once. With `faces` null it only counts, else it fills last_vertex and first_child.
 template <int D>
 bool unfold(const std::uint32_t* word, int dimension_max, std::uint32_t* count, const Faces<D>* faces,
-            const Trie<D>* trie) {
+            const Trie<D>* trie, const Arena& arena) {
     std::uint32_t at[D + 2], end[D + 2];
     for (int k = 0; k <= D; ++k) count[k] = 0;
     while (*word != none) {
+        arena.pass(4 << D);
         end[0] = count[0] + 1;
         at[0] = count[0]++;
         if (faces) faces->last_vertex[0][at[0]] = *word;
@@ -155,31 +161,33 @@ __attribute__((always_inline)) inline void fetch_children(const Faces<D>& faces,
 }
 
 // Boundaries of the k-faces from those of the (k-1)-faces.
-template <int D> void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_t vertex_count) {
+template <int D>
+void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_t vertex_count, const Arena& arena) {
     const bool all_used = faces.count[0] == vertex_count;
     const std::uint32_t* last = faces.last_vertex[k];
     std::uint32_t* facets = faces.facets[k];
-    for (std::uint32_t p = 0; p < faces.count[k - 1]; ++p) {
-        const std::uint32_t begin = trie.first_child[k - 1][p], end = trie.first_child[k - 1][p + 1];
-        fetch_children(faces, trie, k, p);
-        std::uint32_t* const row = facets + static_cast<std::size_t>(begin) * static_cast<std::size_t>(k + 1);
-        for (int i = 0; i < k; ++i) {
-            const std::uint32_t f = k == 1 ? none : faces.facets_of(k - 1, p)[i];
-            std::uint32_t at = k == 1 ? p : trie.first_child[k - 2][f];
-            const std::uint32_t to = k == 1 ? faces.count[0] : trie.first_child[k - 2][f + 1];
-            std::uint32_t* entry = row + i;
-            for (std::uint32_t face = begin; face < end; ++face, entry += k + 1) {
-                if (k == 1 && all_used) {
-                    at = last[face];
-                } else {
-                    at = seek(faces.last_vertex[k - 1], at, to, last[face]);
+    for (std::uint32_t p = 0; p < faces.count[k - 1];)
+        for (const std::uint64_t piece = arena.piece(p, faces.count[k - 1], 60 * D); p < piece; ++p) {
+            const std::uint32_t begin = trie.first_child[k - 1][p], end = trie.first_child[k - 1][p + 1];
+            fetch_children(faces, trie, k, p);
+            std::uint32_t* const row = facets + static_cast<std::size_t>(begin) * static_cast<std::size_t>(k + 1);
+            for (int i = 0; i < k; ++i) {
+                const std::uint32_t f = k == 1 ? none : faces.facets_of(k - 1, p)[i];
+                std::uint32_t at = k == 1 ? p : trie.first_child[k - 2][f];
+                const std::uint32_t to = k == 1 ? faces.count[0] : trie.first_child[k - 2][f + 1];
+                std::uint32_t* entry = row + i;
+                for (std::uint32_t face = begin; face < end; ++face, entry += k + 1) {
+                    if (k == 1 && all_used) {
+                        at = last[face];
+                    } else {
+                        at = seek(faces.last_vertex[k - 1], at, to, last[face]);
+                    }
+                    *entry = at;
                 }
-                *entry = at;
             }
+            std::uint32_t* entry = row + k;
+            for (std::uint32_t face = begin; face < end; ++face, entry += k + 1) *entry = p;
         }
-        std::uint32_t* entry = row + k;
-        for (std::uint32_t face = begin; face < end; ++face, entry += k + 1) *entry = p;
-    }
 }
 
 template <int D>
@@ -194,7 +202,8 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
     Faces<D> faces = {};
     Trie<D> trie = {};
     faces.dimension_max = dimension_max;
-    if (!unfold<D>(stream.words(), dimension_max, faces.count, nullptr, nullptr)) return Status::out_of_memory;
+    if (!unfold<D>(stream.words(), dimension_max, faces.count, nullptr, nullptr, work.arena))
+        return Status::out_of_memory;
     for (int k = 0; k <= dimension_max; ++k) {
         faces.last_vertex[k] = work.arena.take_high<std::uint32_t>(faces.count[k]);
         if (faces.last_vertex[k] == nullptr) return Status::out_of_memory;
@@ -205,7 +214,7 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
         if (trie.first_child[k] == nullptr) return Status::out_of_memory;
     }
     std::uint32_t count[D + 1];
-    unfold<D>(stream.words(), dimension_max, count, &faces, &trie);
+    unfold<D>(stream.words(), dimension_max, count, &faces, &trie, work.arena);
     work.arena.release_low(low);
     for (int k = 1; k <= dimension_max; ++k) {
         faces.facets[k] = work.arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) *
@@ -213,8 +222,8 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
         if (faces.facets[k] == nullptr) return Status::out_of_memory;
     }
     for (int k = 1; k <= dimension_max; ++k) {
-        link_facets(faces, trie, k, complex.vertex_count);
-        if (work.monitor.advance(complex.vertex_count, 1 + faces.count[k] / 8)) return Status::cancelled;
+        link_facets(faces, trie, k, complex.vertex_count, work.arena);
+        if (work.monitor.advance(complex.vertex_count, 1)) return Status::cancelled;
     }
     work.arena.release_high(high_kept);
     *out = faces;

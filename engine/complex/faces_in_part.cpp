@@ -18,7 +18,10 @@ public:
     bool reserve(std::uint32_t vertex_count, Arena& arena) {
         name_of_ = arena.take_high<std::uint32_t>(vertex_count);
         if (name_of_ == nullptr) return false;
-        for (std::uint32_t v = 0; v < vertex_count; ++v) name_of_[vertex_of_[v]] = v;
+        for (std::uint32_t v = 0; v < vertex_count;)
+            for (const std::uint64_t piece = arena.piece(v, vertex_count, 5); v < piece; ++v) {
+                name_of_[vertex_of_[v]] = v;
+            }
         for (int k = 0; k <= faces_.dimension_max; ++k) {
             mark_[k] = arena.take_high<std::uint8_t>(faces_.count[k]);
             if (mark_[k] == nullptr) return false;
@@ -26,15 +29,17 @@ public:
         return true;
     }
     // Every face by its vertices and by the list.
-    void mark_faces() {
+    void mark_faces(const Arena& arena) {
         for (int k = 0; k <= faces_.dimension_max; ++k) {
-            for (std::uint32_t face = 0; face < faces_.count[k]; ++face) {
-                const std::uint8_t last = part_.vertex[vertex_of_[faces_.last_vertex[k][face]]];
-                const std::uint8_t rest = k > 0 ? mark_[k - 1][faces_.facets_of(k, face)[k]] : std::uint8_t{all_cut};
-                const bool whole = rest == in || last == VertexPart::whole;
-                mark_[k][face] = rest == 0 || last == VertexPart::absent ? 0 : whole ? in : all_cut;
-                if (mark_[k][face] == all_cut && (k == 0 || is_listed(k, face))) mark_[k][face] |= in;
-            }
+            for (std::uint32_t face = 0; face < faces_.count[k];)
+                for (const std::uint64_t piece = arena.piece(face, faces_.count[k], 60); face < piece; ++face) {
+                    const std::uint8_t last = part_.vertex[vertex_of_[faces_.last_vertex[k][face]]];
+                    const std::uint8_t rest =
+                        k > 0 ? mark_[k - 1][faces_.facets_of(k, face)[k]] : std::uint8_t{all_cut};
+                    const bool whole = rest == in || last == VertexPart::whole;
+                    mark_[k][face] = rest == 0 || last == VertexPart::absent ? 0 : whole ? in : all_cut;
+                    if (mark_[k][face] == all_cut && (k == 0 || is_listed(k, face))) mark_[k][face] |= in;
+                }
         }
     }
     // The faces of a cell that is in.
@@ -94,19 +99,21 @@ bool move_faces(const FaceMarks<D>& marks, std::uint32_t* const* number, Arena& 
     for (int k = 0; k <= faces->dimension_max; ++k) {
         const std::uint32_t *const below = number[(k + 1) & 1], *const from = faces->facets[k];
         std::uint32_t *const own = number[k & 1], count = 0;
-        for (std::uint32_t face = 0; face < faces->count[k]; ++face) {
-            own[face] = count;
-            count += marks.has(k, face) ? 1 : 0;
-        }
+        for (std::uint32_t face = 0; face < faces->count[k];)
+            for (const std::uint64_t piece = arena.piece(face, faces->count[k], 25); face < piece; ++face) {
+                own[face] = count;
+                count += marks.has(k, face) ? 1 : 0;
+            }
         const std::size_t width = static_cast<std::size_t>(k) + 1;
         if (k > 0) faces->facets[k] = arena.take_low<std::uint32_t>(count * width);
         if (k > 0 && faces->facets[k] == nullptr) return false;
-        for (std::uint32_t face = 0; face < faces->count[k]; ++face) {
-            if (!marks.has(k, face)) continue;
-            faces->last_vertex[k][own[face]] = faces->last_vertex[k][face];
-            for (std::size_t i = 0; k > 0 && i < width; ++i)
-                faces->facets[k][own[face] * width + i] = below[from[face * width + i]];
-        }
+        for (std::uint32_t face = 0; face < faces->count[k];)
+            for (const std::uint64_t piece = arena.piece(face, faces->count[k], 25); face < piece; ++face) {
+                if (!marks.has(k, face)) continue;
+                faces->last_vertex[k][own[face]] = faces->last_vertex[k][face];
+                for (std::size_t i = 0; k > 0 && i < width; ++i)
+                    faces->facets[k][own[face] * width + i] = below[from[face * width + i]];
+            }
         faces->count[k] = count;
     }
     return true;
@@ -127,10 +134,10 @@ Status keep_faces_in_part(const Subcomplex<D>& part, const TriangulationView<D>&
     }
     FaceMarks<D> marks(part, vertex_of, *faces);
     if (!marks.reserve(triangulation.vertex_count, work.arena)) return Status::out_of_memory;
-    marks.mark_faces();
+    marks.mark_faces(work.arena);
     for (CellId c(0); c < triangulation.cell_count; ++c) {
         if (part.cell[c] != 0) marks.mark_cell(triangulation.vertices(c));
-        if (work.monitor.advance(c)) return Status::cancelled;
+        if (work.monitor.advance(c, 1)) return Status::cancelled;
     }
     return move_faces(marks, number, work.arena, faces) ? Status::ok : Status::out_of_memory;
 }

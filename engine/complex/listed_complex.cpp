@@ -18,7 +18,10 @@ public:
         while (slots < 2 * std::uint64_t{count}) slots *= 2;
         mask_ = slots - 1;
         slot_ = slots > SIZE_MAX / 8 ? nullptr : arena.take_high<std::uint32_t>(static_cast<std::size_t>(slots));
-        for (std::uint64_t i = 0; i < slots && slot_ != nullptr; ++i) slot_[i] = none;
+        for (std::uint64_t i = 0; i < slots && slot_ != nullptr;)
+            for (const std::uint64_t piece = arena.piece(i, slots, 3); i < piece && slot_ != nullptr; ++i) {
+                slot_[i] = none;
+            }
         return slot_ != nullptr;
     }
     // The index of the equal row that is there already; none when it was added.
@@ -63,10 +66,11 @@ void note(ComplexFault* fault, ComplexFault::Kind kind, std::uint32_t k, std::ui
 Status fill_table(const ListedComplex& complex, std::uint32_t k, bool check, Arena& arena, SimplexTable* table,
                   ComplexFault* fault) {
     if (!table->begin(complex.rows[k], complex.count[k], k + 1, arena)) return Status::out_of_memory;
-    for (std::uint32_t i = 0; i < complex.count[k]; ++i) {
-        const std::uint32_t before = table->add(i);
-        if (check && before != none) note(fault, ComplexFault::repeated, k, i, before);
-    }
+    for (std::uint32_t i = 0; i < complex.count[k];)
+        for (const std::uint64_t piece = arena.piece(i, complex.count[k], 80 + 30 * k); i < piece; ++i) {
+            const std::uint32_t before = table->add(i);
+            if (check && before != none) note(fault, ComplexFault::repeated, k, i, before);
+        }
     return Status::ok;
 }
 
@@ -88,15 +92,18 @@ void link_simplex(ListedComplex& complex, std::uint32_t k, std::uint32_t i, cons
 }
 
 // Moves rows of `width` words so that row j is what row from[j] was. Sets the top bit of from.
-void permute_rows(std::uint32_t* rows, std::uint32_t width, std::uint32_t* from, std::uint32_t count) {
+void permute_rows(std::uint32_t* rows, std::uint32_t width, std::uint32_t* from, std::uint32_t count,
+                  const Arena& arena) {
     constexpr std::uint32_t moved = 0x80000000u;
     std::uint32_t first[ListedComplex::dimension_max + 1];
     for (std::uint32_t start = 0; start < count; ++start) {
+        arena.step(start, 20 + 5 * width);
         if ((from[start] & moved) != 0) continue;
         for (std::uint32_t i = 0; i < width; ++i) first[i] = rows[std::size_t{start} * width + i];
         std::uint32_t at = start;
         for (;;) {
             const std::uint32_t next = from[at];
+            arena.step(at + 1, 20 + 5 * width);
             from[at] = next | moved;
             const std::uint32_t* const source = next == start ? first : rows + std::size_t{next} * width;
             for (std::uint32_t i = 0; i < width; ++i) rows[std::size_t{at} * width + i] = source[i];
@@ -132,7 +139,7 @@ Status link_faces(ListedComplex& complex, bool check, const Work& work, ComplexF
         const Status status = fill_table(complex, k - 1, check, work.arena, &table, fault);
         if (status != Status::ok) return status;
         for (std::uint32_t i = 0; i < complex.count[k]; ++i, ++done) {
-            if (work.monitor.advance(done, k + 1)) return Status::cancelled;
+            if (work.monitor.advance(done, 1 + k * (k + 1) / 4)) return Status::cancelled;
             link_simplex(complex, k, i, table, check, fault);
         }
     }
@@ -147,12 +154,18 @@ Status order_dimension(ListedComplex& complex, std::uint32_t k, Arena& arena) {
     if (k < complex.dimension) {
         std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
         if (place == nullptr) return Status::out_of_memory;
-        for (std::uint32_t j = 0; j < count; ++j) place[from[j]] = j;
+        for (std::uint32_t j = 0; j < count;)
+            for (const std::uint64_t piece = arena.piece(j, count, 5); j < piece; ++j) {
+                place[from[j]] = j;
+            }
         std::uint32_t* const facets = complex.rows[k + 1];
         const std::size_t words = std::size_t{complex.count[k + 1]} * (k + 2);
-        for (std::size_t i = 0; i < words; ++i) facets[i] = place[facets[i]];
+        for (std::size_t i = 0; i < words;)
+            for (const std::uint64_t piece = arena.piece(i, words, 5); i < piece; ++i) {
+                facets[i] = place[facets[i]];
+            }
     }
-    permute_rows(complex.rows[k], k + 1, from, count);
+    permute_rows(complex.rows[k], k + 1, from, count, arena);
     return Status::ok;
 }
 

@@ -56,7 +56,10 @@ public:
             enough = enough && entries_[level] != nullptr;
         }
         if (!enough) return false;
-        for (std::size_t v = 0; v < n; ++v) rank_[v] = none;
+        for (std::size_t v = 0; v < n;)
+            for (const std::uint64_t piece = arena.piece(v, n, 3); v < piece; ++v) {
+                rank_[v] = none;
+            }
         for (std::size_t i = 0; i < link_max; ++i) tally_[i] = 0;
         return true;
     }

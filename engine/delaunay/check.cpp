@@ -46,54 +46,58 @@ template <int D> bool contains(const Store<D>& store, CellId c, const double* x,
 }  // namespace
 
 template <int D> CheckResult check_combinatorial(const Store<D>& store) {
-    for (CellId c(0); c < store.state.cell_slots; ++c) {
-        const Cell<D>& cell = store.cell(c);
-        for (int i = 0; i <= D; ++i) {
-            if (cell.vertex[i] >= store.state.vertex_count) return {"a cell has a vertex that does not exist", c};
-            for (int j = 0; j < i; ++j)
-                if (cell.vertex[i] == cell.vertex[j]) return {"a cell has a vertex twice", c};
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 30 * D * D); c < piece; ++c) {
+            const Cell<D>& cell = store.cell(c);
+            for (int i = 0; i <= D; ++i) {
+                if (cell.vertex[i] >= store.state.vertex_count) return {"a cell has a vertex that does not exist", c};
+                for (int j = 0; j < i; ++j)
+                    if (cell.vertex[i] == cell.vertex[j]) return {"a cell has a vertex twice", c};
+            }
+            for (std::uint32_t i = 0; i <= D; ++i) {
+                const FacetId facet = cell.neighbour[i];
+                if (facet == none) continue;
+                const CellId n = facet.cell();
+                const std::uint32_t j = facet.position();
+                if (n >= store.state.cell_slots || n == c || j > D) return {"a neighbour does not exist", c};
+                const Cell<D>& other = store.cell(n);
+                if (other.neighbour[j] != FacetId(c, i)) return {"neighbours are not mutual", c};
+                for (std::uint32_t k = 0; k <= D; ++k)
+                    if (k != i && position_of<D>(other, cell.vertex[k]) < 0)
+                        return {"neighbours do not share a facet", c};
+                if (position_of<D>(cell, other.vertex[j]) >= 0) return {"neighbours share more than a facet", c};
+            }
         }
-        for (std::uint32_t i = 0; i <= D; ++i) {
-            const FacetId facet = cell.neighbour[i];
-            if (facet == none) continue;
-            const CellId n = facet.cell();
-            const std::uint32_t j = facet.position();
-            if (n >= store.state.cell_slots || n == c || j > D) return {"a neighbour does not exist", c};
-            const Cell<D>& other = store.cell(n);
-            if (other.neighbour[j] != FacetId(c, i)) return {"neighbours are not mutual", c};
-            for (std::uint32_t k = 0; k <= D; ++k)
-                if (k != i && position_of<D>(other, cell.vertex[k]) < 0) return {"neighbours do not share a facet", c};
-            if (position_of<D>(cell, other.vertex[j]) >= 0) return {"neighbours share more than a facet", c};
+    for (VertexId v(0); v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 12); v < piece; ++v) {
+            const CellId c = store.vertex(v).cell;
+            if (c == none) continue;
+            if (c >= store.state.cell_slots || position_of<D>(store.cell(c), v) < 0)
+                return {"a vertex points to a cell that it does not belong to", none};
         }
-    }
-    for (VertexId v(0); v < store.state.vertex_count; ++v) {
-        const CellId c = store.vertex(v).cell;
-        if (c == none) continue;
-        if (c >= store.state.cell_slots || position_of<D>(store.cell(c), v) < 0)
-            return {"a vertex points to a cell that it does not belong to", none};
-    }
     return {nullptr, none};
 }
 
 template <int D> CheckResult check_geometric(const Store<D>& store) {
     PredicateCounts counts = {};
     const double* p[D + 1];
-    for (CellId c(0); c < store.state.cell_slots; ++c) {
-        points_of<D>(store, c, p);
-        if (orient<D>(p, counts) != Sign::positive) return {"a cell is not positively oriented", c};
-        for (int i = 0; i <= D; ++i) {
-            if (store.cell(c).neighbour[i] != none) continue;
-            const double* const kept = p[i];
-            for (int j = 0; j <= D; ++j) {
-                if (j == i) continue;
-                const VertexId w = across_ridge<D>(store, c, i, j);
-                if (w == none) return {"the hull is not closed", c};
-                p[i] = store.point(w);
-                if (orient<D>(p, counts) == Sign::negative) return {"the hull is not convex", c};
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 80 * D); c < piece; ++c) {
+            points_of<D>(store, c, p);
+            if (orient<D>(p, counts) != Sign::positive) return {"a cell is not positively oriented", c};
+            for (int i = 0; i <= D; ++i) {
+                if (store.cell(c).neighbour[i] != none) continue;
+                const double* const kept = p[i];
+                for (int j = 0; j <= D; ++j) {
+                    if (j == i) continue;
+                    const VertexId w = across_ridge<D>(store, c, i, j);
+                    if (w == none) return {"the hull is not closed", c};
+                    p[i] = store.point(w);
+                    if (orient<D>(p, counts) == Sign::negative) return {"the hull is not convex", c};
+                }
+                p[i] = kept;
             }
-            p[i] = kept;
         }
-    }
     if (store.state.cell_slots == 0) return {nullptr, none};
     // A point inside cell 0: its barycentre, pulled towards nothing else, is in no other cell.
     double x[D];
@@ -104,6 +108,7 @@ template <int D> CheckResult check_geometric(const Store<D>& store) {
     }
     if (!contains<D>(store, CellId(0), x, counts)) return {nullptr, none};  // a cell too thin for a double inside
     for (CellId c(1); c < store.state.cell_slots; ++c) {
+        store.arena.step(c, 40 * D);
         if (!contains<D>(store, c, x, counts)) continue;
         // On a common facet is fine, inside of both is not.
         points_of<D>(store, c, p);
@@ -122,15 +127,16 @@ template <int D> CheckResult check_geometric(const Store<D>& store) {
 template <int D> CheckResult check_delaunay(const Store<D>& store) {
     PredicateCounts counts = {};
     const double* p[D + 1];
-    for (CellId c(0); c < store.state.cell_slots; ++c) {
-        points_of<D>(store, c, p);
-        for (int i = 0; i <= D; ++i) {
-            const FacetId facet = store.cell(c).neighbour[i];
-            if (facet == none || facet.cell() < c) continue;
-            const double* const q = store.point(store.cell(facet.cell()).vertex[facet.position()]);
-            if (in_ball<D>(p, q, counts) == Sign::positive) return {"a vertex lies inside the ball of a cell", c};
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 100 * D); c < piece; ++c) {
+            points_of<D>(store, c, p);
+            for (int i = 0; i <= D; ++i) {
+                const FacetId facet = store.cell(c).neighbour[i];
+                if (facet == none || facet.cell() < c) continue;
+                const double* const q = store.point(store.cell(facet.cell()).vertex[facet.position()]);
+                if (in_ball<D>(p, q, counts) == Sign::positive) return {"a vertex lies inside the ball of a cell", c};
+            }
         }
-    }
     return {nullptr, none};
 }
 

@@ -38,27 +38,32 @@ template <int D> Status link_loaded_cells(Store<D>& store, CheckResult* why) {
     if (keys == nullptr || facets == nullptr || spare_keys == nullptr || spare_facets == nullptr)
         return Status::out_of_memory;
     std::size_t k = 0;
-    for (CellId c(0); c < store.state.cell_slots; ++c)
-        for (std::uint32_t i = 0; i <= D; ++i, ++k) {
-            keys[k] = facet_key<D>(store.cell(c), i);
-            facets[k] = FacetId(c, i).word();
-            store.cell(c).neighbour[i] = none;
-        }
-    radix_sort(keys, facets, spare_keys, spare_facets, count);
-    // Of three equal facets the first meets the second, then the third.
-    for (std::size_t a = 0; a < count; ++a)
-        for (std::size_t b = a + 1; b < count && keys[b] == keys[a]; ++b) {
-            const FacetId one = FacetId::from_word(facets[a]), two = FacetId::from_word(facets[b]);
-            Cell<D>& first = store.cell(one.cell());
-            Cell<D>& second = store.cell(two.cell());
-            const std::uint32_t i = one.position(), j = two.position();
-            if (!same_facet<D>(first, i, second, j)) continue;
-            if (first.neighbour[i] != none) {
-                *why = {"a facet belongs to more than two cells", two.cell()};
-                return Status::check_failed;
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 2 * (D + 1) * (8 + 8 * D));
+             c < piece; ++c) {
+            for (std::uint32_t i = 0; i <= D; ++i, ++k) {
+                keys[k] = facet_key<D>(store.cell(c), i);
+                facets[k] = FacetId(c, i).word();
+                store.cell(c).neighbour[i] = none;
             }
-            first.neighbour[i] = two;
-            second.neighbour[j] = one;
+        }
+    radix_sort(keys, facets, spare_keys, spare_facets, count, store.arena);
+    // Of three equal facets the first meets the second, then the third.
+    for (std::size_t a = 0; a < count;)
+        for (const std::uint64_t piece = store.arena.piece(a, count, 40 + 10 * D * D); a < piece; ++a) {
+            for (std::size_t b = a + 1; b < count && keys[b] == keys[a]; ++b) {
+                const FacetId one = FacetId::from_word(facets[a]), two = FacetId::from_word(facets[b]);
+                Cell<D>& first = store.cell(one.cell());
+                Cell<D>& second = store.cell(two.cell());
+                const std::uint32_t i = one.position(), j = two.position();
+                if (!same_facet<D>(first, i, second, j)) continue;
+                if (first.neighbour[i] != none) {
+                    *why = {"a facet belongs to more than two cells", two.cell()};
+                    return Status::check_failed;
+                }
+                first.neighbour[i] = two;
+                second.neighbour[j] = one;
+            }
         }
     return Status::ok;
 }
@@ -111,14 +116,17 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     if (store.open_vertices(vertex_count) != Status::ok || store.open_cells() != Status::ok ||
         !store.has_room(cell_count, 0, 0))
         return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < vertex_count; ++v)
-        load_vertex<D>(coordinates + std::size_t{v} * D, v, store.vertex(v));
-    for (std::uint32_t c = 0; c < cell_count; ++c) {
-        const CellId made = store.new_cell();
-        *why = {take_vertices<D>(store, cells + std::size_t{c} * (D + 1), made), made};
-        if (why->violation != nullptr) return Status::check_failed;
-        orient_cell<D>(store, store.cell(made));
-    }
+    for (std::uint32_t v = 0; v < vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, vertex_count, 30); v < piece; ++v) {
+            load_vertex<D>(coordinates + std::size_t{v} * D, v, store.vertex(v));
+        }
+    for (std::uint32_t c = 0; c < cell_count;)
+        for (const std::uint64_t piece = store.arena.piece(c, cell_count, 80 * D * D); c < piece; ++c) {
+            const CellId made = store.new_cell();
+            *why = {take_vertices<D>(store, cells + std::size_t{c} * (D + 1), made), made};
+            if (why->violation != nullptr) return Status::check_failed;
+            orient_cell<D>(store, store.cell(made));
+        }
     *why = {nullptr, none};
     measure_edges<D>(store);
     return link_loaded_cells<D>(store, why);

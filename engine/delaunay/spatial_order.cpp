@@ -95,6 +95,7 @@ private:
 };
 
 template <int D> struct Sorter {
+    const Arena& arena;
     const unsigned char* coordinates;
     std::ptrdiff_t stride;
     std::uint64_t* keys;
@@ -122,11 +123,12 @@ template <int D> struct Sorter {
         double low[D], scale[D];
         for (int k = 0; k < D; ++k) {
             double lo = point(order[begin])[k], hi = lo;
-            for (std::size_t i = begin; i < end; ++i) {
-                const double x = point(order[i])[k];
-                if (x < lo) lo = x;
-                if (x > hi) hi = x;
-            }
+            for (std::size_t i = begin; i < end;)
+                for (const std::uint64_t piece = arena.piece(i, end, 9); i < piece; ++i) {
+                    const double x = point(order[i])[k];
+                    if (x < lo) lo = x;
+                    if (x > hi) hi = x;
+                }
             low[k] = lo * 0.5;
             scale[k] = hi * 0.5 - lo * 0.5;
         }
@@ -135,16 +137,17 @@ template <int D> struct Sorter {
             if (scale[k] > widest) widest = scale[k];
         const int bits = Curve<D>::bits_for(end - begin);
         const double cells = static_cast<double>((std::uint32_t{1} << bits) - 1);
-        for (std::size_t i = begin; i < end; ++i) {
-            const double* x = point(order[i]);
-            std::uint32_t g[D];
-            for (int k = 0; k < D; ++k)
-                g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
-            keys[i] = Curve<D>::position(g, bits);
-        }
+        for (std::size_t i = begin; i < end;)
+            for (const std::uint64_t piece = arena.piece(i, end, 120 * D); i < piece; ++i) {
+                const double* x = point(order[i]);
+                std::uint32_t g[D];
+                for (int k = 0; k < D; ++k)
+                    g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
+                keys[i] = Curve<D>::position(g, bits);
+            }
     }
     void sort_range(std::size_t begin, std::size_t end) {
-        radix_sort(keys + begin, order + begin, spare_keys, spare_items, end - begin);
+        radix_sort(keys + begin, order + begin, spare_keys, spare_items, end - begin, arena);
     }
     bool split_equal_keys(std::size_t count);
 };
@@ -156,9 +159,13 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
     bool repeats = false;
     std::size_t begin = 0;
     while (begin < count) {
+        arena.step(begin, 20);
         std::size_t end = begin + 1;
         bool mixed = false;
-        for (; end < count && keys[end] == keys[begin]; ++end) mixed |= !same(order[begin], order[end]);
+        for (; end < count && keys[end] == keys[begin]; ++end) {
+            arena.step(end, 20);
+            mixed |= !same(order[begin], order[end]);
+        }
         if (!mixed) {
             repeats |= end - begin > 1;
             begin = end;
@@ -166,7 +173,10 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
         }
         key_range(begin, end);
         bool split = false;
-        for (std::size_t i = begin + 1; i < end; ++i) split |= keys[i] != keys[begin];
+        for (std::size_t i = begin + 1; i < end;)
+            for (const std::uint64_t piece = arena.piece(i, end, 5); i < piece; ++i) {
+                split |= keys[i] != keys[begin];
+            }
         if (split) {
             sort_range(begin, end);
             continue;
@@ -176,6 +186,7 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
             const double* x = point(item);
             std::size_t j = i;
             for (; j > begin; --j) {
+                arena.step(j, 15);
                 const double* y = point(order[j - 1]);
                 int k = 0;
                 while (k < D - 1 && x[k] == y[k]) ++k;
@@ -198,27 +209,28 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
     *repeats = false;
     if (count == 0) return Status::ok;
     ArenaScope scope(arena);
-    Sorter<D> s;
-    s.coordinates = coordinates;
-    s.stride = stride_bytes;
-    s.order = order;
-    s.keys = arena.take_low<std::uint64_t>(count);
-    s.spare_keys = arena.take_low<std::uint64_t>(count);
-    s.spare_items = arena.take_low<std::uint32_t>(count);
+    Sorter<D> s = {arena,
+                   coordinates,
+                   stride_bytes,
+                   arena.take_low<std::uint64_t>(count),
+                   order,
+                   arena.take_low<std::uint64_t>(count),
+                   arena.take_low<std::uint32_t>(count)};
     if (s.keys == nullptr || s.spare_keys == nullptr || s.spare_items == nullptr) return Status::out_of_memory;
 
-    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+    arena.each(count, 1, [order](std::uint64_t i) { order[i] = static_cast<std::uint32_t>(i); });
     s.key_range(0, count);
     // A point is in the last round with probability 3/4, else in the one before with 3/4, and so on; equal points
     // fall into the same round. Small sets need few rounds.
     std::uint32_t rounds_max = 0;
     for (std::uint32_t left = count; left > 64 && rounds_max < 15; left /= 4) ++rounds_max;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        std::uint64_t h = mix64(s.hash(i) ^ seed);
-        std::uint32_t round = rounds_max;
-        for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
-        s.keys[i] |= static_cast<std::uint64_t>(round) << 60;
-    }
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 20 + 10 * D); i < piece; ++i) {
+            std::uint64_t h = mix64(s.hash(i) ^ seed);
+            std::uint32_t round = rounds_max;
+            for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
+            s.keys[i] |= static_cast<std::uint64_t>(round) << 60;
+        }
     s.sort_range(0, count);
     *repeats = s.split_equal_keys(count);
     return Status::ok;

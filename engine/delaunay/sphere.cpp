@@ -104,30 +104,35 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
 }
 
 template <int D> void recompute_balls(Store<D>& store) {
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        const double* p[D + 1];
-        for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
-        solve_sphere<D>(p, corner_error_max, store.cell(c));
-    }
+    for (std::uint32_t c = 0; c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 70 * D * D); c < piece; ++c) {
+            const double* p[D + 1];
+            for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
+            solve_sphere<D>(p, corner_error_max, store.cell(c));
+        }
 }
 
 template <int D> void measure_edges(Store<D>& store) {
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) store.vertex(v).nearest2 = infinity;
-    for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
-        Vertex<D>* vertex[D + 1];
-        double least2[D + 1];
-        for (int i = 0; i <= D; ++i) {
-            vertex[i] = &store.vertex(store.cell(c).vertex[i]);
-            least2[i] = infinity;
-            for (int j = 0; j < i; ++j) {
-                const double d2 = distance2<D>(vertex[i]->x, vertex[j]->x);
-                if (d2 < least2[i]) least2[i] = d2;
-                if (d2 < least2[j]) least2[j] = d2;
-            }
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 6); v < piece; ++v) {
+            store.vertex(v).nearest2 = infinity;
         }
-        for (int i = 0; i <= D; ++i)
-            if (least2[i] < vertex[i]->nearest2) vertex[i]->nearest2 = least2[i];
-    }
+    for (std::uint32_t c = 0; c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 30 * D * D); c < piece; ++c) {
+            Vertex<D>* vertex[D + 1];
+            double least2[D + 1];
+            for (int i = 0; i <= D; ++i) {
+                vertex[i] = &store.vertex(store.cell(c).vertex[i]);
+                least2[i] = infinity;
+                for (int j = 0; j < i; ++j) {
+                    const double d2 = distance2<D>(vertex[i]->x, vertex[j]->x);
+                    if (d2 < least2[i]) least2[i] = d2;
+                    if (d2 < least2[j]) least2[j] = d2;
+                }
+            }
+            for (int i = 0; i <= D; ++i)
+                if (least2[i] < vertex[i]->nearest2) vertex[i]->nearest2 = least2[i];
+        }
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

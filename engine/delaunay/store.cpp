@@ -32,13 +32,14 @@ template <int D> void Store<D>::truncate_vertices(std::uint32_t vertex_count) {
 
 // A ghost's finite neighbour has all of its vertices but infinity.
 template <int D> void Store<D>::drop_ghosts() {
-    for (std::uint32_t c = 0; c < state.cell_slots; ++c) {
-        const int infinite = ghost_position(c);
-        if (infinite < 0 || !is_live(c)) continue;
-        const FacetId behind = cells_[c].neighbour[infinite];
-        cells_[behind.cell()].neighbour[behind.position()] = none;
-        cells_[c].vertex[0] = freed;
-    }
+    for (std::uint32_t c = 0; c < state.cell_slots;)
+        for (const std::uint64_t piece = arena.piece(c, state.cell_slots, 4 * D); c < piece; ++c) {
+            const int infinite = ghost_position(c);
+            if (infinite < 0 || !is_live(c)) continue;
+            const FacetId behind = cells_[c].neighbour[infinite];
+            cells_[behind.cell()].neighbour[behind.position()] = none;
+            cells_[c].vertex[0] = freed;
+        }
 }
 
 template <int D> void Store<D>::move_cell(CellId from, CellId to) {
@@ -53,15 +54,18 @@ template <int D> void Store<D>::compact(std::size_t offset) {
     drop_ghosts();
     std::uint32_t hole = 0, end = state.cell_slots;
     for (;;) {
-        while (hole < end && is_live(hole)) ++hole;
-        while (hole < end && !is_live(end - 1)) --end;
+        while (hole < end && is_live(hole)) arena.step(++hole, 6);
+        while (hole < end && !is_live(end - 1)) arena.step(--end, 6);
         if (hole >= end) break;
+        arena.step(hole, 20 * D);
         move_cell(CellId(--end), CellId(hole));
     }
-    for (CellId c(0); c < end; ++c)
-        for (const VertexId v : cells_[c].vertex) vertex(v).cell = c;
+    for (CellId c(0); c < end;)
+        for (const std::uint64_t piece = arena.piece(c, end, 5 * (D + 1)); c < piece; ++c) {
+            for (const VertexId v : cells_[c].vertex) vertex(v).cell = c;
+        }
     const std::size_t bytes = end * sizeof(CellT);
-    if (offset != state.cells_offset) __builtin_memmove(arena.at(offset), cells_, bytes);
+    if (offset != state.cells_offset) move_bytes(arena.at(offset), arena.at(state.cells_offset), bytes, arena);
     state.cells_offset = offset;
     state.cell_slots = end;
     state.cells_free = 0;

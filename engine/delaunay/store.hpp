@@ -70,7 +70,7 @@ public:
     // Forgets all vertices from vertex_count on; there is nothing else at the high end.
     void truncate_vertices(std::uint32_t vertex_count);
     // Ends the job: drops ghosts, fills free slots from the end, moves the cells down to `offset` and gives what is
-    // free to the gap. Hull facets then have neighbour `none`. O(cells), needs no memory.
+    // free to the gap. Hull facets then have neighbour `none`. O(cells), needs no memory. It polls, but does not stop.
     void compact(std::size_t offset);
 
     CellT& cell(std::uint32_t c) const {

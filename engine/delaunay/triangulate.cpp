@@ -23,23 +23,30 @@ template <int D> bool equal_points(const double* a, const double* b) {
 // Moves duplicates out: in `order` equal points are neighbours with the smallest index first.
 template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t* order, std::uint32_t count) {
     std::uint32_t first = order[0];
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t v = order[k];
-        if (k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]), 1);
-        const bool duplicate = k > 0 && equal_points<D>(store.point(first), store.point(v));
-        if (!duplicate) first = v;
-        store.vertex(v).next = duplicate ? none : VertexId(0);
-    }
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = store.arena.piece(k, count, 20); k < piece; ++k) {
+            const std::uint32_t v = order[k];
+            if (k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]), 1);
+            const bool duplicate = k > 0 && equal_points<D>(store.point(first), store.point(v));
+            if (!duplicate) first = v;
+            store.vertex(v).next = duplicate ? none : VertexId(0);
+        }
     std::uint32_t kept = 0;
-    for (std::uint32_t v = 0; v < count; ++v)
-        if (store.vertex(v).next != none) store.vertex(v).next = VertexId(kept++);
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 6); v < piece; ++v) {
+            if (store.vertex(v).next != none) store.vertex(v).next = VertexId(kept++);
+        }
     if (kept == count) return count;
     std::uint32_t out = 0;
-    for (std::uint32_t k = 0; k < count; ++k)
-        if (store.vertex(order[k]).next != none) order[out++] = store.vertex(order[k]).next;
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = store.arena.piece(k, count, 8); k < piece; ++k) {
+            if (store.vertex(order[k]).next != none) order[out++] = store.vertex(order[k]).next;
+        }
     out = 0;
-    for (std::uint32_t v = 0; v < count; ++v)
-        if (store.vertex(v).next != none) store.vertex(out++) = store.vertex(v);
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 20); v < piece; ++v) {
+            if (store.vertex(v).next != none) store.vertex(out++) = store.vertex(v);
+        }
     return kept;
 }
 
@@ -57,6 +64,7 @@ bool independent_points(const Store<D>& store, const std::uint32_t* order, std::
     p[0] = store.point(ids[0]);
     int rank = 0;
     for (std::uint32_t k = 1; k < count && rank < D; ++k) {
+        store.arena.step(k, 300);
         p[rank + 1] = store.point(order[k]);
         for (int axis = 0; axis < D; ++axis) {
             bool used = false;
@@ -77,30 +85,33 @@ Status take_input(Store<D>& store, const double* points, std::size_t n, std::uin
     *input = InputReport{};
     if (n == 0 || n > points_max) return Status::invalid_argument;
     monitor.begin(NETMESH_STAGE_SORT, n);
-    for (std::size_t i = 0; i < n; ++i)
-        for (int k = 0; k < D; ++k)
-            if (!is_finite(points[i * D + k])) {
-                input->row_a = i;
-                return Status::not_finite;
-            }
+    for (std::size_t i = 0; i < n;)
+        for (const std::uint64_t piece = store.arena.piece(i, n, 5 * D); i < piece; ++i) {
+            for (int k = 0; k < D; ++k)
+                if (!is_finite(points[i * D + k])) {
+                    input->row_a = i;
+                    return Status::not_finite;
+                }
+        }
     const std::uint32_t count = static_cast<std::uint32_t>(n);
     if (store.open_vertices(count) != Status::ok) return Status::out_of_memory;
     Fingerprint fingerprint;
     fingerprint.add(static_cast<std::uint64_t>(D));
-    for (std::uint32_t i = 0; i < count; ++i) {
-        Vertex<D>& v = store.vertex(i);
-        for (int k = 0; k < D; ++k) {
-            v.x[k] = points[std::size_t{i} * D + k] + 0.0;
-            fingerprint.add(v.x[k]);
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = store.arena.piece(i, count, 20 + 10 * D); i < piece; ++i) {
+            Vertex<D>& v = store.vertex(i);
+            for (int k = 0; k < D; ++k) {
+                v.x[k] = points[std::size_t{i} * D + k] + 0.0;
+                fingerprint.add(v.x[k]);
+            }
+            v.nearest2 = infinity;
+            v.cell = none;
+            v.next = none;
+            v.origin = i;
+            v.marker = Marker::input;
+            v.queued = 0;
+            v.size_hint = 0;
         }
-        v.nearest2 = infinity;
-        v.cell = none;
-        v.next = none;
-        v.origin = i;
-        v.marker = Marker::input;
-        v.queued = 0;
-        v.size_hint = 0;
-    }
     input->rows = n;
     input->fingerprint = fingerprint.value();
     *order = store.arena.template take_low<std::uint32_t>(count);
@@ -112,7 +123,7 @@ Status take_input(Store<D>& store, const double* points, std::size_t n, std::uin
     const std::uint32_t kept = repeats ? remove_duplicates<D>(store, *order, count) : count;
     input->duplicates = count - kept;
     store.truncate_vertices(kept);
-    return Status::ok;
+    return store.arena.has_stopped() ? Status::cancelled : Status::ok;
 }
 
 template <int D>
@@ -144,7 +155,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
         }
         kernel.fill(cavity, v);
         monitor.mesh_size(k, store.live_cells());
-        if (monitor.advance(k, 2 + cavity.facets)) {
+        if (monitor.advance(k, 2 + cavity.facets * (D - 1))) {
             status = Status::cancelled;
             break;
         }

@@ -69,7 +69,11 @@ std::size_t collect(const Side& side, std::uint32_t degree, bool log_scale, Line
         if (kind == LineKind::from_zero && pair.death == 0) continue;  // on the diagonal
         side.line[count++] = kind == LineKind::from_zero ? pair.death : kind == LineKind::essential ? pair.birth : 1.0;
     }
-    sort(side.line, count, [](double a, double b) { return a < b; });
+    std::uint64_t compared = 0;
+    sort(side.line, count, [&side, &compared](double a, double b) {
+        side.pairs.report(++compared);
+        return a < b;
+    });
     return count;
 }
 
@@ -90,13 +94,14 @@ std::uint32_t collect_points(const Side& side, std::uint32_t degree, bool log_sc
 // Bounds by what each point alone needs: *least is reached by no smaller limit, *most suffices.
 template <class Scale> void bound(const PointTree& from, PointTree& to, std::uint64_t* least, std::uint64_t* most) {
     to.mark_all(1);
-    for (std::uint32_t i = 0; i < from.count(); ++i) {
-        const std::uint64_t diagonal = from[i].diagonal;
-        if (diagonal > *most) *most = diagonal;
-        if (diagonal <= *least) continue;
-        const std::uint64_t needs = to.nearest<Scale>(from[i], diagonal, 1);
-        if (needs > *least) *least = needs;
-    }
+    for (std::uint32_t i = 0; i < from.count();)
+        for (const std::uint64_t piece = from.piece(i, from.count(), 4000); i < piece; ++i) {
+            const std::uint64_t diagonal = from[i].diagonal;
+            if (diagonal > *most) *most = diagonal;
+            if (diagonal <= *least) continue;
+            const std::uint64_t needs = to.nearest<Scale>(from[i], diagonal, 1);
+            if (needs > *least) *least = needs;
+        }
 }
 
 // False when it is cancelled. Not inlined: what its caller keeps in registers would cost its searches a fortieth.
@@ -140,12 +145,13 @@ bool distance_in(Workspace& work, std::uint32_t degree, bool log_scale, Monitor&
             return true;
         }
         for (std::size_t i = 0; i < count; ++i) {
+            work.side[0].pairs.report(i);
             const std::uint64_t key = between(work.side[0].line[i], work.side[1].line[i], log_scale);
             if (key > *largest) *largest = key;
         }
     }
     for (Side& side : work.side) {
-        side.tree.build(side.points, side.mark, side.below, collect_points(side, degree, log_scale));
+        side.tree.build(side.points, side.mark, side.below, collect_points(side, degree, log_scale), &monitor);
     }
     std::uint64_t key = 0;
     if (log_scale ? !distance_of_points<LogScale>(work, monitor, &key)
@@ -198,7 +204,8 @@ std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b) {
 }
 
 Status bottleneck(const DistanceRequest& request, Monitor& monitor, netmesh_distance* distance) {
-    const PairView &a = request.a, &b = request.b;
+    PairView a = request.a, b = request.b;
+    a.monitor = b.monitor = &monitor;
     const bool log_scale = request.log_scale;
     if (!are_diagram(a, log_scale) || !are_diagram(b, log_scale)) return Status::invalid_argument;
     if (bottleneck_bytes(a.count, b.count) > request.scratch_bytes) return Status::out_of_memory;
@@ -215,6 +222,7 @@ Status bottleneck(const DistanceRequest& request, Monitor& monitor, netmesh_dist
         if (!distance_in(work, degree, log_scale, monitor, &key)) return Status::cancelled;
         from = std::uint64_t{degree} + 1;
     }
+    if (monitor.has_stopped()) return Status::cancelled;
     *distance = distance_of_key(key, log_scale);
     return Status::ok;
 }

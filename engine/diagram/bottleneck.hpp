@@ -14,8 +14,13 @@ struct PairView {
     const void* first;
     std::size_t stride;  // >= sizeof(netmesh_pair)
     std::uint64_t count;
+    Monitor* monitor = nullptr;  // is told of loops over the pairs; null: nobody is
 
+    void report(std::uint64_t i) const {
+        if (i % 256 == 0 && monitor != nullptr) monitor->pass(25);
+    }
     netmesh_pair operator[](std::size_t i) const {
+        report(i);
         netmesh_pair pair;
         __builtin_memcpy(&pair, static_cast<const unsigned char*>(first) + i * stride, sizeof pair);
         return pair;

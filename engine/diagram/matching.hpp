@@ -34,21 +34,25 @@ public:
     bool list(std::uint64_t limit) {
         std::uint32_t end = 0;
         bool fits = true;
-        for (std::uint32_t i = 0; i < left_.count() && fits; ++i) {
-            scratch_.start[i] = end;
-            if (left_[i].diagonal <= limit) continue;
-            right_.visit_within<Scale>(left_[i], limit, [&](std::uint32_t j) {
-                fits = end < scratch_.edge_max;
-                if (fits) scratch_.edge[end++] = j;
-                return fits;
-            });
-        }
+        for (std::uint32_t i = 0; i < left_.count() && fits;)
+            for (const std::uint64_t piece = left_.piece(i, left_.count(), 60); i < piece && fits; ++i) {
+                scratch_.start[i] = end;
+                if (left_[i].diagonal <= limit) continue;
+                right_.visit_within<Scale>(left_[i], limit, [&](std::uint32_t j) {
+                    fits = end < scratch_.edge_max;
+                    if (fits) scratch_.edge[end++] = j;
+                    return fits;
+                });
+            }
         scratch_.start[left_.count()] = end;
         return fits;
     }
     void begin_search() {
         rewind();
-        for (std::uint32_t j = 0; j < right_.count(); ++j) scratch_.level[j] = none;
+        for (std::uint32_t j = 0; j < right_.count();)
+            for (const std::uint64_t piece = left_.piece(j, right_.count(), 3); j < piece; ++j) {
+                scratch_.level[j] = none;
+            }
     }
     void begin_augment() { rewind(); }
     std::uint32_t next(std::uint32_t i, std::uint32_t level) {
@@ -62,7 +66,10 @@ public:
 
 private:
     void rewind() {
-        for (std::uint32_t i = 0; i < left_.count(); ++i) scratch_.cursor[i] = scratch_.start[i];
+        for (std::uint32_t i = 0; i < left_.count();)
+            for (const std::uint64_t piece = left_.piece(i, left_.count(), 4); i < piece; ++i) {
+                scratch_.cursor[i] = scratch_.start[i];
+            }
     }
     const PointTree &left_, &right_;
     const MatchingScratch& scratch_;
@@ -76,7 +83,10 @@ public:
 
     void begin_search() {
         right_.mark_all(mark_of(none));
-        for (std::uint32_t j = 0; j < right_.count(); ++j) scratch_.level[j] = none;
+        for (std::uint32_t j = 0; j < right_.count();)
+            for (const std::uint64_t piece = left_.piece(j, right_.count(), 3); j < piece; ++j) {
+                scratch_.level[j] = none;
+            }
     }
     void begin_augment() {}
     std::uint32_t next(std::uint32_t i, std::uint32_t level) const {
@@ -112,8 +122,14 @@ public:
         left_mate_ = left_mate;
         right_mate_ = right_mate;
         scratch_ = scratch;
-        for (std::uint32_t i = 0; i < left.count(); ++i) left_mate_[i] = none;
-        for (std::uint32_t i = 0; i < right.count(); ++i) right_mate_[i] = none;
+        for (std::uint32_t i = 0; i < left.count();)
+            for (const std::uint64_t piece = left.piece(i, left.count(), 3); i < piece; ++i) {
+                left_mate_[i] = none;
+            }
+        for (std::uint32_t i = 0; i < right.count();)
+            for (const std::uint64_t piece = left.piece(i, right.count(), 3); i < piece; ++i) {
+                right_mate_[i] = none;
+            }
     }
 
     // Whether every left point beyond `limit` of the diagonal can be matched. If so, *next is the largest distance that
@@ -128,11 +144,12 @@ public:
             *next = next_limit<Scale>(reached);
             return false;
         }
-        for (std::uint32_t i = 0; i < left_->count(); ++i) {
-            if (left_mate_[i] == none) continue;
-            const std::uint64_t used = distance<Scale>(i, left_mate_[i]);
-            if (used > *next) *next = used;
-        }
+        for (std::uint32_t i = 0; i < left_->count();)
+            for (const std::uint64_t piece = left_->piece(i, left_->count(), 12); i < piece; ++i) {
+                if (left_mate_[i] == none) continue;
+                const std::uint64_t used = distance<Scale>(i, left_mate_[i]);
+                if (used > *next) *next = used;
+            }
         return true;
     }
     bool cancelled() const { return cancelled_; }
@@ -151,13 +168,14 @@ private:
     // Unmatches what the limit does not allow or does not ask for; the largest distance to the diagonal within it.
     template <class Scale> std::uint64_t drop_beyond(std::uint64_t limit) {
         std::uint64_t largest = 0;
-        for (std::uint32_t i = 0; i < left_->count(); ++i) {
-            const std::uint64_t diagonal = (*left_)[i].diagonal;
-            if (diagonal <= limit && diagonal > largest) largest = diagonal;
-            const std::uint32_t j = left_mate_[i];
-            if (j == none || (diagonal > limit && distance<Scale>(i, j) <= limit)) continue;
-            left_mate_[i] = right_mate_[j] = none;
-        }
+        for (std::uint32_t i = 0; i < left_->count();)
+            for (const std::uint64_t piece = left_->piece(i, left_->count(), 12); i < piece; ++i) {
+                const std::uint64_t diagonal = (*left_)[i].diagonal;
+                if (diagonal <= limit && diagonal > largest) largest = diagonal;
+                const std::uint32_t j = left_mate_[i];
+                if (j == none || (diagonal > limit && distance<Scale>(i, j) <= limit)) continue;
+                left_mate_[i] = right_mate_[j] = none;
+            }
         return largest;
     }
 
@@ -171,9 +189,10 @@ private:
             cancelled_ = monitor_->advance(0, reached);
             if (cancelled_) return 0;
             edges.begin_augment();
-            for (std::uint32_t i = 0; i < left_->count(); ++i) {
-                if (is_free(i, limit)) augment(edges, i, found);
-            }
+            for (std::uint32_t i = 0; i < left_->count();)
+                for (const std::uint64_t piece = left_->piece(i, left_->count(), 12); i < piece; ++i) {
+                    if (is_free(i, limit)) augment(edges, i, found);
+                }
         }
     }
 
@@ -181,13 +200,15 @@ private:
     // *found is that layer's number. Returns the number of left points reached.
     template <class Edges> std::uint32_t search(Edges& edges, std::uint64_t limit, std::uint32_t* found) {
         std::uint32_t end = 0;
-        for (std::uint32_t i = 0; i < left_->count(); ++i) {
-            if (is_free(i, limit)) scratch_.queue[end++] = i;
-        }
+        for (std::uint32_t i = 0; i < left_->count();)
+            for (const std::uint64_t piece = left_->piece(i, left_->count(), 12); i < piece; ++i) {
+                if (is_free(i, limit)) scratch_.queue[end++] = i;
+            }
         if (end == 0) return 0;
         edges.begin_search();
         std::uint32_t level = 0, level_end = end;
         for (std::uint32_t at = 0; at < end; ++at) {
+            left_->step(at, 600);
             if (at == level_end) {
                 if (*found != none) break;
                 ++level;
@@ -231,15 +252,17 @@ private:
     // or gets an edge to a partner that none of them had.
     template <class Scale> std::uint64_t next_limit(std::uint32_t reached) const {
         right_->mark_all(1);
-        for (std::uint32_t j = 0; j < right_->count(); ++j) {
-            if (scratch_.level[j] != none) right_->mark(j, 0);
-        }
+        for (std::uint32_t j = 0; j < right_->count();)
+            for (const std::uint64_t piece = left_->piece(j, right_->count(), 300); j < piece; ++j) {
+                if (scratch_.level[j] != none) right_->mark(j, 0);
+            }
         std::uint64_t next = key_of_infinity;
-        for (std::uint32_t at = 0; at < reached; ++at) {
-            const DiagramPoint& from = (*left_)[scratch_.queue[at]];
-            if (from.diagonal < next) next = from.diagonal;
-            next = right_->nearest<Scale>(from, next, 1);
-        }
+        for (std::uint32_t at = 0; at < reached;)
+            for (const std::uint64_t piece = left_->piece(at, reached, 3000); at < piece; ++at) {
+                const DiagramPoint& from = (*left_)[scratch_.queue[at]];
+                if (from.diagonal < next) next = from.diagonal;
+                next = right_->nearest<Scale>(from, next, 1);
+            }
         return next;
     }
 

@@ -7,7 +7,7 @@ Status move_pairs_down(std::size_t low, Arena& arena, PairList* list) {
     arena.release_low(low);
     Pair* const moved = arena.take_low<Pair>(count);
     if (moved == nullptr) return Status::out_of_memory;
-    __builtin_memmove(moved, list->pairs, sizeof(Pair) * count);
+    move_bytes(moved, list->pairs, sizeof(Pair) * count, arena);
     list->pairs = moved;
     return Status::ok;
 }

@@ -6,6 +6,7 @@
 
 #include "diagram/cost.hpp"
 #include "numerics/sort.hpp"
+#include "vocabulary/monitor.hpp"
 #include "vocabulary/status.hpp"
 
 namespace netmesh {
@@ -18,7 +19,10 @@ struct DiagramPoint {
 class PointTree {
 public:
     // Puts points[count] into the order of the tree. mark[count], below[count]: for the marks. O(count log count).
-    void build(DiagramPoint* points, std::uint64_t* mark, std::uint64_t* below, std::uint32_t count) {
+    // monitor: is told of the work, also later; null: nobody is.
+    void build(DiagramPoint* points, std::uint64_t* mark, std::uint64_t* below, std::uint32_t count,
+               Monitor* monitor = nullptr) {
+        monitor_ = monitor;
         points_ = points;
         mark_ = mark;
         below_ = below;
@@ -42,9 +46,20 @@ public:
     std::uint32_t count() const { return count_; }
     const DiagramPoint& operator[](std::uint32_t i) const { return points_[i]; }
 
+    // Reports step i of a loop, or a piece of one; see Arena.
+    void step(std::uint64_t i, std::uint32_t cost) const {
+        if (i % 256 == 0 && monitor_ != nullptr) monitor_->pass(cost);
+    }
+    std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
+        if (monitor_ != nullptr) monitor_->pass(cost / 4);
+        return to - from < 64 ? to : from + 64;
+    }
     // The same marks for every point. O(count).
     void mark_all(std::uint64_t marks) {
-        for (std::uint32_t i = 0; i < count_; ++i) mark_[i] = below_[i] = marks;
+        for (std::uint32_t i = 0; i < count_; ++i) {
+            step(i, 4);
+            mark_[i] = below_[i] = marks;
+        }
     }
     // Replaces the marks of point i, some of which it must have now. O(log count).
     void mark(std::uint32_t i, std::uint64_t marks) {
@@ -165,7 +180,9 @@ private:
     // Moves the point that belongs at `middle` there, those before it to its left. Falls back to sorting.
     void select(Range range, std::uint32_t middle) {
         const int axis = range.axis;
-        const auto less = [axis](const DiagramPoint& a, const DiagramPoint& b) {
+        std::uint64_t compared = 0;
+        const auto less = [this, axis, &compared](const DiagramPoint& a, const DiagramPoint& b) {
+            step(++compared, 15);
             return a.coordinate[axis] < b.coordinate[axis];
         };
         for (int splits_left = 2 * levels_max; range.end - range.begin > 24; --splits_left) {
@@ -177,6 +194,7 @@ private:
         insertion_sort(points_ + range.begin, range.end - range.begin, less);
     }
 
+    Monitor* monitor_ = nullptr;
     DiagramPoint* points_ = nullptr;
     std::uint64_t *mark_ = nullptr, *below_ = nullptr;
     std::uint32_t count_ = 0;

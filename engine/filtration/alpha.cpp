@@ -21,7 +21,7 @@
 namespace netmesh {
 namespace {
 
-constexpr std::uint32_t faces_between_polls = 1024;
+constexpr std::uint32_t faces_between_polls = 256;
 
 template <int D> class AlphaValues {
 public:
@@ -32,9 +32,15 @@ public:
         const std::size_t high = work_.arena.high_mark();
         scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(D));
         if (scratch_ == nullptr) return Status::out_of_memory;
-        for (std::uint32_t i = 0; i < faces_.count[0]; ++i) value_[0][i] = 0;
+        for (std::uint32_t i = 0; i < faces_.count[0];)
+            for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[0], 2); i < piece; ++i) {
+                value_[0][i] = 0;
+            }
         for (int k = 1; k <= D; ++k)
-            for (std::uint32_t i = 0; i < faces_.count[k]; ++i) value_[k][i] = 0;
+            for (std::uint32_t i = 0; i < faces_.count[k];)
+                for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 2); i < piece; ++i) {
+                    value_[k][i] = 0;
+                }
         Status status = find_radii_from<D>();
         work_.arena.release_high(high);
         if (status == Status::ok) status = order_radii(faces_, points_, work_, value_, &error_);
@@ -58,6 +64,7 @@ private:
     }
     // Any simplex; not in the loop, and not often.
     [[gnu::noinline]] bool evaluate_exactly(const double* const* point, int k, Circumsphere* out) {
+        work_.arena.pass(40 * D);
         const ExactSphere sphere(point, k, D);
         if (!sphere.in_range()) return false;
         *out = sphere.evaluate(scratch_);
@@ -136,7 +143,10 @@ template <int D> template <int K> Status AlphaValues<D>::hand_down() {
         if (stop(f, 1)) return Status::cancelled;
     }
     if constexpr (K == 2)
-        for (std::uint32_t f = 0; f < faces_.count[1]; ++f) value_[1][f] = absolute(value_[1][f]);
+        for (std::uint32_t f = 0; f < faces_.count[1];)
+            for (const std::uint64_t piece = work_.arena.piece(f, faces_.count[1], 5); f < piece; ++f) {
+                value_[1][f] = absolute(value_[1][f]);
+            }
     return Status::ok;
 }
 

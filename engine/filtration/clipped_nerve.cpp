@@ -52,7 +52,10 @@ public:
         cell_ = work_.arena.template take_low<std::uint8_t>(cells_);
         vertex_ = work_.arena.template take_low<std::uint8_t>(store_.state.vertex_count);
         if (cell_ == nullptr || vertex_ == nullptr) return Status::out_of_memory;
-        for (CellId c(0); c < cells_; ++c) cell_[c] = static_cast<std::uint8_t>(by_record(c));
+        for (CellId c(0); c < cells_;)
+            for (const std::uint64_t piece = work_.arena.piece(c, cells_, 15 * D); c < piece; ++c) {
+                cell_[c] = static_cast<std::uint8_t>(by_record(c));
+            }
         find_absent();
         Status status = settle_open_cells();
         if (status == Status::ok && certain_) status = find_sources();
@@ -130,23 +133,27 @@ template <int D> CellPart NerveFinder<D>::by_record(CellId c) const {
 // (|v - o|^2 - |w - o|^2) / (2 |v - w|) from it. Any other vertex w will do, those of one cell are at hand. The
 // difference is off by less than sum_slack of its terms' sum.
 template <int D> void NerveFinder<D>::find_absent() {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) vertex_[v] = VertexPart::cut;
-    for (CellId c(0); c < cells_; ++c) {
-        if (is_in(c)) continue;
-        const Cell<D>& cell = store_.cell(c);
-        const double* point[D + 1];
-        double away2[D + 1];
-        for (int i = 0; i <= D; ++i) {
-            point[i] = store_.point(cell.vertex[i]);
-            away2[i] = ball_.distance2(point[i]);
-            for (int j = 0; j < i; ++j) {
-                const int far = away2[i] > away2[j] ? i : j, near = i + j - far;
-                const double gap = away2[far] - away2[near] - sum_slack * (away2[far] + away2[near]);
-                const double least = 2 * ball_.radius * distance<D>(point[i], point[j]) * up;
-                if (gap > least) vertex_[cell.vertex[far]] = VertexPart::absent;
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = work_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+            vertex_[v] = VertexPart::cut;
+        }
+    for (CellId c(0); c < cells_;)
+        for (const std::uint64_t piece = work_.arena.piece(c, cells_, 12 * D * D); c < piece; ++c) {
+            if (is_in(c)) continue;
+            const Cell<D>& cell = store_.cell(c);
+            const double* point[D + 1];
+            double away2[D + 1];
+            for (int i = 0; i <= D; ++i) {
+                point[i] = store_.point(cell.vertex[i]);
+                away2[i] = ball_.distance2(point[i]);
+                for (int j = 0; j < i; ++j) {
+                    const int far = away2[i] > away2[j] ? i : j, near = i + j - far;
+                    const double gap = away2[far] - away2[near] - sum_slack * (away2[far] + away2[near]);
+                    const double least = 2 * ball_.radius * distance<D>(point[i], point[j]) * up;
+                    if (gap > least) vertex_[cell.vertex[far]] = VertexPart::absent;
+                }
             }
         }
-    }
 }
 
 template <int D> Status NerveFinder<D>::settle_open_cells() {
@@ -296,17 +303,22 @@ template <int D> Status NerveFinder<D>::insert(const Face<D>& face) {
 }
 
 template <int D> void NerveFinder<D>::finish() {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) vertex_[v] = 0;
-    for (CellId c(0); c < cells_; ++c) {
-        if (!is_in(c)) cell_[c] = static_cast<std::uint8_t>(CellPart::out);
-        for (const VertexId v : store_.cell(c).vertex) vertex_[v] |= is_in(c) ? sees_in : sees_out;
-    }
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        const std::uint8_t sees = vertex_[v];
-        vertex_[v] = sees == sees_in                                   ? VertexPart::whole
-                     : (sees & sees_in) != 0 || faces_.contains(&v, 1) ? VertexPart::cut
-                                                                       : VertexPart::absent;
-    }
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = work_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+            vertex_[v] = 0;
+        }
+    for (CellId c(0); c < cells_;)
+        for (const std::uint64_t piece = work_.arena.piece(c, cells_, 15 * D); c < piece; ++c) {
+            if (!is_in(c)) cell_[c] = static_cast<std::uint8_t>(CellPart::out);
+            for (const VertexId v : store_.cell(c).vertex) vertex_[v] |= is_in(c) ? sees_in : sees_out;
+        }
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = work_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+            const std::uint8_t sees = vertex_[v];
+            vertex_[v] = sees == sees_in                                   ? VertexPart::whole
+                         : (sees & sees_in) != 0 || faces_.contains(&v, 1) ? VertexPart::cut
+                                                                           : VertexPart::absent;
+        }
 }
 
 }  // namespace

@@ -27,7 +27,10 @@ Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimen
         if (out->rows[k] == nullptr || out->value[k] == nullptr || out->count[k] > 0x7FFFFFFFu)
             return Status::out_of_memory;
     }
-    for (std::uint32_t v = 0; v < out->count[0]; ++v) out->rows[0][v] = faces->last_vertex[0][v];
+    for (std::uint32_t v = 0; v < out->count[0];)
+        for (const std::uint64_t piece = work.arena.piece(v, out->count[0], 10); v < piece; ++v) {
+            out->rows[0][v] = faces->last_vertex[0][v];
+        }
     return Status::ok;
 }
 
@@ -44,7 +47,10 @@ bool rank_cells(const TriangulationView<D>& triangulation, const double* value, 
     std::uint32_t* const place = arena.take_high<std::uint32_t>(std::size_t{n} + 1);
     if (copy == nullptr || rank == nullptr || place == nullptr || !rank_vertices(value, n, arena, vertex_of, rank))
         return false;
-    for (std::uint32_t v = 0; v < n; ++v) vertex_of[n - 1 - rank[v]] = v;
+    for (std::uint32_t v = 0; v < n;)
+        for (const std::uint64_t piece = arena.piece(v, n, 5); v < piece; ++v) {
+            vertex_of[n - 1 - rank[v]] = v;
+        }
     const auto first_of = [&](std::uint32_t c) {
         std::uint32_t first = n;
         for (int i = 0; i <= D; ++i) {
@@ -54,33 +60,47 @@ bool rank_cells(const TriangulationView<D>& triangulation, const double* value, 
         return first;
     };
     // Cells of one first vertex lie together: the stars that are walked are found in few places.
-    for (std::uint32_t v = 0; v <= n; ++v) place[v] = 0;
-    for (std::uint32_t c = 0; c < cells; ++c) ++place[first_of(c) + 1];
-    for (std::uint32_t v = 0; v < n; ++v) place[v + 1] += place[v];
-    for (std::uint32_t c = 0; c < cells; ++c) {
-        std::uint32_t* const to = copy + std::size_t{place[first_of(c)]++} * (D + 1);
-        for (int i = 0; i <= D; ++i) to[i] = n - 1 - rank[triangulation.vertices(CellId(c))[i]];
+    for (std::uint32_t v = 0; v <= n; ++v) {
+        arena.step(v, 3);
+        place[v] = 0;
     }
+    for (std::uint32_t c = 0; c < cells;)
+        for (const std::uint64_t piece = arena.piece(c, cells, 8 * (D + 1)); c < piece; ++c) {
+            ++place[first_of(c) + 1];
+        }
+    for (std::uint32_t v = 0; v < n;)
+        for (const std::uint64_t piece = arena.piece(v, n, 5); v < piece; ++v) {
+            place[v + 1] += place[v];
+        }
+    for (std::uint32_t c = 0; c < cells;)
+        for (const std::uint64_t piece = arena.piece(c, cells, 16 * (D + 1)); c < piece; ++c) {
+            std::uint32_t* const to = copy + std::size_t{place[first_of(c)]++} * (D + 1);
+            for (int i = 0; i <= D; ++i) to[i] = n - 1 - rank[triangulation.vertices(CellId(c))[i]];
+        }
     *out = {reinterpret_cast<const unsigned char*>(copy), sizeof(std::uint32_t) * (D + 1), cells, n};
     return true;
 }
 
 // Puts the simplices of one dimension, and what it says of their facets, in the opposite order.
-void turn_round(ListedComplex& complex, std::uint32_t k) {
+void turn_round(ListedComplex& complex, std::uint32_t k, const Arena& arena) {
     const std::uint32_t width = k + 1, count = complex.count[k], last = k > 0 ? complex.count[k - 1] - 1 : 0;
     std::uint32_t* front = complex.rows[k];
     std::uint32_t* back = front + std::size_t{count} * width;
-    for (std::uint32_t i = 0; i < count / 2; ++i) {
-        back -= width;
-        for (std::uint32_t w = 0; w < width; ++w) {
-            const std::uint32_t t = front[w];
-            front[w] = back[w];
-            back[w] = t;
+    for (std::uint32_t i = 0; i < count / 2;)
+        for (const std::uint64_t piece = arena.piece(i, count / 2, 8 * width); i < piece; ++i) {
+            back -= width;
+            for (std::uint32_t w = 0; w < width; ++w) {
+                const std::uint32_t t = front[w];
+                front[w] = back[w];
+                back[w] = t;
+            }
+            front += width;
         }
-        front += width;
-    }
     std::uint32_t* const rows = complex.rows[k];
-    for (std::size_t i = 0; k > 0 && i < std::size_t{count} * width; ++i) rows[i] = last - rows[i];
+    for (std::size_t i = 0; k > 0 && i < std::size_t{count} * width; ++i) {
+        arena.step(i, 4);
+        rows[i] = last - rows[i];
+    }
 }
 
 }  // namespace
@@ -100,20 +120,24 @@ Status lower_star_complex(const TriangulationView<D>& triangulation, const doubl
     };
     if (status == Status::ok) status = take_faces<D>(ranked, dimension, work, &faces, out, keep);
     if (status == Status::ok) {
-        for (std::uint32_t k = 0; k <= dimension; ++k) turn_round(*out, k);
-        for (std::uint32_t v = 0; v < out->count[0]; ++v) {
-            out->rows[0][v] = vertex_of[out->rows[0][v]];
-            out->value[0][v] = value[out->rows[0][v]] + 0.0;
-        }
+        for (std::uint32_t k = 0; k <= dimension; ++k) turn_round(*out, k, work.arena);
+        for (std::uint32_t v = 0; v < out->count[0];)
+            for (const std::uint64_t piece = work.arena.piece(v, out->count[0], 10); v < piece; ++v) {
+                out->rows[0][v] = vertex_of[out->rows[0][v]];
+                out->value[0][v] = value[out->rows[0][v]] + 0.0;
+            }
         for (std::uint32_t k = 1; k <= dimension; ++k) {
             // The facet without the last vertex, which is the first to enter, has the one that is the last to enter.
             const std::uint32_t* const facets = out->rows[k];
-            for (std::size_t i = 0; i < out->count[k]; ++i)
-                out->value[k][i] = out->value[k - 1][facets[i * (k + 1) + k]];
+            for (std::size_t i = 0; i < out->count[k];)
+                for (const std::uint64_t piece = work.arena.piece(i, out->count[k], 12); i < piece; ++i) {
+                    out->value[k][i] = out->value[k - 1][facets[i * (k + 1) + k]];
+                }
         }
-        for (std::uint32_t v = 0; v < out->count[0]; ++v) {
-            if (out->rows[0][v] < zero_born_count) out->value[0][v] = 0;
-        }
+        for (std::uint32_t v = 0; v < out->count[0];)
+            for (const std::uint64_t piece = work.arena.piece(v, out->count[0], 10); v < piece; ++v) {
+                if (out->rows[0][v] < zero_born_count) out->value[0][v] = 0;
+            }
     }
     work.arena.release_high(high);
     return status == Status::ok ? order_dimension(*out, 0, work.arena) : status;

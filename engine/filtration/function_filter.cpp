@@ -30,15 +30,17 @@ Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, 
     if (out_radius == nullptr || neighbours == nullptr || tree.build(store, work.arena, mesh.inputs) != Status::ok)
         return Status::out_of_memory;
     work.monitor.begin(NETMESH_STAGE_CERTIFY, count);
-    for (VertexId v(0); v < count; ++v) {
-        out->value[v] = input_distance<D>(tree, distance, store.point(v), neighbours);
-        if (work.monitor.advance(v, 10 + distance.k)) return Status::cancelled;
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = work.arena.piece(v, count, 1); v < piece; ++v) {
+            out->value[v] = input_distance<D>(tree, distance, store.point(v), neighbours);
+            if (work.monitor.advance(v, 10 + distance.k)) return Status::cancelled;
+        }
     measure_cells<D>(store, out_radius, nullptr);
     // The root mean square of k distances: the sum of their squares has D + 2 roundings in each and k - 1 of its own,
     // then come a quotient and a root, (k + D + 2) / 2 + 1 in all. D <= 6.
     const double doubt = (distance.k + 16.0) * unit_roundoff;
     const auto interval = [&](VertexId v) {
+        work.arena.step(v, 60);
         const double most = out->value[v] * (1 + doubt), least = out->value[v] * (1 - doubt);
         return cut_at(mesh.cut(), store.vertex(v).marker == Marker::exempt
                                       ? unbounded_interval(least)
@@ -119,28 +121,38 @@ Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds
     if (status != Status::ok) return status;
     const FunctionRange<D> range_of(mesh, bounds, out_radius, reach);
     bool is_possible = true, is_positive = true;
-    for (VertexId v(0); v < count; ++v) is_possible &= range_of.is_possible(v, value[v]);
-    for (VertexId v(0); v < count; ++v) {
-        range[v] = range_of.range(v, value[v], is_possible);
-        is_positive &= range[v].lo > 0;
-        if (range_of.is_outside(v)) value[v] = bounds.cut;
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = arena.piece(v, count, 40); v < piece; ++v) {
+            is_possible &= range_of.is_possible(v, value[v]);
+        }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = arena.piece(v, count, 40); v < piece; ++v) {
+            range[v] = range_of.range(v, value[v], is_possible);
+            is_positive &= range[v].lo > 0;
+            if (range_of.is_outside(v)) value[v] = bounds.cut;
+        }
     Certificate& certificate = out->certificate = {};
-    const auto interval = [&](VertexId v) { return range[v]; };
+    const auto interval = [&](VertexId v) {
+        arena.step(v, 30);
+        return range[v];
+    };
     if (is_positive) {
         certificate = clamp_values(count, bounds.cut, values, interval, value, nullptr);
     } else {
         certificate.ratio = certificate.ratio_best = infinity;
-        for (VertexId v(0); v < count; ++v)
-            if (!(value[v] < bounds.cut)) value[v] = bounds.cut;
+        for (VertexId v(0); v < count;)
+            for (const std::uint64_t piece = arena.piece(v, count, 40); v < piece; ++v) {
+                if (!(value[v] < bounds.cut)) value[v] = bounds.cut;
+            }
     }
     if (!is_possible) certificate.error = infinity;
-    for (VertexId v(0); v < count; ++v) {
-        const double above = raised(range[v].hi - value[v]), below = raised(value[v] - range[v].lo);
-        if (!(above <= certificate.error)) certificate.error = above;
-        if (!(below <= certificate.error)) certificate.error = below;
-        if (out->interval != nullptr) out->interval[v] = range[v];
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = arena.piece(v, count, 40); v < piece; ++v) {
+            const double above = raised(range[v].hi - value[v]), below = raised(value[v] - range[v].lo);
+            if (!(above <= certificate.error)) certificate.error = above;
+            if (!(below <= certificate.error)) certificate.error = below;
+            if (out->interval != nullptr) out->interval[v] = range[v];
+        }
     return Status::ok;
 }
 

@@ -88,17 +88,19 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     const auto is_zero = [&](VertexId v) { return basic && store.vertex(v).marker == Marker::input; };
     double from = 0;
     Clamp clamp(values);
-    for (VertexId v(0); v < count; ++v) {
-        if (!mesh.has(v) || (clips && clipper.is_marked(v))) continue;
-        const Interval i = bounds.interval(v);
-        if (!is_zero(v)) {
-            clamp.show(i);
-        } else if (i.hi > from) {
-            from = i.hi;
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 60); v < piece; ++v) {
+            if (!mesh.has(v) || (clips && clipper.is_marked(v))) continue;
+            const Interval i = bounds.interval(v);
+            if (!is_zero(v)) {
+                clamp.show(i);
+            } else if (i.hi > from) {
+                from = i.hi;
+            }
         }
-    }
     Status status = Status::ok;
     for (VertexId v(0); clips && v < count; ++v) {
+        store.arena.step(v, 300);
         if (!clipper.is_marked(v)) continue;
         const Status clipped = clip_as_needed<D>(bounds, clipper, clamp, v);
         if (clipped != Status::ok) status = clipped;
@@ -106,11 +108,12 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     }
     if (status != Status::ok) return status;
     clamp.fix_ratio();
-    for (VertexId v(0); v < count; ++v) {
-        const Interval i = mesh.has(v) ? bounds.interval(v) : Interval{mesh.cut(), mesh.cut()};
-        if (out->interval != nullptr) out->interval[v] = i;
-        out->value[v] = is_zero(v) ? 0 : mesh.has(v) ? clamp.value(bounds.own_value(v), i) : mesh.cut();
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 60); v < piece; ++v) {
+            const Interval i = mesh.has(v) ? bounds.interval(v) : Interval{mesh.cut(), mesh.cut()};
+            if (out->interval != nullptr) out->interval[v] = i;
+            out->value[v] = is_zero(v) ? 0 : mesh.has(v) ? clamp.value(bounds.own_value(v), i) : mesh.cut();
+        }
     out->certificate = clamp.certificate();
     out->certificate.from = from;
     return Status::ok;

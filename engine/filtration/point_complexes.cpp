@@ -23,10 +23,11 @@ public:
         out_.dimension = dimension;
         out_.count[0] = n_;
         if (!take(0)) return Status::out_of_memory;
-        for (std::uint32_t i = 0; i < n_; ++i) {
-            out_.rows[0][i] = i;
-            out_.value[0][i] = 0;
-        }
+        for (std::uint32_t i = 0; i < n_;)
+            for (const std::uint64_t piece = arena_.piece(i, n_, 5); i < piece; ++i) {
+                out_.rows[0][i] = i;
+                out_.value[0][i] = 0;
+            }
         monitor_.begin(NETMESH_STAGE_FILTER, 0);
         for (std::uint32_t k = 1; k <= dimension; ++k) {
             std::uint64_t count = 0;
@@ -67,7 +68,7 @@ private:
     template <class F> bool extend(std::uint32_t k, F f) {
         for (std::uint32_t i = 0; i < out_.count[k - 1]; ++i) {
             const std::uint32_t* const row = out_.rows[k - 1] + std::size_t{i} * k;
-            if (monitor_.advance(i, 1 + (n_ - row[k - 1]) / 16)) return false;
+            if (monitor_.advance(i, 1 + (n_ - row[k - 1]) / 12)) return false;
             for (std::uint32_t last = row[k - 1] + 1; last < n_; ++last) {
                 double value = out_.value[k - 1][i];
                 for (std::uint32_t v = 0; v < k && value <= limit_; ++v) {
@@ -218,16 +219,18 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
     const Status status = full_rips_complex<D>(coordinates, n, dimension, work, out);
     if (status != Status::ok) return status;
     double least = infinity, most = 0;
-    for (std::uint32_t i = 0; i < (out->dimension > 0 ? out->count[1] : 0); ++i) {
-        const double half = out->value[1][i];
-        if (half < least) least = half;
-        if (half > most) most = half;
-    }
+    for (std::uint32_t i = 0; i < (out->dimension > 0 ? out->count[1] : 0);)
+        for (const std::uint64_t piece = work.arena.piece(i, (out->dimension > 0 ? out->count[1] : 0), 8); i < piece;
+             ++i) {
+            const double half = out->value[1][i];
+            if (half < least) least = half;
+            if (half > most) most = half;
+        }
     *error = half_distance_error<D>(least, most);
     const FilteredComplex complex = out->filtered();
     for (std::uint32_t k = 2; k <= out->dimension; ++k) {
         for (std::uint32_t i = 0; i < out->count[k]; ++i) {
-            if (work.monitor.advance(i, k)) return Status::cancelled;
+            if (work.monitor.advance(i, 2 * k)) return Status::cancelled;
             out->value[k][i] = enclosing_radius<D>(coordinates, complex, out->rows[0], k, i, error);
         }
     }
@@ -247,7 +250,7 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
         if (m > 0) {
             count = 0;
             for (std::uint32_t i = 0; i < out->count[m - 1]; ++i) {
-                if (work.monitor.advance(i, 4)) return Status::cancelled;
+                if (work.monitor.advance(i, 1u << (span < 4 ? span + 2 : 6))) return Status::cancelled;
                 const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
                 nested.subsets(chain[0], chain[m - 1], span, [&count](std::uint32_t) { ++count; });
             }
@@ -264,11 +267,12 @@ Status barycentric_complex(const ListedComplex& complex, std::uint32_t k, std::u
         std::uint32_t* row = out->rows[m];
         double* value = out->value[m];
         for (std::uint32_t i = 0; m == 0 && i < out->count[0]; ++i) {
+            work.arena.step(i, 20);
             *row++ = i;
             *value++ = nested.value(i);
         }
         for (std::uint32_t i = 0; m > 0 && i < out->count[m - 1]; ++i) {
-            if (work.monitor.advance(i, 4)) return Status::cancelled;
+            if (work.monitor.advance(i, 1u << (span < 4 ? span + 2 : 6))) return Status::cancelled;
             const std::uint32_t* const chain = out->rows[m - 1] + std::size_t{i} * m;
             const double enters = out->value[m - 1][i];
             nested.subsets(chain[0], chain[m - 1], span, [&](std::uint32_t subset) {

@@ -97,7 +97,10 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     std::uint64_t faces = 0, radii = 0, room = 0;
     for (int k = 1; k <= D; ++k) {
         faces += faces_.count[k];
-        for (std::uint32_t i = 0; i < faces_.count[k]; ++i) radii += value_[k][i] >= 0;
+        for (std::uint32_t i = 0; i < faces_.count[k];)
+            for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 5); i < piece; ++i) {
+                radii += value_[k][i] >= 0;
+            }
     }
     if (faces > 0xFFFFFFFFu) return false;
     const std::size_t low = work_.arena.low_mark();
@@ -105,8 +108,10 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     if (!all) {
         if (!close.take(radii, spread_, work_.arena)) return false;
         for (int k = 1; k <= D; ++k)
-            for (std::uint32_t i = 0; i < faces_.count[k]; ++i)
-                if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
+            for (std::uint32_t i = 0; i < faces_.count[k];)
+                for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 30); i < piece; ++i) {
+                    if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
+                }
     }
     if (all || room > radii) room = radii;
     radius_ = work_.arena.template take_high<double>(static_cast<std::size_t>(room));
@@ -116,12 +121,14 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
         return false;
     }
     std::uint32_t label = 0;
-    for (int k = 1; k <= D; ++k)
-        for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
-            if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) continue;
+    for (int k = 1; k <= D; ++k) {
+        work_.arena.each(faces_.count[k], 30, [&](std::uint64_t i) {
+            if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) return;
             radius_[count_] = value_[k][i];
-            label_[count_++] = label;
-        }
+            label_[count_++] = label + static_cast<std::uint32_t>(i);
+        });
+        label += faces_.count[k];
+    }
     done_ = faces;
     work_.arena.release_low(low);
     return sort_labelled(radius_, label_, count_, work_.arena);
@@ -145,8 +152,9 @@ template <int D> Status RadiusOrder<D>::pass(bool all) {
     last_ = 0;
     const double low = 1 - spread_, high = 1 + spread_;
     for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
+        work_.arena.step(begin, 25);
         end = begin + 1;
-        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high) ++end;
+        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high) work_.arena.step(++end, 10);
         top_ = radius_[end - 1] * (1 + spread_ / 2);
         if (end == begin + 1 && radius_[begin] > last_) {
             last_ = radius_[begin];
@@ -229,10 +237,12 @@ template <int D> [[gnu::cold]] Status RadiusOrder<D>::decide(std::uint32_t begin
         const double near = radius_[i] - x + deviation_error(radius_[i]) + deviation_error(x);
         bool found = false;
         for (std::uint32_t j = 0; j < kinds && !found; ++j) {
+            work_.arena.pass(20);
             const ExactSphere other = sphere_of(equal[j]);
             found = ExactSphere::equal_if_within(sphere, other, near) || ExactSphere::congruent(sphere, other);
         }
         if (!found) {
+            work_.arena.pass(100);
             double difference;
             if (!ExactSphere::excess(sphere, sphere_of(equal[0]), scratch_, &difference)) return Status::out_of_range;
             if (difference != 0) break;
@@ -280,6 +290,7 @@ template <int D>
 [[gnu::cold]] bool RadiusOrder<D>::compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error) {
     bool in_range = true;
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
+        work_.arena.pass(20);
         const ExactSphere x = sphere_of(a), y = sphere_of(b);
         double excess = 0;
         in_range = in_range && (ExactSphere::congruent(x, y) || ExactSphere::excess(x, y, scratch_, &excess));
@@ -307,10 +318,11 @@ template <int D>
     last_ = radius;
     if (radius > top_) crowded_ = true;
     error_ = error > error_ ? error : error_;
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const Place place = place_of(label_[i]);
-        value_[place.k][place.face] = radius;
-    }
+    for (std::uint32_t i = begin; i < end;)
+        for (const std::uint64_t piece = work_.arena.piece(i, end, 15); i < piece; ++i) {
+            const Place place = place_of(label_[i]);
+            value_[place.k][place.face] = radius;
+        }
 }
 
 }  // namespace

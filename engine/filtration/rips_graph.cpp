@@ -10,7 +10,7 @@ namespace {
 template <int D, class F>
 bool each_edge(const double* coordinates, std::uint32_t n, double limit, Monitor& monitor, F f) {
     for (std::uint32_t i = 1; i < n; ++i) {
-        if (monitor.advance(i, 1 + i / 16)) return false;
+        if (monitor.advance(i, 1 + i / 12)) return false;
         for (std::uint32_t j = 0; j < i; ++j) {
             const double half = half_distance<D>(coordinates + std::size_t{i} * D, coordinates + std::size_t{j} * D);
             if (half <= limit) f(i, j, half);

@@ -30,7 +30,10 @@ Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, doubl
     chosen_ = arena.take_low<std::uint32_t>(count);
     if (left_ == nullptr || chosen_ == nullptr) return Status::out_of_memory;
     NETMESH_ASSERT(arena.low_mark() - low <= point_bytes * count + 2 * Arena::alignment);
-    for (std::uint32_t i = 0; i < total_; ++i) left_[i] = {0, 0, i + 1, 0};
+    for (std::uint32_t i = 0; i < total_;)
+        for (const std::uint64_t piece = store_->arena.piece(i, total_, 4); i < piece; ++i) {
+            left_[i] = {0, 0, i + 1, 0};
+        }
     return Status::ok;
 }
 
@@ -41,42 +44,46 @@ template <int D> double ScalePartition<D>::distance(std::uint32_t a, std::uint32
 // The position of the medial point farthest from the chosen ones, `end` if there is none.
 template <int D> std::uint32_t ScalePartition<D>::farthest(std::uint32_t begin, std::uint32_t end) const {
     std::uint32_t best = end;
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const PointLeft& left = left_[i];
-        if (chosen_count_ > 1 && !(left.near >= theta_ * left.second)) continue;
-        if (best == end || left.near > left_[best].near ||
-            (left.near == left_[best].near && left.point < left_[best].point))
-            best = i;
-    }
+    for (std::uint32_t i = begin; i < end;)
+        for (const std::uint64_t piece = store_->arena.piece(i, end, 15); i < piece; ++i) {
+            const PointLeft& left = left_[i];
+            if (chosen_count_ > 1 && !(left.near >= theta_ * left.second)) continue;
+            if (best == end || left.near > left_[best].near ||
+                (left.near == left_[best].near && left.point < left_[best].point))
+                best = i;
+        }
     return best;
 }
 
 template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t place = chosen_count_++;
     chosen_[place] = point;
-    for (std::uint32_t i = begin; i < end; ++i) {
-        PointLeft& left = left_[i];
-        const double d = distance(point, left.point);
-        if (place == 0 || d < left.near) {
-            left.second = place == 0 ? infinity : left.near;
-            left.near = d;
-            left.owner = place;
-        } else if (d < left.second) {
-            left.second = d;
+    for (std::uint32_t i = begin; i < end;)
+        for (const std::uint64_t piece = store_->arena.piece(i, end, 15); i < piece; ++i) {
+            PointLeft& left = left_[i];
+            const double d = distance(point, left.point);
+            if (place == 0 || d < left.near) {
+                left.second = place == 0 ? infinity : left.near;
+                left.near = d;
+                left.owner = place;
+            } else if (d < left.second) {
+                left.second = d;
+            }
         }
-    }
 }
 
 // Makes clusters of what is left.
 template <int D> void ScalePartition<D>::group(std::uint32_t begin, std::uint32_t end) {
-    sort(left_ + begin, end - begin, ByOwner{});
+    sort(left_ + begin, end - begin, ByOwner{}, store_->arena);
     for (std::uint32_t i = begin; i < end;) {
+        store_->arena.step(i, 40);
         const std::uint32_t place = left_[i].owner, representative = chosen_[place];
         double gap = infinity, radius = 0;
-        for (std::uint32_t j = 0; j < chosen_count_; ++j) {
-            const double d = j == place ? infinity : distance(representative, chosen_[j]);
-            if (d < gap) gap = d;
-        }
+        for (std::uint32_t j = 0; j < chosen_count_;)
+            for (const std::uint64_t piece = store_->arena.piece(j, chosen_count_, 10 * D); j < piece; ++j) {
+                const double d = j == place ? infinity : distance(representative, chosen_[j]);
+                if (d < gap) gap = d;
+            }
         PointLeft& first = left_[i];
         for (; i < end && left_[i].owner == place; ++i) {
             if (left_[i].near > radius) radius = left_[i].near;

@@ -64,43 +64,46 @@ template <int D> Status Clumps<D>::open(Arena& arena) {
 
 // The clumps, hi(W), and what r_p has from the other inputs' distances to W.
 template <int D> void Clumps<D>::gather_clumps(const InputTree<D>& tree) {
-    for (VertexId p(0); p < inputs_; ++p) {
-        double d2;
-        tree.nearest(store_.point(p), none, p, &d2);
-        half_[p] = 0.5 * square_root(d2);
-        inner_[p] = infinity;
-        outer_[p] = 0;
-    }
-    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
-        const VertexId n = nearest_input<D>(store_, v);
-        const bool joins =
-            store_.vertex(v).marker != Marker::exempt && distance<D>(store_.point(v), store_.point(n)) <= half_[n];
-        clump_[v] = none;
-        if (!joins) continue;
-        clump_[v] = n;
-        double d2;
-        tree.nearest(store_.point(v), none, n, &d2);
-        const double others = cell_distance(square_root(d2), v);
-        if (others < inner_[n]) inner_[n] = others;
-        if (!(reach_[v] <= outer_[n])) outer_[n] = reach_[v];
-    }
+    for (VertexId p(0); p < inputs_;)
+        for (const std::uint64_t piece = store_.arena.piece(p, inputs_, 500 * D); p < piece; ++p) {
+            double d2;
+            tree.nearest(store_.point(p), none, p, &d2);
+            half_[p] = 0.5 * square_root(d2);
+            inner_[p] = infinity;
+            outer_[p] = 0;
+        }
+    for (VertexId v(0); v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 500 * D); v < piece; ++v) {
+            const VertexId n = nearest_input<D>(store_, v);
+            const bool joins =
+                store_.vertex(v).marker != Marker::exempt && distance<D>(store_.point(v), store_.point(n)) <= half_[n];
+            clump_[v] = none;
+            if (!joins) continue;
+            clump_[v] = n;
+            double d2;
+            tree.nearest(store_.point(v), none, n, &d2);
+            const double others = cell_distance(square_root(d2), v);
+            if (others < inner_[n]) inner_[n] = others;
+            if (!(reach_[v] <= outer_[n])) outer_[n] = reach_[v];
+        }
 }
 
 // What r_p has from the cells outside W: the way from p to the nearest of them leaves W into a cell that is adjacent to
 // W.
 template <int D> void Clumps<D>::bound_by_outside() {
-    for (CellId c(0); c < store_.state.cell_slots; ++c) {
-        const Cell<D>& cell = store_.cell(c);
-        for (const VertexId w : cell.vertex) {
-            const VertexId p = clump_[w];
-            if (p == none) continue;
-            for (const VertexId u : cell.vertex) {
-                if (clump_[u] == p) continue;
-                const double away = cell_distance(distance<D>(store_.point(p), store_.point(u)), u);
-                if (away < inner_[p]) inner_[p] = away;
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 60 * D); c < piece; ++c) {
+            const Cell<D>& cell = store_.cell(c);
+            for (const VertexId w : cell.vertex) {
+                const VertexId p = clump_[w];
+                if (p == none) continue;
+                for (const VertexId u : cell.vertex) {
+                    if (clump_[u] == p) continue;
+                    const double away = cell_distance(distance<D>(store_.point(p), store_.point(u)), u);
+                    if (away < inner_[p]) inner_[p] = away;
+                }
             }
         }
-    }
 }
 
 }  // namespace
@@ -113,9 +116,17 @@ Status tight_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work
     Clumps<D> clumps(mesh.store, rho, mesh.inputs);
     const Status status = clumps.open(work.arena);
     if (status != Status::ok) return status;
-    for (VertexId v(0); v < mesh.vertices(); ++v) out->value[v] = clumps.own_value(v);
+    for (VertexId v(0); v < mesh.vertices();)
+        for (const std::uint64_t piece = mesh.store.arena.piece(v, mesh.vertices(), 40); v < piece; ++v) {
+            out->value[v] = clumps.own_value(v);
+        }
     out->certificate = clamp_values(
-        mesh.vertices(), rho, values, [&](VertexId v) { return clumps.interval(v); }, out->value, out->interval);
+        mesh.vertices(), rho, values,
+        [&](VertexId v) {
+            work.arena.step(v, 60);
+            return clumps.interval(v);
+        },
+        out->value, out->interval);
     return Status::ok;
 }
 

@@ -55,16 +55,25 @@ template <int D> Status CellTightener<D>::open() {
     const std::uint32_t count = store_.state.vertex_count;
     degree_ = arena_.take_low<std::uint32_t>(count);
     if (degree_ == nullptr || tree_.build(store_, arena_, inputs_) != Status::ok) return Status::out_of_memory;
-    for (VertexId v(0); v < count; ++v) degree_[v] = 0;
-    for (CellId c(0); c < store_.state.cell_slots; ++c)
-        for (const VertexId v : store_.cell(c).vertex) ++degree_[v];
-    for (CellId c(0); c < store_.state.cell_slots; ++c)
-        for (int i = 0; i <= D; ++i)
-            for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
-                if (j != i) degree_[store_.cell(c).vertex[j]] = 0;
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = arena_.piece(v, count, 5); v < piece; ++v) {
+            degree_[v] = 0;
+        }
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = arena_.piece(c, store_.state.cell_slots, 6 * D); c < piece; ++c) {
+            for (const VertexId v : store_.cell(c).vertex) ++degree_[v];
+        }
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = arena_.piece(c, store_.state.cell_slots, 6 * D); c < piece; ++c) {
+            for (int i = 0; i <= D; ++i)
+                for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
+                    if (j != i) degree_[store_.cell(c).vertex[j]] = 0;
+        }
     std::uint32_t most = 0;
-    for (VertexId v(0); v < count; ++v)
-        if (store_.vertex(v).marker == Marker::steiner && degree_[v] > most) most = degree_[v];
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = arena_.piece(v, count, 5); v < piece; ++v) {
+            if (store_.vertex(v).marker == Marker::steiner && degree_[v] > most) most = degree_[v];
+        }
     corner_ = arena_.take_low<double>(std::size_t{most} * D);
     return corner_ == nullptr ? Status::out_of_memory : Status::ok;
 }
@@ -100,6 +109,7 @@ template <int D> void CellTightener<D>::bound_input(std::uint32_t input) {
         if (b > bound) bound = b;
     }
     if (!(bound < least_)) return;
+    arena_.pass(30 + corners_ / 2);
     HalfSpace<D> best;
     NearestInHull<D>().run(corner_, corners_, q, &best);
     const double b = best.distance(q) - slack;
@@ -170,6 +180,7 @@ template <int D> double CellTightener<D>::input_distance_low(VertexId v, double 
 // The largest |y|^2 - 2 y.mean + square over the corners.
 template <int D>
 double CellTightener<D>::farthest_corner(const double* mean, double square, std::uint32_t* corner) const {
+    arena_.pass(corners_ / 8);
     double worst = -infinity;
     for (std::uint32_t i = 0; i < corners_; ++i) {
         const double* const y = corner_ + std::size_t{i} * D;

@@ -5,7 +5,7 @@
 namespace netmesh {
 
 PairList PairWriter::finish() {
-    sort(pairs(), count_, CanonicalOrder{});
+    sort(pairs(), count_, CanonicalOrder{}, arena_);
     return PairList{pairs(), count_};
 }
 

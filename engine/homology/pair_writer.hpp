@@ -38,6 +38,8 @@ public:
     // The pairs in the canonical order. In a file of its own, so that sorting is in the library once.
     PairList finish();
 
+    const Arena& arena() const { return arena_; }
+
 private:
     Pair* pairs() const { return reinterpret_cast<Pair*>(arena_.at(begin_)); }
     // Nothing is taken ahead, so a larger block never does worse.

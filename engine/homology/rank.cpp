@@ -21,12 +21,16 @@ bool rank_vertices(const double* value, std::uint32_t count, Arena& arena, std::
     std::uint64_t* keys = arena.take_high<std::uint64_t>(count);
     std::uint64_t* spare = arena.take_high<std::uint64_t>(count);
     if (keys == nullptr || spare == nullptr) return false;
-    for (std::uint32_t v = 0; v < count; ++v) {
-        keys[v] = rank_key(value[v]);
-        order[v] = v;
-    }
-    radix_sort(keys, order, spare, rank, count);
-    for (std::uint32_t i = 0; i < count; ++i) rank[order[i]] = i;
+    for (std::uint32_t v = 0; v < count;)
+        for (const std::uint64_t piece = arena.piece(v, count, 8); v < piece; ++v) {
+            keys[v] = rank_key(value[v]);
+            order[v] = v;
+        }
+    radix_sort(keys, order, spare, rank, count, arena);
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 5); i < piece; ++i) {
+            rank[order[i]] = i;
+        }
     return true;
 }
 

@@ -14,15 +14,20 @@ template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
     const std::uint32_t cells = store.state.cell_slots, vertices = store.state.vertex_count;
     const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
     unsigned char* rows = arena.at(begin);
-    for (std::uint32_t c = 0; c < cells; ++c) __builtin_memmove(rows + c * row_bytes, store.cell(c).vertex, row_bytes);
+    for (std::uint32_t c = 0; c < cells;)
+        for (const std::uint64_t piece = arena.piece(c, cells, 12); c < piece; ++c) {
+            __builtin_memmove(rows + c * row_bytes, store.cell(c).vertex, row_bytes);
+        }
     arena.release_low(begin);
     double* const coordinates = arena.template take_low<double>(std::size_t{vertices} * D);
     unsigned char* const moved = arena.template take_low<unsigned char>(cells * row_bytes);
     if (coordinates == nullptr || moved == nullptr) return false;
-    __builtin_memmove(moved, rows, cells * row_bytes);
+    move_bytes(moved, rows, cells * row_bytes, arena);
     rows = moved;
-    for (std::uint32_t v = 0; v < vertices; ++v)
-        __builtin_memcpy(coordinates + std::size_t{v} * D, store.point(v), sizeof(double) * D);
+    for (std::uint32_t v = 0; v < vertices;)
+        for (const std::uint64_t piece = arena.piece(v, vertices, 12); v < piece; ++v) {
+            __builtin_memcpy(coordinates + std::size_t{v} * D, store.point(v), sizeof(double) * D);
+        }
     store.truncate_vertices(0);
     *out = {{rows, row_bytes, cells, vertices}, coordinates, static_cast<std::ptrdiff_t>(sizeof(double) * D), true};
     return true;

@@ -11,6 +11,7 @@ class Interleaving {
 public:
     explicit Interleaving(Spacing spacing) : spacing_(spacing) {}
     Status open(const FilterBounds& filter, Arena& arena) {
+        arena_ = &arena;
         const auto t = [&](std::uint32_t v) { return filter.value[v]; };
         const auto lo = [&](std::uint32_t v) { return filter.interval[v].lo; };
         const auto hi = [&](std::uint32_t v) { return filter.interval[v].hi; };
@@ -82,6 +83,7 @@ private:
     template <class Apart> double largest(double from, double next, double least, Apart&& apart) const {
         double most = larger(least, larger(apart(highest(from), from), apart(next, lowest(next))));
         for (std::uint32_t i = by_value_.keys_until(from, true); by_value_.key_or_infinity(i) < next; ++i) {
+            arena_->step(i, 400);
             const double a = by_value_.key(i);
             most = larger(most, larger(apart(highest(a), a), apart(a, lowest(a))));
         }
@@ -91,6 +93,7 @@ private:
     static double difference(double a, double b) { return a > b ? (a - b) * up : 0; }
 
     Spacing spacing_;
+    const Arena* arena_ = nullptr;
     ValueTable by_value_, by_low_, lows_;  // hi by t, t by lo, lo by t
 };
 
@@ -101,19 +104,20 @@ namespace {
 // A death at a or before belongs to no class that surely is real.
 template <class After>
 void bound_each(const Interleaving& interleaving, const BarList& bars, bool zero_is_exact, After&& certain_after,
-                BarBounds* bounds) {
-    for (std::uint64_t i = 0; i < bars.count; ++i) {
-        const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
-        const double latest = interleaving.phi(birth), after = certain_after(latest);
-        bounds[i] = {interleaving.psi_inverse(birth),
-                     latest,
-                     interleaving.psi_inverse(death),
-                     death < infinity ? interleaving.phi(death) : infinity,
-                     after,
-                     death > after ? 1u : 0u,
-                     0};
-        if (birth == 0 && zero_is_exact) bounds[i].birth_low = 0;
-    }
+                const Arena& arena, BarBounds* bounds) {
+    for (std::uint64_t i = 0; i < bars.count;)
+        for (const std::uint64_t piece = arena.piece(i, bars.count, 1200); i < piece; ++i) {
+            const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
+            const double latest = interleaving.phi(birth), after = certain_after(latest);
+            bounds[i] = {interleaving.psi_inverse(birth),
+                         latest,
+                         interleaving.psi_inverse(death),
+                         death < infinity ? interleaving.phi(death) : infinity,
+                         after,
+                         death > after ? 1u : 0u,
+                         0};
+            if (birth == 0 && zero_is_exact) bounds[i].birth_low = 0;
+        }
 }
 
 }  // namespace
@@ -128,10 +132,12 @@ Status bound_by_scale(const FilterBounds& filter, const BarList& bars, Spacing s
     if (status != Status::ok) return status;
     for (double at = interleaving.first_scale(); at < infinity; ++curve->count) {
         if (!arena.extend_low(sizeof(ScaleStep))) return Status::out_of_memory;
+        arena.pass(10);
         curve->steps[curve->count] = interleaving.step(at, &at);
     }
     bound_each(
-        interleaving, bars, !spacing.is_difference(), [&](double latest) { return interleaving.psi(latest); }, bounds);
+        interleaving, bars, !spacing.is_difference(), [&](double latest) { return interleaving.psi(latest); }, arena,
+        bounds);
     return Status::ok;
 }
 
@@ -144,10 +150,12 @@ Status bound_in_join(const FilterBounds& filter, const BarList& bars, const Join
     // From there on the join can move what is exact to where the mesh has cells.
     const double first = join.before(interleaving.first_scale()), end = interleaving.end_scale();
     grid->begin_at(first);
-    for (std::uint32_t i = grid->cell_of(first); i < grid->count() && grid->from(i) <= end; ++i)
-        grid->add(i, interleaving.step_in_join(i == 0 ? first : grid->from(i), grid->next(i), join));
+    for (std::uint32_t i = grid->cell_of(first); i < grid->count() && grid->from(i) <= end;)
+        for (const std::uint64_t piece = arena.piece(i, grid->count(), 3000); i < piece && grid->from(i) <= end; ++i) {
+            grid->add(i, interleaving.step_in_join(i == 0 ? first : grid->from(i), grid->next(i), join));
+        }
     bound_each(
-        interleaving, bars, true, [&](double latest) { return interleaving.psi(join.after(latest)); }, bounds);
+        interleaving, bars, true, [&](double latest) { return interleaving.psi(join.after(latest)); }, arena, bounds);
     return Status::ok;
 }
 
@@ -194,12 +202,13 @@ Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& are
     const double ratio = bound.ratio, slack = bound.value_error > 0 ? 1 + 1.01 * bound.value_error + 0x1p-51 : 1;
     const bool is_additive = bound.error >= 0, has_ratio = ratio < infinity || !is_additive;
     double from = 0;
-    for (std::uint64_t i = 0; i < bars.count; ++i) {
-        bounds[i] = has_ratio ? by_ratio(bars.pairs[i], ratio, slack, bound.in_order)
-                              : BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0};
-        if (is_additive) narrow(bars.pairs[i], bound.error, &bounds[i]);
-        if (bars.pairs[i].birth < from) from = bars.pairs[i].birth;
-    }
+    for (std::uint64_t i = 0; i < bars.count;)
+        for (const std::uint64_t piece = arena.piece(i, bars.count, 80); i < piece; ++i) {
+            bounds[i] = has_ratio ? by_ratio(bars.pairs[i], ratio, slack, bound.in_order)
+                                  : BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0};
+            if (is_additive) narrow(bars.pairs[i], bound.error, &bounds[i]);
+            if (bars.pairs[i].birth < from) from = bars.pairs[i].birth;
+        }
     *curve = {arena.take_low<ScaleStep>(ratio > 1 ? 1 : 0), ratio > 1 ? 1u : 0u};
     if (curve->steps == nullptr) return Status::out_of_memory;
     if (ratio > 1)

@@ -21,9 +21,12 @@ Status measure(const FilteredMesh<D>& mesh, const FilterRequest& request, const 
 }
 
 // Is it the function that the diagram is of?
-bool is_same(const BoundBarsRequest& request, const FilterBounds& filter, double error) {
+bool is_same(const BoundBarsRequest& request, const FilterBounds& filter, double error, const Arena& arena) {
     bool same = request.value != nullptr && request.error == error;
-    for (std::uint32_t v = 0; same && v < filter.count; ++v) same = request.value[v] == filter.value[v];
+    for (std::uint32_t v = 0; same && v < filter.count; ++v) {
+        arena.step(v, 5);
+        same = request.value[v] == filter.value[v];
+    }
     return same;
 }
 
@@ -45,7 +48,7 @@ Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, 
     Spacing spacing;
     if (filter.has(filter_trait::needs_function)) {
         const double error = evaluation.certificate.error;
-        if (!is_same(request, bounds, error)) return Status::invalid_argument;
+        if (!is_same(request, bounds, error, work.arena)) return Status::invalid_argument;
         // Either all is exact, or what is said of the function cannot be and no interval holds.
         if (!(error > 0 && error < infinity)) {
             status = bound_by_ratio({evaluation.certificate.ratio, 0, error}, request.bars, work.arena, out->bounds,

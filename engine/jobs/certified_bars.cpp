@@ -108,12 +108,18 @@ public:
     Status open(const BarList& bars, const BarBounds* bounds, Arena& arena);
     // Takes up what a sequence says about one degree if there are more claims then.
     void consider(const CoverSequence& covers, const PairList& list, std::uint32_t degree, int number);
-    bool claims(std::uint64_t bar) const { return now_[bar].sequence != 0; }
+    bool claims(std::uint64_t bar) const {
+        arena_->step(bar, 60);
+        return now_[bar].sequence != 0;
+    }
     void conclude(BarBounds* bounds) const;
 
 private:
     void clear(Claim* to) const {
-        for (std::uint64_t i = begin_; i < end_; ++i) to[i].sequence = 0;
+        for (std::uint64_t i = begin_; i < end_;)
+            for (const std::uint64_t piece = arena_->piece(i, end_, 12); i < piece; ++i) {
+                to[i].sequence = 0;
+            }
     }
     std::uint64_t keep_old(Claim* to, int number) const;
     std::uint64_t add_new(Claim* to, const CoverSequence& covers, const PairList& list, int number) const;
@@ -121,6 +127,7 @@ private:
     bool excludes(const Claim* set, const Claim& claim, bool of_this_sequence, int number) const;
 
     const JoinShift* join_;
+    const Arena* arena_ = nullptr;
     const Pair* pairs_ = nullptr;
     const BarBounds* bounds_ = nullptr;              // by interleaving
     std::uint64_t count_ = 0, begin_ = 0, end_ = 0;  // the degree's bars
@@ -129,6 +136,7 @@ private:
 
 Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) {
     const std::uint64_t count = bars.count;
+    arena_ = &arena;
     pairs_ = bars.pairs;
     bounds_ = bounds;
     count_ = count;
@@ -136,53 +144,64 @@ Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) 
     first_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
     second_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
     if (now_ == nullptr || first_ == nullptr || second_ == nullptr) return Status::out_of_memory;
-    for (std::uint64_t i = 0; i < count; ++i)
-        now_[i] = {bounds[i].birth_low, bounds[i].birth_high, bounds[i].death_low, bounds[i].death_high,
-                   bounds[i].certain ? 1 : 0};
+    for (std::uint64_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 15); i < piece; ++i) {
+            now_[i] = {bounds[i].birth_low, bounds[i].birth_high, bounds[i].death_low, bounds[i].death_high,
+                       bounds[i].certain ? 1 : 0};
+        }
     return Status::ok;
 }
 
 // Is the claim about another true bar than all claims of this sequence (of the others) in the set?
 bool Ledger::excludes(const Claim* set, const Claim& claim, bool of_this_sequence, int number) const {
-    for (std::uint64_t i = begin_; i < end_; ++i)
-        if (set[i].sequence != 0 && (set[i].sequence == number) == of_this_sequence && !claim.disjoint(set[i]))
-            return false;
+    for (std::uint64_t i = begin_; i < end_;)
+        for (const std::uint64_t piece = arena_->piece(i, end_, 12); i < piece; ++i) {
+            if (set[i].sequence != 0 && (set[i].sequence == number) == of_this_sequence && !claim.disjoint(set[i]))
+                return false;
+        }
     return true;
 }
 
 std::uint64_t Ledger::keep_old(Claim* to, int number) const {
     std::uint64_t kept = 0;
-    for (std::uint64_t i = begin_; i < end_; ++i) {
-        if (now_[i].sequence == 0 || to[i].sequence != 0 || !excludes(to, now_[i], true, number)) continue;
-        to[i] = now_[i];
-        ++kept;
-    }
+    for (std::uint64_t i = begin_; i < end_;)
+        for (const std::uint64_t piece = arena_->piece(i, end_, 12); i < piece; ++i) {
+            if (now_[i].sequence == 0 || to[i].sequence != 0 || !excludes(to, now_[i], true, number)) continue;
+            to[i] = now_[i];
+            ++kept;
+        }
     return kept;
 }
 
 std::uint64_t Ledger::add_new(Claim* to, const CoverSequence& covers, const PairList& list, int number) const {
     std::uint64_t added = 0;
-    for (std::uint64_t i = 0; i < list.count; ++i) {
-        Claim claim;
-        if (list.pairs[i].degree != pairs_[begin_].degree || !claim_of(covers, join_, list.pairs[i], number, &claim))
-            continue;
-        if (!excludes(to, claim, false, number)) continue;
-        std::uint64_t best = end_;
-        for (std::uint64_t j = begin_; j < end_; ++j)
-            if (to[j].sequence == 0 && claim.contains(pairs_[j]) &&
-                (best == end_ || pairs_[j].death - pairs_[j].birth > pairs_[best].death - pairs_[best].birth))
-                best = j;
-        if (best == end_) continue;
-        to[best] = claim;
-        ++added;
-    }
+    for (std::uint64_t i = 0; i < list.count;)
+        for (const std::uint64_t piece = arena_->piece(i, list.count, 40); i < piece; ++i) {
+            Claim claim;
+            if (list.pairs[i].degree != pairs_[begin_].degree ||
+                !claim_of(covers, join_, list.pairs[i], number, &claim))
+                continue;
+            if (!excludes(to, claim, false, number)) continue;
+            std::uint64_t best = end_;
+            for (std::uint64_t j = begin_; j < end_;)
+                for (const std::uint64_t piece = arena_->piece(j, end_, 12); j < piece; ++j) {
+                    if (to[j].sequence == 0 && claim.contains(pairs_[j]) &&
+                        (best == end_ || pairs_[j].death - pairs_[j].birth > pairs_[best].death - pairs_[best].birth))
+                        best = j;
+                }
+            if (best == end_) continue;
+            to[best] = claim;
+            ++added;
+        }
     return added;
 }
 
 // Bars that are certain by interleaving stay certain, as reports say so of what dies after certain_after.
 bool Ledger::keeps_interleaved(const Claim* set) const {
-    for (std::uint64_t i = begin_; i < end_; ++i)
-        if (bounds_[i].certain && set[i].sequence == 0) return false;
+    for (std::uint64_t i = begin_; i < end_;)
+        for (const std::uint64_t piece = arena_->piece(i, end_, 12); i < piece; ++i) {
+            if (bounds_[i].certain && set[i].sequence == 0) return false;
+        }
     return true;
 }
 
@@ -193,7 +212,10 @@ void Ledger::consider(const CoverSequence& covers, const PairList& list, std::ui
     while (end_ < count_ && pairs_[end_].degree == degree) ++end_;
     if (begin_ == end_) return;
     std::uint64_t now = 0;
-    for (std::uint64_t i = begin_; i < end_; ++i) now += now_[i].sequence != 0;
+    for (std::uint64_t i = begin_; i < end_;)
+        for (const std::uint64_t piece = arena_->piece(i, end_, 12); i < piece; ++i) {
+            now += now_[i].sequence != 0;
+        }
     // What is there and what goes with it, or the other way round.
     clear(first_);
     std::uint64_t first = keep_old(first_, number);
@@ -204,7 +226,10 @@ void Ledger::consider(const CoverSequence& covers, const PairList& list, std::ui
     if (!keeps_interleaved(second_)) second = 0;
     if (first <= now && second <= now) return;
     const Claim* const better = second > first ? second_ : first_;
-    for (std::uint64_t i = begin_; i < end_; ++i) now_[i] = better[i];
+    for (std::uint64_t i = begin_; i < end_;)
+        for (const std::uint64_t piece = arena_->piece(i, end_, 12); i < piece; ++i) {
+            now_[i] = better[i];
+        }
 }
 
 void Ledger::conclude(BarBounds* bounds) const {
@@ -275,12 +300,13 @@ private:
 // The filter's values as shares of a half, in their order.
 class HalfShare {
 public:
-    HalfShare(const FilterBounds& filter, Spacing spacing) {
-        for (std::uint32_t v = 0; v < filter.count; ++v) {
-            const double t = filter.value[v];
-            if (t > largest_) largest_ = t;
-            if (t < least_) least_ = t;
-        }
+    HalfShare(const FilterBounds& filter, Spacing spacing, const Arena& arena) {
+        for (std::uint32_t v = 0; v < filter.count;)
+            for (const std::uint64_t piece = arena.piece(v, filter.count, 8); v < piece; ++v) {
+                const double t = filter.value[v];
+                if (t > largest_) largest_ = t;
+                if (t < least_) least_ = t;
+            }
         if (!spacing.is_difference()) least_ = 0;
     }
     double of(double t) const {
@@ -308,14 +334,16 @@ Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& w
     if (status == Status::ok && level == nullptr) status = Status::out_of_memory;
     if (status != Status::ok) return status;
     const std::uint32_t top_degree = bars.pairs[bars.count - 1].degree, least_degree = request.zero_born > 0 ? 1 : 0;
-    const HalfShare share(filter, request.spacing);
+    const HalfShare share(filter, request.spacing, work.arena);
     NextScale next(request.spacing);
     double scale;
     for (int number = 0; number < sequences_max && next.find(ledger, bars, least_degree, &scale); ++number) {
         covers.go_through(scale);
         // The filter's values order the simplices of a level, which keeps the reduction short.
-        for (std::uint32_t v = 0; v < filter.count; ++v)
-            level[v] = covers.level(filter.interval[v]) + share.of(filter.value[v]);
+        for (std::uint32_t v = 0; v < filter.count;)
+            for (const std::uint64_t piece = work.arena.piece(v, filter.count, 30); v < piece; ++v) {
+                level[v] = covers.level(filter.interval[v]) + share.of(filter.value[v]);
+            }
         const ArenaScope run(work.arena);
         CountedPairs found = {};
         status = persist_lower_star<D>({request.complex, level, request.zero_born, request.part}, {top_degree}, work,

@@ -11,23 +11,37 @@ Status number_vines(VinePoint* points, std::uint64_t count, std::uint32_t raw_co
     VinePoint* const first = arena.take_high<VinePoint>(raw_count);
     if (number == nullptr || first == nullptr || count >= none) return Status::out_of_memory;
     std::uint32_t vines = 0;
-    for (std::uint32_t v = 0; v < raw_count; ++v) number[v] = none;
-    for (std::uint64_t i = 0; i < count; ++i) {  // in the order of steps
-        if (number[points[i].vine] != none) continue;
-        number[points[i].vine] = 0;
-        first[vines++] = points[i];
-    }
-    sort(first, vines, [](const VinePoint& a, const VinePoint& b) {
-        if (a.degree != b.degree) return a.degree < b.degree;
-        if (a.k != b.k) return a.k < b.k;
-        if (a.birth != b.birth) return a.birth < b.birth;
-        if (a.death != b.death) return a.death < b.death;
-        return a.vine < b.vine;
-    });
-    for (std::uint32_t v = 0; v < vines; ++v) number[first[v].vine] = v;
-    for (std::uint64_t i = 0; i < count; ++i) points[i].vine = number[points[i].vine];
-    sort(points, count,
-         [](const VinePoint& a, const VinePoint& b) { return a.vine != b.vine ? a.vine < b.vine : a.k < b.k; });
+    for (std::uint32_t v = 0; v < raw_count;)
+        for (const std::uint64_t piece = arena.piece(v, raw_count, 3); v < piece; ++v) {
+            number[v] = none;
+        }
+    for (std::uint64_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 15); i < piece; ++i) {  // in the order of steps
+            if (number[points[i].vine] != none) continue;
+            number[points[i].vine] = 0;
+            first[vines++] = points[i];
+        }
+    sort(
+        first, vines,
+        [](const VinePoint& a, const VinePoint& b) {
+            if (a.degree != b.degree) return a.degree < b.degree;
+            if (a.k != b.k) return a.k < b.k;
+            if (a.birth != b.birth) return a.birth < b.birth;
+            if (a.death != b.death) return a.death < b.death;
+            return a.vine < b.vine;
+        },
+        arena);
+    for (std::uint32_t v = 0; v < vines;)
+        for (const std::uint64_t piece = arena.piece(v, vines, 6); v < piece; ++v) {
+            number[first[v].vine] = v;
+        }
+    for (std::uint64_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 15); i < piece; ++i) {
+            points[i].vine = number[points[i].vine];
+        }
+    sort(
+        points, count,
+        [](const VinePoint& a, const VinePoint& b) { return a.vine != b.vine ? a.vine < b.vine : a.k < b.k; }, arena);
     out->points = points;
     out->count = count;
     out->vine_count = vines;
@@ -53,6 +67,7 @@ bool VineFollower::add(const VinePoint& point) {
 bool VineFollower::note(std::uint32_t step, const double* const* value) {
     bool good = true;
     vineyard_.for_each_pair([&](const Vineyard::VinePair& pair) {
+        work_.arena.step(pair.birth, 60);
         const double birth = value[pair.degree][pair.birth];
         const double death = pair.death == none ? infinity : value[pair.degree + 1][pair.death];
         if (death > birth) good = good && add({birth, death, pair.vine, step, pair.degree, 0});
@@ -87,22 +102,23 @@ Status VineRoom::keep(VineList* out) {
     // Where the old ones are or below.
     VinePoint* const points = arena_.take_low<VinePoint>(static_cast<std::size_t>(out->count));
     if (points == nullptr) return Status::out_of_memory;
-    __builtin_memmove(points, out->points, sizeof(VinePoint) * static_cast<std::size_t>(out->count));
+    move_bytes(points, out->points, sizeof(VinePoint) * static_cast<std::size_t>(out->count), arena_);
     out->ratio = ratio_;
     out->points = points;
     scope_.keep_low_from_now();
     return Status::ok;
 }
 
-void raise_to_vertices(const ComplexView& complex, double* const* value) {
+void raise_to_vertices(const ComplexView& complex, double* const* value, const Arena& arena) {
     for (std::uint32_t k = 1; k <= complex.dimension; ++k)
-        for (std::uint32_t i = 0; i < complex.count[k]; ++i) {
-            const std::uint32_t* const facets = complex.facets[k] + std::size_t{i} * (k + 1);
-            double most = value[k - 1][facets[0]];
-            for (std::uint32_t j = 1; j <= k; ++j)
-                if (value[k - 1][facets[j]] > most) most = value[k - 1][facets[j]];
-            value[k][i] = most;
-        }
+        for (std::uint32_t i = 0; i < complex.count[k];)
+            for (const std::uint64_t piece = arena.piece(i, complex.count[k], 8 + 4 * k); i < piece; ++i) {
+                const std::uint32_t* const facets = complex.facets[k] + std::size_t{i} * (k + 1);
+                double most = value[k - 1][facets[0]];
+                for (std::uint32_t j = 1; j <= k; ++j)
+                    if (value[k - 1][facets[j]] > most) most = value[k - 1][facets[j]];
+                value[k][i] = most;
+            }
 }
 
 }  // namespace netmesh

@@ -91,6 +91,6 @@ private:
 };
 
 // Of a lower-star filtration: gives all simplices above the vertices the largest value of their vertices.
-void raise_to_vertices(const ComplexView& complex, double* const* value);
+void raise_to_vertices(const ComplexView& complex, double* const* value, const Arena& arena);
 
 }  // namespace netmesh

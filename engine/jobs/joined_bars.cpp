@@ -38,20 +38,26 @@ bool write_image(const Cycle& chain, std::uint32_t degree, const std::uint32_t* 
     Named* const named = arena.take_high<Named>(chain.count);
     if (named == nullptr) return false;
     std::uint32_t count = 0, kept = 0;
-    for (std::uint32_t i = 0; i < chain.count; ++i)
-        count += name_simplex(chain.simplices + std::size_t{i} * size, size, name, &named[count]);
-    sort(named, count, [](const Named& a, const Named& b) { return a.compare(b) < 0; });
-    for (std::uint32_t i = 0; i < count; ++i) {  // over Z/2
-        if (kept > 0 && named[kept - 1].compare(named[i]) == 0) {
-            --kept;
-        } else {
-            named[kept++] = named[i];
+    for (std::uint32_t i = 0; i < chain.count;)
+        for (const std::uint64_t piece = arena.piece(i, chain.count, 60); i < piece; ++i) {
+            count += name_simplex(chain.simplices + std::size_t{i} * size, size, name, &named[count]);
         }
-    }
+    sort(
+        named, count, [](const Named& a, const Named& b) { return a.compare(b) < 0; }, arena);
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 40); i < piece; ++i) {  // over Z/2
+            if (kept > 0 && named[kept - 1].compare(named[i]) == 0) {
+                --kept;
+            } else {
+                named[kept++] = named[i];
+            }
+        }
     std::uint32_t* to = writer->append(kept, degree, handle);
     if (to == nullptr) return false;
-    for (std::uint32_t i = 0; i < kept; ++i)
-        for (std::uint32_t k = 0; k < size; ++k) *to++ = named[i].vertex[k];
+    for (std::uint32_t i = 0; i < kept;)
+        for (const std::uint64_t piece = arena.piece(i, kept, 12); i < piece; ++i) {
+            for (std::uint32_t k = 0; k < size; ++k) *to++ = named[i].vertex[k];
+        }
     return true;
 }
 
@@ -72,13 +78,14 @@ Status write_images(const Representatives& found, const std::uint32_t* name, Are
     if (found.pairs.count != count_long(list)) return Status::internal;
     CycleWriter writer(arena);
     std::uint64_t next = 0;
-    for (std::uint64_t i = 0; i < list.count; ++i) {
-        if (!is_long(list.pairs[i])) continue;
-        const Pair& pair = found.pairs.pairs[next++];
-        if (!write_image(lower_star_cycle(found.store, arena, pair), pair.degree, name, arena, &writer,
-                         &bars->bounds[i].unused))
-            return Status::out_of_memory;
-    }
+    for (std::uint64_t i = 0; i < list.count;)
+        for (const std::uint64_t piece = arena.piece(i, list.count, 60); i < piece; ++i) {
+            if (!is_long(list.pairs[i])) continue;
+            const Pair& pair = found.pairs.pairs[next++];
+            if (!write_image(lower_star_cycle(found.store, arena, pair), pair.degree, name, arena, &writer,
+                             &bars->bounds[i].unused))
+                return Status::out_of_memory;
+        }
     bars->chains = writer.begin();
     bars->steps = next == 0 ? 0 : (arena.low_mark() - writer.begin()) / step_bytes;
     return Status::ok;
@@ -100,17 +107,21 @@ void JoinedBars::open(const Arena& arena) {
 bool JoinedBars::add(const MeshBars& mesh, bool with_essential, Arena& arena) {
     const auto is_kept = [&](const Pair& pair) { return with_essential || pair.death < infinity; };
     std::uint64_t kept = 0;
-    for (std::uint64_t i = 0; i < mesh.list.count; ++i) kept += is_kept(mesh.list.pairs[i]);
+    for (std::uint64_t i = 0; i < mesh.list.count;)
+        for (const std::uint64_t piece = arena.piece(i, mesh.list.count, 30); i < piece; ++i) {
+            kept += is_kept(mesh.list.pairs[i]);
+        }
     if (kept >= none - count_ || mesh.steps >= none - steps_) return false;
     if (!arena.extend_high(static_cast<std::size_t>(kept) * sizeof(Bar))) return false;
-    for (std::uint64_t i = 0; i < mesh.list.count; ++i) {
-        if (!is_kept(mesh.list.pairs[i])) continue;
-        Bar* const bar = at(count_++, arena);
-        *bar = {mesh.list.pairs[i], mesh.bounds[i]};
-        if (bar->bounds.unused != 0) bar->bounds.unused += steps_;
-    }
+    for (std::uint64_t i = 0; i < mesh.list.count;)
+        for (const std::uint64_t piece = arena.piece(i, mesh.list.count, 30); i < piece; ++i) {
+            if (!is_kept(mesh.list.pairs[i])) continue;
+            Bar* const bar = at(count_++, arena);
+            *bar = {mesh.list.pairs[i], mesh.bounds[i]};
+            if (bar->bounds.unused != 0) bar->bounds.unused += steps_;
+        }
     const std::size_t to = begin_ + std::size_t{steps_} * step_bytes;
-    __builtin_memmove(arena.at(to), arena.at(mesh.chains), mesh.steps * step_bytes);
+    move_bytes(arena.at(to), arena.at(mesh.chains), mesh.steps * step_bytes, arena);
     steps_ += static_cast<std::uint32_t>(mesh.steps);
     arena.release_low(begin_ + std::size_t{steps_} * step_bytes);
     return true;
@@ -120,25 +131,28 @@ bool JoinedBars::finish(Arena& arena, CycleStore* chains, PairList* list, BarBou
     const std::size_t bytes = std::size_t{steps_} * step_bytes;
     unsigned char* const moved = arena.take_low<unsigned char>(bytes);
     if (moved == nullptr) return false;
-    __builtin_memmove(moved, arena.at(begin_), bytes);
+    move_bytes(moved, arena.at(begin_), bytes, arena);
     *chains = {arena.offset_of(moved), 0};
     *list = {arena.take_low<Pair>(count_), count_};
     if (bounds != nullptr) *bounds = arena.take_low<BarBounds>(count_);
     if (list->pairs == nullptr || (bounds != nullptr && *bounds == nullptr)) return false;
-    for (std::uint32_t i = 0; i < count_; ++i) {
-        list->pairs[i] = at(i, arena)->pair;
-        list->pairs[i].cycle = i;  // for what is known of it
-    }
+    for (std::uint32_t i = 0; i < count_;)
+        for (const std::uint64_t piece = arena.piece(i, count_, 30); i < piece; ++i) {
+            list->pairs[i] = at(i, arena)->pair;
+            list->pairs[i].cycle = i;  // for what is known of it
+        }
     const CanonicalOrder before;
-    sort(list->pairs, count_,
-         [&](const Pair& a, const Pair& b) { return before(a, b) || (!before(b, a) && a.cycle < b.cycle); });
-    for (std::uint32_t i = 0; i < count_; ++i) {
-        const BarBounds& known = at(list->pairs[i].cycle, arena)->bounds;
-        list->pairs[i].cycle = known.unused;
-        if (bounds == nullptr) continue;
-        (*bounds)[i] = known;
-        (*bounds)[i].unused = 0;
-    }
+    sort(
+        list->pairs, count_,
+        [&](const Pair& a, const Pair& b) { return before(a, b) || (!before(b, a) && a.cycle < b.cycle); }, arena);
+    for (std::uint32_t i = 0; i < count_;)
+        for (const std::uint64_t piece = arena.piece(i, count_, 30); i < piece; ++i) {
+            const BarBounds& known = at(list->pairs[i].cycle, arena)->bounds;
+            list->pairs[i].cycle = known.unused;
+            if (bounds == nullptr) continue;
+            (*bounds)[i] = known;
+            (*bounds)[i].unused = 0;
+        }
     return true;
 }
 

@@ -35,10 +35,15 @@ template <int D> struct FacesByNeighbours {
         const Status status = evaluate<D>(mesh, {request.filter, request.values, k}, work, &evaluation);
         if (status != Status::ok) return status;
         *ratio = evaluation.certificate.ratio;
-        for (std::uint32_t f = 0; f < faces.count[0]; ++f) value[0][f] = vertex_value[faces.last_vertex[0][f]];
-        raise_to_vertices(complex, value);
-        for (std::uint32_t f = 0; f < faces.count[0]; ++f)
-            if (faces.last_vertex[0][f] < evaluation.zero_born) value[0][f] = 0;
+        for (std::uint32_t f = 0; f < faces.count[0];)
+            for (const std::uint64_t piece = work.arena.piece(f, faces.count[0], 10); f < piece; ++f) {
+                value[0][f] = vertex_value[faces.last_vertex[0][f]];
+            }
+        raise_to_vertices(complex, value, work.arena);
+        for (std::uint32_t f = 0; f < faces.count[0];)
+            for (const std::uint64_t piece = work.arena.piece(f, faces.count[0], 10); f < piece; ++f) {
+                if (faces.last_vertex[0][f] < evaluation.zero_born) value[0][f] = 0;
+            }
         return Status::ok;
     }
 };

@@ -7,20 +7,21 @@ namespace netmesh {
 namespace {
 
 // What each simplex by itself has to satisfy; counts the dimensions.
-Status count_simplices(const SimplexList& list, ListedComplex* complex, SimplexFault* fault) {
+Status count_simplices(const SimplexList& list, const Arena& arena, ListedComplex* complex, SimplexFault* fault) {
     *complex = {};
-    for (std::uint64_t i = 0; i < list.count; ++i) {
-        fault->simplex = i;
-        fault->kind = NETMESH_FAULT_SIZE;
-        if (list.starts[i + 1] <= list.starts[i] || list.size(i) > ListedComplex::dimension_max + 1)
-            return Status::not_a_complex;
-        const std::uint32_t k = static_cast<std::uint32_t>(list.size(i) - 1);
-        if (k > complex->dimension) complex->dimension = k;
-        fault->kind = NETMESH_FAULT_TOO_MANY;
-        if (++complex->count[k] > 0x7FFFFFFFu) return Status::not_a_complex;
-        fault->kind = NETMESH_FAULT_NONE;
-        if (list.values != nullptr && !is_finite(list.values[i])) return Status::not_finite;
-    }
+    for (std::uint64_t i = 0; i < list.count;)
+        for (const std::uint64_t piece = arena.piece(i, list.count, 20); i < piece; ++i) {
+            fault->simplex = i;
+            fault->kind = NETMESH_FAULT_SIZE;
+            if (list.starts[i + 1] <= list.starts[i] || list.size(i) > ListedComplex::dimension_max + 1)
+                return Status::not_a_complex;
+            const std::uint32_t k = static_cast<std::uint32_t>(list.size(i) - 1);
+            if (k > complex->dimension) complex->dimension = k;
+            fault->kind = NETMESH_FAULT_TOO_MANY;
+            if (++complex->count[k] > 0x7FFFFFFFu) return Status::not_a_complex;
+            fault->kind = NETMESH_FAULT_NONE;
+            if (list.values != nullptr && !is_finite(list.values[i])) return Status::not_finite;
+        }
     *fault = {};
     return Status::ok;
 }
@@ -51,19 +52,21 @@ Status copy_simplices(const SimplexList& list, Arena& arena, ListedSimplices* ou
     if (!take_complex(arena, complex)) return Status::out_of_memory;
     std::uint32_t filled[ListedComplex::dimension_max + 1] = {};
     Fingerprint f;
-    for (std::uint64_t i = 0; i < list.count; ++i) {
-        const std::uint32_t size = static_cast<std::uint32_t>(list.size(i)), k = size - 1;
-        std::uint32_t* const row = complex.rows[k] + std::size_t{filled[k]} * size;
-        if (!sort_vertices(list.vertices + list.starts[i], size, row)) {
-            out->fault = {NETMESH_FAULT_VERTEX_TWICE, i, 0};
-            return Status::not_a_complex;
+    for (std::uint64_t i = 0; i < list.count;)
+        for (const std::uint64_t piece = arena.piece(i, list.count, static_cast<std::uint32_t>(60 + 20 * list.size(i)));
+             i < piece; ++i) {
+            const std::uint32_t size = static_cast<std::uint32_t>(list.size(i)), k = size - 1;
+            std::uint32_t* const row = complex.rows[k] + std::size_t{filled[k]} * size;
+            if (!sort_vertices(list.vertices + list.starts[i], size, row)) {
+                out->fault = {NETMESH_FAULT_VERTEX_TWICE, i, 0};
+                return Status::not_a_complex;
+            }
+            const double value = list.values == nullptr ? 0 : list.values[i] + 0.0;
+            complex.value[k][filled[k]++] = value;
+            f.add(static_cast<std::uint64_t>(size));
+            for (std::uint32_t n = 0; n < size; ++n) f.add(static_cast<std::uint64_t>(row[n]));
+            if (list.values != nullptr) f.add(list.values[i]);
         }
-        const double value = list.values == nullptr ? 0 : list.values[i] + 0.0;
-        complex.value[k][filled[k]++] = value;
-        f.add(static_cast<std::uint64_t>(size));
-        for (std::uint32_t n = 0; n < size; ++n) f.add(static_cast<std::uint64_t>(row[n]));
-        if (list.values != nullptr) f.add(list.values[i]);
-    }
     out->input_fingerprint = f.value();
     return Status::ok;
 }
@@ -89,7 +92,7 @@ std::uint64_t place_of(const SimplexList& list, std::uint32_t k, std::uint32_t i
 
 Status list_simplices(const SimplexList& list, const Work& work, ListedSimplices* out) {
     *out = {};
-    Status status = count_simplices(list, &out->complex, &out->fault);
+    Status status = count_simplices(list, work.arena, &out->complex, &out->fault);
     if (status == Status::ok) status = copy_simplices(list, work.arena, out);
     if (status != Status::ok) return status;
     ComplexFault fault = {};

@@ -9,15 +9,17 @@ namespace netmesh {
 namespace {
 
 // Moves rows so that row j is what row from[j] was. Sets and then ignores the top bit of from.
-template <int W> void permute_facets(std::uint32_t* row, std::uint32_t* from, std::uint32_t count) {
+template <int W> void permute_facets(std::uint32_t* row, std::uint32_t* from, std::uint32_t count, const Arena& arena) {
     constexpr std::uint32_t moved = 0x80000000u;
     for (std::uint32_t start = 0; start < count; ++start) {
+        arena.step(start, 8);
         if ((from[start] & moved) != 0) continue;
         std::uint32_t first[W];
         for (int i = 0; i < W; ++i) first[i] = row[static_cast<std::size_t>(start) * W + i];
         std::uint32_t at = start;
         for (;;) {
             const std::uint32_t next = from[at];
+            arena.step(at + 1, 10 + 4 * W);
             from[at] = next | moved;
             std::uint32_t* const to = row + static_cast<std::size_t>(at) * W;
             if (next == start) {
@@ -40,12 +42,18 @@ template <int K, int D> Status order_faces(Faces<D>& faces, int dimension, doubl
         if (K < dimension) {
             std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
             if (place == nullptr) return Status::out_of_memory;
-            for (std::uint32_t j = 0; j < count; ++j) place[from[j]] = j;
+            for (std::uint32_t j = 0; j < count;)
+                for (const std::uint64_t piece = arena.piece(j, count, 5); j < piece; ++j) {
+                    place[from[j]] = j;
+                }
             const std::size_t words = static_cast<std::size_t>(faces.count[K + 1]) * (K + 2);
-            for (std::size_t i = 0; i < words; ++i) faces.facets[K + 1][i] = place[faces.facets[K + 1][i]];
+            for (std::size_t i = 0; i < words;)
+                for (const std::uint64_t piece = arena.piece(i, words, 5); i < piece; ++i) {
+                    faces.facets[K + 1][i] = place[faces.facets[K + 1][i]];
+                }
         }
     }
-    permute_facets<K + 1>(faces.facets[K], from, count);
+    permute_facets<K + 1>(faces.facets[K], from, count, arena);
     return Status::ok;
 }
 
@@ -64,7 +72,7 @@ template <int D> bool keep_dimensions(Faces<D>& faces, int dimension, double** v
     for (int k = 0; k <= dimension; ++k) {
         double* const moved = arena.take_low<double>(faces.count[k]);
         if (moved == nullptr) return false;
-        __builtin_memmove(moved, value[k], sizeof(double) * faces.count[k]);
+        move_bytes(moved, value[k], sizeof(double) * faces.count[k], arena);
         value[k] = moved;
     }
     for (int k = dimension + 1; k <= D; ++k) faces.count[k] = 0;

@@ -24,7 +24,10 @@ Status make_complex(const PointSet& points, const PointsFilter& filter, const Wo
     Status status = list_sets(points, filter.filter, dimension, work, &sets, error);
     if (status == Status::ok) status = barycentric_complex(sets, filter.k, top, top, work, out);
     for (std::uint32_t m = 0; status == Status::ok && m <= out->dimension; ++m) {
-        for (std::uint32_t i = 0; i < out->count[m]; ++i) out->value[m][i] *= factor_of(filter);
+        for (std::uint32_t i = 0; i < out->count[m];)
+            for (const std::uint64_t piece = work.arena.piece(i, out->count[m], 5); i < piece; ++i) {
+                out->value[m][i] *= factor_of(filter);
+            }
     }
     return status;
 }
@@ -39,10 +42,12 @@ Status persist_listed(const PointsRequest& request, const PointSet& set, const W
     return persist_complex(complex, counted, work, &out->diagram);
 }
 
-void note_edge_error(const PointsRequest& request, PointsDiagram* out) {
+void note_edge_error(const PointsRequest& request, const Arena& arena, PointsDiagram* out) {
     ValueRange range;
-    for (std::uint64_t i = 0; i < out->diagram.pairs.count; ++i)
-        range.add(out->diagram.pairs.pairs[i].birth, out->diagram.pairs.pairs[i].death);
+    for (std::uint64_t i = 0; i < out->diagram.pairs.count;)
+        for (const std::uint64_t piece = arena.piece(i, out->diagram.pairs.count, 15); i < piece; ++i) {
+            range.add(out->diagram.pairs.pairs[i].birth, out->diagram.pairs.pairs[i].death);
+        }
     out->value_error = edge_error(range, factor_of(request.filter), request.dim);
 }
 
@@ -81,7 +86,7 @@ Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram
     if (is_rips(request.filter.filter) && !request.representatives)
         status = persist_edges(request, set, work, out, &done);
     if (!done) status = persist_listed(request, set, work, out);
-    if (status == Status::ok && has_edges(request.filter.filter)) note_edge_error(request, out);
+    if (status == Status::ok && has_edges(request.filter.filter)) note_edge_error(request, work.arena, out);
     return status;
 }
 

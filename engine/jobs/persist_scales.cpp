@@ -21,8 +21,10 @@ namespace {
 // where the ones before them end. False: out of memory.
 bool join_pairs(const PairList& list, bool is_first, std::size_t low, Arena& arena, PairList* joined) {
     std::uint64_t kept = 0;
-    for (std::uint64_t i = 0; i < list.count; ++i)
-        if (is_first || list.pairs[i].death < infinity) list.pairs[kept++] = list.pairs[i];
+    for (std::uint64_t i = 0; i < list.count;)
+        for (const std::uint64_t piece = arena.piece(i, list.count, 10); i < piece; ++i) {
+            if (is_first || list.pairs[i].death < infinity) list.pairs[kept++] = list.pairs[i];
+        }
     arena.release_low(low);
     Pair* to = joined->pairs + joined->count;
     if (joined->count == 0) {
@@ -31,7 +33,7 @@ bool join_pairs(const PairList& list, bool is_first, std::size_t low, Arena& are
     } else if (!arena.extend_low(static_cast<std::size_t>(kept) * sizeof(Pair))) {
         return false;
     }
-    __builtin_memmove(to, list.pairs, static_cast<std::size_t>(kept) * sizeof(Pair));
+    move_bytes(to, list.pairs, static_cast<std::size_t>(kept) * sizeof(Pair), arena);
     joined->count += kept;
     return true;
 }
@@ -92,16 +94,20 @@ template <int D> void ScalesJoin<D>::copy_points(double* x) const {
     const std::uint32_t n = partition_.chosen_count();
     const double* const first = points_.point(partition_.chosen()[0]);
     bool exact = true;
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (int k = 0; k < D; ++k) {
-            const DoubleDouble d = two_difference(points_.point(partition_.chosen()[i])[k], first[k]);
-            exact = exact && d.low == 0;
-            x[std::size_t{i} * D + static_cast<std::size_t>(k)] = d.high;
+    for (std::uint32_t i = 0; i < n;)
+        for (const std::uint64_t piece = arena_.piece(i, n, 12 * D); i < piece; ++i) {
+            for (int k = 0; k < D; ++k) {
+                const DoubleDouble d = two_difference(points_.point(partition_.chosen()[i])[k], first[k]);
+                exact = exact && d.low == 0;
+                x[std::size_t{i} * D + static_cast<std::size_t>(k)] = d.high;
+            }
         }
     if (exact) return;
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (int k = 0; k < D; ++k)
-            x[std::size_t{i} * D + static_cast<std::size_t>(k)] = points_.point(partition_.chosen()[i])[k];
+    for (std::uint32_t i = 0; i < n;)
+        for (const std::uint64_t piece = arena_.piece(i, n, 12 * D); i < piece; ++i) {
+            for (int k = 0; k < D; ++k)
+                x[std::size_t{i} * D + static_cast<std::size_t>(k)] = points_.point(partition_.chosen()[i])[k];
+        }
 }
 
 template <int D> MeshRequest ScalesJoin<D>::mesh_request() const {
@@ -144,8 +150,10 @@ template <int D> Status ScalesJoin<D>::find_chains(const FilteredMesh<D>& mesh, 
     if (status != Status::ok) return status;
     std::uint32_t* const name = arena_.take_high<std::uint32_t>(mesh.vertices());
     if (name == nullptr) return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < mesh.vertices(); ++v)
-        name[v] = partition_.chosen()[mesh.store.vertex(nearest_input<D>(mesh.store, VertexId(v))).origin];
+    for (std::uint32_t v = 0; v < mesh.vertices();)
+        for (const std::uint64_t piece = arena_.piece(v, mesh.vertices(), 15); v < piece; ++v) {
+            name[v] = partition_.chosen()[mesh.store.vertex(nearest_input<D>(mesh.store, VertexId(v))).origin];
+        }
     return write_images(found, name, arena_, bars);
 }
 
@@ -187,7 +195,10 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (!has_more()) return Status::ok;
     bars->bounds = arena_.take_low<BarBounds>(static_cast<std::size_t>(found.pairs.count));
     if (bars->bounds == nullptr) return Status::out_of_memory;
-    for (std::uint64_t i = 0; i < found.pairs.count; ++i) bars->bounds[i] = {};
+    for (std::uint64_t i = 0; i < found.pairs.count;)
+        for (const std::uint64_t piece = arena_.piece(i, found.pairs.count, 10); i < piece; ++i) {
+            bars->bounds[i] = {};
+        }
     if (request_.bounds) status = bound_mesh(filtered, which, filter, *bars);
     return status == Status::ok && request_.representatives ? find_chains(filtered, value, bars) : status;
 }
@@ -274,7 +285,7 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
         work.arena.release_low(low);
         return status;
     }
-    if (!has_more) sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{});
+    if (!has_more) sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{}, work.arena);
     return Status::ok;
 }
 

@@ -28,17 +28,18 @@ Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::u
     if (x == nullptr || order == nullptr || repeated == nullptr) return Status::out_of_memory;
     Fingerprint f;
     f.add(static_cast<std::uint64_t>(dim));
-    for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::uint32_t d = 0; d < dim; ++d) {
-            const std::size_t at = std::size_t{i} * dim + d;
-            *culprit = i;
-            if (!is_finite(points[at])) return Status::not_finite;
-            x[at] = points[at] + 0.0;
-            f.add(x[at]);
+    for (std::uint32_t i = 0; i < n;)
+        for (const std::uint64_t piece = arena.piece(i, n, 20 * dim); i < piece; ++i) {
+            for (std::uint32_t d = 0; d < dim; ++d) {
+                const std::size_t at = std::size_t{i} * dim + d;
+                *culprit = i;
+                if (!is_finite(points[at])) return Status::not_finite;
+                x[at] = points[at] + 0.0;
+                f.add(x[at]);
+            }
+            order[i] = i;
+            repeated[i] = 0;
         }
-        order[i] = i;
-        repeated[i] = 0;
-    }
     const auto compare = [x, dim](std::uint32_t a, std::uint32_t b) {
         for (std::uint32_t d = 0; d < dim; ++d) {
             const double xa = x[std::size_t{a} * dim + d], xb = x[std::size_t{b} * dim + d];
@@ -46,17 +47,24 @@ Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::u
         }
         return 0;
     };
-    sort(order, n, [compare](std::uint32_t a, std::uint32_t b) {
-        const int c = compare(a, b);
-        return c != 0 ? c < 0 : a < b;
-    });
-    for (std::uint32_t i = 1; i < n; ++i) repeated[order[i]] = compare(order[i - 1], order[i]) == 0;
+    sort(
+        order, n,
+        [compare](std::uint32_t a, std::uint32_t b) {
+            const int c = compare(a, b);
+            return c != 0 ? c < 0 : a < b;
+        },
+        arena);
+    for (std::uint32_t i = 1; i < n;)
+        for (const std::uint64_t piece = arena.piece(i, n, 30); i < piece; ++i) {
+            repeated[order[i]] = compare(order[i - 1], order[i]) == 0;
+        }
     out->count = 0;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        if (repeated[i] != 0) continue;
-        for (std::uint32_t d = 0; d < dim; ++d) x[std::size_t{out->count} * dim + d] = x[std::size_t{i} * dim + d];
-        ++out->count;
-    }
+    for (std::uint32_t i = 0; i < n;)
+        for (const std::uint64_t piece = arena.piece(i, n, 20 * dim); i < piece; ++i) {
+            if (repeated[i] != 0) continue;
+            for (std::uint32_t d = 0; d < dim; ++d) x[std::size_t{out->count} * dim + d] = x[std::size_t{i} * dim + d];
+            ++out->count;
+        }
     out->coordinates = x;
     out->dim = dim;
     out->fingerprint = f.value();

@@ -56,7 +56,10 @@ Status Levels::open(const PointSet& set, double* error) {
     if (status != Status::ok) return status;
     const double factor = factor_of(filter_);
     for (std::uint32_t m = 0; m <= complex_.dimension; ++m)
-        for (std::uint32_t i = 0; i < complex_.count[m]; ++i) complex_.value[m][i] *= factor;
+        for (std::uint32_t i = 0; i < complex_.count[m];)
+            for (const std::uint64_t piece = work_.arena.piece(i, complex_.count[m], 30); i < piece; ++i) {
+                complex_.value[m][i] *= factor;
+            }
     return list_sizes(sets);
 }
 
@@ -65,20 +68,21 @@ Status Levels::list_sizes(const ListedComplex& sets) {
     for (std::uint32_t m = 0; m <= complex_.dimension; ++m) {
         Sizes* const sizes = sizes_[m] = work_.arena.take_low<Sizes>(complex_.count[m]);
         if (sizes == nullptr) return Status::out_of_memory;
-        for (std::uint32_t i = 0; i < complex_.count[m]; ++i) {
-            if (m == 0) {
-                const std::uint32_t size = set_size(sets, filter_.k, complex_.rows[0][i]);
-                sizes[i] = {static_cast<std::uint8_t>(size), static_cast<std::uint8_t>(size)};
-                continue;
+        for (std::uint32_t i = 0; i < complex_.count[m];)
+            for (const std::uint64_t piece = work_.arena.piece(i, complex_.count[m], 30); i < piece; ++i) {
+                if (m == 0) {
+                    const std::uint32_t size = set_size(sets, filter_.k, complex_.rows[0][i]);
+                    sizes[i] = {static_cast<std::uint8_t>(size), static_cast<std::uint8_t>(size)};
+                    continue;
+                }
+                const std::uint32_t* const facets = complex_.rows[m] + std::size_t{i} * (m + 1);
+                sizes[i] = sizes_[m - 1][facets[0]];
+                for (std::uint32_t f = 1; f <= m; ++f) {
+                    const Sizes other = sizes_[m - 1][facets[f]];
+                    if (other.least < sizes[i].least) sizes[i].least = other.least;
+                    if (other.most > sizes[i].most) sizes[i].most = other.most;
+                }
             }
-            const std::uint32_t* const facets = complex_.rows[m] + std::size_t{i} * (m + 1);
-            sizes[i] = sizes_[m - 1][facets[0]];
-            for (std::uint32_t f = 1; f <= m; ++f) {
-                const Sizes other = sizes_[m - 1][facets[f]];
-                if (other.least < sizes[i].least) sizes[i].least = other.least;
-                if (other.most > sizes[i].most) sizes[i].most = other.most;
-            }
-        }
     }
     return Status::ok;
 }
@@ -90,8 +94,10 @@ bool Levels::choose(std::uint32_t least, std::uint32_t most, SimplexSet* out) {
         std::uint64_t* const words = work_.arena.take_high<std::uint64_t>(BitSet::words_needed(count));
         if (words == nullptr) return false;
         out->of[m].adopt(words, count);
-        for (std::uint32_t i = 0; i < count; ++i)
-            if (sizes_[m][i].least >= least && sizes_[m][i].most <= most) out->of[m].insert(i);
+        for (std::uint32_t i = 0; i < count;)
+            for (const std::uint64_t piece = work_.arena.piece(i, count, 10); i < piece; ++i) {
+                if (sizes_[m][i].least >= least && sizes_[m][i].most <= most) out->of[m].insert(i);
+            }
     }
     return true;
 }
@@ -136,17 +142,21 @@ Status Levels::follow(VineList* out) {
         std::uint32_t* const vines = vine[step] =
             work_.arena.take_high<std::uint32_t>(static_cast<std::size_t>(here.count));
         if (vines == nullptr) return Status::out_of_memory;
-        for (std::uint64_t i = 0; i < here.count; ++i) vines[i] = none;
+        for (std::uint64_t i = 0; i < here.count;)
+            for (const std::uint64_t piece = work_.arena.piece(i, here.count, 20); i < piece; ++i) {
+                vines[i] = none;
+            }
         if (step > 0) {
             const MappedDiagrams mapped = {here, image_[step - 1], diagram_[step - 1]};
             const Status status = match_induced(mapped, work_.arena, vines);
             if (status != Status::ok) return status;
         }
-        for (std::uint64_t i = 0; i < here.count; ++i) {
-            vines[i] = vines[i] == none ? raw_count++ : vine[step - 1][vines[i]];
-            const Pair& pair = here.pairs[i];
-            *point++ = {pair.birth, pair.death, vines[i], filter_.k + step, pair.degree, 0};
-        }
+        for (std::uint64_t i = 0; i < here.count;)
+            for (const std::uint64_t piece = work_.arena.piece(i, here.count, 20); i < piece; ++i) {
+                vines[i] = vines[i] == none ? raw_count++ : vine[step - 1][vines[i]];
+                const Pair& pair = here.pairs[i];
+                *point++ = {pair.birth, pair.death, vines[i], filter_.k + step, pair.degree, 0};
+            }
     }
     const Status status = number_vines(points, total, raw_count, work_.arena, out);
     out->simplices = out->transpositions = 0;
@@ -157,8 +167,10 @@ Status Levels::follow(VineList* out) {
 ValueRange Levels::range() const {
     ValueRange range;
     for (std::uint32_t step = 0; step < steps(); ++step)
-        for (std::uint64_t i = 0; i < diagram_[step].count; ++i)
-            range.add(diagram_[step].pairs[i].birth, diagram_[step].pairs[i].death);
+        for (std::uint64_t i = 0; i < diagram_[step].count;)
+            for (const std::uint64_t piece = work_.arena.piece(i, diagram_[step].count, 12); i < piece; ++i) {
+                range.add(diagram_[step].pairs[i].birth, diagram_[step].pairs[i].death);
+            }
     return range;
 }
 

@@ -37,12 +37,13 @@ Status represent_lower_star(const FilteredMesh<D>& mesh, const RepresentRequest&
     return status;
 }
 
-bool same_bars(const BarList& bars, const PairList& pairs) {
+bool same_bars(const BarList& bars, const PairList& pairs, const Arena& arena) {
     if (pairs.count != bars.count) return false;
-    for (std::uint64_t i = 0; i < pairs.count; ++i) {
-        const Pair &a = bars.pairs[i], &b = pairs.pairs[i];
-        if (a.degree != b.degree || a.birth != b.birth || a.death != b.death) return false;
-    }
+    for (std::uint64_t i = 0; i < pairs.count;)
+        for (const std::uint64_t piece = arena.piece(i, pairs.count, 12); i < piece; ++i) {
+            const Pair &a = bars.pairs[i], &b = pairs.pairs[i];
+            if (a.degree != b.degree || a.birth != b.birth || a.death != b.death) return false;
+        }
     return true;
 }
 
@@ -60,7 +61,8 @@ Status represent(const FilteredMesh<D>& mesh, const RepresentRequest& request, c
     if (status == Status::ok)
         status = out->is_listed ? represent_listed<D>(filtered, request, zero_born, work, out)
                                 : represent_lower_star<D>(filtered, request, zero_born, work, out);
-    if (status == Status::ok && !same_bars(request.bars, out->pairs)) status = Status::internal;
+    if (status == Status::ok && !same_bars(request.bars, out->pairs, work.arena)) status = Status::internal;
+    if (status == Status::ok && work.monitor.has_stopped()) status = Status::cancelled;
     if (status == Status::ok) return status;
     work.arena.release_low(low);
     work.arena.release_high(high);

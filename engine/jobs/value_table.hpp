@@ -66,13 +66,18 @@ bool ValueTable::open(std::uint32_t count, Key&& key, Of&& of, Arena& arena, boo
     const std::size_t mark = arena.high_mark();
     std::uint32_t* const from = arena.take_high<std::uint32_t>(count);
     if (key_ == nullptr || extreme_ == nullptr || from == nullptr) return false;
-    for (std::uint32_t i = 0; i < count; ++i) key_[i] = key(i);
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 10); i < piece; ++i) {
+            key_[i] = key(i);
+        }
     if (!sort_values(key_, from, count, arena)) return false;
-    for (std::uint32_t i = 0; i < count && ascending; ++i) {
-        const double x = of(from[i]);
-        extreme_[i] = i > 0 && extreme_[i - 1] > x ? extreme_[i - 1] : x;
-    }
+    for (std::uint32_t i = 0; i < count && ascending;)
+        for (const std::uint64_t piece = arena.piece(i, count, 12); i < piece && ascending; ++i) {
+            const double x = of(from[i]);
+            extreme_[i] = i > 0 && extreme_[i - 1] > x ? extreme_[i - 1] : x;
+        }
     for (std::uint32_t i = ascending ? 0 : count; i-- > 0;) {
+        arena.step(i, 12);
         const double x = of(from[i]);
         extreme_[i] = i + 1 < count && extreme_[i + 1] < x ? extreme_[i + 1] : x;
     }

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "vocabulary/monitor.hpp"
 #include "vocabulary/validate.hpp"
 
 namespace netmesh {
@@ -36,8 +37,40 @@ public:
         peak_ = 0;
         wanted_ = 0;
     }
-    // The same block at a new address.
-    void rebase(void* base) { base_ = static_cast<unsigned char*>(base); }
+    // The same block at a new address, with nobody who watches.
+    void rebase(void* base) {
+        base_ = static_cast<unsigned char*>(base);
+        watch(nullptr);
+    }
+
+    // Who watches the job that works in this block, for the time of one call; null: nobody. So whoever is given memory
+    // can report from the loops that work on it, which are short steps and many of them. A wish to stop is remembered
+    // there (Monitor::pass), so these loops go on to their end and leave nothing half done.
+    void watch(Monitor* monitor) { monitor_ = monitor; }
+    // Reports work that has been done, in units of roughly 100 ns.
+    void pass(std::uint32_t work) const {
+        if (monitor_ != nullptr) monitor_->pass(work);
+    }
+    // For a loop over [from, to), in pieces: reports the piece that begins at `from`, and returns where it ends. cost:
+    // instructions of one step, or so.
+    //     for (std::uint32_t i = 0; i < count;)
+    //         for (const std::uint64_t piece = arena.piece(i, count, 20); i < piece; ++i) ...
+    std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
+        const std::uint64_t most = cost < 300 ? 1024 : 64;
+        pass(static_cast<std::uint32_t>(most / 64) * cost / 4);
+        return to - from < most ? to : from + most;
+    }
+    // For other loops: reports step i, in each 256th for all of them.
+    void step(std::uint64_t i, std::uint32_t cost) const {
+        if (i % 256 == 0) pass(cost);
+    }
+    // Does step(i) for i in [0, count), with reports between.
+    template <class Step> void each(std::uint64_t count, std::uint32_t cost, Step&& take_step) const {
+        for (std::uint64_t i = 0; i < count;)
+            for (const std::uint64_t end = piece(i, count, cost); i < end; ++i) take_step(i);
+    }
+    // Has whoever watches said that it wants to stop?
+    bool has_stopped() const { return monitor_ != nullptr && monitor_->has_stopped(); }
 
     std::size_t bytes() const { return size_; }
     std::size_t bytes_free() const { return sweep_refuses() ? 0 : high_ - low_; }
@@ -120,7 +153,23 @@ private:
 
     unsigned char* base_;
     std::size_t size_, low_, high_, peak_, wanted_;
+    Monitor* monitor_ = nullptr;
 };
+
+// memmove of what may be large, with reports to whoever watches `arena`.
+inline void move_bytes(void* to, const void* from, std::size_t bytes, const Arena& arena) {
+    constexpr std::size_t piece = std::size_t{1} << 16;
+    auto* const a = static_cast<unsigned char*>(to);
+    const auto* const b = static_cast<const unsigned char*>(from);
+    const bool down = a <= b;
+    for (std::size_t moved = 0; moved < bytes;) {
+        const std::size_t next = bytes - moved < piece ? bytes - moved : piece;
+        const std::size_t at = down ? moved : bytes - moved - next;
+        __builtin_memmove(a + at, b + at, next);
+        moved += next;
+        arena.pass(64);
+    }
+}
 
 // Gives everything taken at both ends since its construction back, unless kept.
 class ArenaScope {

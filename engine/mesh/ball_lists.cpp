@@ -16,10 +16,11 @@ template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::u
         if (*array == nullptr) return Status::out_of_memory;
     }
     NETMESH_ASSERT(arena.low_mark() - low <= input_bytes * inputs + 5 * Arena::alignment);
-    for (std::uint32_t p = 0; p < inputs; ++p) {
-        first_of_input_[p] = none;
-        ply_[p] = stamp_[p] = touches_[p] = 0;
-    }
+    for (std::uint32_t p = 0; p < inputs;)
+        for (const std::uint64_t piece = arena.piece(p, inputs, 8); p < piece; ++p) {
+            first_of_input_[p] = none;
+            ply_[p] = stamp_[p] = touches_[p] = 0;
+        }
     std::size_t entries = arena.bytes_free() / 4 / sizeof(Entry);
     const std::size_t enough = (std::size_t{inputs} + 256) << (2 * D);
     if (entries > enough) entries = enough;
@@ -55,7 +56,7 @@ template <int D> bool BallLists<D>::store(CellId cell, std::uint32_t input) {
 
 // Stores the input in the cell's ball if that contains it.
 template <int D> bool BallLists<D>::consider(Kernel<D>& kernel, CellId cell, std::uint32_t input) {
-    ++tests_;
+    store_->arena.step(++tests_, 60 * D);
     return !kernel.in_conflict(cell, store_->point(input), VertexId(input)) || store(cell, input);
 }
 
@@ -71,12 +72,13 @@ template <int D> bool BallLists<D>::open_ball(CellId cell) {
 }
 
 template <int D> bool BallLists<D>::start(Kernel<D>& kernel) {
-    for (CellId c(0); c < store_->state.cell_slots; ++c) {
-        if (!open_ball(c)) return false;
-        if (!store_->is_live(c) || store_->is_ghost(c)) continue;
-        for (std::uint32_t p = 0; p < inputs_; ++p)
-            if (!consider(kernel, c, p)) return false;
-    }
+    for (CellId c(0); c < store_->state.cell_slots;)
+        for (const std::uint64_t piece = store_->arena.piece(c, store_->state.cell_slots, 30); c < piece; ++c) {
+            if (!open_ball(c)) return false;
+            if (!store_->is_live(c) || store_->is_ghost(c)) continue;
+            for (std::uint32_t p = 0; p < inputs_; ++p)
+                if (!consider(kernel, c, p)) return false;
+        }
     starting_ = tests_;
     tests_ = 0;
     return true;
@@ -107,6 +109,7 @@ template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity
         const CellId c = kernel.cavity_cell(k);
         for (std::uint32_t e = first_of_cell_[c]; e != none;) {
             const std::uint32_t p = entries_[e].input, next = entries_[e].next_of_cell;
+            store_->arena.step(e, 80);
             unlink_from_input(e);
             entries_[e].next_of_cell = free_;
             free_ = e;
@@ -155,8 +158,10 @@ template <int D> bool BallLists<D>::agrees(const Kernel<D>& kernel, const Cavity
 
 template <int D> std::uint32_t BallLists<D>::load() const {
     std::uint32_t most = 0;
-    for (CellId c(0); c < store_->state.cell_slots; ++c)
-        if (store_->is_live(c) && !store_->is_ghost(c) && load_of_cell_[c] > most) most = load_of_cell_[c];
+    for (CellId c(0); c < store_->state.cell_slots;)
+        for (const std::uint64_t piece = store_->arena.piece(c, store_->state.cell_slots, 30); c < piece; ++c) {
+            if (store_->is_live(c) && !store_->is_ghost(c) && load_of_cell_[c] > most) most = load_of_cell_[c];
+        }
     return most;
 }
 
@@ -164,33 +169,35 @@ template <int D> std::uint32_t BallLists<D>::draw_nets(std::uint32_t most, std::
     std::uint32_t count = 0;
     std::uint64_t random = mix64(seed);
     now_ += 2;
-    for (CellId c(0); c < store_->state.cell_slots; ++c) {
-        if (!store_->is_live(c) || store_->is_ghost(c) || load_of_cell_[c] <= most) continue;
-        std::uint32_t left = 0;  // not drawn yet
-        for (std::uint32_t e = first_of_cell_[c]; e != none; e = entries_[e].next_of_cell)
-            left += stamp_[entries_[e].input] != now_;
-        const std::uint32_t drawn = load_of_cell_[c] - left;
-        std::uint32_t wanted = drawn < net_size ? net_size - drawn : 0;
-        for (std::uint32_t e = first_of_cell_[c]; e != none && wanted > 0; e = entries_[e].next_of_cell) {
-            const std::uint32_t p = entries_[e].input;
-            if (stamp_[p] == now_) continue;
-            random = mix64(random);
-            if (random % left-- >= wanted) continue;
-            --wanted;
-            stamp_[p] = now_;
-            chosen[count++] = p;
+    for (CellId c(0); c < store_->state.cell_slots;)
+        for (const std::uint64_t piece = store_->arena.piece(c, store_->state.cell_slots, 30); c < piece; ++c) {
+            if (!store_->is_live(c) || store_->is_ghost(c) || load_of_cell_[c] <= most) continue;
+            std::uint32_t left = 0;  // not drawn yet
+            for (std::uint32_t e = first_of_cell_[c]; e != none; e = entries_[e].next_of_cell)
+                left += stamp_[entries_[e].input] != now_;
+            const std::uint32_t drawn = load_of_cell_[c] - left;
+            std::uint32_t wanted = drawn < net_size ? net_size - drawn : 0;
+            for (std::uint32_t e = first_of_cell_[c]; e != none && wanted > 0; e = entries_[e].next_of_cell) {
+                const std::uint32_t p = entries_[e].input;
+                if (stamp_[p] == now_) continue;
+                random = mix64(random);
+                if (random % left-- >= wanted) continue;
+                --wanted;
+                stamp_[p] = now_;
+                chosen[count++] = p;
+            }
         }
-    }
     return count;
 }
 
 template <int D> void BallLists<D>::report(LocationAudit* audit) const {
     std::uint64_t touches = 0;
     audit->touches_max = 0;
-    for (std::uint32_t p = 0; p < inputs_; ++p) {
-        touches += touches_[p];
-        if (touches_[p] > audit->touches_max) audit->touches_max = touches_[p];
-    }
+    for (std::uint32_t p = 0; p < inputs_;)
+        for (const std::uint64_t piece = store_->arena.piece(p, inputs_, 100); p < piece; ++p) {
+            touches += touches_[p];
+            if (touches_[p] > audit->touches_max) audit->touches_max = touches_[p];
+        }
     audit->ply_max = ply_max_;
     audit->ply_mean = located_ > 0 ? static_cast<double>(ply_sum_) / located_ : 0;
     audit->touches_mean = static_cast<double>(touches) / inputs_;

@@ -60,6 +60,7 @@ public:
             const bool is_good = (store_->vertex(v).queued & passed_over) != 0;
             store_->vertex(v).queued = 0;
             if (!is_good) return v;
+            store_->arena.step(v, 40);
             --w;  // there may be more in this word
         }
         return none;

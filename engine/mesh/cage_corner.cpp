@@ -33,19 +33,22 @@ template <int D>
 template <int D> [[gnu::cold]] bool is_in_cage_cell(const Store<D>& store, const Cage& cage, const double* x) {
     const double* nearest = store.point(cage.centre);
     double inside2 = distance2<D>(x, nearest), y[D];
-    for (VertexId v(0); v < store.state.vertex_count; ++v) {
-        const double* const p = store.point(v);
-        if (store.vertex(v).cell == none || !is_inside<D>(store, cage, p) || !(distance2<D>(x, p) < inside2)) continue;
-        inside2 = distance2<D>(x, p);
-        nearest = p;
-    }
+    for (VertexId v(0); v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 10 * D); v < piece; ++v) {
+            const double* const p = store.point(v);
+            if (store.vertex(v).cell == none || !is_inside<D>(store, cage, p) || !(distance2<D>(x, p) < inside2))
+                continue;
+            inside2 = distance2<D>(x, p);
+            nearest = p;
+        }
     for (int k = 0; k < D; ++k) y[k] = x[k] - nearest[k];
     const double length = square_root(inside2);
-    for (VertexId v(0); v < store.state.vertex_count; ++v) {
-        const double* const p = store.point(v);
-        if (store.vertex(v).cell == none || is_inside<D>(store, cage, p)) continue;
-        if (is_nearer_to<D>(p, nearest, y, length)) return false;
-    }
+    for (VertexId v(0); v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 10 * D); v < piece; ++v) {
+            const double* const p = store.point(v);
+            if (store.vertex(v).cell == none || is_inside<D>(store, cage, p)) continue;
+            if (is_nearer_to<D>(p, nearest, y, length)) return false;
+        }
     return true;
 }
 
@@ -54,8 +57,10 @@ template <int D> [[gnu::cold]] bool is_in_cage_cell(const Store<D>& store, const
 template <int D>
 bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, Corner<D>* corner, bool* leaves_ball) {
     *leaves_ball = false;
-    return visit_cage_boundary(store, cage,
-                               [&](CellId c) { *leaves_ball |= offer_clipped<D>(store, cage, ball, c, corner); });
+    return visit_cage_boundary(store, cage, [&](CellId c) {
+        store.arena.pass(2 * D);
+        *leaves_ball |= offer_clipped<D>(store, cage, ball, c, corner);
+    });
 }
 
 // The edges of the cage's cell after the cut are those behind mixed facets: where one with vertices inside of the cage
@@ -67,11 +72,12 @@ template <int D>
     const Cut<D> cut(ball, centre, bound2);
     CutCorners<D> corners;
     const auto for_each_pair = [&](auto&& visit) {
-        for (CellId c(0); c < store.state.cell_slots; ++c) {
-            if (!store.is_live(c) || store.is_ghost(c) || !is_on_boundary<D>(store, cage, c)) continue;
-            for (const VertexId w : store.cell(c).vertex)
-                if (is_inside<D>(store, cage, store.point(w))) visit(w, c);
-        }
+        for (CellId c(0); c < store.state.cell_slots;)
+            for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 60 * D); c < piece; ++c) {
+                if (!store.is_live(c) || store.is_ghost(c) || !is_on_boundary<D>(store, cage, c)) continue;
+                for (const VertexId w : store.cell(c).vertex)
+                    if (is_inside<D>(store, cage, store.point(w))) visit(w, c);
+            }
     };
     for_each_pair([&](VertexId w, CellId c) { offer_cut_corners<D>(store, cut, w, c, &corners); });
     if (!corners.reach_beyond(bound2)) return;

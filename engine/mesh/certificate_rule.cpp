@@ -127,9 +127,11 @@ private:
 template <int D> Status CertificateRule<D>::check_goal() {
     if (!(goal_.focus > 0)) return Status::ok;
     double size = 0;
-    for (std::uint32_t v = 0; v < inputs_; ++v)
-        for (int k = 0; k < D; ++k)
-            if (absolute(store_.point(v)[k]) > size) size = absolute(store_.point(v)[k]);
+    for (std::uint32_t v = 0; v < inputs_;)
+        for (const std::uint64_t piece = store_.arena.piece(v, inputs_, 500 * D); v < piece; ++v) {
+            for (int k = 0; k < D; ++k)
+                if (absolute(store_.point(v)[k]) > size) size = absolute(store_.point(v)[k]);
+        }
     return goal_.from * focus_.step < resolution * size ? Status::invalid_argument : Status::ok;
 }
 

@@ -27,7 +27,10 @@ public:
         if (result.violation == nullptr) result = has_net() ? find_net() : find_frame();
         if (result.violation == nullptr && net_.spacing > 0 && !has_net())
             result = {"there is no boundary net, although its spacing was asked for", none};
-        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) store_.vertex(v).queued = 0;
+        for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+            for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+                store_.vertex(v).queued = 0;
+            }
         return result;
     }
 
@@ -35,11 +38,13 @@ private:
     static constexpr std::uint8_t in_cell = 1, on_hull = 2;
 
     void mark() {
-        for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
-            for (int i = 0; i <= D; ++i) {
-                store_.vertex(store_.cell(c).vertex[i]).queued |= in_cell;
-                for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
-                    if (j != i) store_.vertex(store_.cell(c).vertex[j]).queued |= on_hull;
+        for (std::uint32_t c = 0; c < store_.state.cell_slots;)
+            for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 40 * D); c < piece; ++c) {
+                for (int i = 0; i <= D; ++i) {
+                    store_.vertex(store_.cell(c).vertex[i]).queued |= in_cell;
+                    for (int j = 0; j <= D && store_.cell(c).neighbour[i] == none; ++j)
+                        if (j != i) store_.vertex(store_.cell(c).vertex[j]).queued |= on_hull;
+                }
             }
     }
     bool is(std::uint32_t v, std::uint8_t what) const { return (store_.vertex(v).queued & what) != 0; }
@@ -52,8 +57,10 @@ private:
         return absolute(square_root(domain_.distance2(store_.point(v))) - domain_.radius) <= slack_;
     }
     bool has_net() const {
-        for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v)
-            if (is(v, on_hull) && !is_on_sphere(v)) return false;
+        for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+            for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+                if (is(v, on_hull) && !is_on_sphere(v)) return false;
+            }
         return true;
     }
     CheckResult find_inputs(bool whole);
@@ -76,15 +83,16 @@ private:
 
 template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_inputs(bool whole) {
     const double most = domain_.radius + slack_;
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        if (whole && !is(v, in_cell)) return {"a vertex belongs to no cell", v};
-        const Marker marker = store_.vertex(v).marker;
-        if (is(v, on_hull) && marker != Marker::exempt) return {"a vertex of the mesh's hull is not exempt", v};
-        const double d2 = domain_.distance2(store_.point(v));
-        if (marker != Marker::input) continue;
-        if (d2 > most * most) return {"an input is not in the domain", v};
-        if (d2 > far2_) far2_ = d2;
-    }
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+            if (whole && !is(v, in_cell)) return {"a vertex belongs to no cell", v};
+            const Marker marker = store_.vertex(v).marker;
+            if (is(v, on_hull) && marker != Marker::exempt) return {"a vertex of the mesh's hull is not exempt", v};
+            const double d2 = domain_.distance2(store_.point(v));
+            if (marker != Marker::input) continue;
+            if (d2 > most * most) return {"an input is not in the domain", v};
+            if (d2 > far2_) far2_ = d2;
+        }
     return {nullptr, none};
 }
 
@@ -96,27 +104,37 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_net() {
         return {"the domain is too small for its boundary net and tau", none};
     net_slack_ = slack_ + (delta_ > 0 ? place_ * domain_.radius / delta_ : 0);
     const double apart = delta_ > net_slack_ ? delta_ - net_slack_ : 0;
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        if (!stands_free(v)) continue;
-        if (!is_on_sphere(v)) return {"an exempt vertex is not on the domain's sphere, where the boundary net is", v};
-        for (std::uint32_t w = 0; w < v; ++w)
-            if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < apart * apart)
-                return {"two vertices of the boundary net are too near", v};
-    }
-    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
-        for (int i = 0; i <= D; ++i)
-            if (store_.cell(c).neighbour[i] == none && leaves_hole(c, i)) return {"the boundary net has a hole", c};
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+            if (!stands_free(v)) continue;
+            if (!is_on_sphere(v))
+                return {"an exempt vertex is not on the domain's sphere, where the boundary net is", v};
+            for (std::uint32_t w = 0; w < v;)
+                for (const std::uint64_t piece = store_.arena.piece(w, v, 40); w < piece; ++w) {
+                    if (stands_free(w) && distance2<D>(store_.point(v), store_.point(w)) < apart * apart)
+                        return {"two vertices of the boundary net are too near", v};
+                }
+        }
+    for (std::uint32_t c = 0; c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 40 * D); c < piece; ++c) {
+            for (int i = 0; i <= D; ++i)
+                if (store_.cell(c).neighbour[i] == none && leaves_hole(c, i)) return {"the boundary net has a hole", c};
+        }
     return {nullptr, none};
 }
 
 template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_frame() const {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v)
-        if (stands_free(v) && !is(v, on_hull))
-            return {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
-    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c)
-        for (int i = 0; i <= D; ++i)
-            if (store_.cell(c).neighbour[i] == none && reaches_beyond(c, i))
-                return {"the domain reaches beyond the hull", c};
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+            if (stands_free(v) && !is(v, on_hull))
+                return {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
+        }
+    for (std::uint32_t c = 0; c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 40 * D); c < piece; ++c) {
+            for (int i = 0; i <= D; ++i)
+                if (store_.cell(c).neighbour[i] == none && reaches_beyond(c, i))
+                    return {"the domain reaches beyond the hull", c};
+        }
     return {nullptr, none};
 }
 
@@ -124,6 +142,7 @@ template <int D> [[gnu::cold]] CheckResult DomainCheck<D>::find_frame() const {
 // inner; null when the facet has no normal.
 template <int D>
 [[gnu::cold]] double* DomainCheck<D>::normal_of(std::uint32_t c, int i, double* inner, double* centre) const {
+    store_.arena.pass(2 * D);
     const Cell<D>& cell = store_.cell(c);
     const double* const p = store_.point(cell.vertex[i == 0 ? 1 : 0]);
     double along[D][D];  // orthonormal directions of the facet

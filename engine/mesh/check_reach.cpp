@@ -20,6 +20,7 @@ template <int D> struct Centre {
 };
 
 template <int D> [[gnu::cold]] Centre<D> centre_of(const Store<D>& store, CellId c) {
+    store.arena.pass(3 * D * D);
     const double* const p = store.point(store.cell(c).vertex[0]);
     double longest = 0;
     DoubleDouble a[D][D + 1];
@@ -162,6 +163,7 @@ template <int D>
 }
 
 template <int D> [[gnu::cold]] bool Reach<D>::is_own(VertexId v, const double* y, const CellList<D>& star) const {
+    store_.arena.pass(1 + star.size() / 4);
     double y2 = 0;
     for (int k = 0; k < D; ++k) y2 += y[k] * y[k];
     for (std::uint32_t s = 0; s < star.size(); ++s)
@@ -188,6 +190,7 @@ template <int D> [[gnu::cold]] bool Reach<D>::comes_within(VertexId v, const Hal
     if (!*fits) return false;
     for (std::uint32_t s = 0; s < star.size(); ++s) {
         const Cell<D>& cell = store_.cell(star[s]);
+        store_.arena.pass(1 << D);
         for (unsigned set = 0; set < (2u << D) - 1; ++set) {
             // Orthonormal normals and the foot's coordinates along them, the plane's first.
             double normal[D][D], along[D], foot[D] = {}, foot2 = 0;
@@ -231,22 +234,23 @@ template <int D> [[gnu::cold]] bool Reach<D>::comes_within(VertexId v, const Hal
 }
 
 template <int D> [[gnu::cold]] Status Reach<D>::find_beyond(std::uint32_t* beyond) {
-    for (CellId c(0); c < store_.state.cell_slots; ++c) {
-        const Centre<D> centre = centre_of<D>(store_, c);
-        if (!centre.known) continue;
-        for (const VertexId v : store_.cell(c).vertex) {
-            if (!(request_.limit2[v] < infinity)) continue;
-            const HalfSpace half = half_space_of(v);
-            if (!has_corner_beyond(c, centre, v, half)) continue;
-            bool fits = true;
-            if (half.level < 0 && !comes_within(v, half, &fits)) {
-                if (!fits) return Status::out_of_memory;
-                continue;
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 100 * D); c < piece; ++c) {
+            const Centre<D> centre = centre_of<D>(store_, c);
+            if (!centre.known) continue;
+            for (const VertexId v : store_.cell(c).vertex) {
+                if (!(request_.limit2[v] < infinity)) continue;
+                const HalfSpace half = half_space_of(v);
+                if (!has_corner_beyond(c, centre, v, half)) continue;
+                bool fits = true;
+                if (half.level < 0 && !comes_within(v, half, &fits)) {
+                    if (!fits) return Status::out_of_memory;
+                    continue;
+                }
+                *beyond = v;
+                return Status::ok;
             }
-            *beyond = v;
-            return Status::ok;
         }
-    }
     return Status::ok;
 }
 

@@ -14,27 +14,34 @@ public:
     WeightedCellCheck(const HierarchyView& mesh, CageFigures* figures) : mesh_(mesh), figures_(figures) {}
 
     CheckResult run() {
-        for (std::uint32_t d = 0; d < mesh_.cage_count; ++d) figures_[d] = {0, infinity, infinity, infinity};
-        for (std::uint32_t v = 0; v < mesh_.vertex_count; ++v) {
-            const std::uint32_t d = mesh_.domains[v];
-            if (d == none || !mesh_.is_exempt(v)) continue;
-            const double length = mesh_.distance(centre(d), mesh_.point(v));
-            lower(&figures_[d].nearest, length);
-            if (length > figures_[d].farthest) figures_[d].farthest = length;
-        }
-        for (std::uint32_t c = 0; c < mesh_.cell_count; ++c)
-            for (std::uint32_t i = 0; i <= mesh_.dim; ++i)
-                for (std::uint32_t j = 0; j < i; ++j)
-                    if (!may_be_neighbours(mesh_.cell(c)[i], mesh_.cell(c)[j]))
-                        return {"two cages, or a cage and a vertex, are too near for the weights of 4.6.1",
-                                mesh_.cell(c)[i]};
-        for (std::uint32_t d = 0; d < mesh_.cage_count; ++d) {
-            const CageFigures& f = figures_[d];
-            const double in_radius = 0.5 * (f.outside + f.nearest);
-            if (!(f.outside < infinity)) continue;
-            if (!(in_radius <= f.member * rounding && f.member <= 3 * in_radius * rounding))
-                return {"a cage's in-radius and feature size are not those of 4.6.2", mesh_.cages[d].centre};
-        }
+        for (std::uint32_t d = 0; d < mesh_.cage_count;)
+            for (const std::uint64_t piece = mesh_.arena.piece(d, mesh_.cage_count, 20); d < piece; ++d) {
+                figures_[d] = {0, infinity, infinity, infinity};
+            }
+        for (std::uint32_t v = 0; v < mesh_.vertex_count;)
+            for (const std::uint64_t piece = mesh_.arena.piece(v, mesh_.vertex_count, 40); v < piece; ++v) {
+                const std::uint32_t d = mesh_.domains[v];
+                if (d == none || !mesh_.is_exempt(v)) continue;
+                const double length = mesh_.distance(centre(d), mesh_.point(v));
+                lower(&figures_[d].nearest, length);
+                if (length > figures_[d].farthest) figures_[d].farthest = length;
+            }
+        for (std::uint32_t c = 0; c < mesh_.cell_count;)
+            for (const std::uint64_t piece = mesh_.arena.piece(c, mesh_.cell_count, 400); c < piece; ++c) {
+                for (std::uint32_t i = 0; i <= mesh_.dim; ++i)
+                    for (std::uint32_t j = 0; j < i; ++j)
+                        if (!may_be_neighbours(mesh_.cell(c)[i], mesh_.cell(c)[j]))
+                            return {"two cages, or a cage and a vertex, are too near for the weights of 4.6.1",
+                                    mesh_.cell(c)[i]};
+            }
+        for (std::uint32_t d = 0; d < mesh_.cage_count;)
+            for (const std::uint64_t piece = mesh_.arena.piece(d, mesh_.cage_count, 20); d < piece; ++d) {
+                const CageFigures& f = figures_[d];
+                const double in_radius = 0.5 * (f.outside + f.nearest);
+                if (!(f.outside < infinity)) continue;
+                if (!(in_radius <= f.member * rounding && f.member <= 3 * in_radius * rounding))
+                    return {"a cage's in-radius and feature size are not those of 4.6.2", mesh_.cages[d].centre};
+            }
         return {nullptr, none};
     }
 

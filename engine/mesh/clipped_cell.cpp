@@ -12,6 +12,7 @@ constexpr double lost2 = 0x1p-60;
 // Is x as near to v as to all other vertices of its star?
 template <int D>
 bool is_in_cell(const Store<D>& store, VertexId v, const double* x, const CellId* star, std::uint32_t count) {
+    store.arena.pass(1 + count / 8);
     const double* const p = store.point(v);
     double y[D];
     for (int k = 0; k < D; ++k) y[k] = x[k] - p[k];
@@ -93,18 +94,28 @@ template <int D> void ClippedMeasure<D>::mark_poles(CellId c) {
 
 template <int D> Status ClippedMeasure<D>::run() {
     const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
-    for (std::uint32_t v = 0; v < vertices; ++v) out2_[v] = 0;
-    for (CellId c(0); c < cells; ++c) measure_corner(c);
-    for (CellId c(0); c < cells; ++c) mark_poles(c);
-    Status status = Status::ok;
-    for (VertexId v(0); v < vertices; ++v) {
-        Vertex<D>& vertex = store_.vertex(v);
-        if (vertex.cell == none || vertex.marker == Marker::exempt)
+    for (std::uint32_t v = 0; v < vertices;)
+        for (const std::uint64_t piece = store_.arena.piece(v, vertices, 6); v < piece; ++v) {
             out2_[v] = 0;
-        else if (vertex.queued != 0 && status == Status::ok && !raise_to_poles<D>(store_, ball_, v, &out2_[v]))
-            status = Status::out_of_memory;
-        vertex.queued = 0;
-    }
+        }
+    for (CellId c(0); c < cells;)
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 70 * D); c < piece; ++c) {
+            measure_corner(c);
+        }
+    for (CellId c(0); c < cells;)
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 40 * D); c < piece; ++c) {
+            mark_poles(c);
+        }
+    Status status = Status::ok;
+    for (VertexId v(0); v < vertices;)
+        for (const std::uint64_t piece = store_.arena.piece(v, vertices, 30); v < piece; ++v) {
+            Vertex<D>& vertex = store_.vertex(v);
+            if (vertex.cell == none || vertex.marker == Marker::exempt)
+                out2_[v] = 0;
+            else if (vertex.queued != 0 && status == Status::ok && !raise_to_poles<D>(store_, ball_, v, &out2_[v]))
+                status = Status::out_of_memory;
+            vertex.queued = 0;
+        }
     return status;
 }
 
@@ -195,6 +206,7 @@ template <int D>
     for (std::uint32_t s = 0; s < count; ++s) {
         const CellId c = star[-1 - static_cast<std::ptrdiff_t>(s)];
         if (store.is_ghost(c)) continue;
+        store.arena.pass(1 << D);
         offer_poles<D>(store, ball, u, v, c, neighbours_before<D>(store, v, c), contains, farthest);
     }
 }
@@ -203,6 +215,7 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
     const Cut<D> cut(ball, store.point(v), *out2 * (1 + 0x1p-40));
     std::uint32_t count = 0;
     if (!visit_star(store, v, [&](CellId) { ++count; })) return false;
+    store.arena.pass(count / 2);
     const CellId* const star = store.list_top();
     if (!may_reach_beyond<D>(store, cut, v, cut.distance2(), star, count)) return true;
     Corner<D> farthest;

@@ -47,37 +47,47 @@ void cut_doubtful_edge(const Domain<D>& ball, const double* u, double s, const C
 
 // B of the head for every vertex with s >= 0, the others are left alone. O(cells).
 template <int D> void find_far_corners(const Store<D>& store, const Domain<D>& ball, const double* s, double* far) {
-    for (VertexId v(0); v < store.state.vertex_count; ++v) far[v] = 0;
-    for (CellId c(0); c < store.state.cell_slots; ++c)
-        for (int i = 0; i <= D; ++i) {
-            const Cell<D>& cell = store.cell(c);
-            if (cell.neighbour[i] == none || cell.neighbour[i].cell() < c) continue;
-            const Cell<D>& other = store.cell(cell.neighbour[i].cell());
-            const double doubt = larger(doubt_of<D>(cell), doubt_of<D>(other));
-            for (int k = 0; k <= D; ++k) {
-                const VertexId v = cell.vertex[k];
-                if (k == i || !(s[v] >= 0)) continue;
-                cut_doubtful_edge<D>(ball, store.point(v), s[v], cell, other, doubt, doubt,
-                                     [&](const double*, double most, double) {
-                                         if (!(most <= far[v])) far[v] = most;
-                                     });
+    for (VertexId v(0); v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 6); v < piece; ++v) {
+            far[v] = 0;
+        }
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 150 * D * D); c < piece; ++c) {
+            for (int i = 0; i <= D; ++i) {
+                const Cell<D>& cell = store.cell(c);
+                if (cell.neighbour[i] == none || cell.neighbour[i].cell() < c) continue;
+                const Cell<D>& other = store.cell(cell.neighbour[i].cell());
+                const double doubt = larger(doubt_of<D>(cell), doubt_of<D>(other));
+                for (int k = 0; k <= D; ++k) {
+                    const VertexId v = cell.vertex[k];
+                    if (k == i || !(s[v] >= 0)) continue;
+                    cut_doubtful_edge<D>(ball, store.point(v), s[v], cell, other, doubt, doubt,
+                                         [&](const double*, double most, double) {
+                                             if (!(most <= far[v])) far[v] = most;
+                                         });
+                }
             }
         }
 }
 
 // Distances from the ball's centre to the cells of vertices outside of the ball, at least.
 template <int D> void find_bisectors(const Store<D>& store, const Domain<D>& ball, double* distance_of) {
-    for (VertexId v(0); v < store.state.vertex_count; ++v) distance_of[v] = 0;
-    for (CellId c(0); c < store.state.cell_slots; ++c)
-        for (const VertexId v : store.cell(c).vertex) {
-            const double away2 = ball.distance2(store.point(v));
-            if (!(away2 > ball.radius * ball.radius)) continue;
-            for (const VertexId w : store.cell(c).vertex) {
-                const double other2 = ball.distance2(store.point(w));
-                const double up_to = away2 - other2 - sum_slack * (away2 + other2);
-                if (!(up_to > 0)) continue;
-                const double d = up_to / (2 * distance<D>(store.point(v), store.point(w))) * down;
-                if (d > distance_of[v]) distance_of[v] = d;
+    for (VertexId v(0); v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 6); v < piece; ++v) {
+            distance_of[v] = 0;
+        }
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 80 * D * D); c < piece; ++c) {
+            for (const VertexId v : store.cell(c).vertex) {
+                const double away2 = ball.distance2(store.point(v));
+                if (!(away2 > ball.radius * ball.radius)) continue;
+                for (const VertexId w : store.cell(c).vertex) {
+                    const double other2 = ball.distance2(store.point(w));
+                    const double up_to = away2 - other2 - sum_slack * (away2 + other2);
+                    if (!(up_to > 0)) continue;
+                    const double d = up_to / (2 * distance<D>(store.point(v), store.point(w))) * down;
+                    if (d > distance_of[v]) distance_of[v] = d;
+                }
             }
         }
 }
@@ -86,28 +96,32 @@ template <int D> void find_bisectors(const Store<D>& store, const Domain<D>& bal
 
 // Marked: 1, cells with a corner that may be outside; 2, unbounded ones.
 template <int D> void CellClipper<D>::mark() {
-    for (CellId c(0); c < store_.state.cell_slots; ++c) {
-        const Cell<D>& cell = store_.cell(c);
-        const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
-        const bool inside = (square_root(ball_.distance2(cell.centre)) + doubt) * up <= ball_.radius;
-        for (int i = 0; i <= D; ++i) {
-            if (!inside) store_.vertex(cell.vertex[i]).queued |= 1;
-            for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
-                if (k != i) store_.vertex(cell.vertex[k]).queued |= 2;
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 30 * D); c < piece; ++c) {
+            const Cell<D>& cell = store_.cell(c);
+            const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
+            const bool inside = (square_root(ball_.distance2(cell.centre)) + doubt) * up <= ball_.radius;
+            for (int i = 0; i <= D; ++i) {
+                if (!inside) store_.vertex(cell.vertex[i]).queued |= 1;
+                for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+                    if (k != i) store_.vertex(cell.vertex[k]).queued |= 2;
+            }
         }
-    }
-    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
-        Vertex<D>& vertex = store_.vertex(v);
-        const bool is_absent = needed_.present != nullptr && needed_.present[v] == 0;
-        vertex.queued = vertex.queued == 1 && vertex.marker != Marker::exempt && !is_absent ? 1 : 0;
-    }
+    for (VertexId v(0); v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+            Vertex<D>& vertex = store_.vertex(v);
+            const bool is_absent = needed_.present != nullptr && needed_.present[v] == 0;
+            vertex.queued = vertex.queued == 1 && vertex.marker != Marker::exempt && !is_absent ? 1 : 0;
+        }
 }
 
 template <int D> bool CellClipper<D>::open(VertexId v) {
     v_ = v;
     count_ = 0;
     pass_over(v);
-    return visit_star(store_, v, [&](CellId) { ++count_; });
+    const bool fits = visit_star(store_, v, [&](CellId) { ++count_; });
+    store_.arena.pass(1 + count_ / 4);
+    return fits;
 }
 
 template <int D> void CellClipper<D>::clip(double* out_radius, double* reach) const {
@@ -125,6 +139,7 @@ template <int D> void CellClipper<D>::clip(double* out_radius, double* reach) co
 // By corners in the ball and crossings of edges, up to the first that is as far as the root of enough2. Corners first:
 // few crossings are farther.
 template <int D> void CellClipper<D>::measure(const double* u, double enough2, Corner<D>* farthest) const {
+    store_.arena.pass(1 + count_ * D / 4);
     const double* const p = store_.point(v_);
     if (ball_.contains(p)) farthest->offer(p, distance2<D>(p, u), store_.vertex(v_).cell);
     for (std::uint32_t k = 0; k < count_ && farthest->distance2 < enough2; ++k) {
@@ -160,6 +175,7 @@ void CellClipper<D>::show_edge(const double* u, double s, const Cell<D>& cell, c
 template <int D>
 template <class Show>
 [[gnu::cold]] void CellClipper<D>::cut(const double* u, double s, Show&& show) const {
+    store_.arena.pass(1 + count_ * D);
     for (std::uint32_t k = 0; k < count_; ++k) {
         const CellId c = star(k);
         const Cell<D>& cell = store_.cell(c);
@@ -188,6 +204,7 @@ template <int D> bool CellClipper<D>::is_bound(const double* u, double s) const 
         return End{2 * dot<D>(y, a) + level, y2 + cell.radius2, y2 <= near2 && cell.radius2 <= near2};
     };
     bool is_within = true;
+    store_.arena.pass(1 + count_ * D / 4);
     for (std::uint32_t k = 0; k < count_ && is_within; ++k) {
         const CellId c = star(k);
         const Cell<D>& cell = store_.cell(c);
@@ -315,13 +332,14 @@ Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReac
     CellClipper<D> clipper(store, ball, needed);
     clipper.mark();
     Status status = Status::ok;
-    for (VertexId v(0); v < store.state.vertex_count; ++v) {
-        if (!clipper.is_marked(v)) continue;
-        if (clipper.open(v))
-            clipper.clip(&out_radius[v], &reach[v]);
-        else
-            status = Status::out_of_memory;
-    }
+    for (VertexId v(0); v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 6); v < piece; ++v) {
+            if (!clipper.is_marked(v)) continue;
+            if (clipper.open(v))
+                clipper.clip(&out_radius[v], &reach[v]);
+            else
+                status = Status::out_of_memory;
+        }
     return status;
 }
 
@@ -337,30 +355,38 @@ template <int D>
     if (status != Status::ok) return status;
     const double radius = ball.radius * up, enclosing = (ball.radius + ball.enclosing_radius) * up;
     const auto away_from = [&](VertexId v) { return square_root(ball.distance2(store.point(v))); };
-    for (VertexId v(0); v < count; ++v) {
-        if (store.vertex(v).marker == Marker::exempt || !(far[v] < infinity)) out_radius[v] = infinity;
-        // What is in the ball is within r + |v - c| of v; and no nearer to v than to an input, in the enclosing ball.
-        const double away = away_from(v) * up, most = smaller(enclosing, (away + radius) * up);
-        reach[v] = {smaller(out_radius[v], most), away * down > radius ? radius : infinity};
-        s[v] = !(out_radius[v] < infinity) || (away + out_radius[v]) * up <= ball.radius
-                   ? -1
-                   : larger(square_root(far[v]) * (1 + 0x1p-30), away - radius);
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 20); v < piece; ++v) {
+            if (store.vertex(v).marker == Marker::exempt || !(far[v] < infinity)) out_radius[v] = infinity;
+            // What is in the ball is within r + |v - c| of v; and no nearer to v than to an input, in the enclosing
+            // ball.
+            const double away = away_from(v) * up, most = smaller(enclosing, (away + radius) * up);
+            reach[v] = {smaller(out_radius[v], most), away * down > radius ? radius : infinity};
+            s[v] = !(out_radius[v] < infinity) || (away + out_radius[v]) * up <= ball.radius
+                       ? -1
+                       : larger(square_root(far[v]) * (1 + 0x1p-30), away - radius);
+        }
     // A cell whose farthest point is the pole of a face may need more than its measured reach.
     constexpr double growths[] = {1, 1.02, 1.25};
     for (const double growth : growths) {
-        for (VertexId v(0); v < count; ++v) s[v] *= growth;
+        for (VertexId v(0); v < count;)
+            for (const std::uint64_t piece = store.arena.piece(v, count, 20); v < piece; ++v) {
+                s[v] *= growth;
+            }
         find_far_corners<D>(store, ball, s, far);
-        for (VertexId v(0); v < count; ++v)
-            if (s[v] >= 0) reach[v].from_vertex = smaller(reach[v].from_vertex, larger(s[v], far[v]));
+        for (VertexId v(0); v < count;)
+            for (const std::uint64_t piece = store.arena.piece(v, count, 20); v < piece; ++v) {
+                if (s[v] >= 0) reach[v].from_vertex = smaller(reach[v].from_vertex, larger(s[v], far[v]));
+            }
     }
     find_bisectors<D>(store, ball, far);
-    for (VertexId v(0); v < count; ++v) {
-        if (!(reach[v].below < infinity)) continue;
-        const double away = away_from(v), slack = 0x1p-40 * (radius + away);
-        const double below = smaller(reach[v].from_vertex - (away - radius), radius - far[v]) + slack;
-        reach[v].below = below > 0 ? below : 0;
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 20); v < piece; ++v) {
+            if (!(reach[v].below < infinity)) continue;
+            const double away = away_from(v), slack = 0x1p-40 * (radius + away);
+            const double below = smaller(reach[v].from_vertex - (away - radius), radius - far[v]) + slack;
+            reach[v].below = below > 0 ? below : 0;
+        }
     return Status::ok;
 }
 

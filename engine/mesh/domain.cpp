@@ -108,7 +108,11 @@ template <int D, class PointOf> double enclose(PointOf&& point, std::uint32_t co
 }  // namespace
 
 template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain) {
-    const double best2 = enclose<D>([&](std::uint32_t v) { return store.point(v); }, count, domain.centre);
+    const auto point = [&](std::uint32_t v) {
+        store.arena.step(v, 8 * D);
+        return store.point(v);
+    };
+    const double best2 = enclose<D>(point, count, domain.centre);
     double magnitude = 1;
     for (int k = 0; k < D; ++k)
         if (absolute(domain.centre[k]) > magnitude) magnitude = absolute(domain.centre[k]);

@@ -87,14 +87,18 @@ public:
     // Moves the cages that are left to the front; parents are named by their new places. Their number.
     std::uint32_t keep_live() {
         std::uint32_t kept = 0, out = 0;
-        for (std::uint32_t d = 0; d < made_; ++d) {
-            if (!is_live(d)) continue;
-            parent(d);
-            cages_[d].next = kept++;
-        }
-        for (std::uint32_t d = 0; d < made_; ++d)
-            if (is_live(d) && cages_[d].parent != none) cages_[d].parent = cages_[cages_[d].parent].next;
+        for (std::uint32_t d = 0; d < made_;)
+            for (const std::uint64_t piece = store_->arena.piece(d, made_, 15); d < piece; ++d) {
+                if (!is_live(d)) continue;
+                parent(d);
+                cages_[d].next = kept++;
+            }
+        for (std::uint32_t d = 0; d < made_;)
+            for (const std::uint64_t piece = store_->arena.piece(d, made_, 15); d < piece; ++d) {
+                if (is_live(d) && cages_[d].parent != none) cages_[d].parent = cages_[cages_[d].parent].next;
+            }
         for (std::uint32_t d = 0; out < kept; ++d) {
+            store_->arena.step(d, 20);
             if (!is_live(d)) continue;
             cages_[out] = cages_[d];
             cages_[out++].next = none;

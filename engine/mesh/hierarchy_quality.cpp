@@ -109,7 +109,10 @@ template <int D> [[gnu::cold]] Status Measurement<D>::open() {
     NETMESH_ASSERT(arena_.low_mark() - low <= HierarchyScratch::cage_bytes * count_ +
                                                   HierarchyScratch::vertex_bytes * vertices +
                                                   HierarchyScratch::cell_bytes * cells + 9 * Arena::alignment);
-    for (std::uint32_t c = 0; c < cells; ++c) mark_[c] = 0;
+    for (std::uint32_t c = 0; c < cells;)
+        for (const std::uint64_t piece = arena_.piece(c, cells, 6); c < piece; ++c) {
+            mark_[c] = 0;
+        }
     return Status::ok;
 }
 
@@ -123,52 +126,56 @@ void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& vis
     std::uint32_t count = 0;
     list_[count++] = store_.vertex(centre).cell;
     mark_[list_[0]] = stamp_;
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const Cell<D>& cell = store_.cell(list_[k]);
-        unsigned inside = 0;
-        for (int i = 0; i <= D; ++i) {
-            const double d2 = distance2<D>(store_.point(cell.vertex[i]), x);
-            if (!(d2 < radius * radius)) continue;
-            inside |= 1u << i;
-            visit(cell.vertex[i], d2);
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = store_.arena.piece(k, count, 50 * D); k < piece; ++k) {
+            const Cell<D>& cell = store_.cell(list_[k]);
+            unsigned inside = 0;
+            for (int i = 0; i <= D; ++i) {
+                const double d2 = distance2<D>(store_.point(cell.vertex[i]), x);
+                if (!(d2 < radius * radius)) continue;
+                inside |= 1u << i;
+                visit(cell.vertex[i], d2);
+            }
+            for (int i = 0; i <= D; ++i) {
+                // The neighbour has all vertices of the cell but the i-th.
+                const std::uint32_t n = (inside & ~(1u << i)) == 0 ? none : neighbour(list_[k], i);
+                if (n == none || mark_[n] == stamp_) continue;
+                mark_[n] = stamp_;
+                list_[count++] = n;
+            }
         }
-        for (int i = 0; i <= D; ++i) {
-            // The neighbour has all vertices of the cell but the i-th.
-            const std::uint32_t n = (inside & ~(1u << i)) == 0 ? none : neighbour(list_[k], i);
-            if (n == none || mark_[n] == stamp_) continue;
-            mark_[n] = stamp_;
-            list_[count++] = n;
-        }
-    }
 }
 
 // From the largest cage to the smallest: each takes its vertices from the one around it.
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        domain_[v] = none;
-        out2_[v] = 0;
-        leaves_ball_[v] = false;
-    }
-    for (std::uint32_t d = 0; d < count_; ++d) {
-        order_[d] = d;
-        const Cage& cage = cages_[d];
-        if (cage.centre >= store_.state.vertex_count || store_.vertex(cage.centre).marker != Marker::input ||
-            store_.vertex(cage.centre).cell == none || !(cage.radius > 0 && cage.radius < infinity))
-            return {"a cage's centre is not an input, or its radius not positive", cage.centre};
-    }
-    sort(order_, count_, LargerCage{cages_});
-    for (std::uint32_t k = 0; k < count_; ++k) {
-        const std::uint32_t d = order_[k];
-        Cage& cage = cages_[d];
-        cage.parent = domain_[cage.centre];
-        if (cage.parent != none) {
-            const Cage& around = cages_[cage.parent];
-            const double offset = square_root(distance2<D>(store_.point(cage.centre), store_.point(around.centre)));
-            if (!(offset + cage.radius <= around.radius))
-                return {"a cage sticks out of the one around it", cage.centre};
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+            domain_[v] = none;
+            out2_[v] = 0;
+            leaves_ball_[v] = false;
         }
-        visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double) { domain_[v] = d; });
-    }
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            order_[d] = d;
+            const Cage& cage = cages_[d];
+            if (cage.centre >= store_.state.vertex_count || store_.vertex(cage.centre).marker != Marker::input ||
+                store_.vertex(cage.centre).cell == none || !(cage.radius > 0 && cage.radius < infinity))
+                return {"a cage's centre is not an input, or its radius not positive", cage.centre};
+        }
+    sort(order_, count_, LargerCage{cages_}, arena_);
+    for (std::uint32_t k = 0; k < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(k, count_, 60); k < piece; ++k) {
+            const std::uint32_t d = order_[k];
+            Cage& cage = cages_[d];
+            cage.parent = domain_[cage.centre];
+            if (cage.parent != none) {
+                const Cage& around = cages_[cage.parent];
+                const double offset = square_root(distance2<D>(store_.point(cage.centre), store_.point(around.centre)));
+                if (!(offset + cage.radius <= around.radius))
+                    return {"a cage sticks out of the one around it", cage.centre};
+            }
+            visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double) { domain_[v] = d; });
+        }
     return {nullptr, none};
 }
 
@@ -177,20 +184,25 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
     if constexpr (D <= thesis_dim_max)
         if (is_thesis()) return find_thesis_shells();
     CheckResult result = {nullptr, none};
-    for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
-        Cage& cage = cages_[domain_[v]];
-        const double least = shell_least * cage.radius;
-        if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least)
-            ++cage.next;
-        else
-            result = {"an exempt vertex within a cage is not of its shell", v};
-    }
-    for (std::uint32_t d = 0; d < count_; ++d) {
-        if (cages_[d].next != shell_size<D>) result = {"a cage lacks its shell", cages_[d].centre};
-        cages_[d].next = none;
-    }
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            cages_[d].next = 0;
+        }
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+            if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
+            Cage& cage = cages_[domain_[v]];
+            const double least = shell_least * cage.radius;
+            if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least)
+                ++cage.next;
+            else
+                result = {"an exempt vertex within a cage is not of its shell", v};
+        }
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            if (cages_[d].next != shell_size<D>) result = {"a cage lacks its shell", cages_[d].centre};
+            cages_[d].next = none;
+        }
     return result;
 }
 
@@ -210,6 +222,7 @@ template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uin
         if (looked_at || domain_[v] != d || !(d2 > 0.25 * radius * radius)) return;
         looked_at = true;
         if (store_.vertex(v).marker != Marker::exempt && !has_yielded(v)) return;
+        store_.arena.pass(size / 4);
         for (std::uint32_t k = 0; k < size; ++k) {
             double place[D];
             is_outermost(d) ? RootTemplate<D>::point(k, place) : CageTemplate<D>::point(k, place);
@@ -225,58 +238,66 @@ template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uin
 // As many vertices near the sphere as the template has points, of which inputs may be some, and one at each; the other
 // exempt vertices are on the hull.
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() {
-    for (std::uint32_t d = 0; d < count_; ++d) cages_[d].next = 0;
-    const std::uint32_t cells = store_.state.cell_slots;
-    for (std::uint32_t c = 0; c < cells; ++c)
-        for (int i = 0; i <= D && is_finite(c); ++i)
-            for (int k = 0; k <= D && neighbour(c, i) == none; ++k)
-                if (k != i) out2_[store_.cell(c).vertex[k]] = infinity;
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        if (store_.vertex(v).cell == none) continue;
-        const bool exempt = store_.vertex(v).marker == Marker::exempt;
-        if (domain_[v] == none) {
-            if (!exempt) return {"a vertex is outside of the outermost cage", v};
-            if (out2_[v] < infinity) return {"an exempt vertex is of no shell and not on the hull", v};
-            continue;
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            cages_[d].next = 0;
         }
-        Cage& cage = cages_[domain_[v]];
-        if (exempt && !is_by_shell<D>(store_, cage, v))
-            return {"an exempt vertex within a cage is not of its shell", v};
-        if (exempt || has_yielded(v)) ++cage.next;
-    }
+    const std::uint32_t cells = store_.state.cell_slots;
+    for (std::uint32_t c = 0; c < cells;)
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 10 * D); c < piece; ++c) {
+            for (int i = 0; i <= D && is_finite(c); ++i)
+                for (int k = 0; k <= D && neighbour(c, i) == none; ++k)
+                    if (k != i) out2_[store_.cell(c).vertex[k]] = infinity;
+        }
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+            if (store_.vertex(v).cell == none) continue;
+            const bool exempt = store_.vertex(v).marker == Marker::exempt;
+            if (domain_[v] == none) {
+                if (!exempt) return {"a vertex is outside of the outermost cage", v};
+                if (out2_[v] < infinity) return {"an exempt vertex is of no shell and not on the hull", v};
+                continue;
+            }
+            Cage& cage = cages_[domain_[v]];
+            if (exempt && !is_by_shell<D>(store_, cage, v))
+                return {"an exempt vertex within a cage is not of its shell", v};
+            if (exempt || has_yielded(v)) ++cage.next;
+        }
     CheckResult result = {nullptr, none};
     std::uint32_t outermost = 0;
-    for (std::uint32_t d = 0; d < count_; ++d) {
-        if (is_outermost(d) && ++outermost > 1) return {"there are two outermost cages", cages_[d].centre};
-        const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
-        if (cages_[d].next != size)
-            result = {"a cage lacks its shell", cages_[d].centre};
-        else if (!is_template_covered(d))
-            result = {"a shell has a hole", cages_[d].centre};
-        cages_[d].next = none;
-    }
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            if (is_outermost(d) && ++outermost > 1) return {"there are two outermost cages", cages_[d].centre};
+            const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
+            if (cages_[d].next != size)
+                result = {"a cage lacks its shell", cages_[d].centre};
+            else if (!is_template_covered(d))
+                result = {"a shell has a hole", cages_[d].centre};
+            cages_[d].next = none;
+        }
     return result;
 }
 
 template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_encroached() {
-    for (std::uint32_t d = 0; d < count_; ++d) {
-        Cage& cage = cages_[d];
-        const double inside = is_thesis() ? ThesisCage::epsilon : cage_epsilon;
-        const double r2 = cage.radius * cage.radius, e2 = inside * inside * r2;
-        bool inner = false, outer = false;
-        visit_ball(cage.centre, (is_thesis() ? ThesisCage::clearance : cage_clearance) * cage.radius,
-                   [&](std::uint32_t v, double d2) {
-                       const Marker marker = store_.vertex(v).marker;
-                       if (d2 < r2)
-                           inner |= marker == Marker::input && d2 > e2 && !(domain_[v] == d && has_yielded(v));
-                       else if (d2 > r2)
-                           outer |= is_thesis() || marker == Marker::input || domain_[v] == none ||
-                                    (marker == Marker::steiner &&
-                                     is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
-                   });
-        if (inner) return {"an input encroaches on a cage from inside", cage.centre};
-        if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};
-    }
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            Cage& cage = cages_[d];
+            const double inside = is_thesis() ? ThesisCage::epsilon : cage_epsilon;
+            const double r2 = cage.radius * cage.radius, e2 = inside * inside * r2;
+            bool inner = false, outer = false;
+            visit_ball(cage.centre, (is_thesis() ? ThesisCage::clearance : cage_clearance) * cage.radius,
+                       [&](std::uint32_t v, double d2) {
+                           const Marker marker = store_.vertex(v).marker;
+                           if (d2 < r2)
+                               inner |= marker == Marker::input && d2 > e2 && !(domain_[v] == d && has_yielded(v));
+                           else if (d2 > r2)
+                               outer |= is_thesis() || marker == Marker::input || domain_[v] == none ||
+                                        (marker == Marker::steiner &&
+                                         is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
+                       });
+            if (inner) return {"an input encroaches on a cage from inside", cage.centre};
+            if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};
+        }
     return {nullptr, none};
 }
 
@@ -354,58 +375,63 @@ template <int D> [[gnu::cold]] void Measurement<D>::raise_cages(std::uint32_t c,
 }
 
 template <int D> void Measurement<D>::measure_cells() {
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) {
-        nearest2_[v] = infinity;
-        out2_[v] = 0;
-        leaves_ball_[v] = false;
-    }
-    for (std::uint32_t d = 0; d < count_; ++d) {
-        cages_[d].nearest2 = infinity;
-        cage_out2_[d] = 0;
-        cage_leaves_ball_[d] = false;
-    }
-    for (std::uint32_t c = 0; c < store_.state.cell_slots; ++c) {
-        if (!is_finite(c)) continue;
-        const Cell<D>& cell = store_.cell(c);
-        bool equal = true;
-        for (int i = 0; i <= D; ++i) {
-            equal &= domain_[cell.vertex[i]] == domain_[cell.vertex[0]];
-            for (int j = 0; j < i; ++j) {
-                const double d2 = distance2<D>(store_.point(cell.vertex[i]), store_.point(cell.vertex[j]));
-                if (d2 < nearest2_[cell.vertex[i]]) nearest2_[cell.vertex[i]] = d2;
-                if (d2 < nearest2_[cell.vertex[j]]) nearest2_[cell.vertex[j]] = d2;
-            }
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+            nearest2_[v] = infinity;
+            out2_[v] = 0;
+            leaves_ball_[v] = false;
         }
-        for (int i = 0; i <= D; ++i)
-            for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
-                if (k != i) out2_[cell.vertex[k]] = infinity;
-        Cell<D> here;
-        if (!corner(c, &here)) {
-            for (const VertexId v : cell.vertex) {
-                leaves_ball_[v] = true;
-                for (std::uint32_t d = domain_[v]; d != none; d = cages_[d].parent) cage_leaves_ball_[d] = true;
-            }
-            continue;
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            cages_[d].nearest2 = infinity;
+            cage_out2_[d] = 0;
+            cage_leaves_ball_[d] = false;
         }
-        raise_vertices(c, here);
-        if (!equal) raise_cages(c, here);
-    }
+    for (std::uint32_t c = 0; c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 200 * D * D); c < piece; ++c) {
+            if (!is_finite(c)) continue;
+            const Cell<D>& cell = store_.cell(c);
+            bool equal = true;
+            for (int i = 0; i <= D; ++i) {
+                equal &= domain_[cell.vertex[i]] == domain_[cell.vertex[0]];
+                for (int j = 0; j < i; ++j) {
+                    const double d2 = distance2<D>(store_.point(cell.vertex[i]), store_.point(cell.vertex[j]));
+                    if (d2 < nearest2_[cell.vertex[i]]) nearest2_[cell.vertex[i]] = d2;
+                    if (d2 < nearest2_[cell.vertex[j]]) nearest2_[cell.vertex[j]] = d2;
+                }
+            }
+            for (int i = 0; i <= D; ++i)
+                for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+                    if (k != i) out2_[cell.vertex[k]] = infinity;
+            Cell<D> here;
+            if (!corner(c, &here)) {
+                for (const VertexId v : cell.vertex) {
+                    leaves_ball_[v] = true;
+                    for (std::uint32_t d = domain_[v]; d != none; d = cages_[d].parent) cage_leaves_ball_[d] = true;
+                }
+                continue;
+            }
+            raise_vertices(c, here);
+            if (!equal) raise_cages(c, here);
+        }
 }
 
 // What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
 template <int D> [[gnu::cold]] Status Measurement<D>::measure_poles() {
     if (is_thesis()) return Status::ok;
-    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
-        if (!leaves_ball_[v] || !(out2_[v] < infinity) || !counts(v)) continue;
-        const Domain<D> ball = domain_ball<D>(store_, cages_, domain_[v], outermost_);
-        if (!raise_to_poles<D>(store_, ball, v, &out2_[v])) return Status::out_of_memory;
-    }
-    for (std::uint32_t d = 0; d < count_; ++d) {
-        const Domain<D> ball = domain_ball<D>(store_, cages_, cages_[d].parent, outermost_);
-        Corner<D> pole;
-        if (cage_leaves_ball_[d]) find_cage_pole<D>(store_, cages_[d], ball, cage_out2_[d] * (1 + 0x1p-40), &pole);
-        if (pole.distance2 > cage_out2_[d]) cage_out2_[d] = pole.distance2;
-    }
+    for (VertexId v(0); v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 20); v < piece; ++v) {
+            if (!leaves_ball_[v] || !(out2_[v] < infinity) || !counts(v)) continue;
+            const Domain<D> ball = domain_ball<D>(store_, cages_, domain_[v], outermost_);
+            if (!raise_to_poles<D>(store_, ball, v, &out2_[v])) return Status::out_of_memory;
+        }
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            const Domain<D> ball = domain_ball<D>(store_, cages_, cages_[d].parent, outermost_);
+            Corner<D> pole;
+            if (cage_leaves_ball_[d]) find_cage_pole<D>(store_, cages_[d], ball, cage_out2_[d] * (1 + 0x1p-40), &pole);
+            if (pole.distance2 > cage_out2_[d]) cage_out2_[d] = pole.distance2;
+        }
     return Status::ok;
 }
 
@@ -417,9 +443,14 @@ template <int D> [[gnu::cold]] void Measurement<D>::worst(HierarchyQuality* qual
         quality->worst = ratio;
         quality->vertex = v;
     };
-    for (std::uint32_t v = 0; v < store_.state.vertex_count; ++v) offer(ratio(v), v);
-    for (std::uint32_t d = 0; d < count_; ++d)
-        if (!is_outermost(d)) offer(square_root(cage_out2_[d]) / in_radius_of(cages_[d]), cages_[d].centre);
+    for (std::uint32_t v = 0; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+            offer(ratio(v), v);
+        }
+    for (std::uint32_t d = 0; d < count_;)
+        for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
+            if (!is_outermost(d)) offer(square_root(cage_out2_[d]) / in_radius_of(cages_[d]), cages_[d].centre);
+        }
 }
 
 template <int D> [[gnu::cold]] void Measurement<D>::copy(const HierarchyRequest<D>& request) const {

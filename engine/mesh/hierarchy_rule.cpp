@@ -238,6 +238,7 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::release_cage(std::uint32
                 if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
         });
         if (!fits) return Status::out_of_memory;
+        store_.arena.pass(20 * D);
     }
     return Status::ok;
 }
@@ -369,6 +370,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
         }
     });
     if (!fits) return Verdict::out_of_memory;
+    store_.arena.pass(cells / 4);
     if (!is_bad(corner.distance2, nearest2) && !sizes_.are_exceeded(v, corner.distance2)) {
         corner.distance2 = -1;
         if (leaves_ball) this->find_sized_beyond(ball, v, cells, &corner);
@@ -406,10 +408,14 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::sweep() {
     std::uint32_t before;
     do {
         before = store_.state.vertex_count;
-        for (CellId c(0); c < store_.state.cell_slots; ++c)
-            if (store_.is_live(c)) queue_all_far(c);
-        for (std::uint32_t d = 0; d < hierarchy_.made(); ++d)
-            if (hierarchy_.is_live(d)) queue_cage(d);
+        for (CellId c(0); c < store_.state.cell_slots;)
+            for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 60 * D); c < piece; ++c) {
+                if (store_.is_live(c)) queue_all_far(c);
+            }
+        for (std::uint32_t d = 0; d < hierarchy_.made();)
+            for (const std::uint64_t piece = store_.arena.piece(d, hierarchy_.made(), 20); d < piece; ++d) {
+                if (hierarchy_.is_live(d)) queue_cage(d);
+            }
         const Status status = this->clean();
         if (status != Status::ok) return status;
     } while (store_.state.vertex_count > before);
@@ -420,11 +426,12 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
     const Status swept = sweep();
     if (swept != Status::ok || !this->request_.finish) return swept;
     observers_.stop_measuring();
-    for (std::uint32_t d = 0; d < hierarchy_.made(); ++d) {
-        if (!hierarchy_.is_live(d)) continue;
-        const Status status = release_cage(d);
-        if (status != Status::ok) return status;
-    }
+    for (std::uint32_t d = 0; d < hierarchy_.made();)
+        for (const std::uint64_t piece = store_.arena.piece(d, hierarchy_.made(), 20); d < piece; ++d) {
+            if (!hierarchy_.is_live(d)) continue;
+            const Status status = release_cage(d);
+            if (status != Status::ok) return status;
+        }
     const Status finished = sweep();
     if (finished == Status::ok && sizes_.are_asked()) find_nearest_inputs();
     return finished;
@@ -432,10 +439,11 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
 
 // What filters and sizes ask of a mesh without cages: the nearest input of each vertex.
 template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
-    for (std::uint32_t v = inputs_; v < store_.state.vertex_count; ++v) {
-        double d2;
-        store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);
-    }
+    for (std::uint32_t v = inputs_; v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 500 * D); v < piece; ++v) {
+            double d2;
+            store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);
+        }
 }
 
 template <int D> std::size_t HierarchyRule<D>::keep_results(std::size_t) {

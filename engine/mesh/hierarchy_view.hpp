@@ -15,6 +15,7 @@ struct HierarchyView {
     std::uint32_t dim, vertex_count, cell_count, cage_count;
     const Cage* cages;
     const std::uint32_t* domains;  // [vertex_count]: the innermost cage of each vertex, or none
+    const Arena& arena;            // that is told of work
 
     const double* point(std::uint32_t v) const { return reinterpret_cast<const double*>(points + offset(v)); }
     bool is_exempt(std::uint32_t v) const { return markers[offset(v)] == static_cast<unsigned char>(Marker::exempt); }
@@ -43,7 +44,8 @@ HierarchyView hierarchy_view(const Store<D>& store, const Cage* cages, std::uint
             view.cell_count,
             cage_count,
             cages,
-            domains};
+            domains,
+            store.arena};
 }
 
 }  // namespace netmesh

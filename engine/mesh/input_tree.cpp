@@ -19,11 +19,12 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
     double widest = -1;
     for (int k = 0; k < D; ++k) {
         double low = infinity, high = -infinity;
-        for (std::uint32_t i = begin; i < end; ++i) {
-            const double x = store_->point(items_[i])[k];
-            if (x < low) low = x;
-            if (x > high) high = x;
-        }
+        for (std::uint32_t i = begin; i < end;)
+            for (const std::uint64_t piece = store_->arena.piece(i, end, 12); i < piece; ++i) {
+                const double x = store_->point(items_[i])[k];
+                if (x < low) low = x;
+                if (x > high) high = x;
+            }
         if (high - low > widest) {
             widest = high - low;
             axis = k;
@@ -39,6 +40,7 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
             while (store_->point(items_[i])[axis] < pivot) ++i;
             while (store_->point(items_[j])[axis] > pivot) --j;
             if (i > j) break;
+            store_->arena.step(i, 30);
             const std::uint32_t t = items_[i];
             items_[i++] = items_[j];
             items_[j--] = t;
@@ -64,7 +66,10 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
     store_ = &store;
     count_ = count;
     touches_ = 0;
-    for (std::uint32_t i = 0; i < count; ++i) items_[i] = chosen != nullptr ? chosen[i] : i;
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = arena.piece(i, count, 5); i < piece; ++i) {
+            items_[i] = chosen != nullptr ? chosen[i] : i;
+        }
     TreeRange stack[40];
     int depth = 0;
     stack[depth++] = {0, count};
@@ -72,15 +77,17 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
         const TreeRange range = stack[--depth];
         if (range.is_leaf()) continue;
         split(range.begin, range.end);
+        arena.pass(2);
         const std::uint32_t middle = range.middle();
         stack[depth++] = range.below();
         stack[depth++] = range.above();
         if (!rings) continue;
         double reach2 = 0;
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const double d2 = squared_distance(store.point(items_[middle]), items_[i]);
-            if (d2 > reach2) reach2 = d2;
-        }
+        for (std::uint32_t i = range.begin; i < range.end;)
+            for (const std::uint64_t piece = arena.piece(i, range.end, 10 + 5 * D); i < piece; ++i) {
+                const double d2 = squared_distance(store.point(items_[middle]), items_[i]);
+                if (d2 > reach2) reach2 = d2;
+            }
         reach_[middle] = square_root(reach2) * (1 + 8 * unit_roundoff);
     }
     touches_ = 0;
@@ -90,6 +97,7 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
 template <int D>
 template <class Consider, class Bound>
 void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) const {
+    const std::uint64_t before = touches_;
     TreePart<D> stack[40];
     int depth = 0;
     stack[depth++] = {{0, count_}, 0, {}};
@@ -116,6 +124,7 @@ void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) c
         }
         for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
     }
+    report(before);
 }
 
 template <int D>
@@ -183,6 +192,7 @@ template <int D>
 std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, double outer, double* distance2) const {
     std::uint32_t best = none;
     double best1 = inner, best2 = inner * inner;
+    const std::uint64_t before = touches_;
     const auto consider = [&](std::uint32_t v) {
         const double d2 = squared_distance(x, v);
         if (d2 <= outer * outer && (d2 > best2 || (d2 == best2 && v < best && best != none))) {
@@ -211,6 +221,7 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
         stack[depth] = from.beyond(axis_[middle], offset, offset < 0 ? range.above() : range.below());
         if (!(stack[depth].least2 > outer * outer)) ++depth;
     }
+    report(before);
     *distance2 = best2;
     return best;
 }

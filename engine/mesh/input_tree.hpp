@@ -89,6 +89,13 @@ private:
     // or as near, near parts first.
     template <class Consider, class Bound> void visit(const double* x, Consider&& consider, Bound&& bound2) const;
 
+    // Reports a search that has looked at many inputs, as it does where these are crowded; others are their callers'.
+    void report(std::uint64_t touches_before) const {
+        constexpr std::uint64_t many = 64;
+        if (touches_ - touches_before > many)
+            store_->arena.pass(static_cast<std::uint32_t>((touches_ - touches_before) / 8));
+    }
+
     const Store<D>* store_;
     std::uint32_t* items_;
     std::uint8_t* axis_;  // of the split at the middle item of a range

@@ -91,18 +91,20 @@ template <int D> [[gnu::cold]] Status QualityRule<D>::check_goal() {
 // that no corner can make bad left out.
 template <int D> Status QualityRule<D>::finish_mesh() {
     if (!has_waited_) return this->clean();  // all of it, where inputs went in first
-    for (VertexId v(0); v < store_.state.vertex_count; ++v) {
-        if (store_.vertex(v).cell == none || store_.vertex(v).marker == Marker::exempt) continue;
-        queue_.push(v);
-        if (!this->may_be_blurred(store_.vertex(v))) queue_.pass_over(v);
-    }
-    for (CellId c(0); c < store_.state.cell_slots; ++c) {
-        const Cell<D>& cell = store_.cell(c);
-        for (int i = 0; i <= D && store_.is_live(c); ++i) {
-            if (cell.vertex[i] == none || store_.vertex(cell.vertex[i]).marker == Marker::exempt) continue;
-            if (!is_within(cell, this->least_beyond2(store_.vertex(cell.vertex[i])))) queue_.push(cell.vertex[i]);
+    for (VertexId v(0); v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 40); v < piece; ++v) {
+            if (store_.vertex(v).cell == none || store_.vertex(v).marker == Marker::exempt) continue;
+            queue_.push(v);
+            if (!this->may_be_blurred(store_.vertex(v))) queue_.pass_over(v);
         }
-    }
+    for (CellId c(0); c < store_.state.cell_slots;)
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 40 * D); c < piece; ++c) {
+            const Cell<D>& cell = store_.cell(c);
+            for (int i = 0; i <= D && store_.is_live(c); ++i) {
+                if (cell.vertex[i] == none || store_.vertex(cell.vertex[i]).marker == Marker::exempt) continue;
+                if (!is_within(cell, this->least_beyond2(store_.vertex(cell.vertex[i])))) queue_.push(cell.vertex[i]);
+            }
+        }
     return this->clean();
 }
 
@@ -167,15 +169,17 @@ template <int D> Status QualityRule<D>::insert_boundary_net() {
     Status status = this->insert(inside, store_.state.last_cell);
     for (bool covered = false; !covered && status == Status::ok;) {
         covered = true;
-        for (CellId c(0); c < store_.state.cell_slots && status == Status::ok; ++c) {
-            double z[D], d2;
-            if (!lacks_net_vertex<D>(store_, domain_, delta, c, inside, z)) continue;
-            if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
-            const VertexId v = make_vertex<D>(store_, z, tree_.nearest(z, 0, none, &d2), Marker::exempt);
-            status = this->insert(v, c);
-            if (status == Status::out_of_memory) store_.truncate_vertices(v);
-            covered = false;
-        }
+        for (CellId c(0); c < store_.state.cell_slots && status == Status::ok;)
+            for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 200 * D);
+                 c < piece && status == Status::ok; ++c) {
+                double z[D], d2;
+                if (!lacks_net_vertex<D>(store_, domain_, delta, c, inside, z)) continue;
+                if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
+                const VertexId v = make_vertex<D>(store_, z, tree_.nearest(z, 0, none, &d2), Marker::exempt);
+                status = this->insert(v, c);
+                if (status == Status::out_of_memory) store_.truncate_vertices(v);
+                covered = false;
+            }
     }
     return status;
 }

@@ -219,7 +219,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
     // The mesh is whole, only the lists are not: the job stops as if it had been asked to.
     if (observers_.locates() && !observers_.after_fill(kernel_, cavity, v)) return Status::cancelled;
     monitor_.mesh_size(store_.state.vertex_count - inputs_ + inserted_, store_.live_cells());
-    return monitor_.advance(inserted_, 4 + 2 * cavity.facets) ? Status::cancelled : Status::ok;
+    return monitor_.advance(inserted_, 4 + 4 * cavity.facets) ? Status::cancelled : Status::ok;
 }
 
 // nearest2 of v and of its neighbours. Those to which it is nearer than any vertex before may have become bad and are
@@ -251,7 +251,10 @@ template <int D, class Rule> Status Refinement<D, Rule>::clean() {
         if (v == none) return Status::ok;
         Split<D> split;
         const Verdict verdict = rule().judge(v, &split);
-        if (verdict == Verdict::good) continue;
+        if (verdict == Verdict::good) {
+            if (monitor_.advance(inserted_, 5 * D)) return Status::cancelled;
+            continue;
+        }
         if (verdict == Verdict::out_of_memory) return Status::out_of_memory;
         const Status status = yielding_insert(split);
         if (status != Status::ok) return status;
@@ -288,12 +291,13 @@ template <int D, class Rule> Status Refinement<D, Rule>::reach_sizes() {
     const std::uint32_t count = store_.state.vertex_count;
     observers_.stop_measuring_features();
     sizes_.start();
-    for (VertexId v(0); v < count; ++v) {
-        if (store_.vertex(v).marker == Marker::exempt) continue;
-        const Status status = note_size(v);
-        if (status != Status::ok) return status;
-        queue_.push(v);
-    }
+    for (VertexId v(0); v < count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, count, 500 * D); v < piece; ++v) {
+            if (store_.vertex(v).marker == Marker::exempt) continue;
+            const Status status = note_size(v);
+            if (status != Status::ok) return status;
+            queue_.push(v);
+        }
     return clean();
 }
 
@@ -311,7 +315,8 @@ Status mesh_by_rule(Store<D>& store, const double* points, std::size_t n, const 
     if (status != Status::ok) return status;
     status = rule.open();
     if (status == Status::ok) status = rule.run(order);
-    return rule.close(low, status);
+    status = rule.close(low, status);
+    return status == Status::ok && work.monitor.has_stopped() ? Status::cancelled : status;
 }
 
 }  // namespace netmesh

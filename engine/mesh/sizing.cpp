@@ -15,12 +15,13 @@ Status worst_size_ratio(Store<D>& store, const SizeRatioRequest<D>& request, Are
     if (out2 == nullptr || tree.build(store, arena, request.inputs) != Status::ok) return Status::out_of_memory;
     const Status status = measure_clipped_cells<D>(store, request.domain, out2);
     if (status != Status::ok) return status;
-    for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        if (store.vertex(v).cell == none || store.vertex(v).marker == Marker::exempt) continue;
-        const double size = wanted_size<D>(store, tree, request.rule, v);
-        const double here = size > 0 ? square_root(out2[v]) / size : infinity;
-        if (here > ratio->worst) *ratio = {here, v};
-    }
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
+            if (store.vertex(v).cell == none || store.vertex(v).marker == Marker::exempt) continue;
+            const double size = wanted_size<D>(store, tree, request.rule, v);
+            const double here = size > 0 ? square_root(out2[v]) / size : infinity;
+            if (here > ratio->worst) *ratio = {here, v};
+        }
     return Status::ok;
 }
 

@@ -129,10 +129,11 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::begin() {
     Status status = this->insert(centre, store_.state.last_cell);
     if (status != Status::ok) return status;
     double far2 = inputs_ > 1 ? 0 : domain_.enclosing_radius * domain_.enclosing_radius;
-    for (std::uint32_t p = 0; p < inputs_; ++p) {
-        const double p2 = distance2<D>(store_.point(p), store_.point(centre));
-        if (p2 > far2) far2 = p2;
-    }
+    for (std::uint32_t p = 0; p < inputs_;)
+        for (const std::uint64_t piece = store_.arena.piece(p, inputs_, 8 * D); p < piece; ++p) {
+            const double p2 = distance2<D>(store_.point(p), store_.point(centre));
+            if (p2 > far2) far2 = p2;
+        }
     std::uint32_t made;
     status = new_cage({centre, infinity, none}, square_root(far2) / inner * (1 + tau_margin), none, &made);
     return status == Status::ok ? this->finish_step(centre, false) : status;
@@ -301,12 +302,13 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::after_step() {
         }
         if (!has_yielded_) return Status::ok;
         has_yielded_ = false;
-        for (VertexId p(0); p < inputs_; ++p) {
-            if (store_.vertex(p).cell == none) continue;
-            hierarchy_.of(p);
-            const Status status = grow_encroached(p, is_of_shell(p));
-            if (status != Status::ok) return status;
-        }
+        for (VertexId p(0); p < inputs_;)
+            for (const std::uint64_t piece = store_.arena.piece(p, inputs_, 300); p < piece; ++p) {
+                if (store_.vertex(p).cell == none) continue;
+                hierarchy_.of(p);
+                const Status status = grow_encroached(p, is_of_shell(p));
+                if (status != Status::ok) return status;
+            }
     }
 }
 

@@ -27,7 +27,7 @@ public:
         hash_shift_ = 64 - bits;
         const std::size_t words = static_cast<std::size_t>(std::uint64_t{1} << (bits - 5));
         seen_ = arena.take_low<std::uint64_t>(words);
-        if (seen_ != nullptr) __builtin_memset(seen_, 0, words * sizeof *seen_);
+        if (seen_ != nullptr) arena.each(words, 1, [this](std::uint64_t i) { seen_[i] = 0; });
         return seen_ != nullptr;
     }
 

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 
+#include "memory/arena.hpp"
+
 namespace netmesh {
 
 struct Ascending {
@@ -52,8 +54,17 @@ template <class T, class Less> std::uint64_t split(T* items, std::uint64_t count
     }
 }
 
+// What is told of the work when nobody is.
+struct NoReports {
+    void pass(std::uint32_t) const {}
+    void step(std::uint64_t, std::uint32_t) const {}
+};
+
 // Sorts by the strict weak order `less`; equal items must be interchangeable. O(count log count), O(1) scratch.
-template <class T, class Less> void sort(T* items, std::uint64_t count, Less less) {
+// Reports: an Arena, in sorts that may be large.
+template <class T, class Less, class Reports = NoReports>
+void sort(T* items, std::uint64_t count, Less less, const Reports& reports = {}) {
+    constexpr std::uint64_t split_in_pieces = 1 << 17;
     struct Range {
         T* items;
         std::uint64_t count;
@@ -69,13 +80,25 @@ template <class T, class Less> void sort(T* items, std::uint64_t count, Less les
             if (now.count <= 24) {
                 insertion_sort(now.items, now.count, less);
             } else {
-                heap_sort(now.items, now.count, less);
+                heap_sort(now.items, now.count, [&reports, less](const T& a, const T& b) {
+                    reports.pass(1);
+                    return less(a, b);
+                });
             }
             if (waiting_count == 0) return;
             now = waiting[--waiting_count];
             continue;
         }
-        const std::uint64_t p = split(now.items, now.count, less);
+        std::uint64_t p, compared = 0;
+        if (now.count < split_in_pieces) {
+            reports.pass(static_cast<std::uint32_t>(now.count / 16));
+            p = split(now.items, now.count, less);
+        } else {
+            p = split(now.items, now.count, [&reports, &compared, less](const T& a, const T& b) {
+                reports.step(++compared, 20);
+                return less(a, b);
+            });
+        }
         const Range first = {now.items, p, now.splits_left - 1};
         const Range second = {now.items + p, now.count - p, now.splits_left - 1};
         // The larger part waits, so at most log2(count) parts do.

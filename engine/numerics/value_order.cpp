@@ -63,13 +63,14 @@ struct Digit {
 };
 
 // The highest digit in which the items of a range differ: value first, then position. Positions are distinct.
-Digit leading_digit(const Items& items, Range range) {
+Digit leading_digit(const Items& items, Range range, const Arena& arena) {
     std::uint64_t differ = 0;
     std::uint32_t positions = 0;
-    for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
-        differ |= key_of_value(items.value[i]) ^ key_of_value(items.value[range.begin]);
-        positions |= items.position[i] ^ items.position[range.begin];
-    }
+    for (std::uint32_t i = range.begin + 1; i < range.end;)
+        for (const std::uint64_t piece = arena.piece(i, range.end, 12); i < piece; ++i) {
+            differ |= key_of_value(items.value[i]) ^ key_of_value(items.value[range.begin]);
+            positions |= items.position[i] ^ items.position[range.begin];
+        }
     const bool of_position = differ == 0;
     int top = 63;
     if (of_position) differ = positions;
@@ -78,10 +79,13 @@ Digit leading_digit(const Items& items, Range range) {
 }
 
 // Puts every item into the bucket of its digit; bucket d then ends at end[d].
-void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end) {
+void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end, const Arena& arena) {
     std::uint32_t next[digits];
     for (std::uint32_t d = 0; d < digits; ++d) end[d] = 0;
-    for (std::uint32_t i = range.begin; i < range.end; ++i) ++end[digit.of(items, i)];
+    for (std::uint32_t i = range.begin; i < range.end;)
+        for (const std::uint64_t piece = arena.piece(i, range.end, 12); i < piece; ++i) {
+            ++end[digit.of(items, i)];
+        }
     std::uint32_t sum = range.begin;
     for (std::uint32_t d = 0; d < digits; ++d) {
         next[d] = sum;
@@ -90,12 +94,16 @@ void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end
     }
     for (std::uint32_t d = 0; d < digits; ++d) {
         while (next[d] < end[d]) {
-            const std::uint32_t home = digit.of(items, next[d]);
-            if (home == d) {
-                ++next[d];
-            } else {
-                items.swap(next[d], next[home]++);
+            std::uint32_t left = digits;
+            for (; left > 0 && next[d] < end[d]; --left) {
+                const std::uint32_t home = digit.of(items, next[d]);
+                if (home == d) {
+                    ++next[d];
+                } else {
+                    items.swap(next[d], next[home]++);
+                }
             }
+            arena.pass((digits - left) / 5);
         }
     }
 }
@@ -113,7 +121,7 @@ struct SortScratch {
     }
 };
 
-void sort_items(const Items& items, std::uint32_t count, const SortScratch& scratch) {
+void sort_items(const Items& items, std::uint32_t count, const SortScratch& scratch, const Arena& arena) {
     Range* const stack = scratch.stack;
     std::uint32_t* const end = scratch.end;
     std::size_t height = 0;
@@ -122,12 +130,14 @@ void sort_items(const Items& items, std::uint32_t count, const SortScratch& scra
             stack[height++] = range;
         } else {
             sort_short(items, range);
+            arena.pass((range.end - range.begin) / 8);
         }
     };
     if (count > 0) sort_or_wait({0, count});
     while (height > 0) {
         const Range range = stack[--height];
-        distribute(items, range, leading_digit(items, range), end);
+        distribute(items, range, leading_digit(items, range, arena), end, arena);
+        arena.pass(8);
         std::uint32_t begin = range.begin;
         for (std::uint32_t d = 0; d < digits; ++d) {
             if (end[d] - begin > 1) sort_or_wait({begin, end[d]});
@@ -142,8 +152,8 @@ bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Ar
     const ArenaScope scope(arena);
     SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
-    for (std::uint32_t i = 0; i < count; ++i) position[i] = i;
-    sort_items({value, position}, count, scratch);
+    arena.each(count, 1, [position](std::uint64_t i) { position[i] = static_cast<std::uint32_t>(i); });
+    sort_items({value, position}, count, scratch, arena);
     return true;
 }
 
@@ -151,7 +161,7 @@ bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Are
     const ArenaScope scope(arena);
     SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
-    sort_items({value, label}, count, scratch);
+    sort_items({value, label}, count, scratch, arena);
     return true;
 }
 

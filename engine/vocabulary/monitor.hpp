@@ -16,7 +16,6 @@ public:
         progress_.stage = stage;
         progress_.done = 0;
         progress_.total = total;
-        countdown_ = interval;
     }
     void mesh_size(std::uint64_t vertices, std::uint64_t cells) {
         progress_.vertices = vertices;
@@ -25,25 +24,40 @@ public:
     // Reports that `done` units are done; `work` is what they cost since the last call, in units of roughly 100 ns.
     // True when the caller wants to stop.
     bool advance(std::uint64_t done, std::uint32_t work = 1) {
-        if (countdown_ > work) {
-            countdown_ -= work;
-            return false;
-        }
-        countdown_ = interval;
+        if (!is_due(work)) return false;
         progress_.done = done;
-        return poll_ != nullptr && never_throwing(poll_)(user_, &progress_) != 0;
+        return report();
     }
+    // The same in the middle of what cannot be left half done. A wish to stop is remembered: whoever asks next, by
+    // advance or by has_stopped at the end of the phase, is told. The caller is not polled again.
+    void pass(std::uint32_t work) {
+        if (is_due(work)) report();
+    }
+    // Has the caller said that it wants to stop?
+    bool has_stopped() const { return stopped_; }
 
 private:
+    bool is_due(std::uint32_t work) {
+        if (countdown_ <= work) return true;
+        countdown_ -= work;
+        return false;
+    }
+    [[gnu::noinline]] bool report() {
+        if (!stopped_ && poll_ != nullptr) stopped_ = never_throwing(poll_)(user_, &progress_) != 0;
+        countdown_ = stopped_ ? 0 : interval;
+        return stopped_;
+    }
+
 #ifdef NETMESH_SWEEP
     static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
 #else
-    static constexpr std::uint32_t interval = 100000;  // about every ten milliseconds
+    static constexpr std::uint32_t interval = 3000;  // about every third of a millisecond
 #endif
     netmesh_poll poll_ = nullptr;
     void* user_ = nullptr;
     netmesh_progress progress_ = {};
     std::uint32_t countdown_ = interval;
+    bool stopped_ = false;
 };
 
 }  // namespace netmesh

@@ -226,6 +226,7 @@ struct ByHand {
     std::vector<Cage> cages;
     std::vector<std::uint32_t> domains;
     std::vector<std::uint32_t> cells;
+    Arena nobody;  // watches
 
     ByHand(const std::vector<std::vector<double>>& points, std::uint32_t dimensions) : dim(dimensions) {
         for (const std::vector<double>& x : points) add(x, 0, none);
@@ -265,7 +266,8 @@ struct ByHand {
                 static_cast<std::uint32_t>(cells.size() / (dim + 1)),
                 static_cast<std::uint32_t>(cages.size()),
                 cages.data(),
-                domains.data()};
+                domains.data(),
+                nobody};
     }
     std::vector<WeightedCell> measured() {
         std::vector<WeightedCell> found(cages.size());

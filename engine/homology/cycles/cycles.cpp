@@ -101,15 +101,16 @@ Status Tracer::close_edges() {
     CountedColumn cycle;
     cycle.adopt(column_words_[0], edges.count > 0 ? edges.count : 1);
     forest_.grow(edges.faces, edges.count, [this](std::uint32_t e) { return joining_.has(e); });
-    for (std::uint32_t e = 0; e < edges.count; ++e) {
-        if (joining_.has(e) || paired_above_.has(e)) continue;
-        cycle.toggle(e);
-        forest_.path(edges.faces[2 * std::size_t{e}], edges.faces[2 * std::size_t{e} + 1],
-                     [&cycle](std::uint32_t tree_edge) { cycle.toggle(tree_edge); });
-        if (progress_.stop(1 + static_cast<std::uint32_t>(cycle.members() / 16))) return Status::cancelled;
-        const Status status = write(edges.value[e], __builtin_inf(), 1, cycle);
-        if (status != Status::ok) return status;
-    }
+    for (std::uint32_t e = 0; e < edges.count;)
+        for (const std::uint64_t piece = arena_.piece(e, edges.count, 10); e < piece; ++e) {
+            if (joining_.has(e) || paired_above_.has(e)) continue;
+            cycle.toggle(e);
+            forest_.path(edges.faces[2 * std::size_t{e}], edges.faces[2 * std::size_t{e} + 1],
+                         [&cycle](std::uint32_t tree_edge) { cycle.toggle(tree_edge); });
+            if (progress_.stop(1 + static_cast<std::uint32_t>(cycle.members() / 16))) return Status::cancelled;
+            const Status status = write(edges.value[e], __builtin_inf(), 1, cycle);
+            if (status != Status::ok) return status;
+        }
     return Status::ok;
 }
 
@@ -124,6 +125,7 @@ public:
     // What is a pivot itself gives birth to a pair that is written already.
     bool next(std::uint32_t* j) {
         for (; next_ < t_.of(k_).count; ++next_, ++t_.progress_.done) {
+            t_.arena_.step(next_, 10);
             if (t_.paired_above_.has(next_)) continue;
             ++t_.progress_.done;
             *j = next_++;
@@ -146,6 +148,7 @@ public:
         if (k_ > t_.max_degree_) return Status::ok;
         sources_.toggle(j);
         for (std::uint32_t at; (at = sources_.top()) != none;) {
+            t_.arena_.pass(1);
             sources_.toggle(at);
             cycle_.toggle(at);
             if (at != j && columns_.is_given(at)) continue;
@@ -160,6 +163,7 @@ private:
     Status add_sources_of(std::uint32_t at) {
         for (columns_.load(at); !columns_.is_zero();) {
             if (!columns_.has_owner()) return Status::internal;
+            t_.arena_.pass(1);
             const std::uint32_t source = columns_.owner_number();
             if (source == at) break;
             sources_.toggle(source);
@@ -207,7 +211,7 @@ Status Tracer::run(Representatives* out) {
     if (status != Status::ok) return status;
     // The store moves up over what only the reduction needed.
     const std::size_t bytes = store_top - arena_.high_mark();
-    __builtin_memmove(arena_.at(high - bytes), arena_.at(store_top - bytes), bytes);
+    move_bytes(arena_.at(high - bytes), arena_.at(store_top - bytes), bytes, arena_);
     arena_.release_high(high - bytes);
     *out = {writer_.finish(), {0, high}};
     return Status::ok;

@@ -299,6 +299,7 @@ private:
     }
 
     std::uint32_t take() {
+        arena_->pass(1);  // for what a block full of entries has cost
         if (free_ != none) {
             const std::uint32_t i = free_;
             free_ = next(i);

@@ -106,32 +106,33 @@ template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, VertexId
 template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
     Link<D> link;
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
-    for (VertexId v(0); v < ball_.vertex_count; ++v) {
-        if (ball_.begin[v] == ball_.begin[v + 1]) return Status::invalid_argument;
-        if ((ball_.flags[v] & TriangulatedBall<D>::absent) != 0) {
-            below_[v] = above_[v] = ball_.outside;
-            continue;
-        }
-        const bool cut = (ball_.flags[v] & TriangulatedBall<D>::cut) != 0;
-        if (cut && (ball_.flags[v] & TriangulatedBall<D>::on_hull) == 0) {
-            link.count(ball_, v);
-        } else {
-            if (!link.read(ball_, v, labels_)) return Status::internal;
-            below_[v] = link.lowest();
-            above_[v] = link.highest() == none ? v : link.highest();
-        }
-        if (link.bound() > star_bound_) star_bound_ = link.bound();
-        if (cut) above_[v] = ball_.outside;
-        if constexpr (Link<D>::tells_all) {
-            if (cut || !link.small()) {
-                ball_.flags[v] |= TriangulatedBall<D>::large;
-                any_large_ = true;
-            } else if (!classify_small_link(link, v, joins)) {
-                return Status::out_of_memory;
+    for (VertexId v(0); v < ball_.vertex_count;)
+        for (const std::uint64_t piece = arena_.piece(v, ball_.vertex_count, 10); v < piece; ++v) {
+            if (ball_.begin[v] == ball_.begin[v + 1]) return Status::invalid_argument;
+            if ((ball_.flags[v] & TriangulatedBall<D>::absent) != 0) {
+                below_[v] = above_[v] = ball_.outside;
+                continue;
             }
+            const bool cut = (ball_.flags[v] & TriangulatedBall<D>::cut) != 0;
+            if (cut && (ball_.flags[v] & TriangulatedBall<D>::on_hull) == 0) {
+                link.count(ball_, v);
+            } else {
+                if (!link.read(ball_, v, labels_)) return Status::internal;
+                below_[v] = link.lowest();
+                above_[v] = link.highest() == none ? v : link.highest();
+            }
+            if (link.bound() > star_bound_) star_bound_ = link.bound();
+            if (cut) above_[v] = ball_.outside;
+            if constexpr (Link<D>::tells_all) {
+                if (cut || !link.small()) {
+                    ball_.flags[v] |= TriangulatedBall<D>::large;
+                    any_large_ = true;
+                } else if (!classify_small_link(link, v, joins)) {
+                    return Status::out_of_memory;
+                }
+            }
+            if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 3)) return Status::cancelled;
         }
-        if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 8)) return Status::cancelled;
-    }
     above_[ball_.outside] = ball_.outside;
     return Status::ok;
 }
@@ -150,6 +151,7 @@ template <int D> std::uint32_t LowerStars<D>::lowest_neighbour() const {
 template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
     for (VertexId v(0); v < ball_.vertex_count; ++v) {
         if constexpr (Link<D>::tells_all) {
+            arena_.step(v, 6);
             if ((ball_.flags[v] & TriangulatedBall<D>::large) == 0) continue;
         }
         if ((ball_.flags[v] & TriangulatedBall<D>::absent) != 0) continue;
@@ -166,7 +168,7 @@ template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
         if (regular) NETMESH_VALIDATE_WHOLE(star_.gradient_violation(0));
         star_.close(ball_);
         if (!count_star(v, counts, regular)) return Status::out_of_memory;
-        if (monitor_.advance(v, 1 + star_.count() / 2)) return Status::cancelled;
+        if (monitor_.advance(v, 1 + 3 * star_.count())) return Status::cancelled;
     }
     return Status::ok;
 }

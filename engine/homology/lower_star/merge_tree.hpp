@@ -29,8 +29,10 @@ public:
         return true;
     }
     void sort_by_rank() {
-        sort(first(), count_,
-             [](const Join& a, const Join& b) { return a.rank != b.rank ? a.rank < b.rank : a.vertex < b.vertex; });
+        sort(
+            first(), count_,
+            [](const Join& a, const Join& b) { return a.rank != b.rank ? a.rank < b.rank : a.vertex < b.vertex; },
+            arena_);
     }
     std::size_t count() const { return count_; }
     const Join& operator[](std::size_t i) const { return first()[i]; }
@@ -79,6 +81,7 @@ inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, con
         return note_component(vertices.birth(younger), time, younger, older, writer, cycles);
     };
     for (std::uint32_t r = 0; r < vertices.count; ++r) {
+        writer.arena().step(r, 60);
         const std::uint32_t v = vertices.order[r], u = below[v];
         const double time = vertices.value[v];
         if (u == vertices.count) continue;
@@ -98,6 +101,7 @@ inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, con
         }
     }
     for (std::uint32_t v = 0; v < vertices.count; ++v) {
+        writer.arena().step(v, 10);
         if (below[v] == v && !note_component(vertices.birth(v), __builtin_inf(), v, none, writer, cycles)) return false;
     }
     return true;
@@ -113,6 +117,7 @@ inline bool join_superlevel(const VertexOrder& vertices, const std::uint32_t* ra
     };
     std::size_t next = joins.count();
     for (std::uint32_t r = vertices.count; r-- > 0;) {
+        writer.arena().step(r, 60);
         for (; next > 0 && joins[next - 1].rank == r; --next) {
             const std::uint32_t u = joins[next - 1].vertex;
             if (rank[u] < r) continue;

@@ -118,10 +118,11 @@ bool Surface::reserve() {
 Status Surface::run() {
     if (!reserve()) return Status::out_of_memory;
     const std::uint32_t n = complex_.vertex_count;
-    for (VertexId v(0); v < n; ++v) below_[v] = none;
-    for (CellId c(0); c < complex_.cell_count; ++c) {
-        for (int i = 0; i < 3; ++i) below_[complex_.vertices(c)[i]] = c;
-    }
+    arena_.each(n, 2, [this](std::uint64_t v) { below_[v] = none; });
+    for (CellId c(0); c < complex_.cell_count;)
+        for (const std::uint64_t piece = arena_.piece(c, complex_.cell_count, 20); c < piece; ++c) {
+            for (int i = 0; i < 3; ++i) below_[complex_.vertices(c)[i]] = c;
+        }
     monitor_.begin(NETMESH_STAGE_GRADIENT, n);
     JoinList joins(arena_);
     for (VertexId v(0); v < n; ++v) {

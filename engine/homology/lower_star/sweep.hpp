@@ -99,9 +99,10 @@ template <int D> Status Sweep<D>::run(Arena& arena) {
         if (!reserve_columns(arena)) return Status::out_of_memory;
     }
     if (!front_.reserve(ball_.vertex_count, arena)) return Status::out_of_memory;
-    for (std::uint32_t r = 0; r < ball_.vertex_count; ++r) {
-        if ((ball_.flags[ball_.order[r]] & TriangulatedBall<D>::irregular) != 0) front_.waiting().insert(r);
-    }
+    for (std::uint32_t r = 0; r < ball_.vertex_count;)
+        for (const std::uint64_t piece = arena.piece(r, ball_.vertex_count, 8); r < piece; ++r) {
+            if ((ball_.flags[ball_.order[r]] & TriangulatedBall<D>::irregular) != 0) front_.waiting().insert(r);
+        }
     monitor_.begin(NETMESH_STAGE_REDUCE, ball_.vertex_count);
     for (std::uint32_t r = front_.waiting().top(); r != none; r = front_.waiting().top()) {
         front_.waiting().toggle(r);
@@ -131,7 +132,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     prefetch_star(front_.waiting().top());
     critical_ = star_.match();
     NETMESH_VALIDATE_WHOLE(star_.gradient_violation(critical_));
-    work_ += star_.count() / 2;
+    work_ += 3 * star_.count();
     for (std::uint32_t i = 0; i < star_.count(); ++i) star_.owner(i) = none;
     Status status = critical_ > 0 ? components_.unite_critical_facets(v) : Status::ok;
     if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
@@ -308,7 +309,7 @@ template <int D> bool Sweep<D>::flush(std::uint32_t c) {
 // Reduces column_, the part of column c in this star, until it takes a pivot or nothing is left here.
 template <int D> bool Sweep<D>::reduce(std::uint32_t c, VertexId v) {
     for (std::uint32_t p = column_.top(); p != none; p = column_.top()) {
-        ++work_;
+        writer_.arena().pass(1);
         const std::uint32_t i = star_.at(p);
         if (star_.is_tail(i)) {
             const std::uint32_t coface = star_.partner(i);
@@ -323,7 +324,7 @@ template <int D> bool Sweep<D>::reduce(std::uint32_t c, VertexId v) {
         } else {
             const std::uint32_t older = star_.owner(i);
             const Run positions = front_.local(older);
-            work_ += positions.count / 64;
+            writer_.arena().pass(positions.count / 16);
             for (auto at = front_.begin(positions); at.left > 0; front_.advance(&at)) {
                 column_.toggle(*front_.entry(at, 1));
             }

@@ -72,23 +72,31 @@ template <int D> struct TriangulatedBall {
         flags = arena.take_high<std::uint8_t>(n);
         slot = arena.take_high<std::uint32_t>(n);
         if (begin == nullptr || incidence == nullptr || flags == nullptr || slot == nullptr || m >= none) return false;
-        for (std::size_t v = 0; v < n; ++v) begin[v] = flags[v] = 0, slot[v] = 0;
-        if (part != nullptr) flag_part();
+        for (std::size_t v = 0; v < n;)
+            for (const std::uint64_t piece = arena.piece(v, n, 5); v < piece; ++v) {
+                begin[v] = flags[v] = 0, slot[v] = 0;
+            }
+        if (part != nullptr) flag_part(arena);
         NETMESH_VALIDATE_WHOLE(part_violation());
         begin[n] = 0;
-        for (CellId c(0); c < complex.cell_count; ++c) {
-            const VertexId* p = complex.vertices(c);
-            for (int i = 0; i <= D; ++i) ++begin[p[i] + 1];
-        }
+        for (CellId c(0); c < complex.cell_count;)
+            for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 5 * (D + 1)); c < piece; ++c) {
+                const VertexId* p = complex.vertices(c);
+                for (int i = 0; i <= D; ++i) ++begin[p[i] + 1];
+            }
         degree_max = 0;
         std::uint32_t sum = 0;
         for (std::size_t v = 1; v <= n; ++v) {
+            arena.step(v, 6);
             const std::uint32_t count = begin[v];
             if (count > degree_max) degree_max = count;
             begin[v] = sum;  // moves to the end of v-1's list while that is filled
             sum += count;
         }
-        for (CellId c(0); c < complex.cell_count; ++c) place(c);
+        for (CellId c(0); c < complex.cell_count;)
+            for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 12 * (D + 1)); c < piece; ++c) {
+                place(c);
+            }
         return true;
     }
 
@@ -108,11 +116,12 @@ template <int D> struct TriangulatedBall {
 #endif
 
 private:
-    void flag_part() {
-        for (std::size_t v = 0; v < vertex_count; ++v) {
-            if (part->vertex[v] == VertexPart::cut) flags[v] = cut;
-            if (part->vertex[v] == VertexPart::absent) flags[v] = absent;
-        }
+    void flag_part(const Arena& arena) {
+        for (std::size_t v = 0; v < vertex_count;)
+            for (const std::uint64_t piece = arena.piece(v, vertex_count, 8); v < piece; ++v) {
+                if (part->vertex[v] == VertexPart::cut) flags[v] = cut;
+                if (part->vertex[v] == VertexPart::absent) flags[v] = absent;
+            }
     }
     void place(CellId c) {
         const VertexId* p = complex.vertices(c);

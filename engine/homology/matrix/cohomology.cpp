@@ -59,16 +59,24 @@ bool Cohomology::list_cofaces(std::uint32_t k, CoboundaryMatrix* out) {
         words < none ? arena_.take_high<std::uint32_t>(static_cast<std::size_t>(words)) : nullptr;
     if (start == nullptr || coface == nullptr) return false;
     const std::uint32_t* const faces = of(k + 1).faces;
-    for (std::uint32_t j = 0; j <= columns; ++j) start[j] = 0;
-    for (std::size_t i = 0; i < words; ++i) ++start[faces[i]];
+    for (std::uint32_t j = 0; j <= columns; ++j) {
+        arena_.step(j, 5);
+        start[j] = 0;
+    }
+    for (std::size_t i = 0; i < words;)
+        for (const std::uint64_t piece = arena_.piece(i, words, 4); i < piece; ++i) {
+            ++start[faces[i]];
+        }
     std::uint32_t sum = 0;
     for (std::uint32_t j = 0; j <= columns; ++j) {
+        arena_.step(j, 5);
         sum += start[j];
         start[j] = sum;
     }
-    for (std::size_t i = static_cast<std::size_t>(words); i-- > 0;) {
+    arena_.each(words, 15, [&](std::uint64_t left) {
+        const std::size_t i = static_cast<std::size_t>(words - 1 - left);
         coface[--start[faces[i]]] = rows - 1 - static_cast<std::uint32_t>(i / (k + 2));
-    }
+    });
     *out = {start, coface};
     return true;
 }
@@ -83,6 +91,7 @@ public:
     bool next(std::uint32_t* j) {
         while (left_ > 0) {
             ++c_.progress_.done;
+            c_.arena_.step(left_, 10);
             if (c_.kills_.has(--left_)) continue;
             *j = left_;
             return true;
@@ -122,9 +131,10 @@ Status Cohomology::reduce(std::uint32_t k) {
 
 // Simplices without cofaces that kill nothing.
 Status Cohomology::add_essential(std::uint32_t k) {
-    for (std::uint32_t j = 0; j < of(k).count; ++j) {
-        if (!kills_.has(j) && !writer_.add_essential(of(k).value[j], k)) return Status::out_of_memory;
-    }
+    for (std::uint32_t j = 0; j < of(k).count;)
+        for (const std::uint64_t piece = arena_.piece(j, of(k).count, 12); j < piece; ++j) {
+            if (!kills_.has(j) && !writer_.add_essential(of(k).value[j], k)) return Status::out_of_memory;
+        }
     return Status::ok;
 }
 

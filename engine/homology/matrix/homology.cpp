@@ -61,10 +61,14 @@ bool Homology::reserve() {
 // Counts in owner_.
 bool Homology::has_two_cofaces_at_most(std::uint32_t k) {
     const std::size_t faces = std::size_t{of(k).count} * (k + 1);
-    for (std::uint32_t f = 0; f < of(k - 1).count; ++f) owner_[f] = 0;
-    for (std::size_t i = 0; i < faces; ++i) {
-        if (++owner_[of(k).faces[i]] == 3) return false;
-    }
+    for (std::uint32_t f = 0; f < of(k - 1).count;)
+        for (const std::uint64_t piece = arena_.piece(f, of(k - 1).count, 3); f < piece; ++f) {
+            owner_[f] = 0;
+        }
+    for (std::size_t i = 0; i < faces;)
+        for (const std::uint64_t piece = arena_.piece(i, faces, 6); i < piece; ++i) {
+            if (++owner_[of(k).faces[i]] == 3) return false;
+        }
     return true;
 }
 
@@ -78,12 +82,19 @@ Status Homology::unite_top(std::uint32_t k) {
     std::uint32_t* const second = arena_.take_high<std::uint32_t>(rows);
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(std::size_t{columns} + 1);
     if (second == nullptr || parent == nullptr) return Status::out_of_memory;
-    for (std::uint32_t f = 0; f < rows; ++f) first[f] = second[f] = none;
-    for (std::size_t i = 0; i < faces; ++i) {
-        const std::uint32_t f = of(k).faces[i];
-        (first[f] == none ? first : second)[f] = static_cast<std::uint32_t>(i / (k + 1));
+    for (std::uint32_t f = 0; f < rows;)
+        for (const std::uint64_t piece = arena_.piece(f, rows, 4); f < piece; ++f) {
+            first[f] = second[f] = none;
+        }
+    for (std::size_t i = 0; i < faces;)
+        for (const std::uint64_t piece = arena_.piece(i, faces, 12); i < piece; ++i) {
+            const std::uint32_t f = of(k).faces[i];
+            (first[f] == none ? first : second)[f] = static_cast<std::uint32_t>(i / (k + 1));
+        }
+    for (std::uint32_t j = 0; j <= columns; ++j) {
+        arena_.step(j, 3);
+        parent[j] = j;
     }
-    for (std::uint32_t j = 0; j <= columns; ++j) parent[j] = j;
     for (std::uint32_t f = rows; f-- > 0;) {
         if (progress_.stop(1)) return Status::cancelled;
         if (first[f] == none) continue;
@@ -92,9 +103,10 @@ Status Homology::unite_top(std::uint32_t k) {
         paired_.insert(f);
         if (!writer_.add(of(k - 1).value[f], of(k).value[b], k - 1)) return Status::out_of_memory;
     }
-    for (std::uint32_t j = 0; j < columns && k <= max_degree_; ++j) {
-        if (parent[j] == j && !writer_.add_essential(of(k).value[j], k)) return Status::out_of_memory;
-    }
+    for (std::uint32_t j = 0; j < columns && k <= max_degree_;)
+        for (const std::uint64_t piece = arena_.piece(j, columns, 15); j < piece && k <= max_degree_; ++j) {
+            if (parent[j] == j && !writer_.add_essential(of(k).value[j], k)) return Status::out_of_memory;
+        }
     progress_.done += columns;
     return Status::ok;
 }
@@ -107,6 +119,7 @@ public:
 
     bool next(std::uint32_t* j) {
         for (; next_ < h_.of(k_).count; ++next_, ++h_.progress_.done) {
+            h_.arena_.step(next_, 10);
             if (h_.paired_above_.has(next_)) continue;
             ++h_.progress_.done;
             *j = next_++;
@@ -145,10 +158,11 @@ Status Homology::reduce(std::uint32_t k) {
 
 // Essential classes of degree 1.
 Status Homology::add_loops() {
-    for (std::uint32_t e = 0; e < of(1).count; ++e) {
-        if (joining_.has(e) || paired_above_.has(e)) continue;
-        if (!writer_.add_essential(of(1).value[e], 1)) return Status::out_of_memory;
-    }
+    for (std::uint32_t e = 0; e < of(1).count;)
+        for (const std::uint64_t piece = arena_.piece(e, of(1).count, 15); e < piece; ++e) {
+            if (joining_.has(e) || paired_above_.has(e)) continue;
+            if (!writer_.add_essential(of(1).value[e], 1)) return Status::out_of_memory;
+        }
     return Status::ok;
 }
 

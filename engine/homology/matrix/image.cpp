@@ -79,6 +79,7 @@ public:
     bool next(std::uint32_t* j) {
         while (next_ < image_.of(k_).count) {
             ++image_.progress_.done;
+            image_.arena_.step(next_, 10);
             *j = next_++;
             if (!image_.whole_.of[k_].has(*j)) continue;
             if (k_ > image_.max_degree_ || !image_.cyclic_above_.has(*j)) return true;
@@ -111,11 +112,12 @@ Status Image::end_classes(std::uint32_t k) {
     if (rank == nullptr || row == nullptr) return Status::out_of_memory;
     std::uint32_t next = 0;
     for (int others = 0; others < 2; ++others) {
-        for (std::uint32_t i = 0; i < rows; ++i) {
-            if (part_.of[k - 1].has(i) == (others != 0)) continue;
-            rank[i] = next;
-            row[next++] = i;
-        }
+        for (std::uint32_t i = 0; i < rows;)
+            for (const std::uint64_t piece = arena_.piece(i, rows, 12); i < piece; ++i) {
+                if (part_.of[k - 1].has(i) == (others != 0)) continue;
+                rank[i] = next;
+                row[next++] = i;
+            }
     }
     ColumnStore store;
     store.open(arena_);
@@ -133,6 +135,7 @@ public:
     bool next(std::uint32_t* j) {
         while (next_ < image_.of(k_).count) {
             ++image_.progress_.done;
+            image_.arena_.step(next_, 10);
             *j = next_++;
             if (image_.part_.of[k_].has(*j) && !image_.cyclic_.has(*j)) return true;
         }
@@ -153,10 +156,11 @@ private:
 Status Image::find_essential(std::uint32_t k) {
     const HighScope scope(arena_);
     if (k == 0) {
-        for (std::uint32_t v = 0; v < of(0).count; ++v) {
-            if (!part_.of[0].has(v) || cyclic_.has(v)) continue;
-            if (!writer_.add_essential(of(0).value[v], 0)) return Status::out_of_memory;
-        }
+        for (std::uint32_t v = 0; v < of(0).count;)
+            for (const std::uint64_t piece = arena_.piece(v, of(0).count, 12); v < piece; ++v) {
+                if (!part_.of[0].has(v) || cyclic_.has(v)) continue;
+                if (!writer_.add_essential(of(0).value[v], 0)) return Status::out_of_memory;
+            }
         return Status::ok;
     }
     ColumnStore store;

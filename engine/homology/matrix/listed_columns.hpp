@@ -168,7 +168,10 @@ public:
         rows_ = rows;
 #endif
         column_.adopt(words, rows);
-        for (std::uint32_t i = 0; i < rows; ++i) owner_[i] = none;
+        for (std::uint32_t i = 0; i < rows; ++i) {
+            if (i % 4096 == 0) progress.monitor.pass(32);
+            owner_[i] = none;
+        }
     }
 
     // A column is copied into the set of rows when something has to be added to it.

@@ -19,7 +19,7 @@ public:
         const std::size_t slots = std::size_t{1} << bits_;
         key_ = arena.take_high<std::uint64_t>(slots);
         column_ = arena.take_high<std::uint32_t>(slots);
-        for (std::size_t i = 0; i < slots && key_ != nullptr; ++i) key_[i] = no_key;
+        if (key_ != nullptr) arena.each(slots, 1, [this](std::uint64_t i) { key_[i] = no_key; });
         return key_ != nullptr && column_ != nullptr;
     }
     void insert(std::uint64_t key, std::uint32_t column) {
@@ -51,7 +51,7 @@ public:
     std::size_t keep_keys(Arena& arena, std::size_t end) {
         const std::size_t bytes = sizeof(std::uint64_t) << bits_;
         auto* const to = reinterpret_cast<std::uint64_t*>(arena.at(end - bytes));
-        __builtin_memmove(to, key_, bytes);
+        move_bytes(to, key_, bytes, arena);
         key_ = to;
         column_ = nullptr;
         return end - bytes;

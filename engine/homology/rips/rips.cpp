@@ -98,7 +98,7 @@ bool Rips::list_column(std::uint64_t key) {
 // An edge that has a coface of its own value makes an apparent pair with the first one.
 Status Rips::collect_edges() {
     for (std::uint32_t e = graph_.edge_count; e-- > 0;) {
-        if (progress_.stop(1)) return Status::cancelled;
+        if (progress_.stop(1 + graph_.vertices / 64)) return Status::cancelled;
         if (joining_.has(e)) continue;
         std::uint32_t first;
         const bool fits = lune(e, &first, 1) > 0 ? writer_.add(graph_.value[e], graph_.value[e], 1)

@@ -27,9 +27,9 @@ bool sort_edges(RipsGraph& graph, Arena& arena) {
     std::uint64_t* const spare = arena.take_high<std::uint64_t>(graph.edge_count);
     std::uint32_t* const spare_ends = arena.take_high<std::uint32_t>(graph.edge_count);
     if (keys == nullptr || spare == nullptr || spare_ends == nullptr) return false;
-    __builtin_memcpy(keys, graph.value, sizeof(double) * std::size_t{graph.edge_count});
-    radix_sort(keys, graph.ends, spare, spare_ends, graph.edge_count);
-    __builtin_memcpy(graph.value, keys, sizeof(double) * std::size_t{graph.edge_count});
+    move_bytes(keys, graph.value, sizeof(double) * std::size_t{graph.edge_count}, arena);
+    radix_sort(keys, graph.ends, spare, spare_ends, graph.edge_count, arena);
+    move_bytes(graph.value, keys, sizeof(double) * std::size_t{graph.edge_count}, arena);
     return true;
 }
 
@@ -59,11 +59,12 @@ bool RipsSimplices::open(RipsGraph& graph, std::uint32_t others, Arena& arena) {
     rank_ = arena.take_high<std::uint32_t>(std::size_t{n_} * n_);
     choose_ = arena.take_high<std::uint64_t>((std::size_t{others} + 1) * n_);
     if (rank_ == nullptr || choose_ == nullptr) return false;
-    for (std::size_t i = 0; i < std::size_t{n_} * n_; ++i) rank_[i] = none;
-    for (std::uint32_t e = 0; e < graph.edge_count; ++e) {
-        rank_[std::size_t{larger_end(e)} * n_ + smaller_end(e)] = e;
-        rank_[std::size_t{smaller_end(e)} * n_ + larger_end(e)] = e;
-    }
+    arena.each(std::uint64_t{n_} * n_, 1, [this](std::uint64_t i) { rank_[i] = none; });
+    for (std::uint32_t e = 0; e < graph.edge_count;)
+        for (const std::uint64_t piece = arena.piece(e, graph.edge_count, 20); e < piece; ++e) {
+            rank_[std::size_t{larger_end(e)} * n_ + smaller_end(e)] = e;
+            rank_[std::size_t{smaller_end(e)} * n_ + larger_end(e)] = e;
+        }
     choose_all(others);
     return true;
 }

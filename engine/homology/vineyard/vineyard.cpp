@@ -79,10 +79,11 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
         std::uint32_t* const position = work.arena.take_high<std::uint32_t>(complex.count[k]);
         if (position == nullptr || !rank_vertices(value[k], complex.count[k], work.arena, of_[k].order, position))
             return Status::out_of_memory;
-        for (std::uint32_t s = 0; s < complex.count[k]; ++s) {
-            of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, {0, 0}};
-            of_[k].vine[s] = none;
-        }
+        for (std::uint32_t s = 0; s < complex.count[k];)
+            for (const std::uint64_t piece = work.arena.piece(s, complex.count[k], 20); s < piece; ++s) {
+                of_[k].at[s] = {position[s], none, none, none, {none, 0}, {none, 0}, {0, 0}};
+                of_[k].vine[s] = none;
+            }
     }
     Status status = pool_.open(work.arena, longest);
     std::uint64_t total = 0;
@@ -93,8 +94,10 @@ Status Vineyard::open(const ComplexView& complex, std::uint32_t max_degree, cons
     if (status == Status::ok) NETMESH_VALIDATE_WHOLE(violation());
     vine_count_ = 0;
     for (std::uint32_t k = 0; k <= max_degree_; ++k)
-        for (std::uint32_t s = 0; s < complex.count[k]; ++s)
-            if (is_positive(k, s)) of_[k].vine[s] = vine_count_++;
+        for (std::uint32_t s = 0; s < complex.count[k];)
+            for (const std::uint64_t piece = work.arena.piece(s, complex.count[k], 20); s < piece; ++s) {
+                if (is_positive(k, s)) of_[k].vine[s] = vine_count_++;
+            }
     return status;
 }
 
@@ -210,6 +213,7 @@ void Vineyard::find_winner(std::uint32_t node) {
     bool later = t < s || (t == s && b < a);
     const double least = t < s ? t : s, most = t < s ? s : t;
     if (most <= may_equal(least) && least < infinity) {
+        arena_->pass(10);
         const std::uint32_t ka = dimension_of(a), kb = dimension_of(b);
         const int order = compare_times(crossing(ka, a - of_[ka].slot), crossing(kb, b - of_[kb].slot));
         later = order > 0 || (order == 0 && b < a);
@@ -236,14 +240,21 @@ Status Vineyard::advance(const double* const* from, const double* const* to, Mon
         std::uint32_t* const target = arena_->take_high<std::uint32_t>(complex_.count[k]);
         if (order == nullptr || target == nullptr || !rank_vertices(to[k], complex_.count[k], *arena_, order, target))
             return Status::out_of_memory;
-        for (std::uint32_t s = 0; s < complex_.count[k]; ++s) {
-            of_[k].at[s].target = target[s];
-            of_[k].at[s].value = {from[k][s], to[k][s]};
+        for (std::uint32_t s = 0; s < complex_.count[k];)
+            for (const std::uint64_t piece = arena_->piece(s, complex_.count[k], 12); s < piece; ++s) {
+                of_[k].at[s].target = target[s];
+                of_[k].at[s].value = {from[k][s], to[k][s]};
+            }
+        for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) {
+            arena_->step(i, 60);
+            time_[of_[k].slot + i] = crossing_time(k, i);
         }
-        for (std::uint32_t i = 0; i + 1 < complex_.count[k]; ++i) time_[of_[k].slot + i] = crossing_time(k, i);
     }
     if (slots_ == 0) return Status::ok;
-    for (std::uint32_t node = slots_ - 1; node >= 1; --node) find_winner(node);
+    for (std::uint32_t node = slots_ - 1; node >= 1; --node) {
+        arena_->step(node, 40);
+        find_winner(node);
+    }
     monitor.begin(NETMESH_STAGE_REDUCE, 0);
     for (std::uint32_t slot; time_[slot = slot_at(1)] < infinity;) {
         const std::uint32_t k = dimension_of(slot);
@@ -273,6 +284,7 @@ Status Vineyard::transpose_from(std::uint32_t k, std::uint32_t i, Monitor& monit
         const Record &a = d.at[d.order[j]], &b = d.at[d.order[j + 1]];
         time[j] = infinity;
         if (a.target < b.target) return false;
+        arena_->pass(2);
         const Crossing next = {a.value, b.value};
         const bool same = are_equal(next, now);
         time[j] = same ? now_time : time_of(next);

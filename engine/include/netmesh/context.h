@@ -180,7 +180,7 @@ typedef enum netmesh_stage {
     NETMESH_STAGE_FILTER = 5,   /* filtration of an explicit complex; unit: simplices */
     NETMESH_STAGE_GRADIENT = 6, /* lower stars; unit: vertices */
     NETMESH_STAGE_REDUCE = 7,   /* columns */
-    NETMESH_STAGE_CHECK = 8,    /* independent checkers; unit: cells */
+    NETMESH_STAGE_CHECK = 8,    /* independent checkers, and loading; unit: cells */
     NETMESH_STAGE_ANALYSE = 9,  /* pace, integral, fatness, structure; unit: points, boxes, vertices or cells */
     NETMESH_STAGE_COUNT = 10
 } NETMESH_AN_INT netmesh_stage;
@@ -192,8 +192,11 @@ typedef struct netmesh_progress {
     uint64_t vertices, cells; /* of the mesh so far */
 } netmesh_progress;
 
-/* Called about every 1,000 to 10,000 units of work. A non-zero return cancels: the call that polls returns
- * NETMESH_CANCELLED. Must not call into the context, nor throw. */
+/* Called by every call that is given a netmesh_monitor, in all of its phases, about every million instructions, some
+ * hundred microseconds on a desktop processor. What cannot be divided is one star, column or ball, and what a function
+ * of the caller's takes. A non-zero return cancels: the call that polls returns NETMESH_CANCELLED and polls no more.
+ * Where nothing can stop in the middle (sorting, compaction of a finished mesh) it does so at the end of the phase.
+ * Must not call into the context, nor throw. */
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
 /* Who watches a job; part of every request. */

@@ -185,8 +185,8 @@ void netmesh_load_request_init(netmesh_load_request* request, size_t request_byt
 
 /* Takes a mesh over to be checked or filtered. Cells are oriented and linked here; whether it is a Delaunay
  * triangulation is what netmesh_check tells. Replaces what the context held, also on failure. O(cells).
- * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY, CHECK_FAILED when the cells are not a triangulated ball (a facet of
- * three cells, a bad index...). */
+ * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY, CANCELLED, CHECK_FAILED when the cells are not a triangulated ball (a
+ * facet of three cells, a bad index...). */
 netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request* request);
 
 /* A cage (4.5, epsilon = 1/2): its centre, an input; inputs within half of its radius; between there and the radius its
@@ -213,8 +213,8 @@ typedef struct netmesh_cages_request {
 void netmesh_cages_request_init(netmesh_cages_request* request, size_t request_bytes, size_t cage_bytes);
 
 /* Adds the cages of a mesh taken over by netmesh_load, in place of those that it has; parents are found anew. Drops the
- * diagram. INVALID_ARGUMENT, NO_RESULT (no mesh with a domain), OUT_OF_MEMORY, CHECK_FAILED (not a hierarchy of balls
- * about inputs); after the last two the mesh has no cages. */
+ * diagram. INVALID_ARGUMENT, NO_RESULT (no mesh with a domain), OUT_OF_MEMORY, CANCELLED, CHECK_FAILED (not a hierarchy
+ * of balls about inputs); after the last three the mesh has no cages. */
 netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_request* request);
 
 /* Vertices 0..inputs-1 are the input points in input order after merging, bit for bit; Steiner and exempt vertices
