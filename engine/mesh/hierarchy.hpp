@@ -13,24 +13,9 @@ struct NearestInDomain {
     std::uint32_t cage = none;  // the cage in Omega that has u for its centre, if one does
 };
 
-// Nothing but inputs remembers its domain: that of any other vertex is found from its nearest input, whose domains
-// from the innermost outwards contain it from some one on.
-template <int D> class Hierarchy {
+// The cages, and which domain each input is in, whatever the dimension is.
+class CageForest {
 public:
-    static constexpr std::size_t input_bytes = sizeof(Cage) + sizeof(std::uint32_t);  // what open places for each input
-
-    // For meshes of up to `inputs` inputs, at the arena's low end, the cages first. out_of_memory.
-    Status open(const Store<D>& store, Arena& arena, std::uint32_t inputs) {
-        [[maybe_unused]] const std::size_t low = arena.low_mark();
-        store_ = &store;
-        cages_ = arena.take_low<Cage>(inputs);
-        domain_ = arena.take_low<std::uint32_t>(inputs);
-        if (cages_ == nullptr || domain_ == nullptr) return Status::out_of_memory;
-        NETMESH_ASSERT(arena.low_mark() - low <= input_bytes * inputs + 2 * Arena::alignment);
-        for (std::uint32_t v = 0; v < inputs; ++v) domain_[v] = none;
-        return Status::ok;
-    }
-
     Cage& cage(std::uint32_t d) {
         NETMESH_ASSERT(d < made_);
         return cages_[d];
@@ -60,26 +45,6 @@ public:
         while (d != none && !is_live(d)) d = cages_[d].parent;
         return d;
     }
-    bool contains(std::uint32_t d, const double* x) const { return d == none || is_inside<D>(*store_, cages_[d], x); }
-
-    // The domain of an inserted vertex.
-    std::uint32_t of(std::uint32_t v) {
-        if (live_ == 0) return none;
-        const Vertex<D>& vertex = store_->vertex(v);
-        std::uint32_t& near = domain_[vertex.marker == Marker::input ? v : vertex.origin];
-        std::uint32_t d = near = present(near);
-        while (!contains(d, vertex.x)) d = parent(d);
-        return d;
-    }
-    // Sets the domain of input p, `nearest` being the vertex nearest to it. `passed` counts the cages on the way out.
-    NearestInDomain locate(VertexId p, VertexId nearest, std::uint64_t* passed) {
-        NearestInDomain near = {nearest, store_->vertex(nearest).nearest2, none};
-        std::uint32_t d = of(nearest);
-        for (; !contains(d, store_->point(p)); d = parent(d), ++*passed) near.cage = d;
-        domain_[p] = d;
-        if (near.cage == none) return near;
-        return {VertexId(cages_[near.cage].centre), cages_[near.cage].nearest2, near.cage};
-    }
     // That of an input, inserted or not, as far as it is known.
     std::uint32_t of_input(std::uint32_t input) const { return present(domain_[input]); }
     void set(std::uint32_t input, std::uint32_t d) { domain_[input] = d; }
@@ -102,11 +67,53 @@ public:
         return kept;
     }
 
-private:
-    const Store<D>* store_;
+protected:
     Cage* cages_;
     std::uint32_t* domain_;  // of each input; of one not inserted yet the innermost known
     std::uint32_t made_ = 0, live_ = 0;
+};
+
+// Nothing but inputs remembers its domain: that of any other vertex is found from its nearest input, whose domains
+// from the innermost outwards contain it from some one on.
+template <int D> class Hierarchy : public CageForest {
+public:
+    static constexpr std::size_t input_bytes = sizeof(Cage) + sizeof(std::uint32_t);  // what open places for each input
+
+    // For meshes of up to `inputs` inputs, at the arena's low end, the cages first. out_of_memory.
+    Status open(const Store<D>& store, Arena& arena, std::uint32_t inputs) {
+        [[maybe_unused]] const std::size_t low = arena.low_mark();
+        store_ = &store;
+        cages_ = arena.take_low<Cage>(inputs);
+        domain_ = arena.take_low<std::uint32_t>(inputs);
+        if (cages_ == nullptr || domain_ == nullptr) return Status::out_of_memory;
+        NETMESH_ASSERT(arena.low_mark() - low <= input_bytes * inputs + 2 * Arena::alignment);
+        for (std::uint32_t v = 0; v < inputs; ++v) domain_[v] = none;
+        return Status::ok;
+    }
+
+    bool contains(std::uint32_t d, const double* x) const { return d == none || is_inside<D>(*store_, cages_[d], x); }
+
+    // The domain of an inserted vertex.
+    std::uint32_t of(std::uint32_t v) {
+        if (live_ == 0) return none;
+        const Vertex<D>& vertex = store_->vertex(v);
+        std::uint32_t& near = domain_[vertex.marker == Marker::input ? v : vertex.origin];
+        std::uint32_t d = near = present(near);
+        while (!contains(d, vertex.x)) d = parent(d);
+        return d;
+    }
+    // Sets the domain of input p, `nearest` being the vertex nearest to it. `passed` counts the cages on the way out.
+    NearestInDomain locate(VertexId p, VertexId nearest, std::uint64_t* passed) {
+        NearestInDomain near = {nearest, store_->vertex(nearest).nearest2, none};
+        std::uint32_t d = of(nearest);
+        for (; !contains(d, store_->point(p)); d = parent(d), ++*passed) near.cage = d;
+        domain_[p] = d;
+        if (near.cage == none) return near;
+        return {VertexId(cages_[near.cage].centre), cages_[near.cage].nearest2, near.cage};
+    }
+
+private:
+    const Store<D>* store_;
 };
 
 }  // namespace netmesh
