@@ -66,16 +66,20 @@ set_target_properties(netmesh_engine PROPERTIES CXX_EXTENSIONS OFF INTERPROCEDUR
   ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plain)
 target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
-# is built, and -O3 unrolls loops to twice their size and more for a few percent of a job.
-set(fast complex/faces delaunay/kernel delaunay/spatial_order delaunay/sphere delaunay/store delaunay/triangulate
-  diagram/bottleneck filtration/alpha filtration/circumsphere filtration/mesh_filter filtration/rips_graph
-  homology/lower_star/lower_star homology/lower_star/surface homology/matrix/cohomology homology/matrix/homology
-  homology/matrix/image homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard mesh/cage_corner
-  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/input_tree mesh/quality_rule
-  numerics/radix_sort numerics/residues numerics/value_order predicates/predicates)
-list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
+# is built.
 target_compile_options(netmesh_engine PRIVATE $<$<CONFIG:Release>:-Os>)
+set(fast api/report api/structs complex/faces delaunay/spatial_order delaunay/store delaunay/triangulate
+  diagram/bottleneck filtration/alpha filtration/circumsphere filtration/mesh_filter filtration/rips_graph
+  homology/lower_star/surface homology/matrix/cohomology homology/matrix/homology homology/matrix/image
+  homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard mesh/cage_corner mesh/certificate_rule
+  mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality_rule numerics/radix_sort numerics/residues
+  numerics/value_order predicates/predicates)
+list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
+# Where -O3 saves more than a percent of a job's instructions.
+set(fastest delaunay/kernel delaunay/sphere homology/lower_star/lower_star mesh/input_tree)
+list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
+set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 target_include_directories(netmesh_engine
   PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include> PRIVATE ${PROJECT_SOURCE_DIR}/engine)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

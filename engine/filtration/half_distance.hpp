@@ -13,16 +13,12 @@ namespace netmesh {
     const double* const point[] = {a, b};
     return circumsphere_precise(point, 1, dim).radius;
 }
-inline double half_distance(int dim, const double* a, const double* b) {
+[[gnu::always_inline]] inline double half_distance(int dim, const double* a, const double* b) {
     const double squared = distance2(dim, a, b);
     if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
     return precise_half_distance(dim, a, b);
 }
-template <int D> double half_distance(const double* a, const double* b) {
-    const double squared = distance2<D>(a, b);
-    if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
-    return precise_half_distance(D, a, b);
-}
+template <int D> double half_distance(const double* a, const double* b) { return half_distance(D, a, b); }
 
 // A bound on the relative error of half distances from `least` to `most`. A squared length has dim + 2 roundings, the
 // root halves them and adds one. Lengths whose squares are out of range are computed in twice the digits: that adds a
