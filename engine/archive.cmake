@@ -68,16 +68,17 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
 # is built.
 target_compile_options(netmesh_engine PRIVATE $<$<CONFIG:Release>:-Os>)
-set(fast api/report api/structs complex/faces delaunay/spatial_order delaunay/store delaunay/triangulate
-  diagram/bottleneck filtration/alpha filtration/circumsphere filtration/mesh_filter filtration/rips_graph
+set(fast api/report api/structs delaunay/spatial_order delaunay/triangulate diagram/bottleneck
+  filtration/mesh_filter filtration/radius_order filtration/rips_graph homology/pair_writer
   homology/lower_star/surface homology/matrix/cohomology homology/matrix/homology homology/matrix/image
-  homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard mesh/cage_corner mesh/certificate_rule
-  mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality_rule numerics/radix_sort numerics/residues
-  numerics/value_order predicates/predicates)
+  jobs/persist_alpha homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard mesh/cage_corner mesh/certificate_rule
+  mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality_rule numerics/residues
+  predicates/predicates)
 list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
 # Where -O3 saves more than a percent of a job's instructions.
-set(fastest delaunay/kernel delaunay/sphere homology/lower_star/lower_star mesh/input_tree)
+set(fastest complex/faces delaunay/kernel delaunay/sphere delaunay/store filtration/alpha filtration/circumsphere
+  homology/lower_star/lower_star mesh/input_tree numerics/radix_sort numerics/value_order)
 list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 target_include_directories(netmesh_engine
