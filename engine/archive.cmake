@@ -65,28 +65,22 @@ target_compile_features(netmesh_engine PUBLIC cxx_std_17)
 set_target_properties(netmesh_engine PROPERTIES CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF
   ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plain)
 target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
-# What runs seldom is made small rather than fast, as single functions are that say [[gnu::cold]]: archive.size counts
-# the bytes of all that is built.
-set(seldom analysis/fatness analysis/hierarchy_size analysis/pacing analysis/size analysis/structure api/alpha
-  api/analyse api/bounds api/check api/complexes api/cycles api/figures api/fit api/items api/load api/measure_cells
-  api/mesh api/mesh_rules api/persist api/plan api/represent api/requests api/scales api/vineyard
-  complex/faces_in_part complex/listed_complex delaunay/check delaunay/flat_centre delaunay/load
-  diagram/induced_matching
-  filtration/circumsphere_exact filtration/clipped_nerve filtration/explicit_complex filtration/function_filter
-  filtration/scale_partition homology/cycles/cycles jobs/alpha_of_points jobs/bar_bounds jobs/bound_bars
-  jobs/certified_bars jobs/follow_vines jobs/join_shift jobs/joined_bars jobs/k_vineyard jobs/list_simplices
-  jobs/persist_filter jobs/persist_points jobs/persist_scales jobs/points_vineyard jobs/represent jobs/scale_grid
-  jobs/value_vineyard mesh/ball_lists mesh/cage_corner mesh/check_domain mesh/check_reach mesh/domain
-  mesh/hierarchy_quality mesh/quality_audit mesh/thesis_cages)
-list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
-set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
-# -O3 unrolls their loops to two or three times the size.
-set(unrolled analysis/fat_cell analysis/feature_integral api/report delaunay/spatial_order delaunay/triangulate
-  diagram/bottleneck filtration/mesh_filter filtration/point_complexes filtration/radius_order filtration/tight_filter
-  filtration/tighten_cell_bounds homology/matrix/image homology/vineyard/vineyard jobs/persist_alpha jobs/point_set
-  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality mesh/quality_rule)
-list(TRANSFORM unrolled REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
-set_source_files_properties(${unrolled} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
+# A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
+# is built.
+target_compile_options(netmesh_engine PRIVATE $<$<CONFIG:Release>:-Os>)
+set(fast api/report api/structs delaunay/spatial_order delaunay/triangulate diagram/bottleneck
+  filtration/mesh_filter filtration/radius_order filtration/rips_graph homology/pair_writer
+  homology/lower_star/surface homology/matrix/cohomology homology/matrix/homology homology/matrix/image
+  jobs/persist_alpha homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard mesh/cage_corner mesh/certificate_rule
+  mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality_rule numerics/residues
+  predicates/predicates)
+list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
+set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
+# Where -O3 saves more than a percent of a job's instructions.
+set(fastest complex/faces delaunay/kernel delaunay/sphere delaunay/store filtration/alpha filtration/circumsphere
+  homology/lower_star/lower_star mesh/input_tree numerics/radix_sort numerics/value_order)
+list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
+set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 target_include_directories(netmesh_engine
   PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include> PRIVATE ${PROJECT_SOURCE_DIR}/engine)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -3,11 +3,8 @@
 #include "analysis/fat_cell.hpp"
 #include "analysis/in_ball.hpp"
 #include "certificate/rounding.hpp"
-#include "delaunay/cell_list.hpp"
-#include "delaunay/load.hpp"
 #include "numerics/elementary.hpp"
 #include "numerics/vector.hpp"
-#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -30,25 +27,27 @@ struct CellMeasure {
 };
 
 // Points about one vertex, in scratch memory.
-template <int D> struct Points {
+struct Points {
+    std::size_t dim;
     double* x;
     std::uint32_t count;
 
-    bool take(Arena& arena, std::size_t capacity) {
+    bool take(int d, Arena& arena, std::size_t capacity) {
+        dim = static_cast<std::size_t>(d);
         count = 0;
-        x = arena.take_low<double>(capacity * D);
+        x = arena.take_low<double>(capacity * dim);
         return x != nullptr;
     }
     void add(const double* p, const double* origin) {
-        for (int k = 0; k < D; ++k) x[std::size_t{count} * D + k] = p[k] - origin[k];
+        for (std::size_t k = 0; k < dim; ++k) x[count * dim + k] = p[k] - origin[k];
         ++count;
     }
 };
 
-template <int D> class Fatness {
+class Fatness {
 public:
-    Fatness(Store<D>& store, const Domain<D>& domain, Arena& arena, FatnessAnalysis* analysis)
-        : store_(store), domain_(domain), arena_(arena), analysis_(*analysis) {}
+    Fatness(const AnyStore& store, const AnyDomain& domain, Arena& arena, FatnessAnalysis* analysis)
+        : dim(store.dim), store_(store), domain_(domain), arena_(arena), analysis_(*analysis) {}
 
     Status open();
     // Two passes: fatness first, then what depends on its maximum.
@@ -60,22 +59,23 @@ private:
         return part == part_inside ? analysis_.inside : part == part_bounded ? analysis_.bounded : analysis_.all;
     }
     Status run_over_all(Monitor& monitor);
-    Status measure_all(FattestCells<D>& cells, VertexId v, CellMeasure* m);
+    Status measure_all(FattestCells& cells, VertexId v, CellMeasure* m);
     Status measure(VertexId v, bool balls, CellMeasure* m, double* clipped);
-    void collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours);
-    void add_clipped(VertexId v, CellId c, Points<D>* corners);
-    double clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners, Points<D> neighbours);
+    void collect(VertexId v, CellId c, CellMeasure* m, Points* neighbours);
+    void add_clipped(VertexId v, CellId c, Points* corners);
+    double clipped_fatness(VertexId v, const CellMeasure& m, Points corners, Points neighbours);
     void add(const CellMeasure& m, int which);
     void compare(const CellMeasure& m, int which);
 
-    Store<D>& store_;
-    const Domain<D>& domain_;
+    const int dim;
+    const AnyStore& store_;
+    const AnyDomain& domain_;
     Arena& arena_;
     FatnessAnalysis& analysis_;
     std::uint8_t* part_;  // [vertices]: the smallest part that the vertex belongs to
 };
 
-template <int D> [[gnu::cold]] Status Fatness<D>::open() {
+[[gnu::cold]] Status Fatness::open() {
     analysis_ = {};
     const std::uint32_t count = store_.state.vertex_count;
     part_ = arena_.take_low<std::uint8_t>(count);
@@ -88,14 +88,14 @@ template <int D> [[gnu::cold]] Status Fatness<D>::open() {
             store_.vertex(v).next = none;
         }
     for (std::uint32_t c = 0; c < store_.state.cell_slots;)
-        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 60 * D); c < piece; ++c) {
-            const Cell<D>& cell = store_.cell(c);
-            const bool known = FatCells<D>::knows(store_, CellId(c));
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 60 * dim); c < piece; ++c) {
+            const AnyCell cell = store_.cell(c);
+            const bool known = FatCells::knows(store_, CellId(c));
             const std::uint8_t least = !known ? part_none : domain_.contains(cell.centre) ? part_inside : part_bounded;
-            for (int i = 0; i <= D; ++i) {
+            for (int i = 0; i <= dim; ++i) {
                 if (part_[cell.vertex[i]] < least) part_[cell.vertex[i]] = least;
                 if (cell.neighbour[i] != none) continue;
-                for (int j = 0; j <= D; ++j)
+                for (int j = 0; j <= dim; ++j)
                     if (j != i && part_[cell.vertex[j]] < part_all) part_[cell.vertex[j]] = part_all;
             }
         }
@@ -103,8 +103,8 @@ template <int D> [[gnu::cold]] Status Fatness<D>::open() {
 }
 
 // One cell of v's star: its corner's distance, and the neighbours not met before.
-template <int D> [[gnu::cold]] void Fatness<D>::collect(VertexId v, CellId c, CellMeasure* m, Points<D>* neighbours) {
-    const Cell<D>& cell = store_.cell(c);
+[[gnu::cold]] void Fatness::collect(VertexId v, CellId c, CellMeasure* m, Points* neighbours) {
+    const AnyCell cell = store_.cell(c);
     const double* const x = store_.point(v);
     const double error = static_cast<double>(cell.error), radius = square_root(cell.radius2);
     if (error * radius > m->doubt) m->doubt = error * radius;
@@ -116,7 +116,7 @@ template <int D> [[gnu::cold]] void Fatness<D>::collect(VertexId v, CellId c, Ce
         if (w == v || store_.vertex(w).next == v) continue;
         store_.vertex(w).next = v;
         neighbours->add(store_.point(w), x);
-        const double length = square_root(distance2<D>(store_.point(w), x));
+        const double length = square_root(distance2(dim, store_.point(w), x));
         if (length < m->nearest) m->nearest = length;
         for (int part = part_inside; part <= part_bounded; ++part) {
             m->degree[part] += holds(part, w);
@@ -127,35 +127,33 @@ template <int D> [[gnu::cold]] void Fatness<D>::collect(VertexId v, CellId c, Ce
 }
 
 // Corners of v's clipped cell at corner c: itself inside, crossings of its edges outside.
-template <int D> [[gnu::cold]] void Fatness<D>::add_clipped(VertexId v, CellId c, Points<D>* corners) {
-    const Cell<D>& cell = store_.cell(c);
+[[gnu::cold]] void Fatness::add_clipped(VertexId v, CellId c, Points* corners) {
+    const AnyCell cell = store_.cell(c);
     if (domain_.contains(cell.centre)) {
         corners->add(cell.centre, store_.point(v));
         return;
     }
-    for (int i = 0; i <= D; ++i) {
+    for (int i = 0; i <= dim; ++i) {
         if (cell.vertex[i] == v) continue;
         const CellId n = cell.neighbour[i].cell();
         if (n < c && !domain_.contains(store_.cell(n).centre)) continue;  // seen from the other end
-        double z[2][D];
-        const int crossings = sphere_crossings<D>(domain_, cell.centre, store_.cell(n).centre, z);
+        double z[2][dimension_max];
+        const int crossings = sphere_crossings(domain_, cell.centre, store_.cell(n).centre, z);
         for (int j = 0; j < crossings; ++j) corners->add(z[j], store_.point(v));
     }
 }
 
 // Out-radius over in-radius of the clipped cell; 0 when no corner of it is known. In-balls are kept in the domain by
 // cutting planes: a tangent plane of the sphere is a bisector with the vertex's mirror image.
-template <int D>
-[[gnu::cold]] double Fatness<D>::clipped_fatness(VertexId v, const CellMeasure& m, Points<D> corners,
-                                                 Points<D> neighbours) {
-    double out_radius, centre[D] = {};
+[[gnu::cold]] double Fatness::clipped_fatness(VertexId v, const CellMeasure& m, Points corners, Points neighbours) {
+    double out_radius, centre[dimension_max] = {};
     if (corners.count < 2 || !domain_.contains(store_.point(v))) return 0;
-    smallest_enclosing_ball<D>(corners.x, corners.count, centre, &out_radius);
+    smallest_enclosing_ball(dim, corners.x, corners.count, centre, &out_radius);
     double best = 0;
     for (int round = 0; round < clipped_rounds; ++round) {
-        const double radius = largest_inscribed_ball<D>(neighbours.x, neighbours.count, m.nearest, centre);
+        const double radius = largest_inscribed_ball(dim, neighbours.x, neighbours.count, m.nearest, centre);
         double away2 = 0, toward = 0;
-        for (int k = 0; k < D; ++k) {
+        for (int k = 0; k < dim; ++k) {
             const double d = store_.point(v)[k] + centre[k] - domain_.centre[k];
             away2 += d * d;
             toward += d * (store_.point(v)[k] - domain_.centre[k]);
@@ -166,37 +164,38 @@ template <int D>
         if (radius <= room * up || !(away > 0)) break;
         // u = d / away, b = R - u . (v - c); the mirror image is 2 b u away.
         const double b = domain_.radius - toward / away;
-        double mirror[D];
-        const double zero[D] = {};
-        for (int k = 0; k < D; ++k) mirror[k] = 2 * b * (store_.point(v)[k] + centre[k] - domain_.centre[k]) / away;
+        double mirror[dimension_max];
+        const double zero[dimension_max] = {};
+        for (int k = 0; k < dim; ++k) mirror[k] = 2 * b * (store_.point(v)[k] + centre[k] - domain_.centre[k]) / away;
         neighbours.add(mirror, zero);
     }
     return best > 0 ? out_radius / best : 0;
 }
 
-template <int D> [[gnu::cold]] Status Fatness<D>::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
+[[gnu::cold]] Status Fatness::measure(VertexId v, bool balls, CellMeasure* m, double* clipped) {
     *m = {0, {}, {}, 0, 0, infinity, 0, 0, true, {true, true, true}};
     *clipped = 0;
-    if (!visit_star(store_, v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
+    if (!visit_any_star(store_, v, [&](CellId) { ++m->corners; })) return Status::out_of_memory;
     ArenaScope scope(arena_);
     const bool clips = part_[v] == part_bounded && domain_.radius > 0;
-    Points<D> corners, neighbours, cut;
-    if (!corners.take(arena_, m->corners) || !neighbours.take(arena_, std::size_t{m->corners} * D + clipped_rounds) ||
-        !cut.take(arena_, clips ? std::size_t{m->corners} * 2 * D : 0))
+    const std::size_t d = static_cast<std::size_t>(dim);
+    Points corners, neighbours, cut;
+    if (!corners.take(dim, arena_, m->corners) || !neighbours.take(dim, arena_, m->corners * d + clipped_rounds) ||
+        !cut.take(dim, arena_, clips ? m->corners * 2 * d : 0))
         return Status::out_of_memory;
-    const bool room = visit_star(store_, v, [&](CellId c) {
+    const bool room = visit_any_star(store_, v, [&](CellId c) {
         collect(v, c, m, &neighbours);
         corners.add(store_.cell(c).centre, store_.point(v));
         if (clips && balls) add_clipped(v, c, &cut);
     });
     if (!room) return Status::out_of_memory;
     if (!balls) return Status::ok;
-    double centre[D];
-    smallest_enclosing_ball<D>(corners.x, corners.count, centre, &m->out_radius);
+    double centre[dimension_max];
+    smallest_enclosing_ball(dim, corners.x, corners.count, centre, &m->out_radius);
     m->out_radius = (m->out_radius + m->doubt) * up;
     // The ball about the vertex encloses the cell too.
     if (m->farthest < m->out_radius) m->out_radius = m->farthest;
-    m->in_radius = largest_inscribed_ball<D>(neighbours.x, neighbours.count, m->nearest, centre) / up;
+    m->in_radius = largest_inscribed_ball(dim, neighbours.x, neighbours.count, m->nearest, centre) / up;
     const double least = 0.5 * m->nearest / up;
     if (!(m->in_radius > least)) m->in_radius = least;
     if (clips) *clipped = clipped_fatness(v, *m, cut, neighbours);
@@ -211,7 +210,7 @@ double regular_simplex_volume(int d) {
     return volume;
 }
 
-template <int D> [[gnu::cold]] void Fatness<D>::add(const CellMeasure& m, int which) {
+[[gnu::cold]] void Fatness::add(const CellMeasure& m, int which) {
     FatPart* const part = &of(which);
     const std::uint32_t degree = m.degree[which];
     const double faces = m.faces[which];
@@ -224,39 +223,39 @@ template <int D> [[gnu::cold]] void Fatness<D>::add(const CellMeasure& m, int wh
     if (degree > part->degree_max) part->degree_max = degree;
     // Simplices at the vertex: each is one of some cell, and of some of the neighbours.
     double choices = 1, sum = 0;
-    for (int j = 1; j <= D; ++j) {
+    for (int j = 1; j <= dim; ++j) {
         choices *= (static_cast<double>(degree) - j + 1) / j;
         sum += choices > 0 ? choices : 0;
     }
     part->faces += sum < faces ? sum : faces;
-    const double least = 2 * unit_ball_volume(D - 1) / (regular_simplex_volume(D - 1) * power(2 * beta, D));
+    const double least = 2 * unit_ball_volume(dim - 1) / (regular_simplex_volume(dim - 1) * power(2 * beta, dim));
     const double share = least / static_cast<double>(m.corners);
     if (m.whole && share > part->corners_share) part->corners_share = share;
 }
 
 // The bounds that hold vertex by vertex.
-template <int D> [[gnu::cold]] void Fatness<D>::compare(const CellMeasure& m, int which) {
+[[gnu::cold]] void Fatness::compare(const CellMeasure& m, int which) {
     FatPart& part = of(which);
     const double beta = part.beta_max, degree = static_cast<double>(m.degree[which]);
     int layers = 1;
     for (double ratio = 2 * m.farthest / m.nearest; ratio >= 2 && layers < 2048; ratio *= 0.5) ++layers;
-    const double share = degree / (power(8 * beta, D) * layers);
+    const double share = degree / (power(8 * beta, dim) * layers);
     if (share > part.degree_share) part.degree_share = share;
-    if constexpr (D == 2) {
+    if (dim == 2) {
         const double planar = degree * arcsine(1 / (4 * beta)) / 18.849555921538759;
         if (m.among[which] && planar > part.planar_share) part.planar_share = planar;
     }
 }
 
-template <int D> [[gnu::cold]] void finish_part(FatPart* part) {
+[[gnu::cold]] void finish_part(int dim, FatPart* part) {
     const double cells = static_cast<double>(part->cells);
     if (part->cells > 0) part->beta_mean /= cells;
     part->edges /= 2;
-    part->edges_bound = power(4 * part->beta_max, D) * cells;
-    part->faces_bound = power(4 * part->beta_max, D * D) * cells;
+    part->edges_bound = power(4 * part->beta_max, dim) * cells;
+    part->faces_bound = power(4 * part->beta_max, dim * dim) * cells;
 }
 
-template <int D> [[gnu::cold]] Status Fatness<D>::run(Monitor& monitor) {
+[[gnu::cold]] Status Fatness::run(Monitor& monitor) {
     const std::uint32_t count = store_.state.vertex_count;
     CellMeasure m;
     double clipped;
@@ -281,22 +280,22 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run(Monitor& monitor) {
         for (int part = part_[v]; part <= part_bounded; ++part) compare(m, part);
         if (monitor.advance(v, 1 + 2 * m.corners)) return Status::cancelled;
     }
-    finish_part<D>(&analysis_.bounded);
-    finish_part<D>(&analysis_.inside);
+    finish_part(dim, &analysis_.bounded);
+    finish_part(dim, &analysis_.inside);
     if (analysis_.clipped > 0) analysis_.clipped_mean /= static_cast<double>(analysis_.clipped);
     return run_over_all(monitor);
 }
 
 // in_radius 0: the cell is not of the part.
-template <int D> [[gnu::cold]] Status Fatness<D>::measure_all(FattestCells<D>& cells, VertexId v, CellMeasure* m) {
-    FatCell<D> cell;
-    typename FattestCells<D>::Piece piece;
+[[gnu::cold]] Status Fatness::measure_all(FattestCells& cells, VertexId v, CellMeasure* m) {
+    FatCell cell;
+    FattestCells::Piece piece;
     *m = {};
     const Status status = cells.measure(v, &cell, &piece);
     m->degree[part_all] = cell.met;
-    m->whole = m->among[part_all] = piece == FattestCells<D>::Piece::whole;
+    m->whole = m->among[part_all] = piece == FattestCells::Piece::whole;
     m->corners = cell.corners;
-    m->faces[part_all] = static_cast<double>(cell.corners) * ((1 << D) - 1);
+    m->faces[part_all] = static_cast<double>(cell.corners) * ((1 << dim) - 1);
     m->in_radius = cell.in_radius;
     m->out_radius = cell.out_radius;
     m->nearest = cell.nearest;
@@ -309,8 +308,8 @@ template <int D> [[gnu::cold]] Status Fatness<D>::measure_all(FattestCells<D>& c
 }
 
 // Which cells there are, then what they are like, then what depends on the largest beta.
-template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor) {
-    FattestCells<D> cells(store_, domain_, arena_, part_, part_all);
+[[gnu::cold]] Status Fatness::run_over_all(Monitor& monitor) {
+    FattestCells cells(store_, domain_, arena_, part_, part_all);
     analysis_.all_radius = cells.radius();
     const std::uint32_t count = store_.state.vertex_count;
     for (std::uint32_t v = 0; v < count;)
@@ -333,17 +332,15 @@ template <int D> [[gnu::cold]] Status Fatness<D>::run_over_all(Monitor& monitor)
         for (const std::uint64_t piece = store_.arena.piece(v, count, 8); v < piece; ++v) {
             store_.vertex(v).next = none;
         }
-    finish_part<D>(&analysis_.all);
+    finish_part(dim, &analysis_.all);
     return Status::ok;
 }
 
 }  // namespace
 
-template <int D>
-Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work, FatnessAnalysis* analysis) {
+Status analyse_fatness(const AnyStore& store, const AnyDomain& domain, const Work& work, FatnessAnalysis* analysis) {
     ArenaScope scope(work.arena);
-    recompute_balls<D>(store);
-    Fatness<D> fatness(store, domain, work.arena, analysis);
+    Fatness fatness(store, domain, work.arena, analysis);
     const Status status = fatness.open();
     return status == Status::ok ? fatness.run(work.monitor) : status;
 }
@@ -356,10 +353,5 @@ const char* violated_fatness_bound(const FatPart& part) {
     if (!(part.corners_share <= 1)) return "fewer corners than a fat cell has (5.5.1)";
     return nullptr;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status analyse_fatness<D>(Store<D>&, const Domain<D>&, const Work&, FatnessAnalysis*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -2,8 +2,9 @@
 #pragma once
 #include <cstdint>
 
+#include "delaunay/load.hpp"
 #include "memory/work.hpp"
-#include "mesh/domain.hpp"
+#include "mesh/any_domain.hpp"
 #include "vocabulary/monitor.hpp"
 
 namespace netmesh {
@@ -43,12 +44,16 @@ struct FatnessAnalysis {
     double all_radius;       // of the surrounding ball
 };
 
+Status analyse_fatness(const AnyStore& store, const AnyDomain& domain, const Work& work, FatnessAnalysis* analysis);
 // On a compact store, a triangulation or a mesh; the domain is ball(centre, reach), reach 0 for none. Corners are
 // solved for anew; uses vertex.next and cell.mark. O(cells) plus the balls, about 2 D^2 multiply-adds a cell and vertex
 // times the steps of both searches, three times. Scratch: 1 byte a vertex, and the largest star. out_of_memory,
 // cancelled.
 template <int D>
-Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work, FatnessAnalysis* analysis);
+Status analyse_fatness(Store<D>& store, const Domain<D>& domain, const Work& work, FatnessAnalysis* analysis) {
+    recompute_balls<D>(store);
+    return analyse_fatness(AnyStore(store), AnyDomain(domain), work, analysis);
+}
 
 // The bound that does not hold, null when all do.
 const char* violated_fatness_bound(const FatPart& part);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "delaunay/any_store.hpp"
 #include "memory/work.hpp"
 #include "mesh/input_tree.hpp"
 #include "vocabulary/monitor.hpp"
@@ -31,8 +32,12 @@ struct IntegralRequest {
 // they allow, eta being 0.7 at most. The tree's points, two at least, are P. Deterministic. Cost: about
 // (D^1.5 / (2 eta))^D times the integral, in nearest-neighbour searches. Scratch: 8 D + 1 bytes for each level of
 // boxes, some 2,200 levels. out_of_memory, cancelled.
+Status feature_integral(const AnyStore& store, const TreeLayout& tree, double coarsest, const IntegralRequest& request,
+                        const Work& work, FeatureIntegral* integral);
 template <int D>
 Status feature_integral(const Store<D>& store, const InputTree<D>& tree, const IntegralRequest& request,
-                        const Work& work, FeatureIntegral* integral);
+                        const Work& work, FeatureIntegral* integral) {
+    return feature_integral(AnyStore(store), tree, figures<D>.coarsest_box, request, work, integral);
+}
 
 }  // namespace netmesh

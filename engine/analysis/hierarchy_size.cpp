@@ -54,7 +54,7 @@ template <int D> Status DomainSums<D>::open() {
         return Status::out_of_memory;
     HierarchyQuality quality;
     const Status status =
-        measure_hierarchy<D>(store_, {request_.cages, cages, request_.outermost, nearest2_, domain}, arena, &quality);
+        measure_hierarchy(store_, {request_.cages, cages, request_.outermost, nearest2_, domain}, arena, &quality);
     if (status != Status::ok || !quality.is_hierarchy) return status == Status::ok ? Status::check_failed : status;
     recomputed_nearest2<D>(store_, nearest2_);
     sort_vertices(domain);
@@ -126,7 +126,7 @@ template <int D> double DomainSums<D>::share_of_cages(const InputTree<D>& tree, 
         double q2;
         tree.nearest(store_.point(cage.centre), none, cage.centre, &q2);
         const double room = square_root(q2) - cage.radius;
-        sum += room > 0 ? power(2 * in_radius<D>(cage) / room, D) : infinity;
+        sum += room > 0 ? power(2 * in_radius(cage) / room, D) : infinity;
     }
     return sum;
 }

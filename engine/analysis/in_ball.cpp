@@ -8,22 +8,25 @@
 namespace netmesh {
 namespace {
 
-// The active set of the search for an in-ball: normals (u, 1) of at most D+1 constraints, and the projection on them.
-template <int D> struct ActiveSet {
-    double row[D + 1][D + 1];
-    std::uint32_t index[D + 1];
+// The active set of the search for an in-ball: normals (u, 1) of at most dim+1 constraints, and the projection on them.
+struct ActiveSet {
+    explicit ActiveSet(int d) : dim(d) {}
+
+    const int dim;
+    double row[dimension_most() + 1][dimension_most() + 1];
+    std::uint32_t index[dimension_most() + 1];
     int size = 0;
 
     // Splits (0, .., 0, 1) into multipliers of the rows and a rest orthogonal to them: the direction of steepest
     // growth.
     [[gnu::cold]] void project(double* multiplier, double* rest) const {
-        double g[D + 1][D + 2];
+        double g[dimension_most() + 1][dimension_most() + 2];
         for (int i = 0; i < size; ++i) {
             for (int j = 0; j < size; ++j) {
                 g[i][j] = 0;
-                for (int k = 0; k <= D; ++k) g[i][j] += row[i][k] * row[j][k];
+                for (int k = 0; k <= dim; ++k) g[i][j] += row[i][k] * row[j][k];
             }
-            g[i][size] = row[i][D];
+            g[i][size] = row[i][dim];
         }
         for (int k = 0; k < size; ++k) {
             int pivot = k;
@@ -40,23 +43,23 @@ template <int D> struct ActiveSet {
                 for (int j = k; j <= size; ++j) g[i][j] -= factor * g[k][j];
             }
         }
-        for (int k = 0; k <= D; ++k) rest[k] = k == D ? 1 : 0;
+        for (int k = 0; k <= dim; ++k) rest[k] = k == dim ? 1 : 0;
         for (int i = 0; i < size; ++i) {
             multiplier[i] = g[i][size] / g[i][i];
-            for (int k = 0; k <= D; ++k) rest[k] -= multiplier[i] * row[i][k];
+            for (int k = 0; k <= dim; ++k) rest[k] -= multiplier[i] * row[i][k];
         }
     }
     void remove(int i) {
         --size;
-        for (int k = 0; k <= D; ++k) row[i][k] = row[size][k];
+        for (int k = 0; k <= dim; ++k) row[i][k] = row[size][k];
         index[i] = index[size];
     }
 };
 
 // u . x and half the distance |w| of a neighbour w.
-template <int D> [[gnu::cold]] double along(const double* w, const double* x, double* half) {
+[[gnu::cold]] double along(int dim, const double* w, const double* x, double* half) {
     double length2 = 0, dot = 0;
-    for (int k = 0; k < D; ++k) {
+    for (int k = 0; k < dim; ++k) {
         length2 += w[k] * w[k];
         dot += w[k] * x[k];
     }
@@ -68,9 +71,9 @@ template <int D> [[gnu::cold]] double along(const double* w, const double* x, do
 constexpr double flat = 0x1p-30;  // relative: of a direction, a multiplier, a slope
 
 // The active-set search: a ball inside the cell that grows while its centre moves, touching more and more planes.
-template <int D> class BallSearch {
+class BallSearch {
 public:
-    BallSearch(const double* w, std::uint32_t count) : w_(w), count_(count) {}
+    BallSearch(int d, const double* w, std::uint32_t count) : dim(d), w_(w), count_(count), active_(d) {}
 
     void start();
     void grow(double scale);
@@ -78,49 +81,50 @@ public:
     double settle(double* centre);
 
 private:
-    const double* neighbour(std::uint32_t i) const { return w_ + std::size_t{i} * D; }
+    const double* neighbour(std::uint32_t i) const { return w_ + std::size_t{i} * dim; }
     double slack(std::uint32_t i) const {
         double half;
-        const double dot = along<D>(neighbour(i), y_, &half);
-        return half - dot - y_[D];
+        const double dot = along(dim, neighbour(i), y_, &half);
+        return half - dot - y_[dim];
     }
     void touch(std::uint32_t i);
     int plane_to_leave(const double* multiplier) const;
     std::uint32_t first_plane_on_the_way(const double* direction, double* reach) const;
 
+    const int dim;
     const double* const w_;
     const std::uint32_t count_;
-    double y_[D + 1] = {};  // centre and radius
-    ActiveSet<D> active_;
+    double y_[dimension_most() + 1] = {};  // centre and radius
+    ActiveSet active_;
 };
 
 // The ball about the origin up to the nearest plane.
-template <int D> [[gnu::cold]] void BallSearch<D>::start() {
+[[gnu::cold]] void BallSearch::start() {
     std::uint32_t first = 0;
     double radius = infinity;
     for (std::uint32_t i = 0; i < count_; ++i) {
         double half;
-        along<D>(neighbour(i), y_, &half);
+        along(dim, neighbour(i), y_, &half);
         if (!(half < radius)) continue;
         radius = half;
         first = i;
     }
-    y_[D] = radius;
+    y_[dim] = radius;
     touch(first);
 }
 
-template <int D> [[gnu::cold]] void BallSearch<D>::touch(std::uint32_t i) {
+[[gnu::cold]] void BallSearch::touch(std::uint32_t i) {
     double half;
     const double* const p = neighbour(i);
-    along<D>(p, y_, &half);
-    for (int k = 0; k < D; ++k) active_.row[active_.size][k] = p[k] / (2 * half);
-    active_.row[active_.size][D] = 1;
+    along(dim, p, y_, &half);
+    for (int k = 0; k < dim; ++k) active_.row[active_.size][k] = p[k] / (2 * half);
+    active_.row[active_.size][dim] = 1;
     active_.index[active_.size++] = i;
 }
 
 // A plane that keeps the ball from growing although it need not be touched, the first one by number; -1 when there is
 // none: then the ball is the largest.
-template <int D> [[gnu::cold]] int BallSearch<D>::plane_to_leave(const double* multiplier) const {
+[[gnu::cold]] int BallSearch::plane_to_leave(const double* multiplier) const {
     int worst = -1;
     for (int i = 0; i < active_.size; ++i)
         if (multiplier[i] < -flat && (worst < 0 || active_.index[i] < active_.index[worst])) worst = i;
@@ -128,13 +132,12 @@ template <int D> [[gnu::cold]] int BallSearch<D>::plane_to_leave(const double* m
 }
 
 // The plane that the ball meets first when it changes in this direction, and how far that is; `count` if none.
-template <int D>
-[[gnu::cold]] std::uint32_t BallSearch<D>::first_plane_on_the_way(const double* direction, double* reach) const {
+[[gnu::cold]] std::uint32_t BallSearch::first_plane_on_the_way(const double* direction, double* reach) const {
     std::uint32_t blocking = count_;
     *reach = infinity;
     for (std::uint32_t i = 0; i < count_; ++i) {
         double half;
-        const double slope = along<D>(neighbour(i), direction, &half) + direction[D];
+        const double slope = along(dim, neighbour(i), direction, &half) + direction[dim];
         if (!(slope > flat)) continue;
         const double room = slack(i), length = room > 0 ? room / slope : 0;
         if (!(length < *reach)) continue;
@@ -144,11 +147,11 @@ template <int D>
     return blocking;
 }
 
-template <int D> [[gnu::cold]] void BallSearch<D>::grow(double scale) {
-    for (int step = 0; step < 60 * (D + 1); ++step) {
-        double multiplier[D + 1], rest[D + 1];
+[[gnu::cold]] void BallSearch::grow(double scale) {
+    for (int step = 0; step < 60 * (dim + 1); ++step) {
+        double multiplier[dimension_most() + 1], rest[dimension_most() + 1];
         active_.project(multiplier, rest);
-        if (!(rest[D] > flat) || active_.size == D + 1) {  // rest[D] is the square of its length
+        if (!(rest[dim] > flat) || active_.size == dim + 1) {  // rest[dim] is the square of its length
             const int left = plane_to_leave(multiplier);
             if (left < 0) return;
             active_.remove(left);
@@ -157,34 +160,30 @@ template <int D> [[gnu::cold]] void BallSearch<D>::grow(double scale) {
         double reach;
         const std::uint32_t blocking = first_plane_on_the_way(rest, &reach);
         if (blocking == count_ || !(reach < 0x1p40 * scale)) return;
-        for (int k = 0; k <= D; ++k) y_[k] += reach * rest[k];
+        for (int k = 0; k <= dim; ++k) y_[k] += reach * rest[k];
         touch(blocking);
     }
 }
 
-template <int D> [[gnu::cold]] double BallSearch<D>::settle(double* centre) {
+[[gnu::cold]] double BallSearch::settle(double* centre) {
     double radius = infinity;
-    y_[D] = 0;
+    y_[dim] = 0;
     for (std::uint32_t i = 0; i < count_; ++i) {
         const double room = slack(i);
         if (room < radius) radius = room;
     }
-    for (int k = 0; k < D; ++k) centre[k] = y_[k];
+    for (int k = 0; k < dim; ++k) centre[k] = y_[k];
     return radius;
 }
 
 }  // namespace
 
-template <int D>
-[[gnu::cold]] double largest_inscribed_ball(const double* w, std::uint32_t count, double scale, double* centre) {
-    BallSearch<D> search(w, count);
+[[gnu::cold]] double largest_inscribed_ball(int dim, const double* w, std::uint32_t count, double scale,
+                                            double* centre) {
+    BallSearch search(dim, w, count);
     search.start();
     search.grow(scale);
     return search.settle(centre);
 }
-
-#define NETMESH_INSTANTIATE(D) template double largest_inscribed_ball<D>(const double*, std::uint32_t, double, double*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

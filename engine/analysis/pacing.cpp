@@ -1,6 +1,5 @@
 #include "analysis/pacing.hpp"
 #include "numerics/vector.hpp"
-#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -13,8 +12,8 @@ struct PrunedRange {
 
 // Calls at_item(v) for the items of a range that is not pruned, near ranges first. prune(range, plane2) is asked once a
 // range.
-template <int D, class Prune, class AtItem>
-void search(const Store<D>& store, const InputTree<D>& tree, const double* x, Prune&& prune, AtItem&& at_item) {
+template <class Prune, class AtItem>
+void search(const AnyStore& store, const TreeLayout& tree, const double* x, Prune&& prune, AtItem&& at_item) {
     PrunedRange stack[64];
     int depth = 0;
     stack[depth++] = {tree.root(), 0};
@@ -39,8 +38,8 @@ void search(const Store<D>& store, const InputTree<D>& tree, const double* x, Pr
 }
 
 // value[middle] of each range := the least (greatest) of its items by `of`, from the leaves up.
-template <int D, class T, class Of, class Better>
-T summary(const InputTree<D>& tree, TreeRange range, const T* value, Of&& of, Better&& better) {
+template <class T, class Of, class Better>
+T summary(const TreeLayout& tree, TreeRange range, const T* value, Of&& of, Better&& better) {
     T best = of(tree.item(range.middle()));
     if (range.is_leaf()) {
         for (std::uint32_t i = range.begin; i < range.end; ++i)
@@ -53,7 +52,7 @@ T summary(const InputTree<D>& tree, TreeRange range, const T* value, Of&& of, Be
 }
 
 // All ranges, parents before children. list has room for count entries.
-template <int D> std::uint32_t list_ranges(const InputTree<D>& tree, const Arena& arena, TreeRange* list) {
+std::uint32_t list_ranges(const TreeLayout& tree, const Arena& arena, TreeRange* list) {
     std::uint32_t count = 0;
     list[count++] = tree.root();
     for (std::uint32_t k = 0; k < count;)
@@ -67,9 +66,9 @@ template <int D> std::uint32_t list_ranges(const InputTree<D>& tree, const Arena
 }
 
 // The farthest input from those taken so far.
-template <int D> class FarthestFirst {
+class FarthestFirst {
 public:
-    FarthestFirst(const Store<D>& store, const InputTree<D>& tree) : store_(store), tree_(tree) {}
+    FarthestFirst(const AnyStore& store, const TreeLayout& tree) : store_(store), tree_(tree) {}
 
     // For inputs 0..count-1, none taken. False: out of memory.
     bool open(Arena& arena, std::uint32_t count) {
@@ -92,20 +91,20 @@ public:
     std::uint32_t from_all_taken() const;
 
 private:
-    const Store<D>& store_;
-    const InputTree<D>& tree_;
+    const AnyStore& store_;
+    const TreeLayout& tree_;
     std::uint32_t count_ = 0;
     // Squared distance to the inputs taken, -1 for those themselves; its maximum over each range.
     double *near2_ = nullptr, *far2_ = nullptr;
     TreeRange* visited_ = nullptr;
 };
 
-template <int D> std::uint32_t FarthestFirst<D>::from_input_0() const {
+std::uint32_t FarthestFirst::from_input_0() const {
     std::uint32_t farthest = 0;
     double reach2 = -1;
     for (std::uint32_t v = 0; v < count_;)
-        for (const std::uint64_t piece = store_.arena.piece(v, count_, 8 * D); v < piece; ++v) {
-            const double d2 = distance2<D>(store_.point(0), store_.point(v));
+        for (const std::uint64_t piece = store_.arena.piece(v, count_, 8 * store_.dim); v < piece; ++v) {
+            const double d2 = distance2(store_.dim, store_.point(0), store_.point(v));
             if (!(d2 > reach2)) continue;
             reach2 = d2;
             farthest = v;
@@ -113,11 +112,11 @@ template <int D> std::uint32_t FarthestFirst<D>::from_input_0() const {
     return farthest;
 }
 
-template <int D> std::uint32_t FarthestFirst<D>::take(std::uint32_t input) {
+std::uint32_t FarthestFirst::take(std::uint32_t input) {
     const double* const x = store_.point(input);
     near2_[input] = -1;
     std::uint32_t visits = 0;
-    search<D>(
+    search(
         store_, tree_, x,
         [&](TreeRange range, double plane2) {
             // The range that holds the input itself is always visited: its plane is at most 0 away.
@@ -127,19 +126,19 @@ template <int D> std::uint32_t FarthestFirst<D>::take(std::uint32_t input) {
         },
         [&](std::uint32_t v) {
             store_.arena.step(v, 60);
-            const double d2 = distance2<D>(x, store_.point(v));
+            const double d2 = distance2(store_.dim, x, store_.point(v));
             if (d2 < near2_[v]) near2_[v] = d2;
         });
     for (std::uint32_t k = visits; k-- > 0;) {
         store_.arena.step(k + 1, 60);
-        far2_[visited_[k].middle()] = summary<D>(
+        far2_[visited_[k].middle()] = summary(
             tree_, visited_[k], far2_, [&](std::uint32_t v) { return near2_[v]; },
             [](double a, double b) { return a > b; });
     }
     return visits;
 }
 
-template <int D> std::uint32_t FarthestFirst<D>::from_all_taken() const {
+std::uint32_t FarthestFirst::from_all_taken() const {
     for (TreeRange range = tree_.root();;) {
         const double most = far2_[range.middle()];
         std::uint32_t farthest = tree_.item(range.middle());
@@ -159,8 +158,7 @@ template <int D> std::uint32_t FarthestFirst<D>::from_all_taken() const {
 
 }  // namespace
 
-template <int D>
-Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t* order, std::uint32_t count,
+Status pace(const AnyStore& store, const TreeLayout& tree, const std::uint32_t* order, std::uint32_t count,
             const Work& work, double* theta) {
     ArenaScope scope(work.arena);
     std::uint32_t* const rank = work.arena.take_high<std::uint32_t>(count);
@@ -174,9 +172,9 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
         ArenaScope inner(work.arena);
         TreeRange* const ranges = work.arena.take_high<TreeRange>(count);
         if (ranges == nullptr) return Status::out_of_memory;
-        for (std::uint32_t k = list_ranges<D>(tree, work.arena, ranges); k-- > 0;) {
+        for (std::uint32_t k = list_ranges(tree, work.arena, ranges); k-- > 0;) {
             work.arena.step(k, 60);
-            least[ranges[k].middle()] = summary<D>(
+            least[ranges[k].middle()] = summary(
                 tree, ranges[k], least, [&](std::uint32_t v) { return rank[v]; },
                 [](std::uint32_t a, std::uint32_t b) { return a < b; });
         }
@@ -186,12 +184,12 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
         if (i < 2) continue;
         const double* const x = store.point(order[i]);
         double first2 = infinity, second2 = infinity;
-        search<D>(
+        search(
             store, tree, x,
             [&](TreeRange range, double plane2) { return plane2 > second2 || least[range.middle()] >= i; },
             [&](std::uint32_t v) {
                 if (rank[v] >= i) return;
-                const double d2 = distance2<D>(x, store.point(v));
+                const double d2 = distance2(store.dim, x, store.point(v));
                 if (d2 < first2) {
                     second2 = first2;
                     first2 = d2;
@@ -205,11 +203,10 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
     return Status::ok;
 }
 
-template <int D>
-Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work,
+Status farthest_first_order(const AnyStore& store, const TreeLayout& tree, std::uint32_t count, const Work& work,
                             std::uint32_t* order) {
     ArenaScope scope(work.arena);
-    FarthestFirst<D> farthest(store, tree);
+    FarthestFirst farthest(store, tree);
     if (!farthest.open(work.arena, count)) return Status::out_of_memory;
     std::uint32_t next = farthest.from_input_0();
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -220,13 +217,5 @@ Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std
     }
     return Status::ok;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status pace<D>(const Store<D>&, const InputTree<D>&, const std::uint32_t*, std::uint32_t, const Work&,    \
-                            double*);                                                                                  \
-    template Status farthest_first_order<D>(const Store<D>&, const InputTree<D>&, std::uint32_t, const Work&,          \
-                                            std::uint32_t*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "delaunay/any_store.hpp"
 #include "memory/work.hpp"
 #include "mesh/input_tree.hpp"
 #include "vocabulary/monitor.hpp"
@@ -11,8 +12,7 @@ namespace netmesh {
 // theta[i] = distance from input order[i] to the nearest of order[0..i-1] over that to the second nearest, in (0, 1]; 1
 // for i < 2. order[0..count) is a permutation of the tree's inputs 0..count-1. The ordering is theta-well-paced for its
 // least theta_i. Expected O(n log n). Scratch: 8 bytes a point. out_of_memory, cancelled.
-template <int D>
-Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t* order, std::uint32_t count,
+Status pace(const AnyStore& store, const TreeLayout& tree, const std::uint32_t* order, std::uint32_t count,
             const Work& work, double* theta);
 
 // The farthest-first ordering: an input far from input 0, then always one of those farthest from all before.
@@ -26,8 +26,7 @@ Status pace(const Store<D>& store, const InputTree<D>& tree, const std::uint32_t
 //
 // Cost O(n log n) for each factor of two in the spread at most, O(n log n) on inputs of moderate spread. Scratch: 20
 // bytes a point. out_of_memory, cancelled.
-template <int D>
-Status farthest_first_order(const Store<D>& store, const InputTree<D>& tree, std::uint32_t count, const Work& work,
+Status farthest_first_order(const AnyStore& store, const TreeLayout& tree, std::uint32_t count, const Work& work,
                             std::uint32_t* order);
 
 }  // namespace netmesh

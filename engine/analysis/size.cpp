@@ -47,8 +47,8 @@ Status measure_pace(const Store<D>& store, const Domain<D>& domain, const InputT
     std::uint32_t* const order = work.arena.take_high<std::uint32_t>(inputs);
     double* const theta = work.arena.take_high<double>(inputs);
     if (order == nullptr || theta == nullptr) return Status::out_of_memory;
-    Status status = farthest_first_order<D>(store, tree, inputs, work, order);
-    if (status == Status::ok) status = pace<D>(store, tree, order, inputs, work, theta);
+    Status status = farthest_first_order(store, tree, inputs, work, order);
+    if (status == Status::ok) status = pace(store, tree, order, inputs, work, theta);
     if (status != Status::ok) return status;
     const double first = distance<D>(store.point(order[0]), store.point(order[1]));
     const double c = (distance<D>(store.point(order[0]), domain.centre) + analysis->radius[ball_wide]) / first;

@@ -2,7 +2,8 @@
 #pragma once
 #include <cstdint>
 
-#include "delaunay/store.hpp"
+#include "delaunay/any_store.hpp"
+#include "delaunay/load.hpp"
 #include "memory/work.hpp"
 #include "vocabulary/monitor.hpp"
 
@@ -22,6 +23,8 @@ struct StructureAnalysis {
     std::uint64_t hull_balls, hull_intersections_max;
 };
 
+Status analyse_structure(const AnyStore& store, const Figures& figures, const double* centre, double reach,
+                         const Work& work, StructureAnalysis* analysis);
 // On a compact store, a triangulation or a mesh. Ply is taken at barycentres of cells and at centres of D-balls that
 // are within `reach` of `centre` (pass 0 for none), intersections at all D-balls, those at the boundary of a mesh
 // apart: they are as large as the mesh and meet a number of others that grows with it. Of both every k-th cell is
@@ -32,7 +35,10 @@ struct StructureAnalysis {
 // Scratch: 1 byte a vertex, 4 bytes a cell of the largest flood. out_of_memory, cancelled.
 template <int D>
 Status analyse_structure(Store<D>& store, const double* centre, double reach, const Work& work,
-                         StructureAnalysis* analysis);
+                         StructureAnalysis* analysis) {
+    recompute_balls<D>(store);
+    return analyse_structure(store, figures<D>, centre, reach, work, analysis);
+}
 
 // One D-ball.
 struct BallFigures {
@@ -40,6 +46,6 @@ struct BallFigures {
     std::uint32_t meets;  // other D-balls that meet it
 };
 // On a store with recomputed balls. Scratch: the largest flood. out_of_memory.
-template <int D> Status measure_ball(Store<D>& store, CellId c, BallFigures* figures);
+Status measure_ball(const AnyStore& store, CellId c, BallFigures* figures);
 
 }  // namespace netmesh

@@ -197,9 +197,9 @@ netmesh_status netmesh_well_paced_order(netmesh_context* context, uint32_t* orde
         InputTree<D> tree;
         Monitor monitor;
         if (tree.build(store, context->arena, inputs) != Status::ok) return Status::out_of_memory;
-        const Status ordered = farthest_first_order<D>(store, tree, inputs, {context->arena, monitor}, order);
+        const Status ordered = farthest_first_order(store, tree, inputs, {context->arena, monitor}, order);
         if (ordered != Status::ok || theta == nullptr) return ordered;
-        return pace<D>(store, tree, order, inputs, {context->arena, monitor}, theta);
+        return pace(store, tree, order, inputs, {context->arena, monitor}, theta);
     });
     return finish(context, status);
 }
@@ -220,7 +220,7 @@ netmesh_status netmesh_pace(netmesh_context* context, const uint32_t* order, dou
         if (seen == nullptr) return Status::out_of_memory;
         if (!is_permutation(order, inputs, seen)) return Status::invalid_argument;
         if (tree.build(store, context->arena, inputs) != Status::ok) return Status::out_of_memory;
-        return pace<D>(store, tree, order, inputs, {context->arena, monitor}, theta);
+        return pace(store, tree, order, inputs, {context->arena, monitor}, theta);
     });
     if (status == Status::invalid_argument)
         return refuse(context, NETMESH_FIELD_ORDER, "order is not a permutation of the inputs");

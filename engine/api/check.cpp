@@ -79,10 +79,10 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     if (limit2 == nullptr || ratios == nullptr || domains == nullptr) return Status::out_of_memory;
     if (cages > 0) {
         HierarchyQuality quality;
-        HierarchyRequest<D> request = hierarchy_of<D>(context);
+        HierarchyRequest request = hierarchy_of<D>(context);
         request.ratios = ratios;
         request.domains = domains;
-        const Status status = measure_hierarchy<D>(store, request, arena, &quality);
+        const Status status = measure_hierarchy(store, request, arena, &quality);
         if (status != Status::ok) return status;
         *why = quality.encroached;
         if (why->violation == nullptr && !(quality.worst <= promises.tau * (1 + ratio_tolerance)))
@@ -93,7 +93,7 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
             *why = check_weighted_cells(hierarchy_view<D>(store, cages_of(context), cages, domains), figures);
     }
     if (why->violation == nullptr)
-        *why = check_domain<D>(store, domain, cages == 0 ? nullptr : domains, context.complete, promises.net);
+        *why = check_domain(store, domain, cages == 0 ? nullptr : domains, context.complete, promises.net);
     if (why->violation != nullptr) return Status::check_failed;
     recomputed_nearest2<D>(store, limit2);
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
@@ -148,7 +148,7 @@ template <int D>
 Status check_promises(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
     const bool by_certificate = promises.goal.ratio > 0 && cage_count_of(context) == 0;
     if (!by_certificate) return check_quality<D>(context, store, promises, why);
-    *why = check_domain<D>(store, domain_of<D>(context.mesh), nullptr, context.complete, promises.net);
+    *why = check_domain(store, domain_of<D>(context.mesh), nullptr, context.complete, promises.net);
     return why->violation != nullptr ? Status::check_failed
                                      : check_ratio<D>(context, store, promises.goal, monitor, why);
 }

@@ -188,9 +188,9 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
         Store<D> store(context->arena, mesh.store);
         HierarchyQuality quality = {};
         const auto count = static_cast<std::uint32_t>(request.cage_count);
-        HierarchyRequest<D> asked = {kept, count, domain_of<D>(mesh)};
+        HierarchyRequest asked = {kept, count, domain_of<D>(mesh)};
         asked.kind = mesh.cage_kind;
-        const Status status = watch.heed(measure_hierarchy<D>(store, asked, context->arena, &quality));
+        const Status status = watch.heed(measure_hierarchy(store, asked, context->arena, &quality));
         if (status != Status::ok || !quality.is_hierarchy) {
             context->arena.release_low(mesh.low_end);
             if (status != Status::ok) return finish(context, status);

@@ -16,8 +16,8 @@ inline std::uint32_t cage_count_of(const Context& context) {
 }
 
 // The cages, for measure_hierarchy.
-template <int D> HierarchyRequest<D> hierarchy_of(Context& context) {
-    HierarchyRequest<D> request = {cages_of(context), cage_count_of(context), domain_of<D>(context.mesh)};
+template <int D> HierarchyRequest hierarchy_of(Context& context) {
+    HierarchyRequest request = {cages_of(context), cage_count_of(context), domain_of<D>(context.mesh)};
     request.kind = context.mesh.cage_kind;
     return request;
 }
@@ -28,7 +28,7 @@ template <int D> Status measure_quality(Context& context, Store<D>& store, Hiera
     *quality = HierarchyQuality{};
     return !built::cages || cage_count_of(context) == 0
                ? worst_aspect_ratio<D>(store, domain, context.arena, &quality->worst, &quality->vertex)
-               : measure_hierarchy<D>(store, hierarchy_of<D>(context), context.arena, quality);
+               : measure_hierarchy(store, hierarchy_of<D>(context), context.arena, quality);
 }
 
 // The largest size of a cell over the one asked for. out_of_memory.

@@ -24,12 +24,12 @@ template <int D, class Give> [[gnu::cold]] Status measure_each(Context& context,
     recompute_balls<D>(store);
     Domain<D> domain = domain_of<D>(context.mesh);
     if (!context.mesh.is_mesh) domain.radius = 0;
-    FattestCells<D> cells(store, domain, context.arena);
+    FattestCells cells(store, domain, context.arena);
     Status status = Status::ok;
     for (VertexId v(0); v < store.state.vertex_count && status == Status::ok; ++v) {
         if (store.vertex(v).cell == none) continue;
-        FatCell<D> cell;
-        typename FattestCells<D>::Piece piece;
+        FatCell cell;
+        FattestCells::Piece piece;
         status = cells.measure(v, &cell, &piece);
         if (status == Status::ok) give(v, cell, static_cast<std::uint32_t>(piece));
     }
@@ -42,14 +42,14 @@ template <int D> [[gnu::cold]] Status measure_whole_cells(Context& context, doub
         ratios[v] = 0;
         domains[v] = none;
     }
-    return measure_each<D>(context, [&](VertexId v, const FatCell<D>& cell, std::uint32_t) {
+    return measure_each<D>(context, [&](VertexId v, const FatCell& cell, std::uint32_t) {
         ratios[v] = cell.known && cell.bounded ? 2 * cell.reach / cell.nearest : infinity;
     });
 }
 
 template <int D> [[gnu::cold]] Status measure_voronoi(Context& context, std::uint32_t bytes, netmesh_voronoi* array) {
     for (std::uint32_t v = 0; v < context.mesh.store.vertex_count; ++v) give_element({}, v, bytes, array);
-    return measure_each<D>(context, [&](VertexId v, const FatCell<D>& cell, std::uint32_t piece) {
+    return measure_each<D>(context, [&](VertexId v, const FatCell& cell, std::uint32_t piece) {
         netmesh_voronoi found = {};
         if (!cell.known) return;
         found.piece = piece;
@@ -70,7 +70,7 @@ template <int D> [[gnu::cold]] Status measure_balls(Context& context, std::uint3
     recompute_balls<D>(store);
     for (CellId c(0); c < store.state.cell_slots; ++c) {
         BallFigures figures;
-        const Status status = measure_ball<D>(store, c, &figures);
+        const Status status = measure_ball(store, c, &figures);
         if (status != Status::ok) return status;
         const Cell<D>& cell = store.cell(c);
         netmesh_ball found = {};
@@ -99,11 +99,11 @@ template <int D>
     WeightedCell* const cells = arena.take_low<WeightedCell>(cages);
     if (ratios == nullptr || domains == nullptr || radii == nullptr || cells == nullptr) return Status::out_of_memory;
     HierarchyQuality quality;
-    HierarchyRequest<D> request = hierarchy_of<D>(context);
+    HierarchyRequest request = hierarchy_of<D>(context);
     request.ratios = ratios;
     request.domains = domains;
     request.cage_radii = radii;
-    const Status status = measure_hierarchy<D>(store, request, arena, &quality);
+    const Status status = measure_hierarchy(store, request, arena, &quality);
     if (status != Status::ok || !quality.is_hierarchy) return status == Status::ok ? Status::no_result : status;
     for (std::uint32_t v = 0; v < vertices; ++v)
         if (store.vertex(v).cell == none) domains[v] = not_inserted;
@@ -146,10 +146,10 @@ netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, u
         if (!context->mesh.is_mesh) return finish(context, measure_whole_cells<D>(*context, ratios, domains));
         Store<D> store(context->arena, context->mesh.store);
         HierarchyQuality quality;
-        HierarchyRequest<D> asked = hierarchy_of<D>(*context);
+        HierarchyRequest asked = hierarchy_of<D>(*context);
         asked.ratios = ratios;
         asked.domains = domains;
-        return finish(context, measure_hierarchy<D>(store, asked, context->arena, &quality));
+        return finish(context, measure_hierarchy(store, asked, context->arena, &quality));
     });
 }
 

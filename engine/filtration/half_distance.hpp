@@ -9,19 +9,23 @@
 namespace netmesh {
 
 // Half the distance of two points.
-template <int D> double half_distance(const double* a, const double* b) {
-    const double squared = distance2<D>(a, b);
-    if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
+[[gnu::noinline, gnu::cold]] inline double precise_half_distance(int dim, const double* a, const double* b) {
     const double* const point[] = {a, b};
-    return circumsphere_precise(point, 1, D).radius;
+    return circumsphere_precise(point, 1, dim).radius;
 }
+[[gnu::always_inline]] inline double half_distance(int dim, const double* a, const double* b) {
+    const double squared = distance2(dim, a, b);
+    if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
+    return precise_half_distance(dim, a, b);
+}
+template <int D> double half_distance(const double* a, const double* b) { return half_distance(D, a, b); }
 
-// A bound on the relative error of half distances from `least` to `most`. A squared length has D + 2 roundings, the
+// A bound on the relative error of half distances from `least` to `most`. A squared length has dim + 2 roundings, the
 // root halves them and adds one. Lengths whose squares are out of range are computed in twice the digits: that adds a
 // few 2^-98 and at most two roundings, the last perhaps to a denormal number. The largest double stands for all lengths
 // above it, so there is no bound for it. least > most: there are no distances.
-template <int D> double half_distance_error(double least, double most) {
-    double error = 1.01 * unit_roundoff * (D / 2.0 + 2);
+inline double half_distance_error(int dim, double least, double most) {
+    double error = 1.01 * unit_roundoff * (dim / 2.0 + 2);
     const double ends[] = {least, most};
     for (const double half : ends) {
         if ((half > 0x1p-450 && half < 0x1p499) || !(least <= most)) continue;
@@ -32,12 +36,13 @@ template <int D> double half_distance_error(double least, double most) {
 }
 
 // Half the least distance within which some point has all others.
-template <int D> double cone_radius(const double* coordinates, std::uint32_t n) {
+inline double cone_radius(int dim, const double* coordinates, std::uint32_t n) {
+    const std::size_t row = static_cast<std::size_t>(dim);
     double least = infinity;
     for (std::uint32_t i = 0; i < n; ++i) {
         double most = 0;
         for (std::uint32_t j = 0; j < n && most < least; ++j) {
-            const double half = half_distance<D>(coordinates + std::size_t{i} * D, coordinates + std::size_t{j} * D);
+            const double half = half_distance(dim, coordinates + i * row, coordinates + j * row);
             if (j != i && half > most) most = half;
         }
         if (most < least) least = most;

@@ -3,69 +3,76 @@
 #include <cstdint>
 
 #include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
 // All of conv Y lies on w.y <= height, |w| = 1 but for rounding: a point q is at least w.q - height away from it.
-template <int D> struct HalfSpace {
-    double w[D], height;
-    double distance(const double* q) const { return dot<D>(w, q) - height; }
+struct HalfSpace {
+    int dim;
+    double w[dimension_most()], height;
+    double distance(const double* q) const { return dot(dim, w, q) - height; }
 };
 
-// The point of conv Y nearest to q by Wolfe's algorithm: at most D + 1 of the points, affinely independent, carry it.
-template <int D> class NearestInHull {
+// The point of conv Y nearest to q by Wolfe's algorithm: at most dim + 1 of the points, affinely independent, carry it.
+class NearestInHull {
 public:
-    // y[count][D], count >= 1. *best: the half-space that bounds the distance of q best of all met on the way; w = 0
-    // where q seems to be inside. O(count D) a step, a few steps.
-    void run(const double* y, std::uint32_t count, const double* q, HalfSpace<D>* best) {
+    explicit NearestInHull(int d) : dim(d) {}
+
+    // y[count][dim], count >= 1. *best: the half-space that bounds the distance of q best of all met on the way; w = 0
+    // where q seems to be inside. O(count dim) a step, a few steps.
+    [[gnu::noinline]] void run(const double* y, std::uint32_t count, const double* q, HalfSpace* best) {
         start(y, count, q);
-        *best = HalfSpace<D>{};
+        *best = HalfSpace{};
+        best->dim = dim;
         double bound = 0;
-        for (int step = 0; step < 4 * D; ++step) {
-            const double length = square_root(dot<D>(x_, x_));
+        for (int step = 0; step < 4 * dim; ++step) {
+            const double length = square_root(dot(dim, x_, x_));
             if (!(length > 0)) return;
             std::uint32_t at = 0;
             double least = infinity;
             for (std::uint32_t i = 0; i < count; ++i) {
-                const double s = dot<D>(y + std::size_t{i} * D, x_);
+                const double s = dot(dim, y + i * static_cast<std::size_t>(dim), x_);
                 if (s < least) {
                     least = s;
                     at = i;
                 }
             }
-            const double distance = (least - dot<D>(q, x_)) / length;
+            const double distance = (least - dot(dim, q, x_)) / length;
             if (distance > bound) {
                 bound = distance;
-                for (int k = 0; k < D; ++k) best->w[k] = -x_[k] / length;
+                for (int k = 0; k < dim; ++k) best->w[k] = -x_[k] / length;
                 best->height = -least / length;
             }
-            if (bound >= length * (1 - 0x1p-10) || members_ > D) return;
-            for (int k = 0; k < D; ++k)
-                member_[members_][k] = y[std::size_t{at} * D + static_cast<std::size_t>(k)] - q[k];
+            if (bound >= length * (1 - 0x1p-10) || members_ > dim) return;
+            for (int k = 0; k < dim; ++k)
+                member_[members_][k] = y[at * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] - q[k];
             weight_[members_++] = 0;
             if (!descend()) return;
         }
     }
 
 private:
+    static constexpr int most = dimension_most();
     void start(const double* y, std::uint32_t count, const double* q) {
         double best2 = infinity;
         members_ = 1;
         weight_[0] = 1;
         for (std::uint32_t i = 0; i < count; ++i) {
-            double z[D];
-            for (int k = 0; k < D; ++k) z[k] = y[std::size_t{i} * D + static_cast<std::size_t>(k)] - q[k];
-            const double d2 = dot<D>(z, z);
+            double z[most];
+            for (int k = 0; k < dim; ++k)
+                z[k] = y[i * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] - q[k];
+            const double d2 = dot(dim, z, z);
             if (!(d2 < best2)) continue;
             best2 = d2;
-            for (int k = 0; k < D; ++k) member_[0][k] = x_[k] = z[k];
+            for (int k = 0; k < dim; ++k) member_[0][k] = x_[k] = z[k];
         }
     }
     // To the nearest point of the members' affine hull, leaving behind those that the way there passes. False: they are
     // not affinely independent.
     bool descend() {
-        for (int round = 0; round <= D; ++round) {
-            double mu[D + 1];
+        for (int round = 0; round <= dim; ++round) {
+            double mu[most + 1];
             if (!affine_weights(mu)) return false;
             int leaves = -1;
             double part = 1;
@@ -83,9 +90,9 @@ private:
             for (int i = 0; i < members_; ++i) weight_[i] += part * (mu[i] - weight_[i]);
             --members_;
             weight_[leaves] = weight_[members_];
-            for (int k = 0; k < D; ++k) member_[leaves][k] = member_[members_][k];
+            for (int k = 0; k < dim; ++k) member_[leaves][k] = member_[members_][k];
         }
-        for (int k = 0; k < D; ++k) {
+        for (int k = 0; k < dim; ++k) {
             x_[k] = 0;
             for (int i = 0; i < members_; ++i) x_[k] += weight_[i] * member_[i][k];
         }
@@ -94,10 +101,10 @@ private:
     // Weights of sum 1 that minimise |sum mu_i member_i|, by Gauss and Jordan with row pivots.
     bool affine_weights(double* mu) const {
         const int n = members_ + 1;
-        double a[D + 2][D + 3];
+        double a[most + 2][most + 3];
         for (int i = 0; i < n; ++i)
             for (int j = 0; j <= n; ++j)
-                a[i][j] = i < members_ && j < members_                  ? dot<D>(member_[i], member_[j])
+                a[i][j] = i < members_ && j < members_                  ? dot(dim, member_[i], member_[j])
                           : (i == members_) != (j == members_) && j < n ? 1
                           : i == members_ && j == n                     ? 1
                                                                         : 0;
@@ -121,9 +128,10 @@ private:
         return true;
     }
 
-    double member_[D + 1][D];  // from q
-    double weight_[D + 1];
-    double x_[D];
+    const int dim;
+    double member_[most + 1][most];  // from q
+    double weight_[most + 1];
+    double x_[most];
     int members_;
 };
 

@@ -13,10 +13,11 @@ constexpr std::uint32_t count_max = 0x7FFFFFFFu;
 
 // The simplices whose edges are at most 2 * limit long, dimension by dimension. Their values are half their longest
 // edge.
-template <int D> class Cliques {
+class Cliques {
 public:
-    Cliques(const double* coordinates, std::uint32_t n, double limit, const Work& work, ListedComplex* out)
-        : coordinates_(coordinates), n_(n), limit_(limit), arena_(work.arena), monitor_(work.monitor), out_(*out) {}
+    Cliques(int dim, const double* coordinates, std::uint32_t n, double limit, const Work& work, ListedComplex* out)
+        : dim_(static_cast<std::size_t>(dim)), coordinates_(coordinates), n_(n), limit_(limit), arena_(work.arena),
+          monitor_(work.monitor), out_(*out) {}
 
     Status list(std::uint32_t dimension) {
         out_ = {};
@@ -62,7 +63,7 @@ private:
         out_.value[k] = arena_.take_low<double>(out_.count[k]);
         return out_.rows[k] != nullptr && out_.value[k] != nullptr;
     }
-    const double* point(std::uint32_t i) const { return coordinates_ + std::size_t{i} * D; }
+    const double* point(std::uint32_t i) const { return coordinates_ + i * dim_; }
 
     // Calls f(vertices, last, value) for every k-simplex. False: cancelled.
     template <class F> bool extend(std::uint32_t k, F f) {
@@ -72,7 +73,7 @@ private:
             for (std::uint32_t last = row[k - 1] + 1; last < n_; ++last) {
                 double value = out_.value[k - 1][i];
                 for (std::uint32_t v = 0; v < k && value <= limit_; ++v) {
-                    const double half = half_distance<D>(point(row[v]), point(last));
+                    const double half = half_distance(static_cast<int>(dim_), point(row[v]), point(last));
                     if (half > value) value = half;
                 }
                 if (value <= limit_) f(row, last, value);
@@ -81,6 +82,7 @@ private:
         return true;
     }
 
+    const std::size_t dim_;
     const double* coordinates_;
     std::uint32_t n_;
     double limit_;
@@ -89,10 +91,9 @@ private:
     ListedComplex& out_;
 };
 
-template <int D>
-Status list_cliques(const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit, const Work& work,
-                    ListedComplex* out) {
-    Cliques<D> cliques(coordinates, n, limit, work, out);
+Status list_cliques(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit,
+                    const Work& work, ListedComplex* out) {
+    Cliques cliques(dim, coordinates, n, limit, work, out);
     const Status status = cliques.list(dimension);
     ComplexFault fault;
     return status != Status::ok ? status : link_faces(*out, false, work, &fault);
@@ -123,26 +124,30 @@ template <int D> KnownSphere circumsphere_of(const double* const* point, std::ui
     return circumsphere<2, D>(point);
 }
 
+KnownSphere circumsphere_of(int dim, const double* const* point, std::uint32_t k) {
+    return with_dimension(static_cast<std::uint32_t>(dim),
+                          [&](auto dimension) { return circumsphere_of<decltype(dimension)::value>(point, k); });
+}
+
 // Raises *error to that of the value. With exact signs the ball is the simplex's own sphere or that of a facet, which
 // is known to the error so far.
-template <int D>
-double enclosing_radius(const double* coordinates, const FilteredComplex& complex, const std::uint32_t* labels,
+double enclosing_radius(int dim, const double* coordinates, const FilteredComplex& complex, const std::uint32_t* labels,
                         std::uint32_t k, std::uint32_t simplex, double* error) {
     double value = 0;
     for (std::uint32_t i = 0; i <= k; ++i) {
         const double facet = complex.of[k - 1].value[complex.of[k].faces[std::size_t{simplex} * (k + 1) + i]];
         if (facet > value) value = facet;
     }
-    if (k > D) return value;  // no more than D + 1 points hold a ball
-    std::uint32_t vertices[D + 1];
-    const double* point[D + 1];
+    if (k > static_cast<std::uint32_t>(dim)) return value;  // no more than dim + 1 points hold a ball
+    std::uint32_t vertices[dimension_most() + 1];
+    const double* point[dimension_most() + 1];
     vertices_of(complex, labels, k, simplex, vertices);
-    for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates + std::size_t{vertices[i]} * D;
-    const KnownSphere known = circumsphere_of<D>(point, k);
+    for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates + vertices[i] * static_cast<std::size_t>(dim);
+    const KnownSphere known = circumsphere_of(dim, point, k);
     const bool own = known.sphere.within == 0 && known.sphere.radius > value;
     if (own) value = known.sphere.radius;
     double here = known.sphere.within == 0 ? known.error : 0;
-    if (known.error < 0) here = enclosing_error(point, static_cast<int>(k), D, value);
+    if (known.error < 0) here = enclosing_error(point, static_cast<int>(k), dim, value);
     if (here > *error) *error = here;
     return value;
 }
@@ -201,22 +206,19 @@ double binomial_of_real(double n, std::uint32_t k) {
 
 }  // namespace
 
-template <int D>
-Status rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
+Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out) {
-    return list_cliques<D>(coordinates, n, dimension, cone_radius<D>(coordinates, n), work, out);
+    return list_cliques(dim, coordinates, n, dimension, cone_radius(dim, coordinates, n), work, out);
 }
 
-template <int D>
-Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
+Status full_rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                          ListedComplex* out) {
-    return list_cliques<D>(coordinates, n, dimension, infinity, work, out);
+    return list_cliques(dim, coordinates, n, dimension, infinity, work, out);
 }
 
-template <int D>
-Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
+Status cech_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out, double* error) {
-    const Status status = full_rips_complex<D>(coordinates, n, dimension, work, out);
+    const Status status = full_rips_complex(dim, coordinates, n, dimension, work, out);
     if (status != Status::ok) return status;
     double least = infinity, most = 0;
     for (std::uint32_t i = 0; i < (out->dimension > 0 ? out->count[1] : 0);)
@@ -226,12 +228,12 @@ Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t di
             if (half < least) least = half;
             if (half > most) most = half;
         }
-    *error = half_distance_error<D>(least, most);
+    *error = half_distance_error(dim, least, most);
     const FilteredComplex complex = out->filtered();
     for (std::uint32_t k = 2; k <= out->dimension; ++k) {
         for (std::uint32_t i = 0; i < out->count[k]; ++i) {
             if (work.monitor.advance(i, 2 * k)) return Status::cancelled;
-            out->value[k][i] = enclosing_radius<D>(coordinates, complex, out->rows[0], k, i, error);
+            out->value[k][i] = enclosing_radius(dim, coordinates, complex, out->rows[0], k, i, error);
         }
     }
     return Status::ok;
@@ -318,12 +320,5 @@ double barycentric_pairs(std::uint64_t n, std::uint32_t k, std::uint32_t max_deg
         total += binomial_of_real(static_cast<double>(n), j) * binomial_of_real(j - 1, k - 1);
     return total;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);         \
-    template Status full_rips_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*);    \
-    template Status cech_complex<D>(const double*, std::uint32_t, std::uint32_t, const Work&, ListedComplex*, double*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -9,27 +9,24 @@
 namespace netmesh {
 
 // All values are radii: balls of that radius about the vertices meet pairwise (Rips: half the longest edge), or all in
-// one point (Cech: the radius of the smallest enclosing ball). coordinates: [n][D], distinct points. The complexes are
-// linked but not in order of value, and lie at the arena's low end. `dimension` <= ListedComplex::dimension_max and <
-// n; a complex of which a dimension would have 2^31 simplices or more is out_of_memory.
+// one point (Cech: the radius of the smallest enclosing ball). coordinates: [n][dim], distinct points. The complexes
+// are linked but not in order of value, and lie at the arena's low end. `dimension` <= ListedComplex::dimension_max and
+// < n; a complex of which a dimension would have 2^31 simplices or more is out_of_memory.
 
 // The skeleton up to `dimension` of the Vietoris-Rips complex, as far as the radius from which on one point is joined
 // to everything: the complex is a cone then and nothing is born any more. out_of_memory, cancelled.
-template <int D>
-Status rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
+Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out);
 
 // The same without an end: all simplices of up to dimension + 1 points.
-template <int D>
-Status full_rips_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
+Status full_rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                          ListedComplex* out);
 
 // All simplices of up to dimension + 1 points. The value of a simplex is the radius of its smallest circumsphere if
 // that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball, never decreasing from
 // a face to its cofaces. *error: how far values are at most from the true ones, relative to these; nearly always below
 // 2^-40, infinite where nothing is known.
-template <int D>
-Status cech_complex(const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
+Status cech_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out, double* error);
 
 // The barycentric decomposition of `complex` (linked) on its simplices of at least k vertices, up to simplices of

@@ -25,7 +25,7 @@ template <int D> Status rips_graph(const double* coordinates, std::uint32_t n, c
     *out = {};
     if (n > RipsGraph::vertices_max) return Status::invalid_argument;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    const double limit = cone_radius<D>(coordinates, n);
+    const double limit = cone_radius(D, coordinates, n);
     std::uint32_t count = 0;  // below 2^31, as n is
     if (!each_edge<D>(coordinates, n, limit, work.monitor, [&](std::uint32_t, std::uint32_t, double) { ++count; }))
         return Status::cancelled;

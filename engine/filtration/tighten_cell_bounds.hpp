@@ -15,7 +15,8 @@
 // A cell next to an input has lo = d_P / 2 and often no second input near its far end, so the worst ratio of a mesh
 // does not change; larger scales gain. Inputs' bounds are exact as they are.
 #pragma once
-#include "filtration/filter.hpp"
+#include "filtration/any_mesh.hpp"
+#include "mesh/input_tree.hpp"
 
 namespace netmesh {
 
@@ -23,6 +24,12 @@ namespace netmesh {
 // By whole cells, also where they are clipped: what holds there holds of a part. Absent vertices keep theirs. Marks of
 // cells are used. About 10-20 us a vertex in D = 4. Scratch: 4 bytes a vertex, 5 an input, 8 D a corner of the largest
 // cell. out_of_memory, cancelled.
-template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const Work& work, Interval* interval);
+Status tighten_cell_bounds(const AnyMesh& mesh, const TreeLayout& tree, const Work& work, Interval* interval);
+template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const Work& work, Interval* interval) {
+    const ArenaScope scope(work.arena);
+    InputTree<D> tree;
+    const Status status = tree.build(mesh.store, work.arena, mesh.inputs);
+    return status == Status::ok ? tighten_cell_bounds(AnyMesh(mesh), tree, work, interval) : status;
+}
 
 }  // namespace netmesh

@@ -87,9 +87,9 @@ Status list_sets(const PointSet& set, netmesh_filter filter, std::uint32_t dimen
     return with_dimension(set.dim, [&](auto d) {
         constexpr int D = decltype(d)::value;
         const double* const x = set.coordinates;
-        if (!has_edges(filter)) return cech_complex<D>(x, set.count, dimension, work, out, error);
-        return is_barycentric(filter) ? full_rips_complex<D>(x, set.count, dimension, work, out)
-                                      : rips_complex<D>(x, set.count, dimension, work, out);
+        if (!has_edges(filter)) return cech_complex(D, x, set.count, dimension, work, out, error);
+        return is_barycentric(filter) ? full_rips_complex(D, x, set.count, dimension, work, out)
+                                      : rips_complex(D, x, set.count, dimension, work, out);
     });
 }
 
@@ -103,7 +103,7 @@ void ValueRange::add(double birth, double death) {
 double edge_error(const ValueRange& range, double factor, std::uint32_t dim) {
     return with_dimension(dim, [&](auto d) {
         constexpr int D = decltype(d)::value;
-        const double error = half_distance_error<D>(range.least / factor, range.most / factor);
+        const double error = half_distance_error(D, range.least / factor, range.most / factor);
         return factor > 1 ? error + 1.01 * unit_roundoff : error;
     });
 }

@@ -56,9 +56,7 @@ template <int D> inline bool is_inside(const Store<D>& store, const Cage& cage, 
 }
 
 // In-radius of the cell of a cage (thesis 4.6): half of the way to the nearest vertex outside, measured from the shell.
-template <int D> inline double in_radius(const Cage& cage) {
-    return 0.5 * (square_root(cage.nearest2) + shell_least * cage.radius);
-}
+inline double in_radius(const Cage& cage) { return 0.5 * (square_root(cage.nearest2) + shell_least * cage.radius); }
 
 // The ball that the cells of a domain's vertices are clipped to.
 template <int D>

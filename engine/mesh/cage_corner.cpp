@@ -110,6 +110,24 @@ template <int D>
     if (pole.distance2 > *out2) *out2 = pole.distance2;
 }
 
+[[gnu::cold]] void raise_to_cage_cell(const AnyStore& store, const Cage& cage, const AnyDomain& ball,
+                                      const CellId* boundary, std::uint32_t count, double* out2) {
+    with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        raise_to_cage_cell<D>(store.of_dimension<D>(), cage, ball.of_dimension<D>(), boundary, count, out2);
+    });
+}
+
+[[gnu::cold]] double distance2_of_cage_pole(const AnyStore& store, const Cage& cage, const AnyDomain& ball,
+                                            double bound2) {
+    return with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Corner<D> pole;
+        find_cage_pole<D>(store.of_dimension<D>(), cage, ball.of_dimension<D>(), bound2, &pole);
+        return pole.distance2;
+    });
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template bool find_cage_corner<D>(Store<D>&, const Cage&, const Domain<D>&, Corner<D>*, bool*);                    \
     template void raise_to_cage_cell<D>(const Store<D>&, const Cage&, const Domain<D>&, const CellId*, std::uint32_t,  \

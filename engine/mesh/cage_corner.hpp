@@ -1,6 +1,7 @@
 // How far the cell of a cage reaches.
 #pragma once
 #include "delaunay/cell_list.hpp"
+#include "mesh/any_domain.hpp"
 #include "mesh/cage.hpp"
 #include "mesh/corner.hpp"
 
@@ -42,11 +43,15 @@ bool find_cage_corner(Store<D>& store, const Cage& cage, const Domain<D>& ball, 
 template <int D>
 void raise_to_cage_cell(const Store<D>& store, const Cage& cage, const Domain<D>& ball, const CellId* boundary,
                         std::uint32_t count, double* out2);
+void raise_to_cage_cell(const AnyStore& store, const Cage& cage, const AnyDomain& ball, const CellId* boundary,
+                        std::uint32_t count, double* out2);
 
 // Offers what of the clipped cell of a cage is neither a corner nor on an edge but farther from the cage's centre than
 // the root of bound2 (clipped_cell.hpp). O(cells), and vertices for each pole of a face of the cage's cell beyond
 // that.
 template <int D>
 void find_cage_pole(const Store<D>& store, const Cage& cage, const Domain<D>& ball, double bound2, Corner<D>* corner);
+// The squared distance of that from the cage's centre; negative when there is none.
+double distance2_of_cage_pole(const AnyStore& store, const Cage& cage, const AnyDomain& ball, double bound2);
 
 }  // namespace netmesh

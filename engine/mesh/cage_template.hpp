@@ -28,12 +28,15 @@ struct ThesisCage {
     static constexpr double slack = 1.125;
 };
 
-// Is v about as far from the cage's centre as its shell?
-template <int D> inline bool is_by_shell(const Store<D>& store, const Cage& cage, std::uint32_t v) {
+// Is v, at this squared distance from the cage's centre, about as far from it as its shell?
+inline bool is_by_shell(const Cage& cage, double distance2) {
     constexpr double off = ThesisCage::shell_factor * 2 * ThesisCage::gamma;
-    const double d2 = distance2<D>(store.point(v), store.point(cage.centre)) / (cage.radius * cage.radius);
+    const double d2 = distance2 / (cage.radius * cage.radius);
     constexpr double least = ThesisCage::shell_factor - off, most = ThesisCage::shell_factor + off;
     return d2 >= least * least && d2 <= most * most;
+}
+template <int D> inline bool is_by_shell(const Store<D>& store, const Cage& cage, std::uint32_t v) {
+    return is_by_shell(cage, distance2<D>(store.point(v), store.point(cage.centre)));
 }
 
 // Does input v, in the domain of cage d, stand in the place of a vertex of its shell, which has yielded to it?

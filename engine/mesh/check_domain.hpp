@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "delaunay/check.hpp"
-#include "mesh/domain.hpp"
+#include "mesh/any_domain.hpp"
 
 namespace netmesh {
 
@@ -21,8 +21,7 @@ struct NetPromise {
 // - Vertices of shells do not count: domains[v] is the cage that v is in, none outside of all; null: no cages.
 // `whole`: all vertices have to belong to cells. Vertex::cell need not be known. A compact store. O(cells), and the
 // square of the boundary net. Changes Vertex::queued and sets it back to 0.
-template <int D>
-CheckResult check_domain(const Store<D>& store, const Domain<D>& domain, const std::uint32_t* domains, bool whole,
+CheckResult check_domain(const AnyStore& store, const AnyDomain& domain, const std::uint32_t* domains, bool whole,
                          const NetPromise& net);
 
 }  // namespace netmesh

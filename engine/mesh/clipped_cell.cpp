@@ -225,6 +225,14 @@ template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, Ver
     return true;
 }
 
+[[gnu::cold]] bool raise_to_poles(const AnyStore& any, const AnyDomain& ball, VertexId v, double* out2) {
+    return with_dimension(static_cast<std::uint32_t>(any.dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store = any.of_dimension<D>();
+        return raise_to_poles<D>(store, ball.of_dimension<D>(), v, out2);
+    });
+}
+
 template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
     return ClippedMeasure<D>(store, ball, -1, out2).run();
 }

@@ -15,6 +15,7 @@
 #pragma once
 #include <cstdint>
 
+#include "mesh/any_domain.hpp"
 #include "mesh/corner.hpp"
 
 namespace netmesh {
@@ -237,6 +238,7 @@ void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, 
 // Raises *out2, the squared distance from v to the farthest corner of its clipped cell or crossing of an edge, to that
 // of its farthest pole. False when the gap is too small for v's star.
 template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, VertexId v, double* out2);
+bool raise_to_poles(const AnyStore& store, const AnyDomain& ball, VertexId v, double* out2);
 
 // out2[v] := squared distance to which v's clipped cell reaches; 0 for vertices that are exempt or not in the mesh,
 // +infinity where the whole cell is not bounded. Corners that are not known are left out: neighbours have the same

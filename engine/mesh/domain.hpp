@@ -20,43 +20,63 @@ template <int D> struct Domain {
 // input is near its sphere.
 constexpr double clip_factor = 1 + 0x1p-9;
 
+// Points of dim coordinates, the first at `first`, each stride_bytes behind the one before.
+struct PointRows {
+    int dim;
+    const unsigned char* first;
+    std::ptrdiff_t stride_bytes;
+    std::uint32_t count;
+
+    const double* operator[](std::uint32_t i) const {
+        return reinterpret_cast<const double*>(first + static_cast<std::ptrdiff_t>(i) * stride_bytes);
+    }
+};
+double enclosing_radius_of_inputs(const PointRows& points, const Arena& arena, double* centre);
+
 // Smallest enclosing ball of vertices 0..count-1: exact up to rounding where the search converges, never too small by
 // more than rounding, as the radius is the largest distance from the centre found, enlarged by 8 u. Fischer and
 // Gaertner's bases by exhaustion over at most D+2 points; O(n) a step, few steps. A single point gets a radius of its
 // own magnitude, at least 1. domain.radius is left 0.
-template <int D> void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain);
+template <int D> inline void smallest_enclosing_ball(const Store<D>& store, std::uint32_t count, Domain<D>& domain) {
+    const PointRows points = {D, store.coordinate_base(), Store<D>::vertex_stride, count};
+    domain.enclosing_radius = enclosing_radius_of_inputs(points, store.arena, domain.centre);
+    domain.radius = 0;
+}
 
-// The same for points[count][D], count >= 1: *radius is 0 for a single point.
+// The same for points[count][dim], count >= 1: *radius is 0 for a single point.
+void smallest_enclosing_ball(int dim, const double* points, std::uint32_t count, double* centre, double* radius);
 template <int D>
-void smallest_enclosing_ball(const double* points, std::uint32_t count, double* centre, double* radius);
+inline void smallest_enclosing_ball(const double* points, std::uint32_t count, double* centre, double* radius) {
+    smallest_enclosing_ball(D, points, count, centre, radius);
+}
 
-// The points (0, 1 or 2) in which the segment a-b crosses the domain's sphere, written to z. Measured from the nearer
+// The points (0, 1 or 2) in which the segment a-b crosses a sphere, written to z. Measured from the nearer
 // end, as the other one may be farther away than its digits reach.
-template <int D>
-inline int sphere_crossings(const Domain<D>& domain, const double* a, const double* b, double (&z)[2][D]) {
+[[gnu::always_inline]] inline int sphere_crossings(int dim, const double* centre, double radius, const double* a,
+                                                   const double* b, double* const (&z)[2]) {
     double a2 = 0, b2 = 0, between = 0;
-    for (int k = 0; k < D; ++k) {
-        const double e = a[k] - domain.centre[k], f = b[k] - domain.centre[k];
+    for (int k = 0; k < dim; ++k) {
+        const double e = a[k] - centre[k], f = b[k] - centre[k];
         a2 += e * e;
         b2 += f * f;
         between += e * f;
     }
     const double least2 = b2 < a2 ? b2 : a2;
     // Both ends outside and leading away from the nearer one, as surely as digits tell: the usual case outside.
-    if (least2 > domain.radius * domain.radius && between - least2 > 0x1p-30 * (a2 + b2)) return 0;
+    if (least2 > radius * radius && between - least2 > 0x1p-30 * (a2 + b2)) return 0;
     if (b2 < a2) {
         const double* const nearer = b;
         b = a;
         a = nearer;
     }
     double along = 0, length2 = 0, from2 = 0;
-    for (int k = 0; k < D; ++k) {
-        const double e = b[k] - a[k], f = a[k] - domain.centre[k];
+    for (int k = 0; k < dim; ++k) {
+        const double e = b[k] - a[k], f = a[k] - centre[k];
         along += e * f;
         length2 += e * e;
         from2 += f * f;
     }
-    const double rest = from2 - domain.radius * domain.radius;
+    const double rest = from2 - radius * radius;
     if ((rest > 0 && !(along < 0)) || !(length2 > 0)) return 0;  // outside and leading away, or no segment
     // Passes by, well apart: told without a root.
     const double level = rest * length2;
@@ -71,10 +91,15 @@ inline int sphere_crossings(const Domain<D>& domain, const double* a, const doub
     int found = 0;
     for (const double t : distances) {
         if (!(t > 0 && t < length)) continue;
-        for (int k = 0; k < D; ++k) z[found][k] = a[k] + t / length * (b[k] - a[k]);
+        for (int k = 0; k < dim; ++k) z[found][k] = a[k] + t / length * (b[k] - a[k]);
         ++found;
     }
     return found;
+}
+
+template <int D>
+inline int sphere_crossings(const Domain<D>& domain, const double* a, const double* b, double (&z)[2][D]) {
+    return sphere_crossings(D, domain.centre, domain.radius, a, b, {z[0], z[1]});
 }
 
 }  // namespace netmesh

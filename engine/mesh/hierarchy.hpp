@@ -13,24 +13,9 @@ struct NearestInDomain {
     std::uint32_t cage = none;  // the cage in Omega that has u for its centre, if one does
 };
 
-// Nothing but inputs remembers its domain: that of any other vertex is found from its nearest input, whose domains
-// from the innermost outwards contain it from some one on.
-template <int D> class Hierarchy {
+// The cages, and which domain each input is in, whatever the dimension is.
+class CageForest {
 public:
-    static constexpr std::size_t input_bytes = sizeof(Cage) + sizeof(std::uint32_t);  // what open places for each input
-
-    // For meshes of up to `inputs` inputs, at the arena's low end, the cages first. out_of_memory.
-    Status open(const Store<D>& store, Arena& arena, std::uint32_t inputs) {
-        [[maybe_unused]] const std::size_t low = arena.low_mark();
-        store_ = &store;
-        cages_ = arena.take_low<Cage>(inputs);
-        domain_ = arena.take_low<std::uint32_t>(inputs);
-        if (cages_ == nullptr || domain_ == nullptr) return Status::out_of_memory;
-        NETMESH_ASSERT(arena.low_mark() - low <= input_bytes * inputs + 2 * Arena::alignment);
-        for (std::uint32_t v = 0; v < inputs; ++v) domain_[v] = none;
-        return Status::ok;
-    }
-
     Cage& cage(std::uint32_t d) {
         NETMESH_ASSERT(d < made_);
         return cages_[d];
@@ -60,6 +45,56 @@ public:
         while (d != none && !is_live(d)) d = cages_[d].parent;
         return d;
     }
+    // That of an input, inserted or not, as far as it is known.
+    std::uint32_t of_input(std::uint32_t input) const { return present(domain_[input]); }
+    void set(std::uint32_t input, std::uint32_t d) { domain_[input] = d; }
+
+    // Moves the cages that are left to the front; parents are named by their new places. Their number.
+    std::uint32_t keep_live(const Arena& arena) {
+        std::uint32_t kept = 0, out = 0;
+        for (std::uint32_t d = 0; d < made_;)
+            for (const std::uint64_t piece = arena.piece(d, made_, 15); d < piece; ++d) {
+                if (!is_live(d)) continue;
+                parent(d);
+                cages_[d].next = kept++;
+            }
+        for (std::uint32_t d = 0; d < made_;)
+            for (const std::uint64_t piece = arena.piece(d, made_, 15); d < piece; ++d) {
+                if (is_live(d) && cages_[d].parent != none) cages_[d].parent = cages_[cages_[d].parent].next;
+            }
+        for (std::uint32_t d = 0; out < kept; ++d) {
+            arena.step(d, 20);
+            if (!is_live(d)) continue;
+            cages_[out] = cages_[d];
+            cages_[out++].next = none;
+        }
+        return kept;
+    }
+
+protected:
+    Cage* cages_;
+    std::uint32_t* domain_;  // of each input; of one not inserted yet the innermost known
+    std::uint32_t made_ = 0, live_ = 0;
+};
+
+// Nothing but inputs remembers its domain: that of any other vertex is found from its nearest input, whose domains
+// from the innermost outwards contain it from some one on.
+template <int D> class Hierarchy : public CageForest {
+public:
+    static constexpr std::size_t input_bytes = sizeof(Cage) + sizeof(std::uint32_t);  // what open places for each input
+
+    // For meshes of up to `inputs` inputs, at the arena's low end, the cages first. out_of_memory.
+    Status open(const Store<D>& store, Arena& arena, std::uint32_t inputs) {
+        [[maybe_unused]] const std::size_t low = arena.low_mark();
+        store_ = &store;
+        cages_ = arena.take_low<Cage>(inputs);
+        domain_ = arena.take_low<std::uint32_t>(inputs);
+        if (cages_ == nullptr || domain_ == nullptr) return Status::out_of_memory;
+        NETMESH_ASSERT(arena.low_mark() - low <= input_bytes * inputs + 2 * Arena::alignment);
+        for (std::uint32_t v = 0; v < inputs; ++v) domain_[v] = none;
+        return Status::ok;
+    }
+
     bool contains(std::uint32_t d, const double* x) const { return d == none || is_inside<D>(*store_, cages_[d], x); }
 
     // The domain of an inserted vertex.
@@ -80,37 +115,9 @@ public:
         if (near.cage == none) return near;
         return {VertexId(cages_[near.cage].centre), cages_[near.cage].nearest2, near.cage};
     }
-    // That of an input, inserted or not, as far as it is known.
-    std::uint32_t of_input(std::uint32_t input) const { return present(domain_[input]); }
-    void set(std::uint32_t input, std::uint32_t d) { domain_[input] = d; }
-
-    // Moves the cages that are left to the front; parents are named by their new places. Their number.
-    std::uint32_t keep_live() {
-        std::uint32_t kept = 0, out = 0;
-        for (std::uint32_t d = 0; d < made_;)
-            for (const std::uint64_t piece = store_->arena.piece(d, made_, 15); d < piece; ++d) {
-                if (!is_live(d)) continue;
-                parent(d);
-                cages_[d].next = kept++;
-            }
-        for (std::uint32_t d = 0; d < made_;)
-            for (const std::uint64_t piece = store_->arena.piece(d, made_, 15); d < piece; ++d) {
-                if (is_live(d) && cages_[d].parent != none) cages_[d].parent = cages_[cages_[d].parent].next;
-            }
-        for (std::uint32_t d = 0; out < kept; ++d) {
-            store_->arena.step(d, 20);
-            if (!is_live(d)) continue;
-            cages_[out] = cages_[d];
-            cages_[out++].next = none;
-        }
-        return kept;
-    }
 
 private:
     const Store<D>* store_;
-    Cage* cages_;
-    std::uint32_t* domain_;  // of each input; of one not inserted yet the innermost known
-    std::uint32_t made_ = 0, live_ = 0;
 };
 
 }  // namespace netmesh

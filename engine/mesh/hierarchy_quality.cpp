@@ -1,11 +1,10 @@
 #include "mesh/hierarchy_quality.hpp"
 
 #include "delaunay/sphere.hpp"
+#include "mesh/any_cage.hpp"
 #include "mesh/cage_corner.hpp"
-#include "mesh/cage_template.hpp"
 #include "mesh/clipped_cell.hpp"
 #include "numerics/sort.hpp"
-#include "vocabulary/dimension.hpp"
 #include "vocabulary/validate.hpp"
 
 namespace netmesh {
@@ -19,23 +18,33 @@ struct LargerCage {
 };
 
 // A corner within a ball, or the points in which its edges leave that ball.
-template <int D> struct Clipped {
+struct Clipped {
     int count = 0;
-    int facet[2 * (D + 1)];  // that the edge of a point crosses; -1: the corner itself
-    double x[2 * (D + 1)][D];
+    int facet[2 * (dimension_max + 1)];  // that the edge of a point crosses; -1: the corner itself
+    double x[2 * (dimension_max + 1)][dimension_max];
 
-    void add(const double* point, int across) {
+    void add(int dim, const double* point, int across) {
         facet[count] = across;
-        for (int k = 0; k < D; ++k) x[count][k] = point[k];
-        ++count;
+        copy(dim, point, x[count++]);
     }
 };
 
-template <int D> class Measurement {
+// The corner of the cell of these vertices. False when it is too flat for doubles to know it.
+bool solve_corner(int dim, const double* const* p, double* centre) {
+    return with_dimension(static_cast<std::uint32_t>(dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Cell<D> scratch;
+        solve_sphere<D>(p, corner_error_max, scratch);
+        copy<D>(scratch.centre, centre);
+        return scratch.radius2 < infinity;
+    });
+}
+
+class Measurement {
 public:
-    Measurement(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena)
-        : store_(store), cages_(request.cages), count_(request.count), outermost_(request.outermost), arena_(arena),
-          kind_(request.kind) {}
+    Measurement(const AnyStore& store, const HierarchyRequest& request, Arena& arena)
+        : dim(store.dim), store_(store), cages_(request.cages), count_(request.count), outermost_(request.outermost),
+          arena_(arena), kind_(request.kind) {}
 
     Status open();
     CheckResult find_domains();
@@ -44,7 +53,7 @@ public:
     void measure_cells();
     Status measure_poles();
     void worst(HierarchyQuality* quality) const;
-    void copy(const HierarchyRequest<D>& request) const;
+    void report(const HierarchyRequest& request) const;
 
 private:
     template <class Visit> void visit_ball(std::uint32_t centre, double radius, Visit&& visit);
@@ -54,35 +63,36 @@ private:
         const FacetId facet = store_.cell(c).neighbour[i];
         return facet == none || store_.is_ghost(facet.cell()) ? none : facet.cell();
     }
-    bool corner(std::uint32_t c, Cell<D>* scratch) const;
+    bool corner(std::uint32_t c, double* centre) const;
     bool counts(std::uint32_t v) const {
         return store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt && !has_yielded(v);
     }
     // Cells are not clipped then.
-    bool is_thesis() const { return D <= thesis_dim_max && kind_ == CageKind::thesis; }
+    bool is_thesis() const { return dim <= thesis_dim_max && kind_ == CageKind::thesis; }
     // Is v an input in the place of a shell vertex? With cages of the thesis alone.
-    bool has_yielded(std::uint32_t v) const { return is_thesis() && has_yielded_to<D>(store_, cages_, domain_[v], v); }
+    bool has_yielded(std::uint32_t v) const { return is_thesis() && has_yielded_to(store_, cages_, domain_[v], v); }
     bool is_outermost(std::uint32_t d) const { return is_thesis() && cages_[d].parent == none; }
     // The ball that cells of a domain are clipped to.
-    Domain<D> ball_of(std::uint32_t domain) const {
-        Domain<D> ball = domain_ball<D>(store_, cages_, is_thesis() ? none : domain, outermost_);
+    AnyDomain ball_of(std::uint32_t domain) const {
+        AnyDomain ball = domain_ball(store_, cages_, is_thesis() ? none : domain, outermost_);
         if (is_thesis()) ball.radius = infinity;
         return ball;
     }
     double in_radius_of(const Cage& cage) const {
-        return is_thesis() ? 0.5 * square_root(cage.nearest2) : in_radius<D>(cage);
+        return is_thesis() ? 0.5 * square_root(cage.nearest2) : in_radius(cage);
     }
     CheckResult find_thesis_shells();
     bool is_template_covered(std::uint32_t d);
     double ratio(std::uint32_t v) const { return counts(v) ? 2 * square_root(out2_[v] / nearest2_[v]) : 0; }
-    void raise_vertices(std::uint32_t c, const Cell<D>& corner);
-    void raise_cages(std::uint32_t c, const Cell<D>& corner);
-    void clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& corner, Clipped<D>* points) const;
+    void raise_vertices(std::uint32_t c, const double* corner);
+    void raise_cages(std::uint32_t c, const double* corner);
+    void clip(const AnyDomain& ball, std::uint32_t c, const double* corner, Clipped* points) const;
 
-    Store<D>& store_;
+    const int dim;
+    const AnyStore& store_;
     Cage* cages_;
     std::uint32_t count_;
-    const Domain<D>& outermost_;
+    const AnyDomain& outermost_;
     Arena& arena_;
     const CageKind kind_;
     std::uint32_t *order_, *domain_, *list_, *mark_;
@@ -91,18 +101,18 @@ private:
     bool *leaves_ball_, *cage_leaves_ball_;  // has the cell a corner outside of its ball, or one that is not known?
 };
 
-template <int D> [[gnu::cold]] Status Measurement<D>::open() {
+[[gnu::cold]] Status Measurement::open() {
     [[maybe_unused]] const std::size_t low = arena_.low_mark();
     const std::uint32_t vertices = store_.state.vertex_count, cells = store_.state.cell_slots;
-    order_ = arena_.template take_low<std::uint32_t>(count_);
-    cage_out2_ = arena_.template take_low<double>(count_);
-    cage_leaves_ball_ = arena_.template take_low<bool>(count_);
-    domain_ = arena_.template take_low<std::uint32_t>(vertices);
-    nearest2_ = arena_.template take_low<double>(vertices);
-    out2_ = arena_.template take_low<double>(vertices);
-    leaves_ball_ = arena_.template take_low<bool>(vertices);
-    list_ = arena_.template take_low<std::uint32_t>(cells);
-    mark_ = arena_.template take_low<std::uint32_t>(cells);
+    order_ = arena_.take_low<std::uint32_t>(count_);
+    cage_out2_ = arena_.take_low<double>(count_);
+    cage_leaves_ball_ = arena_.take_low<bool>(count_);
+    domain_ = arena_.take_low<std::uint32_t>(vertices);
+    nearest2_ = arena_.take_low<double>(vertices);
+    out2_ = arena_.take_low<double>(vertices);
+    leaves_ball_ = arena_.take_low<bool>(vertices);
+    list_ = arena_.take_low<std::uint32_t>(cells);
+    mark_ = arena_.take_low<std::uint32_t>(cells);
     if (order_ == nullptr || cage_out2_ == nullptr || cage_leaves_ball_ == nullptr || domain_ == nullptr ||
         nearest2_ == nullptr || out2_ == nullptr || leaves_ball_ == nullptr || list_ == nullptr || mark_ == nullptr)
         return Status::out_of_memory;
@@ -118,25 +128,23 @@ template <int D> [[gnu::cold]] Status Measurement<D>::open() {
 
 // Calls visit(vertex, squared distance) for each vertex within the ball, perhaps several times: any vertex has a
 // Delaunay neighbour nearer to the centre, so the cells at vertices of a ball are connected.
-template <int D>
-template <class Visit>
-void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& visit) {
+template <class Visit> void Measurement::visit_ball(std::uint32_t centre, double radius, Visit&& visit) {
     const double* const x = store_.point(centre);
     ++stamp_;
     std::uint32_t count = 0;
     list_[count++] = store_.vertex(centre).cell;
     mark_[list_[0]] = stamp_;
     for (std::uint32_t k = 0; k < count;)
-        for (const std::uint64_t piece = store_.arena.piece(k, count, 50 * D); k < piece; ++k) {
-            const Cell<D>& cell = store_.cell(list_[k]);
+        for (const std::uint64_t piece = store_.arena.piece(k, count, 50 * dim); k < piece; ++k) {
+            const AnyCell cell = store_.cell(list_[k]);
             unsigned inside = 0;
-            for (int i = 0; i <= D; ++i) {
-                const double d2 = distance2<D>(store_.point(cell.vertex[i]), x);
+            for (int i = 0; i <= dim; ++i) {
+                const double d2 = distance2(dim, store_.point(cell.vertex[i]), x);
                 if (!(d2 < radius * radius)) continue;
                 inside |= 1u << i;
                 visit(cell.vertex[i], d2);
             }
-            for (int i = 0; i <= D; ++i) {
+            for (int i = 0; i <= dim; ++i) {
                 // The neighbour has all vertices of the cell but the i-th.
                 const std::uint32_t n = (inside & ~(1u << i)) == 0 ? none : neighbour(list_[k], i);
                 if (n == none || mark_[n] == stamp_) continue;
@@ -147,7 +155,7 @@ void Measurement<D>::visit_ball(std::uint32_t centre, double radius, Visit&& vis
 }
 
 // From the largest cage to the smallest: each takes its vertices from the one around it.
-template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
+[[gnu::cold]] CheckResult Measurement::find_domains() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
         for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
             domain_[v] = none;
@@ -170,7 +178,8 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
             cage.parent = domain_[cage.centre];
             if (cage.parent != none) {
                 const Cage& around = cages_[cage.parent];
-                const double offset = square_root(distance2<D>(store_.point(cage.centre), store_.point(around.centre)));
+                const double offset =
+                    square_root(distance2(dim, store_.point(cage.centre), store_.point(around.centre)));
                 if (!(offset + cage.radius <= around.radius))
                     return {"a cage sticks out of the one around it", cage.centre};
             }
@@ -180,9 +189,8 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_domains() {
 }
 
 // Exempt vertices of a cage's domain are its shell: near its sphere, and as many as a cross-polytope has.
-template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
-    if constexpr (D <= thesis_dim_max)
-        if (is_thesis()) return find_thesis_shells();
+[[gnu::cold]] CheckResult Measurement::find_shells() {
+    if (is_thesis()) return find_thesis_shells();
     CheckResult result = {nullptr, none};
     for (std::uint32_t d = 0; d < count_;)
         for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
@@ -193,14 +201,15 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
             if (domain_[v] == none || store_.vertex(v).marker != Marker::exempt) continue;
             Cage& cage = cages_[domain_[v]];
             const double least = shell_least * cage.radius;
-            if (distance2<D>(store_.point(v), store_.point(cage.centre)) >= least * least)
+            if (distance2(dim, store_.point(v), store_.point(cage.centre)) >= least * least)
                 ++cage.next;
             else
                 result = {"an exempt vertex within a cage is not of its shell", v};
         }
     for (std::uint32_t d = 0; d < count_;)
         for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
-            if (cages_[d].next != shell_size<D>) result = {"a cage lacks its shell", cages_[d].centre};
+            if (cages_[d].next != 2 * static_cast<std::uint32_t>(dim))
+                result = {"a cage lacks its shell", cages_[d].centre};
             cages_[d].next = none;
         }
     return result;
@@ -208,14 +217,14 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_shells() {
 
 // Has each point of the template a vertex of the shell near it? Points of a template are farther apart than twice what
 // a vertex may be off, so it has one and no other where there are as many as points.
-template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uint32_t d) {
+[[gnu::cold]] bool Measurement::is_template_covered(std::uint32_t d) {
     const Cage& cage = cages_[d];
-    const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
+    const std::uint32_t size = template_size(dim, is_outermost(d));
     const double radius = ThesisCage::shell_factor * cage.radius;
     double off = ThesisCage::gamma * radius * (1 + 0x1p-30);
     // Places are a few roundings of the coordinates off.
-    for (int i = 0; i < D; ++i) off += 0x1p-51 * (absolute(store_.point(cage.centre)[i]) + cage.radius);
-    std::uint64_t seen[(RootTemplate<D>::size + 63) / 64] = {};
+    for (int i = 0; i < dim; ++i) off += 0x1p-51 * (absolute(store_.point(cage.centre)[i]) + cage.radius);
+    std::uint64_t seen[(RootTemplate<4>::size + 63) / 64] = {};
     visit_ball(cage.centre, cage.radius, [&](std::uint32_t v, double d2) {
         // A vertex is visited in each of its cells. The marks have no other use before measuring, which clears them.
         bool& looked_at = leaves_ball_[v];
@@ -224,10 +233,10 @@ template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uin
         if (store_.vertex(v).marker != Marker::exempt && !has_yielded(v)) return;
         store_.arena.pass(size / 4);
         for (std::uint32_t k = 0; k < size; ++k) {
-            double place[D];
-            is_outermost(d) ? RootTemplate<D>::point(k, place) : CageTemplate<D>::point(k, place);
-            for (int i = 0; i < D; ++i) place[i] = store_.point(cage.centre)[i] + radius * place[i];
-            if (distance2<D>(place, store_.point(v)) <= off * off) seen[k / 64] |= std::uint64_t{1} << k % 64;
+            double place[dimension_max];
+            template_point(dim, is_outermost(d), k, place);
+            for (int i = 0; i < dim; ++i) place[i] = store_.point(cage.centre)[i] + radius * place[i];
+            if (distance2(dim, place, store_.point(v)) <= off * off) seen[k / 64] |= std::uint64_t{1} << k % 64;
         }
     });
     std::uint32_t covered = 0;
@@ -237,16 +246,16 @@ template <int D> [[gnu::cold]] bool Measurement<D>::is_template_covered(std::uin
 
 // As many vertices near the sphere as the template has points, of which inputs may be some, and one at each; the other
 // exempt vertices are on the hull.
-template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() {
+[[gnu::cold]] CheckResult Measurement::find_thesis_shells() {
     for (std::uint32_t d = 0; d < count_;)
         for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
             cages_[d].next = 0;
         }
     const std::uint32_t cells = store_.state.cell_slots;
     for (std::uint32_t c = 0; c < cells;)
-        for (const std::uint64_t piece = store_.arena.piece(c, cells, 10 * D); c < piece; ++c) {
-            for (int i = 0; i <= D && is_finite(c); ++i)
-                for (int k = 0; k <= D && neighbour(c, i) == none; ++k)
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 10 * dim); c < piece; ++c) {
+            for (int i = 0; i <= dim && is_finite(c); ++i)
+                for (int k = 0; k <= dim && neighbour(c, i) == none; ++k)
                     if (k != i) out2_[store_.cell(c).vertex[k]] = infinity;
         }
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
@@ -259,7 +268,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
                 continue;
             }
             Cage& cage = cages_[domain_[v]];
-            if (exempt && !is_by_shell<D>(store_, cage, v))
+            if (exempt && !is_by_shell(store_, cage, v))
                 return {"an exempt vertex within a cage is not of its shell", v};
             if (exempt || has_yielded(v)) ++cage.next;
         }
@@ -268,7 +277,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
     for (std::uint32_t d = 0; d < count_;)
         for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
             if (is_outermost(d) && ++outermost > 1) return {"there are two outermost cages", cages_[d].centre};
-            const std::uint32_t size = is_outermost(d) ? RootTemplate<D>::size : CageTemplate<D>::size;
+            const std::uint32_t size = template_size(dim, is_outermost(d));
             if (cages_[d].next != size)
                 result = {"a cage lacks its shell", cages_[d].centre};
             else if (!is_template_covered(d))
@@ -278,7 +287,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_thesis_shells() 
     return result;
 }
 
-template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_encroached() {
+[[gnu::cold]] CheckResult Measurement::find_encroached() {
     for (std::uint32_t d = 0; d < count_;)
         for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
             Cage& cage = cages_[d];
@@ -293,7 +302,7 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_encroached() {
                            else if (d2 > r2)
                                outer |= is_thesis() || marker == Marker::input || domain_[v] == none ||
                                         (marker == Marker::steiner &&
-                                         is_inside<D>(store_, cages_[domain_[v]], store_.point(cage.centre)));
+                                         is_inside(store_, cages_[domain_[v]], store_.point(cage.centre)));
                        });
             if (inner) return {"an input encroaches on a cage from inside", cage.centre};
             if (outer) return {"a vertex encroaches on a cage from outside", cage.centre};
@@ -301,80 +310,78 @@ template <int D> [[gnu::cold]] CheckResult Measurement<D>::find_encroached() {
     return {nullptr, none};
 }
 
-// The corner of cell c, in centre and radius2; false when the cell is too flat for doubles to know it.
-template <int D> [[gnu::noinline]] bool Measurement<D>::corner(std::uint32_t c, Cell<D>* scratch) const {
-    const double* p[D + 1];
-    for (int i = 0; i <= D; ++i) p[i] = store_.point(store_.cell(c).vertex[i]);
-    solve_sphere<D>(p, corner_error_max, *scratch);
-    return scratch->radius2 < infinity;
+// The corner of cell c; false when the cell is too flat for doubles to know it.
+[[gnu::noinline]] bool Measurement::corner(std::uint32_t c, double* centre) const {
+    const double* p[dimension_max + 1];
+    for (int i = 0; i <= dim; ++i) p[i] = store_.point(store_.cell(c).vertex[i]);
+    return solve_corner(dim, p, centre);
 }
 
 // The corner of cell c, when the ball contains it, or the crossings of its edges.
-template <int D>
-[[gnu::noinline]] void Measurement<D>::clip(const Domain<D>& ball, std::uint32_t c, const Cell<D>& here,
-                                            Clipped<D>* points) const {
+[[gnu::noinline]] void Measurement::clip(const AnyDomain& ball, std::uint32_t c, const double* here,
+                                         Clipped* points) const {
     points->count = 0;
-    if (ball.contains(here.centre)) return points->add(here.centre, -1);
-    for (int i = 0; i <= D; ++i) {
+    if (ball.contains(here)) return points->add(dim, here, -1);
+    for (int i = 0; i <= dim; ++i) {
         const std::uint32_t n = neighbour(c, i);
-        Cell<D> there;
-        if (n == none || !corner(n, &there)) continue;
-        double z[2][D];
-        const int crossings = sphere_crossings<D>(ball, here.centre, there.centre, z);
-        for (int j = 0; j < crossings; ++j) points->add(z[j], i);
+        double there[dimension_max];
+        if (n == none || !corner(n, there)) continue;
+        double z[2][dimension_max];
+        const int crossings = sphere_crossings(ball, here, there, z);
+        for (int j = 0; j < crossings; ++j) points->add(dim, z[j], i);
     }
 }
 
-template <int D> void Measurement<D>::raise_vertices(std::uint32_t c, const Cell<D>& here) {
-    const Cell<D>& cell = store_.cell(c);
-    unsigned left = (2u << D) - 1;
-    for (int first = 0; first <= D; ++first) {
+void Measurement::raise_vertices(std::uint32_t c, const double* here) {
+    const AnyCell cell = store_.cell(c);
+    unsigned left = (2u << dim) - 1;
+    for (int first = 0; first <= dim; ++first) {
         if ((left >> first & 1u) == 0) continue;
         const std::uint32_t d = domain_[cell.vertex[first]];
         unsigned equal = 0;
-        for (int i = first; i <= D; ++i)
+        for (int i = first; i <= dim; ++i)
             if (domain_[cell.vertex[i]] == d) equal |= 1u << i;
         left &= ~equal;
-        Clipped<D> points;
-        const Domain<D> ball = ball_of(d);
-        for (int i = first; i <= D && !ball.contains(here.centre); ++i)
+        Clipped points;
+        const AnyDomain ball = ball_of(d);
+        for (int i = first; i <= dim && !ball.contains(here); ++i)
             if (equal >> i & 1u) leaves_ball_[cell.vertex[i]] = true;
         clip(ball, c, here, &points);
         for (int k = 0; k < points.count; ++k)
-            for (int i = 0; i <= D; ++i) {
+            for (int i = 0; i <= dim; ++i) {
                 if (i == points.facet[k] || (equal >> i & 1u) == 0) continue;
-                const double d2 = distance2<D>(points.x[k], store_.point(cell.vertex[i]));
+                const double d2 = distance2(dim, points.x[k], store_.point(cell.vertex[i]));
                 if (d2 > out2_[cell.vertex[i]]) out2_[cell.vertex[i]] = d2;
             }
     }
 }
 
 // The corner belongs to each cage that has some of the cell's vertices but not all.
-template <int D> [[gnu::cold]] void Measurement<D>::raise_cages(std::uint32_t c, const Cell<D>& here) {
-    const Cell<D>& cell = store_.cell(c);
-    for (int i = 0; i <= D; ++i)
-        for (std::uint32_t d = domain_[cell.vertex[i]]; d != none && is_on_boundary<D>(store_, cages_[d], c);
+[[gnu::cold]] void Measurement::raise_cages(std::uint32_t c, const double* here) {
+    const AnyCell cell = store_.cell(c);
+    for (int i = 0; i <= dim; ++i)
+        for (std::uint32_t d = domain_[cell.vertex[i]]; d != none && is_on_boundary(store_, cages_[d], c);
              d = cages_[d].parent) {
             const double* const centre = store_.point(cages_[d].centre);
             for (const std::uint32_t v : cell.vertex)
-                if (!is_inside<D>(store_, cages_[d], store_.point(v))) {
-                    const double d2 = distance2<D>(store_.point(v), centre);
+                if (!is_inside(store_, cages_[d], store_.point(v))) {
+                    const double d2 = distance2(dim, store_.point(v), centre);
                     if (d2 < cages_[d].nearest2) cages_[d].nearest2 = d2;
                 }
-            Clipped<D> points;
-            const Domain<D> ball = ball_of(cages_[d].parent);
-            if (!ball.contains(here.centre)) cage_leaves_ball_[d] = true;
+            Clipped points;
+            const AnyDomain ball = ball_of(cages_[d].parent);
+            if (!ball.contains(here)) cage_leaves_ball_[d] = true;
             clip(ball, c, here, &points);
             for (int k = 0; k < points.count; ++k) {
                 const int facet = points.facet[k];
-                if (facet >= 0 && !is_mixed<D>(store_, cages_[d], c, facet)) continue;
-                const double d2 = distance2<D>(points.x[k], centre);
+                if (facet >= 0 && !is_mixed(store_, cages_[d], c, facet)) continue;
+                const double d2 = distance2(dim, points.x[k], centre);
                 if (d2 > cage_out2_[d]) cage_out2_[d] = d2;
             }
         }
 }
 
-template <int D> void Measurement<D>::measure_cells() {
+void Measurement::measure_cells() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
         for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
             nearest2_[v] = infinity;
@@ -388,23 +395,24 @@ template <int D> void Measurement<D>::measure_cells() {
             cage_leaves_ball_[d] = false;
         }
     for (std::uint32_t c = 0; c < store_.state.cell_slots;)
-        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 200 * D * D); c < piece; ++c) {
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 200 * dim * dim); c < piece;
+             ++c) {
             if (!is_finite(c)) continue;
-            const Cell<D>& cell = store_.cell(c);
+            const AnyCell cell = store_.cell(c);
             bool equal = true;
-            for (int i = 0; i <= D; ++i) {
+            for (int i = 0; i <= dim; ++i) {
                 equal &= domain_[cell.vertex[i]] == domain_[cell.vertex[0]];
                 for (int j = 0; j < i; ++j) {
-                    const double d2 = distance2<D>(store_.point(cell.vertex[i]), store_.point(cell.vertex[j]));
+                    const double d2 = distance2(dim, store_.point(cell.vertex[i]), store_.point(cell.vertex[j]));
                     if (d2 < nearest2_[cell.vertex[i]]) nearest2_[cell.vertex[i]] = d2;
                     if (d2 < nearest2_[cell.vertex[j]]) nearest2_[cell.vertex[j]] = d2;
                 }
             }
-            for (int i = 0; i <= D; ++i)
-                for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+            for (int i = 0; i <= dim; ++i)
+                for (int k = 0; k <= dim && cell.neighbour[i] == none; ++k)
                     if (k != i) out2_[cell.vertex[k]] = infinity;
-            Cell<D> here;
-            if (!corner(c, &here)) {
+            double here[dimension_max];
+            if (!corner(c, here)) {
                 for (const VertexId v : cell.vertex) {
                     leaves_ball_[v] = true;
                     for (std::uint32_t d = domain_[v]; d != none; d = cages_[d].parent) cage_leaves_ball_[d] = true;
@@ -417,25 +425,25 @@ template <int D> void Measurement<D>::measure_cells() {
 }
 
 // What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
-template <int D> [[gnu::cold]] Status Measurement<D>::measure_poles() {
+[[gnu::cold]] Status Measurement::measure_poles() {
     if (is_thesis()) return Status::ok;
     for (VertexId v(0); v < store_.state.vertex_count;)
         for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 20); v < piece; ++v) {
             if (!leaves_ball_[v] || !(out2_[v] < infinity) || !counts(v)) continue;
-            const Domain<D> ball = domain_ball<D>(store_, cages_, domain_[v], outermost_);
-            if (!raise_to_poles<D>(store_, ball, v, &out2_[v])) return Status::out_of_memory;
+            const AnyDomain ball = domain_ball(store_, cages_, domain_[v], outermost_);
+            if (!raise_to_poles(store_, ball, v, &out2_[v])) return Status::out_of_memory;
         }
     for (std::uint32_t d = 0; d < count_;)
         for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
-            const Domain<D> ball = domain_ball<D>(store_, cages_, cages_[d].parent, outermost_);
-            Corner<D> pole;
-            if (cage_leaves_ball_[d]) find_cage_pole<D>(store_, cages_[d], ball, cage_out2_[d] * (1 + 0x1p-40), &pole);
-            if (pole.distance2 > cage_out2_[d]) cage_out2_[d] = pole.distance2;
+            const AnyDomain ball = domain_ball(store_, cages_, cages_[d].parent, outermost_);
+            if (!cage_leaves_ball_[d]) continue;
+            const double pole2 = distance2_of_cage_pole(store_, cages_[d], ball, cage_out2_[d] * (1 + 0x1p-40));
+            if (pole2 > cage_out2_[d]) cage_out2_[d] = pole2;
         }
     return Status::ok;
 }
 
-template <int D> [[gnu::cold]] void Measurement<D>::worst(HierarchyQuality* quality) const {
+[[gnu::cold]] void Measurement::worst(HierarchyQuality* quality) const {
     quality->worst = 0;
     quality->vertex = none;
     const auto offer = [&](double ratio, std::uint32_t v) {
@@ -453,12 +461,14 @@ template <int D> [[gnu::cold]] void Measurement<D>::worst(HierarchyQuality* qual
         }
 }
 
-template <int D> [[gnu::cold]] void Measurement<D>::copy(const HierarchyRequest<D>& request) const {
+[[gnu::cold]] void Measurement::report(const HierarchyRequest& request) const {
     for (std::uint32_t v = 0; v < store_.state.vertex_count && request.ratios != nullptr; ++v) {
+        store_.arena.step(v, 10);
         request.ratios[v] = ratio(v);
         request.domains[v] = domain_[v];
     }
     for (std::uint32_t d = 0; d < count_ && request.cage_radii != nullptr; ++d) {
+        store_.arena.step(d, 40);
         request.cage_radii[2 * d] = in_radius_of(cages_[d]);
         request.cage_radii[2 * d + 1] = square_root(cage_out2_[d]);
     }
@@ -466,11 +476,11 @@ template <int D> [[gnu::cold]] void Measurement<D>::copy(const HierarchyRequest<
 
 }  // namespace
 
-template <int D>
-Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena, HierarchyQuality* quality) {
+Status measure_hierarchy(const AnyStore& store, const HierarchyRequest& request, Arena& arena,
+                         HierarchyQuality* quality) {
     ArenaScope scope(arena);
     *quality = {0, none, false, {nullptr, none}};
-    Measurement<D> measurement(store, request, arena);
+    Measurement measurement(store, request, arena);
     if (measurement.open() != Status::ok) return Status::out_of_memory;
     quality->encroached = measurement.find_domains();
     if (quality->encroached.violation != nullptr) return Status::ok;
@@ -480,13 +490,8 @@ Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Ar
     measurement.measure_cells();
     if (measurement.measure_poles() != Status::ok) return Status::out_of_memory;
     measurement.worst(quality);
-    measurement.copy(request);
+    measurement.report(request);
     return Status::ok;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status measure_hierarchy<D>(Store<D>&, const HierarchyRequest<D>&, Arena&, HierarchyQuality*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

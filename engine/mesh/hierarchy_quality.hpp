@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "delaunay/check.hpp"
+#include "mesh/any_domain.hpp"
 #include "mesh/cage.hpp"
 
 namespace netmesh {
@@ -21,10 +22,10 @@ struct HierarchyScratch {
     static constexpr std::size_t cage_bytes = sizeof(double) + sizeof(std::uint32_t) + sizeof(bool);
 };
 
-template <int D> struct HierarchyRequest {
+struct HierarchyRequest {
     Cage* cages;
     std::uint32_t count;
-    Domain<D> outermost;
+    AnyDomain outermost;
     double* ratios = nullptr;  // [vertex_count], with domains or neither
     std::uint32_t* domains = nullptr;
     double* cage_radii = nullptr;  // [2 * count], with ratios or not
@@ -42,7 +43,7 @@ template <int D> struct HierarchyRequest {
 // domains[v] := its innermost cage or none; cage_radii: in-radius and out-radius of each cage's cell. The store may be
 // in use: ghosts and free slots are passed over. O(depth of the hierarchy * cells); scratch: HierarchyScratch.
 // out_of_memory.
-template <int D>
-Status measure_hierarchy(Store<D>& store, const HierarchyRequest<D>& request, Arena& arena, HierarchyQuality* quality);
+Status measure_hierarchy(const AnyStore& store, const HierarchyRequest& request, Arena& arena,
+                         HierarchyQuality* quality);
 
 }  // namespace netmesh

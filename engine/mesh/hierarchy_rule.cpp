@@ -336,7 +336,7 @@ template <int D> void HierarchyRule<D>::queue_bad_cages(CellId c) {
         for (std::uint32_t d = domains[i]; d != none && is_on_boundary<D>(store_, hierarchy_.cage(d), c);
              d = hierarchy_.parent(d)) {
             const Cage& cage = hierarchy_.cage(d);
-            const double bound = tau_ * in_radius<D>(cage);
+            const double bound = tau_ * in_radius(cage);
             if (distance2<D>(cell.centre, store_.point(cage.centre)) > bound * bound) queue_cage(d);
         }
 }
@@ -389,7 +389,7 @@ template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>*
     Corner<D> corner;
     bool leaves_ball;
     if (!find_cage_corner<D>(store_, cage, ball, &corner, &leaves_ball)) return Verdict::out_of_memory;
-    const double inner = in_radius<D>(cage), most = tau_ * inner;
+    const double inner = in_radius(cage), most = tau_ * inner;
     if (!(corner.distance2 > most * most)) {
         corner.distance2 = -1;
         if (leaves_ball) find_cage_pole<D>(store_, cage, ball, most * most, &corner);
@@ -447,7 +447,7 @@ template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
 }
 
 template <int D> std::size_t HierarchyRule<D>::keep_results(std::size_t) {
-    const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live();
+    const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live(store_.arena);
     this->result_.cages = hierarchy_.cages();
     this->result_.hierarchy = {kept, made, made - kept};
     if (kept == 0 && store_.state.cell_slots > 0 && !sizes_.have_started()) find_nearest_inputs();

@@ -226,6 +226,14 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
     return best;
 }
 
+std::uint32_t nearest_in_tree(int dim, const TreeLayout& tree, const double* x, std::uint32_t start,
+                              std::uint32_t except, double* distance2) {
+    return with_dimension(static_cast<std::uint32_t>(dim), [&](auto dimension) {
+        using Tree = InputTree<decltype(dimension)::value>;
+        return static_cast<const Tree&>(tree).nearest(x, start, except, distance2);
+    });
+}
+
 #define NETMESH_INSTANTIATE(D) template class InputTree<D>;
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -42,7 +42,24 @@ struct Neighbour {
     std::uint32_t unused;
 };
 
-template <int D> class InputTree {
+// How a tree lies in memory, for searches of any kind: items of a range below the middle have an axis(middle)
+// coordinate at most that of the middle item, those above at least.
+class TreeLayout {
+public:
+    TreeRange root() const { return {0, count_}; }
+    std::uint32_t item(std::uint32_t i) const { return items_[i]; }
+    int axis(std::uint32_t middle) const { return axis_[middle]; }
+    // No item of a range is farther from its middle one; says something where rings are searched.
+    double reach(std::uint32_t middle) const { return reach_ == nullptr ? infinity : reach_[middle]; }
+
+protected:
+    std::uint32_t* items_;
+    std::uint8_t* axis_;  // of the split at the middle item of a range
+    double* reach_;       // of a range about its middle item; null without rings
+    std::uint32_t count_;
+};
+
+template <int D> class InputTree : public TreeLayout {
 public:
     // What build places for each input, and with rings besides.
     static constexpr std::size_t input_bytes = sizeof(std::uint32_t) + sizeof(std::uint8_t);
@@ -61,13 +78,6 @@ public:
     // the tree that are farther away are passed over at once.
     std::uint32_t nearest_within(const double* x, double bound2, double* distance2) const;
 
-    // Its layout, for other searches: items of a range below the middle have an axis(middle) coordinate at most that
-    // of the middle item, those above at least.
-    TreeRange root() const { return {0, count_}; }
-    std::uint32_t item(std::uint32_t i) const { return items_[i]; }
-    int axis(std::uint32_t middle) const { return axis_[middle]; }
-    // No item of a range is farther from its middle one; says something where rings are searched.
-    double reach(std::uint32_t middle) const { return reach_ == nullptr ? infinity : reach_[middle]; }
     // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index:
     // unique, whatever the tree. Expected O(k log k + log n).
     void nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const;
@@ -97,11 +107,11 @@ private:
     }
 
     const Store<D>* store_;
-    std::uint32_t* items_;
-    std::uint8_t* axis_;  // of the split at the middle item of a range
-    double* reach_;       // of a range about its middle item; null without rings
-    std::uint32_t count_;
     mutable std::uint64_t touches_;
 };
+
+// InputTree<dim>::nearest of a tree that is an InputTree<dim>.
+std::uint32_t nearest_in_tree(int dim, const TreeLayout& tree, const double* x, std::uint32_t start,
+                              std::uint32_t except, double* distance2);
 
 }  // namespace netmesh

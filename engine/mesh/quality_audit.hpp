@@ -14,6 +14,7 @@
 #pragma once
 #include <cstdint>
 
+#include "mesh/any_domain.hpp"
 #include "mesh/cage_template.hpp"
 #include "mesh/hierarchy.hpp"
 #include "mesh/input_tree.hpp"
@@ -97,6 +98,18 @@ struct AuditScratch {
 // Adds the mesh after one step to *audit. Cells are clipped to the ball of their domain (clipped_cell.hpp), or whole
 // with cages of the thesis. Works on a store in use as on a compact one. Cost: the stars of the vertices whose cells
 // have changed, and the boundaries of the cages that are among them. Scratch: lists of these. out_of_memory.
-template <int D> Status audit_quality(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit);
+struct AnyAuditedMesh {
+    AnyStore store;
+    const TreeLayout& tree;
+    AnyDomain outermost;
+    CageForest* hierarchy;
+    AuditTerms terms;
+    CageKind kind;
+};
+Status audit_quality(const AnyAuditedMesh& mesh, const AuditStep& step, QualityAudit* audit);
+template <int D> Status audit_quality(const AuditedMesh<D>& mesh, const AuditStep& step, QualityAudit* audit) {
+    return audit_quality(AnyAuditedMesh{mesh.store, mesh.tree, mesh.outermost, mesh.hierarchy, mesh.terms, mesh.kind},
+                         step, audit);
+}
 
 }  // namespace netmesh

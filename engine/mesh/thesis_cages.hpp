@@ -418,7 +418,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::finish_mesh() {
 }
 
 template <int D, class Rule> std::size_t ThesisCages<D, Rule>::keep_results(std::size_t) {
-    const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live();
+    const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live(store_.arena);
     this->result_.cages = hierarchy_.cages();
     this->result_.hierarchy = {kept, made, made - kept};
     return store_.arena.offset_of(hierarchy_.cages() + kept);

@@ -251,7 +251,7 @@ TEST_CASE_TEMPLATE_DEFINE("each cell of a hierarchical mesh: balls and neighbour
         REQUIRE(diagram.cage_count > 0);
         const FatnessAnalysis a = diagram.analysed();
         Held<D>& held = diagram.held;
-        FattestCells<D> cells(held.store, held.domain, held.block.arena);
+        FattestCells cells(held.store, held.domain, held.block.arena);
         inputs::Random random(31);
         double beta_max = 0, beta_sum = 0;
         std::size_t shells = 0;
@@ -260,12 +260,12 @@ TEST_CASE_TEMPLATE_DEFINE("each cell of a hierarchical mesh: balls and neighbour
         for (const auto& [u, v] : edges) ++degree[u], ++degree[v];
         for (VertexId v(0); v < held.state.vertex_count; ++v) {
             INFO("vertex " << v.index);
-            FatCell<D> cell;
-            auto piece = FattestCells<D>::Piece::whole;
+            FatCell cell;
+            auto piece = FattestCells::Piece::whole;
             REQUIRE(cells.measure(v, &cell, &piece) == Status::ok);
             REQUIRE(cell.known);
             const bool whole = diagram.is_whole(v);
-            CHECK(whole == (piece == FattestCells<D>::Piece::whole));
+            CHECK(whole == (piece == FattestCells::Piece::whole));
             CHECK(cell.bounded == !diagram.hull[v]);
             CHECK(cell.corners == diagram.star[v].size());
             CHECK(cell.degree == diagram.near[v].size());
@@ -285,9 +285,9 @@ TEST_CASE_TEMPLATE_DEFINE("each cell of a hierarchical mesh: balls and neighbour
                 CHECK(cell.reach == doctest::Approx(static_cast<double>(diagram.reach(v))).epsilon(1e-6));
             }
             // Points of the in-ball are nearest to v and in the piece; points of the piece are in the out-ball.
-            const double clip = piece == FattestCells<D>::Piece::in_domain ? held.domain.radius
-                                : piece == FattestCells<D>::Piece::in_ball ? cells.radius()
-                                                                           : HUGE_VAL;
+            const double clip = piece == FattestCells::Piece::in_domain ? held.domain.radius
+                                : piece == FattestCells::Piece::in_ball ? cells.radius()
+                                                                        : HUGE_VAL;
             const auto nearest = [&](const Point& x) {
                 std::size_t best = 0;
                 for (std::size_t w = 1; w < diagram.vertex.size(); ++w)
@@ -325,11 +325,11 @@ TEST_CASE_TEMPLATE_DEFINE("5.3.1, 5.3.3, 5.4.5 and 5.5.1 on hierarchical meshes"
         const FatnessAnalysis a = diagram.analysed();
         CHECK(violated_fatness_bound(a.all) == nullptr);
         Held<D>& held = diagram.held;
-        FattestCells<D> cells(held.store, held.domain, held.block.arena);
+        FattestCells cells(held.store, held.domain, held.block.arena);
         std::vector<double> beta(diagram.vertex.size()), reach(diagram.vertex.size());
         for (VertexId v(0); v < held.state.vertex_count; ++v) {
-            FatCell<D> cell;
-            auto piece = FattestCells<D>::Piece::whole;
+            FatCell cell;
+            auto piece = FattestCells::Piece::whole;
             REQUIRE(cells.measure(v, &cell, &piece) == Status::ok);
             beta[v] = cell.out_radius / cell.in_radius;
             reach[v] = cell.reach;

@@ -229,8 +229,8 @@ TEST_CASE_TEMPLATE_DEFINE("what is in a ball and in a cell is in the cell's out-
         for (double& c : ball.centre) c = random.uniform() - 0.5;
         // Corners of a cell that is nearly a cube are farther from its vertex than its faces are.
         ball.radius = ball.enclosing_radius = (0.2 + random.uniform()) * std::sqrt(D / 2.0);
-        FatCells<D> cells(held.store, ball, held.block.arena, nullptr, 0);
-        FatCell<D> cell;
+        FatCells cells(held.store, ball, held.block.arena, nullptr, 0);
+        FatCell cell;
         REQUIRE(cells.measure(VertexId(0), &cell) == Status::ok);
         // Of a cell that has neither corners nor edges in the ball nothing is said.
         if (!cell.known || !cell.bounded || cell.whole || !(cell.reach > 0)) continue;
@@ -266,7 +266,7 @@ TEST_CASE_TEMPLATE_DEFINE("in-balls of cells that are open", T, open_in_balls) {
         w[0][0] = 2;
         w[1][1] = 3;
         w[2][0] = -4;
-        const double radius = largest_inscribed_ball<D>(w[0], static_cast<std::uint32_t>(planes), 2, centre);
+        const double radius = largest_inscribed_ball(D, w[0], static_cast<std::uint32_t>(planes), 2, centre);
         CHECK(radius >= 1);
         CHECK(std::isfinite(radius));
         for (int i = 0; i < planes; ++i) {
@@ -291,13 +291,13 @@ TEST_CASE_TEMPLATE_DEFINE("paces of a line's points one after the other", T, lin
     std::vector<std::uint32_t> order(n);
     for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
     std::vector<double> theta(n, 0.0);
-    REQUIRE(pace<D>(cloud.store, cloud.tree, order.data(), n, {cloud.block.arena, cloud.monitor}, theta.data()) ==
+    REQUIRE(pace(cloud.store, cloud.tree, order.data(), n, {cloud.block.arena, cloud.monitor}, theta.data()) ==
             Status::ok);
     CHECK(theta[1] == 1);
     for (std::uint32_t i = 2; i < n; ++i) REQUIRE(theta[i] == 0.5);
     Polls polls = {0, 0};
     Monitor stopping(Polls::answer, &polls);
-    CHECK(pace<D>(cloud.store, cloud.tree, order.data(), n, {cloud.block.arena, stopping}, theta.data()) ==
+    CHECK(pace(cloud.store, cloud.tree, order.data(), n, {cloud.block.arena, stopping}, theta.data()) ==
           Status::cancelled);
 }
 TEST_CASE_TEMPLATE_APPLY(line, Dimensions<>);

@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE_DEFINE("in-balls against all sets of constraints", T, in_ball
                 w.push_back(i < 2 * D ? (k == i / 2 ? (i % 2 ? 4 : -4) * (0.05 + random.uniform()) : 0)
                                       : 3 * random.uniform() - 1.5);
         double centre[D];
-        const double radius = largest_inscribed_ball<D>(w.data(), static_cast<std::uint32_t>(count), 1, centre);
+        const double radius = largest_inscribed_ball(D, w.data(), static_cast<std::uint32_t>(count), 1, centre);
         CHECK(radius == doctest::Approx(in_radius_by_exhaustion<D>(w)).epsilon(1e-9));
     }
 }

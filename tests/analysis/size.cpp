@@ -72,13 +72,13 @@ TEST_CASE_TEMPLATE_DEFINE("paces of an ordering and the farthest-first ordering 
         const std::uint32_t n = o.held.inputs();
         for (std::uint32_t i = 0; i < n; ++i) o.order[i] = (i * 7 + 3) % n;
         if (n % 7 != 0) {
-            REQUIRE(pace<D>(o.held.store, o.tree, o.order.data(), n, {o.held.block.arena, o.held.monitor},
-                            o.theta.data()) == Status::ok);
+            REQUIRE(pace(o.held.store, o.tree, o.order.data(), n, {o.held.block.arena, o.held.monitor},
+                         o.theta.data()) == Status::ok);
             const std::vector<double> expected = thetas_by_scan(points, D, o.order);
             for (std::uint32_t i = 0; i < n; ++i) CHECK(o.theta[i] == doctest::Approx(expected[i]).epsilon(1e-14));
         }
-        REQUIRE(farthest_first_order<D>(o.held.store, o.tree, n, {o.held.block.arena, o.held.monitor},
-                                        o.order.data()) == Status::ok);
+        REQUIRE(farthest_first_order(o.held.store, o.tree, n, {o.held.block.arena, o.held.monitor}, o.order.data()) ==
+                Status::ok);
         // Each point is one of those farthest from all before it.
         std::vector<double> near(n, HUGE_VAL);
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -334,8 +334,8 @@ TEST_CASE_TEMPLATE_DEFINE("bounds by paces are those of 3.8.3 to 3.8.7", T, pace
     for (const inputs::Points& points : {inputs::uniform(D, 30), inputs::clusters(D, 20)}) {
         Ordered<D> set(points);
         const SizeAnalysis a = analyse<D>(set.held, 6);
-        REQUIRE(farthest_first_order<D>(set.held.store, set.tree, set.held.inputs(),
-                                        {set.held.block.arena, set.held.monitor}, set.order.data()) == Status::ok);
+        REQUIRE(farthest_first_order(set.held.store, set.tree, set.held.inputs(),
+                                     {set.held.block.arena, set.held.monitor}, set.order.data()) == Status::ok);
         const std::vector<double> theta = thetas_by_scan(points, D, set.order);
         const double* const first = set.held.store.point(set.order[0]);
         const double c = (distance(first, set.held.domain.centre, D) + a.radius[ball_wide]) /

@@ -273,7 +273,7 @@ class Graph:
             # Constructors and destructors of whole objects (C1, D1) are mostly other names of those of base objects.
             if symbol in self.frame:
                 return symbol
-            of_base = symbol.replace("C1E", "C2E").replace("D1E", "D2E")
+            of_base = symbol.replace("C1E", "C2E").replace("C1I", "C2I").replace("D1E", "D2E")  # I: a template
             return of_base if of_base in self.frame else definitions.get(symbol, definitions.get(of_base, symbol))
 
         for caller, callees in self.calls.items():
@@ -454,7 +454,7 @@ def main():
     stack.add_argument("--recursion-only", action="store_true")
     size = sub.add_parser("size")
     size.add_argument("--records", required=True)
-    size.add_argument("--bytes", type=int, default=2 << 20)
+    size.add_argument("--bytes", type=int, default=1_620_000)
     size.add_argument("--nm", default="nm")
     options = parser.parse_args()
     if options.check == "size":

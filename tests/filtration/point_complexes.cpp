@@ -169,7 +169,7 @@ template <int D> void check_cech_values(const inputs::Points& points, std::uint3
     netmesh::ListedComplex c;
     double error = 0;
     const std::uint32_t n = static_cast<std::uint32_t>(points.size() / D);
-    REQUIRE(netmesh::cech_complex<D>(points.data(), n, dimension, {block.arena, monitor}, &c, &error) ==
+    REQUIRE(netmesh::cech_complex(D, points.data(), n, dimension, {block.arena, monitor}, &c, &error) ==
             netmesh::Status::ok);
     const netmesh::FilteredComplex f = c.filtered();
     double total = 0;
@@ -302,7 +302,7 @@ template <int D> void check_graph() {
         Block block(std::size_t{1} << 12);
         netmesh::Monitor monitor;
         netmesh::ListedComplex complex;
-        REQUIRE(netmesh::full_rips_complex<D>(two.data(), 2, 3, {block.arena, monitor}, &complex) ==
+        REQUIRE(netmesh::full_rips_complex(D, two.data(), 2, 3, {block.arena, monitor}, &complex) ==
                 netmesh::Status::ok);
         CHECK(complex.dimension == 1);
         CHECK(complex.count[1] == 1);
@@ -348,13 +348,13 @@ template <int D> void check_cone(const inputs::Points& points, std::uint32_t dim
             most = std::max(most, netmesh::distance<D>(&points[std::size_t{i} * D], &points[std::size_t{j} * D]) / 2);
         cone = std::min(cone, most);
     }
-    CHECK(netmesh::cone_radius<D>(points.data(), n) == cone);
+    CHECK(netmesh::cone_radius(D, points.data(), n) == cone);
     Block block(std::size_t{1} << 22);
     netmesh::Monitor monitor;
     netmesh::ListedComplex complex, all;
-    REQUIRE(netmesh::rips_complex<D>(points.data(), n, dimension, {block.arena, monitor}, &complex) ==
+    REQUIRE(netmesh::rips_complex(D, points.data(), n, dimension, {block.arena, monitor}, &complex) ==
             netmesh::Status::ok);
-    REQUIRE(netmesh::full_rips_complex<D>(points.data(), n, dimension, {block.arena, monitor}, &all) ==
+    REQUIRE(netmesh::full_rips_complex(D, points.data(), n, dimension, {block.arena, monitor}, &all) ==
             netmesh::Status::ok);
     for (std::uint32_t k = 0; k <= dimension && k < n; ++k) {
         std::vector<double> listed, expected;
@@ -383,7 +383,7 @@ TEST_CASE("barycentric complexes of more than there is") {
     netmesh::ListedComplex complex, out;
     const double three[] = {0, 0, 1, 0, 0, 1};
     double error;
-    REQUIRE(netmesh::cech_complex<2>(three, 3, 2, {block.arena, monitor}, &complex, &error) == netmesh::Status::ok);
+    REQUIRE(netmesh::cech_complex(2, three, 3, 2, {block.arena, monitor}, &complex, &error) == netmesh::Status::ok);
     CHECK(netmesh::barycentric_complex(complex, 4, 2, 1, {block.arena, monitor}, &out) ==
           netmesh::Status::invalid_argument);
     CHECK(netmesh::barycentric_complex(complex, 3, 2, 1, {block.arena, monitor}, &out) == netmesh::Status::ok);

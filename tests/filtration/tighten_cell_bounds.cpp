@@ -80,8 +80,8 @@ template <int D> void random_hulls() {
             for (int k = 0; k < D; ++k) x[k] += weight[j] / sum * (y[j][k] = random.uniform());
         const bool inside = i % 4 == 0;
         for (int k = 0; k < D; ++k) q[k] = inside ? x[k] : 3 * random.uniform() - 1;
-        HalfSpace<D> best;
-        NearestInHull<D>().run(y[0], 12, q, &best);
+        HalfSpace best;
+        NearestInHull(D).run(y[0], 12, q, &best);
         CHECK(best.distance(q) <= distance<D>(x, q) * (1 + 1e-12) + 1e-12);
         for (const auto& corner : y) CHECK(best.distance(corner) <= 1e-12);
     }
@@ -170,8 +170,8 @@ TEST_CASE("the nearest point of a hull, from below") {
     const double square[] = {1, 1, 1, -1, -1, 1, -1, -1};
     const auto bound = [&](double x, double y) {
         const double q[] = {x, y};
-        HalfSpace<2> best;
-        NearestInHull<2>().run(square, 4, q, &best);
+        HalfSpace best;
+        NearestInHull(2).run(square, 4, q, &best);
         return best.distance(q);
     };
     CHECK(bound(3, 0.5) == doctest::Approx(2));
@@ -192,8 +192,8 @@ TEST_CASE_TEMPLATE_DEFINE("hulls that are flat, and points on them", T, hulls) {
         y[3 * a + 2][a] = 1;
     }
     const auto bound = [&](const double* q) {
-        HalfSpace<D> best;
-        NearestInHull<D>().run(y[0], count, q, &best);
+        HalfSpace best;
+        NearestInHull(D).run(y[0], count, q, &best);
         for (const auto& corner : y) CHECK(best.distance(corner) <= 1e-12);
         return best.distance(q);
     };

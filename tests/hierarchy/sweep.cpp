@@ -56,7 +56,7 @@ template <int D> Run run_mesh(Block& block, const Points& points, const MeshRequ
     run.audit = result.audit;
     if (run.status != Status::ok) return run;
     HierarchyQuality quality;
-    measure_hierarchy<D>(store, {result.cages, result.hierarchy.cages, result.domain}, block.arena, &quality);
+    measure_hierarchy(store, {result.cages, result.hierarchy.cages, result.domain}, block.arena, &quality);
     if (quality.encroached.violation != nullptr) run.status = Status::check_failed;
     run.worst = quality.worst;
     run.inputs = static_cast<double>(result.input.rows - result.input.duplicates);

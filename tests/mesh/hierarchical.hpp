@@ -25,9 +25,9 @@ template <int D> struct Hierarchical : Meshed<D> {
         : Meshed<D>(points, request, bytes) {}
     netmesh::HierarchyQuality quality() {
         netmesh::HierarchyQuality q;
-        REQUIRE(netmesh::measure_hierarchy<D>(this->store,
-                                              {this->result.cages, this->result.hierarchy.cages, this->result.domain},
-                                              this->block.arena, &q) == netmesh::Status::ok);
+        REQUIRE(netmesh::measure_hierarchy(this->store,
+                                           {this->result.cages, this->result.hierarchy.cages, this->result.domain},
+                                           this->block.arena, &q) == netmesh::Status::ok);
         return q;
     }
     double vertices_per_input() const { return double(this->state.vertex_count) / double(this->result.input.rows); }

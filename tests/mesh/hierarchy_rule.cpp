@@ -377,8 +377,8 @@ TEST_CASE_TEMPLATE_DEFINE("in-radii of cages are no more than the mesh shows", T
             ++of_shell;
         }
         CHECK(of_shell == static_cast<int>(shell_size<D>));
-        CHECK(in_radius<D>(cage) <= 0.5 * (outside + shell) * (1 + 1e-12));
-        CHECK(in_radius<D>(cage) >= 0.5 * (outside + 0.8 * cage.radius));
+        CHECK(in_radius(cage) <= 0.5 * (outside + shell) * (1 + 1e-12));
+        CHECK(in_radius(cage) >= 0.5 * (outside + 0.8 * cage.radius));
     }
 }
 TEST_CASE_TEMPLATE_APPLY(in_radii, Dimensions<2, 3>);

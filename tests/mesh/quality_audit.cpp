@@ -359,9 +359,9 @@ template <int D> struct Planted : Hierarchical<D> {
         domains.resize(vertices);
         std::vector<double> ratios(vertices);
         HierarchyQuality quality;
-        REQUIRE(measure_hierarchy<D>(this->store,
-                                     {this->result.cages, count, this->result.domain, ratios.data(), domains.data()},
-                                     this->block.arena, &quality) == Status::ok);
+        REQUIRE(measure_hierarchy(this->store,
+                                  {this->result.cages, count, this->result.domain, ratios.data(), domains.data()},
+                                  this->block.arena, &quality) == Status::ok);
         for (std::uint32_t d = 0; d < count; ++d) {
             const Cage& cage = this->result.cages[d];
             hierarchy.make({VertexId(cage.centre), cage.nearest2, none}, cage.radius, cage.parent, cage.shell);

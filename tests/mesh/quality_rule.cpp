@@ -128,7 +128,7 @@ TEST_CASE_TEMPLATE_DEFINE("the reference keeps all corners in the domain of 3.5 
         Domain<D> smaller = domain;
         smaller.radius *= 0.9;
         const auto passes = [&](const Domain<D>& ball, double tau, double s) {
-            return check_domain<D>(store, ball, nullptr, true, {tau, s}).violation == nullptr;
+            return check_domain(store, ball, nullptr, true, {tau, s}).violation == nullptr;
         };
         CHECK(passes(domain, 3, spacing));
         CHECK(!passes(domain, 3, spacing / 2));
@@ -158,7 +158,7 @@ TEST_CASE("a boundary net that coordinates on its sphere do not resolve is refus
         request.net_spacing = 1.0 / 64;
         Meshed<2> m({far, far, far + 1, far, far, far + 1}, request, std::size_t{1} << 22);
         REQUIRE(m.status == Status::ok);
-        const CheckResult found = check_domain<2>(m.store, m.result.domain, nullptr, true, {2.01, 1.0 / 64});
+        const CheckResult found = check_domain(m.store, m.result.domain, nullptr, true, {2.01, 1.0 / 64});
         CHECK(found.violation == nullptr);
     }
 }
@@ -166,8 +166,8 @@ TEST_CASE("a boundary net that coordinates on its sphere do not resolve is refus
 TEST_CASE("a mesh without a boundary net is none with a spacing") {
     Meshed<2> m(inputs::uniform(2, 30), by_quality(3));
     REQUIRE(m.status == Status::ok);
-    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true, {3, 0}).violation == nullptr);
-    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true, {3, 1}).violation != nullptr);
+    CHECK(check_domain(m.store, m.result.domain, nullptr, true, {3, 0}).violation == nullptr);
+    CHECK(check_domain(m.store, m.result.domain, nullptr, true, {3, 1}).violation != nullptr);
 }
 
 TEST_CASE("the domain and net of points close together and far from the origin are those that the checker wants") {
@@ -177,12 +177,12 @@ TEST_CASE("the domain and net of points close together and far from the origin a
     Meshed<2> m(points, by_reference(3.98));
     REQUIRE(m.status == Status::ok);
     const NetPromise promise = {3.98, 1};
-    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true, promise).violation == nullptr);
+    CHECK(check_domain(m.store, m.result.domain, nullptr, true, promise).violation == nullptr);
     std::uint32_t net = 0;
     while (m.store.vertex(net).marker != Marker::exempt) ++net;
     double* const x = m.store.vertex(net).x;
     for (int k = 0; k < 2; ++k) x[k] += 0.01 * (x[k] - m.result.domain.centre[k]);
-    CHECK(check_domain<2>(m.store, m.result.domain, nullptr, true, promise).violation != nullptr);
+    CHECK(check_domain(m.store, m.result.domain, nullptr, true, promise).violation != nullptr);
 }
 
 TEST_CASE_TEMPLATE_DEFINE("the reference in arenas of any size, in 4D up to one that it fits", T, reference_arenas) {

@@ -27,8 +27,8 @@ template <int D> void check_mesh(Hierarchical<D>& m, const MeshRequest& request)
     CHECK(delaunay_violation<D>(m.store) == "");
     CHECK(m.result.hierarchy.cages == m.result.hierarchy.cages_made - m.result.hierarchy.cages_released);
     HierarchyQuality q;
-    REQUIRE(measure_hierarchy<D>(m.store, {m.result.cages, m.result.hierarchy.cages, m.result.domain}, m.block.arena,
-                                 &q) == Status::ok);
+    REQUIRE(measure_hierarchy(m.store, {m.result.cages, m.result.hierarchy.cages, m.result.domain}, m.block.arena,
+                              &q) == Status::ok);
     CHECK(found(q.encroached) == "");
     CHECK(q.worst <= request.tau);
     if (request.finish) {

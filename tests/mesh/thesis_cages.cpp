@@ -93,10 +93,10 @@ template <int D> struct ThesisMesh {
         return cages;
     }
     HierarchyQuality quality() {
-        HierarchyRequest<D> request = {result.cages, result.hierarchy.cages, result.domain};
+        HierarchyRequest request = {result.cages, result.hierarchy.cages, result.domain};
         request.kind = CageKind::thesis;
         HierarchyQuality found;
-        REQUIRE(measure_hierarchy<D>(store, request, block.arena, &found) == Status::ok);
+        REQUIRE(measure_hierarchy(store, request, block.arena, &found) == Status::ok);
         return found;
     }
     double worst = 0;  // ratio of the finished mesh, as the judge has found it

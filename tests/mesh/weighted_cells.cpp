@@ -94,8 +94,8 @@ template <int D> struct Hierarchical {
         domains.resize(state.vertex_count);
         nearest2.resize(state.vertex_count);
         HierarchyQuality quality;
-        REQUIRE(measure_hierarchy<D>(store, {cages, report.cages, domain, ratios.data(), domains.data()}, block.arena,
-                                     &quality) == Status::ok);
+        REQUIRE(measure_hierarchy(store, {cages, report.cages, domain, ratios.data(), domains.data()}, block.arena,
+                                  &quality) == Status::ok);
         recomputed_nearest2<D>(store, nearest2.data());
     }
     bool is_frame(std::uint32_t v) const { return domains[v] == none && store.vertex(v).marker == Marker::exempt; }
@@ -189,7 +189,7 @@ TEST_CASE_TEMPLATE_DEFINE("lemma 4.6.2: r <= f_M <= 3 r for the cells of vertice
         for (std::uint32_t d = 0; d < m.report.cages; ++d) {
             const Cage& cage = m.cages[d];
             const double* const c = m.store.point(cage.centre);
-            const double r = in_radius<D>(cage), f = m.feature_size(c, cage.parent);
+            const double r = in_radius(cage), f = m.feature_size(c, cage.parent);
             CHECK(r <= f);
             CHECK(f <= 3 * r);
             for (int trial = 0; trial < 20; ++trial) {
@@ -211,7 +211,7 @@ TEST_CASE("lemma 4.6.2 fails for a cage that is encroached") {
     Cage cage = m.cages[3];
     const double f = m.feature_size(m.store.point(cage.centre), cage.parent);
     cage.radius = 30 * f;
-    CHECK(in_radius<2>(cage) > f);
+    CHECK(in_radius(cage) > f);
 }
 
 namespace {

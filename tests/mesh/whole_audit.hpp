@@ -22,7 +22,7 @@ public:
         cages_.erase(
             std::remove_if(cages_.begin(), cages_.end(), [](const auto& c) { return c.shell == netmesh::none; }),
             cages_.end());
-        REQUIRE(netmesh::measure_hierarchy<D>(
+        REQUIRE(netmesh::measure_hierarchy(
                     store, {cages_.data(), static_cast<u32>(cages_.size()), outermost, ratios_.data(), domains_.data()},
                     store.arena, &quality_) == netmesh::Status::ok);
         REQUIRE(quality_.is_hierarchy);
@@ -70,7 +70,7 @@ private:
         netmesh::HierarchyQuality quality;
         std::vector<double> ratios(store_.state.vertex_count);
         std::vector<u32> domains(store_.state.vertex_count);
-        REQUIRE(netmesh::measure_hierarchy<D>(
+        REQUIRE(netmesh::measure_hierarchy(
                     store_, {cages_.data(), static_cast<u32>(cages_.size()), outermost_, ratios.data(), domains.data()},
                     store_.arena, &quality) == netmesh::Status::ok);
         for (u32 v = 0; v < store_.state.vertex_count; ++v) store_.vertex(v).marker = markers[v];

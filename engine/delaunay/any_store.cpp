@@ -1,0 +1,41 @@
+#include "delaunay/any_store.hpp"
+
+namespace netmesh {
+
+std::uint32_t AnyStore::new_stamp() const {
+    if (state.stamp > 0xFFFFFFF0u) {
+        for (std::uint32_t c = 0; c < state.cell_slots; ++c) cell(c).mark = 0;
+        state.stamp = 2;
+    }
+    return state.stamp += 2;
+}
+
+AnyCellList::AnyCellList(const AnyStore& store)
+    : store_(store), end_(store.list_top()), capacity_(store.list_capacity()), stamp_(store.new_stamp()) {}
+
+bool AnyCellList::add(CellId c) {
+    std::uint32_t& mark = store_.cell(c).mark;
+    if (mark == stamp_) return true;
+    if (size_ >= capacity_) {
+        store_.arena.refuse(sizeof(CellId));
+        return false;
+    }
+    mark = stamp_;
+    end_[-1 - static_cast<std::ptrdiff_t>(size_++)] = c;
+    return true;
+}
+
+std::uint32_t list_star(const AnyStore& store, VertexId v) {
+    AnyCellList star(store);
+    if (!star.add(store.vertex(v).cell)) return 0;
+    for (std::uint32_t k = 0; k < star.size(); ++k) {
+        const AnyCell cell = store.cell(star[k]);
+        for (int i = 0; i <= store.dim; ++i) {
+            const FacetId facet = cell.neighbour[i];
+            if (cell.vertex[i] != v && facet != none && !star.add(facet.cell())) return 0;
+        }
+    }
+    return star.size();
+}
+
+}  // namespace netmesh

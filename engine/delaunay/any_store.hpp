@@ -1,0 +1,136 @@
+// A store whose dimension is a number at run time. Audits, checks and analyses take it: they run seldom, and are in the
+// program once rather than once for each dimension.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "delaunay/store.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+
+constexpr int dimension_max = dimension_most();
+
+// The members of Cell<D> and Vertex<D>, by the same names, where they stand in the block.
+template <class T> struct MemberRow {
+    T* first;
+    int count;
+    T& operator[](std::uint32_t i) const { return first[i]; }
+    T* begin() const { return first; }
+    T* end() const { return first + count; }
+};
+struct AnyCell {
+    MemberRow<VertexId> vertex;
+    MemberRow<FacetId> neighbour;
+    double* centre;
+    double& radius2;
+    float& error;
+    std::uint32_t& mark;
+};
+struct AnyVertex {
+    double* x;
+    double& nearest2;
+    CellId& cell;
+    VertexId& next;
+    std::uint32_t& origin;
+    Marker& marker;
+    std::uint8_t& queued;
+};
+
+// For a store that neither grows nor is compacted meanwhile.
+class AnyStore {
+public:
+    template <int D>
+    AnyStore(const Store<D>& store)
+        : dim(D), arena(store.arena), state(store.state),
+          cells_(store.state.cell_slots == 0 ? nullptr : reinterpret_cast<unsigned char*>(&store.cell(0))),
+          vertices_(reinterpret_cast<unsigned char*>(&store.vertex(0))) {
+        static_assert(sizeof(Cell<D>) == cell_bytes(D) && offsetof(Cell<D>, centre) == centre_offset(D) &&
+                      offsetof(Cell<D>, radius2) == radius_offset(D) && sizeof(Vertex<D>) == vertex_bytes(D));
+    }
+    // The store itself, for what there is for each dimension anyhow; dim is D.
+    template <int D> Store<D> of_dimension() const { return Store<D>(arena, state); }
+
+    AnyCell cell(std::uint32_t c) const {
+        NETMESH_ASSERT(c < state.cell_slots);
+        unsigned char* const at = cells_ + c * cell_bytes(dim);
+        unsigned char* const ball = at + radius_offset(dim);
+        return {{reinterpret_cast<VertexId*>(at), dim + 1},
+                {reinterpret_cast<FacetId*>(at) + (dim + 1), dim + 1},
+                reinterpret_cast<double*>(at + centre_offset(dim)),
+                *reinterpret_cast<double*>(ball),
+                *reinterpret_cast<float*>(ball + 8),
+                *reinterpret_cast<std::uint32_t*>(ball + 12)};
+    }
+    AnyCell cell(VertexId) const = delete;
+    AnyVertex vertex(std::uint32_t v) const {
+        NETMESH_ASSERT(v < state.vertex_count);
+        unsigned char* const at = vertices_ - v * vertex_bytes(dim);
+        unsigned char* const rest = at + 8 * static_cast<std::size_t>(dim);
+        return {reinterpret_cast<double*>(at),
+                *reinterpret_cast<double*>(rest),
+                *reinterpret_cast<CellId*>(rest + 8),
+                *reinterpret_cast<VertexId*>(rest + 12),
+                *reinterpret_cast<std::uint32_t*>(rest + 16),
+                *reinterpret_cast<Marker*>(rest + 20),
+                *(rest + 21)};
+    }
+    AnyVertex vertex(CellId) const = delete;
+    const double* point(std::uint32_t v) const {
+        return reinterpret_cast<const double*>(vertices_ - v * vertex_bytes(dim));
+    }
+    const double* point(CellId) const = delete;
+    const unsigned char* first_point() const { return vertices_; }
+    std::ptrdiff_t point_stride() const { return -static_cast<std::ptrdiff_t>(vertex_bytes(dim)); }
+    bool is_live(std::uint32_t c) const { return cell(c).vertex[0] != none - 1; }
+    bool is_ghost(std::uint32_t c) const {
+        for (const VertexId v : cell(c).vertex)
+            if (v == none) return true;
+        return false;
+    }
+    CellId* list_top() const { return reinterpret_cast<CellId*>(arena.at(arena.high_mark())); }
+    std::size_t list_capacity() const { return arena.bytes_free() / 4; }
+    std::uint32_t new_stamp() const;  // as Store::new_stamp
+
+    const int dim;
+    Arena& arena;
+    StoreState& state;
+
+private:
+    static constexpr std::size_t centre_offset(int d) { return 8 * static_cast<std::size_t>(d + 1); }
+    static constexpr std::size_t radius_offset(int d) { return centre_offset(d) + 8 * static_cast<std::size_t>(d); }
+    static constexpr std::size_t cell_bytes(int d) { return radius_offset(d) + 16; }
+    static constexpr std::size_t vertex_bytes(int d) { return 8 * static_cast<std::size_t>(d) + 24; }
+
+    unsigned char *const cells_, *const vertices_;
+};
+
+// CellList of cell_list.hpp.
+class AnyCellList {
+public:
+    explicit AnyCellList(const AnyStore& store);
+    bool add(CellId c);
+    bool has(CellId c) const { return store_.cell(c).mark == stamp_; }
+    std::uint32_t size() const { return size_; }
+    CellId operator[](std::uint32_t k) const { return end_[-1 - static_cast<std::ptrdiff_t>(k)]; }
+
+private:
+    const AnyStore& store_;
+    CellId* const end_;
+    const std::size_t capacity_;
+    const std::uint32_t stamp_;
+    std::uint32_t size_ = 0;
+};
+
+// Lists the cells at v, in visit_star's order, at list_top()[-1 - k]: their number, 0 when the gap is too small. In a
+// compact store v may be on the hull: the cells there hang together through facets too.
+std::uint32_t list_star(const AnyStore& store, VertexId v);
+
+template <class Visit> bool visit_any_star(const AnyStore& store, VertexId v, Visit&& visit) {
+    const CellId* const star = store.list_top();
+    const std::uint32_t count = list_star(store, v);
+    for (std::uint32_t k = 0; k < count; ++k) visit(star[-1 - static_cast<std::ptrdiff_t>(k)]);
+    return count > 0;
+}
+
+}  // namespace netmesh

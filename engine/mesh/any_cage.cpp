@@ -1,0 +1,61 @@
+#include "mesh/any_cage.hpp"
+
+namespace netmesh {
+
+AnyDomain domain_ball(const AnyStore& store, const Cage* cages, std::uint32_t domain, const AnyDomain& outermost) {
+    if (domain == none) return outermost;
+    AnyDomain ball;
+    ball.dim = store.dim;
+    copy(store.dim, store.point(cages[domain].centre), ball.centre);
+    ball.radius = ball.enclosing_radius = cage_epsilon * cages[domain].radius;
+    return ball;
+}
+
+bool is_mixed(const AnyStore& store, const Cage& cage, std::uint32_t c, int except) {
+    bool inside = false, outside = false;
+    const AnyCell cell = store.cell(c);
+    for (int k = 0; k <= store.dim; ++k) {
+        const VertexId v = cell.vertex[k];
+        if (k != except) (v != none && is_inside(store, cage, store.point(v)) ? inside : outside) = true;
+    }
+    return inside && outside;
+}
+
+std::uint32_t domain_of(int dim, CageForest& forest, std::uint32_t v) {
+    return with_dimension(static_cast<std::uint32_t>(dim), [&](auto dimension) {
+        return static_cast<Hierarchy<decltype(dimension)::value>&>(forest).of(v);
+    });
+}
+
+std::uint32_t template_size(int dim, bool outermost) {
+    constexpr std::uint32_t size[][2] = {{CageTemplate<2>::size, RootTemplate<2>::size},
+                                         {CageTemplate<3>::size, RootTemplate<3>::size},
+                                         {CageTemplate<4>::size, RootTemplate<4>::size}};
+    return size[dim - 2][outermost];
+}
+
+void template_point(int dim, bool outermost, std::uint32_t k, double* x) {
+    const auto point = [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        outermost ? RootTemplate<D>::point(k, x) : CageTemplate<D>::point(k, x);
+    };
+    dim == 2 ? point(Dimension<2>{}) : dim == 3 ? point(Dimension<3>{}) : point(Dimension<4>{});
+}
+
+bool list_cage_boundary(const AnyStore& store, const Cage& cage, std::uint32_t* count) {
+    *count = 0;
+    CellId first = none;
+    const bool fits = visit_any_star(store, VertexId(cage.shell), [&](CellId c) {
+        if (first == none && is_on_boundary(store, cage, c)) first = c;
+    });
+    if (!fits || first == none) return fits;
+    AnyCellList boundary(store);
+    if (!boundary.add(first)) return false;
+    for (std::uint32_t k = 0; k < boundary.size(); ++k)
+        for (const FacetId facet : store.cell(boundary[k]).neighbour)
+            if (facet != none && is_on_boundary(store, cage, facet.cell()) && !boundary.add(facet.cell())) return false;
+    *count = boundary.size();
+    return true;
+}
+
+}  // namespace netmesh

@@ -1,0 +1,38 @@
+// What cage.hpp and cage_template.hpp say of a store, where the dimension is a number at run time.
+#pragma once
+#include "mesh/any_domain.hpp"
+#include "mesh/cage.hpp"
+#include "mesh/cage_template.hpp"
+#include "mesh/hierarchy.hpp"
+
+namespace netmesh {
+
+inline bool is_inside(const AnyStore& store, const Cage& cage, const double* x) {
+    return distance2(store.dim, x, store.point(cage.centre)) < cage.radius * cage.radius;
+}
+
+AnyDomain domain_ball(const AnyStore& store, const Cage* cages, std::uint32_t domain, const AnyDomain& outermost);
+// Of all vertices of cell c but the one at `except`; -1: of all.
+bool is_mixed(const AnyStore& store, const Cage& cage, std::uint32_t c, int except);
+inline bool is_on_boundary(const AnyStore& store, const Cage& cage, std::uint32_t c) {
+    return is_mixed(store, cage, c, -1);
+}
+inline bool is_by_shell(const AnyStore& store, const Cage& cage, std::uint32_t v) {
+    return is_by_shell(cage, distance2(store.dim, store.point(v), store.point(cage.centre)));
+}
+inline bool has_yielded_to(const AnyStore& store, const Cage* cages, std::uint32_t d, std::uint32_t v) {
+    return d != none && store.vertex(v).marker == Marker::input && is_by_shell(store, cages[d], v);
+}
+
+// Hierarchy<dim>::of, of a forest that is a Hierarchy<dim>.
+std::uint32_t domain_of(int dim, CageForest& forest, std::uint32_t v);
+
+// CageTemplate<dim>, or RootTemplate<dim>; dim <= thesis_dim_max.
+std::uint32_t template_size(int dim, bool outermost);
+void template_point(int dim, bool outermost, std::uint32_t k, double* x);
+
+// Lists the cells on the cage's boundary at list_top()[-1 - k], as visit_cage_boundary does; *count: how many. False
+// when the gap is too small.
+bool list_cage_boundary(const AnyStore& store, const Cage& cage, std::uint32_t* count);
+
+}  // namespace netmesh
