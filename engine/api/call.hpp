@@ -61,9 +61,11 @@ public:
     ~Watch() { arena_.watch(nullptr); }
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
-    // The status of the job so far: a wish to stop may have come where nothing could stop.
+    // The status of the job so far: a wish to stop may have come where nothing could stop. It says more than that
+    // memory ran out behind it, after which a fit would go on.
     Status heed(Status status) const {
-        return status == Status::ok && monitor_.has_stopped() ? Status::cancelled : status;
+        const bool goes_on = status == Status::ok || status == Status::out_of_memory;
+        return goes_on && monitor_.has_stopped() ? Status::cancelled : status;
     }
 
 private:

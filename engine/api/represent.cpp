@@ -36,7 +36,7 @@ extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netm
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
     Representation made = {};
-    const Status status = find_cycles(context, monitor, &made);
+    const Status status = watch.heed(find_cycles(context, monitor, &made));
     if (status != Status::ok) return finish(context, status);
     context->diagram.pairs = Slice<Pair>::of(context->arena, made.pairs.pairs, made.pairs.count);
     keep_cycles(context, made.cycles, high);
