@@ -1,7 +1,7 @@
 #!/bin/sh
-# package.sh CMAKE BUILD WORK EXAMPLE CC CXX: makes the Debian packages of BUILD, looks at what they say and hold, unpacks
-# them into a folder and builds and runs EXAMPLE against that, by find_package and by pkg-config. As root it also
-# installs and purges them in a system of their own. lintian has its say where it is installed.
+# package.sh CMAKE BUILD WORK EXAMPLE CC CXX: makes the Debian packages of BUILD, looks at what they say and hold,
+# unpacks them into a folder and builds and runs EXAMPLE against that, by find_package and by pkg-config. As root it
+# also installs and purges them in a system of their own. lintian has its say where it is installed.
 set -eu
 cmake=$1 build=$2 work=$3 example=$4 cc=$5 cxx=$6
 here=$(cd "$(dirname "$0")" && pwd)

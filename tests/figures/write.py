@@ -5,6 +5,7 @@
   write.py size BUILD       code and constants by folder and dimension                 -> tests/CHECKS.md
   write.py bare LOG         what `platform/cortexm/run` printed                        -> tests/CHECKS.md
   write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
+  write.py light WORK       what jobs take on a board, measured by tests/embedding/footprint.py in WORK -> README.md
   write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed (CHECKS.md)    -> tests/CHECKS.md
 
 Nothing between the marks is written by hand. Exit code 1: the marks or the figures are missing."""
@@ -15,6 +16,7 @@ import sys
 
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 CHECKS = os.path.join(TESTS, "CHECKS.md")
+README = os.path.join(os.path.dirname(TESTS), "README.md")
 COVERAGE = os.path.join(TESTS, "coverage", "COVERAGE.md")
 STACK_LEAST = 1024  # calls with less are not listed
 
@@ -85,6 +87,12 @@ def coverage(log):
         sys.exit("%s has no two tables" % log)
 
 
+def light(work):
+    """Some minutes of building and running."""
+    command = [sys.executable, os.path.join(TESTS, "embedding", "footprint.py"), work]
+    put(README, "light", subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines())
+
+
 def lemmas(log):
     """The last table of each dimension."""
     rows, titles, largest = {}, {}, {}
@@ -114,7 +122,7 @@ def lemmas(log):
 
 
 def main():
-    writers = {"stack": stack, "size": size, "bare": bare, "coverage": coverage, "lemmas": lemmas}
+    writers = {"stack": stack, "size": size, "bare": bare, "coverage": coverage, "light": light, "lemmas": lemmas}
     if len(sys.argv) != 3 or sys.argv[1] not in writers:
         sys.exit(__doc__)
     writers[sys.argv[1]](sys.argv[2])

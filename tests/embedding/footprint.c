@@ -1,0 +1,91 @@
+/* What a job takes: JOB on POINTS uniform points in R^DIM, in a block of the harness's (footprint_host.c,
+ * footprint_board.cpp). With REPORT it returns the peak bytes of the block; without, it holds no more than a program
+ * needs that has the job and reads its result. */
+#include "netmesh.h"
+
+enum { NOTHING, DELAUNAY, ALPHA, CERTIFIED, BY_RATIO, RIPS };
+
+uint64_t footprint_job(void* block, size_t block_bytes);
+
+static double points[POINTS * DIM];
+#if REPORT
+static netmesh_report report;
+#endif
+
+static void draw_points(void) {
+    uint64_t state = 17;
+    size_t i;
+    for (i = 0; i < sizeof points / sizeof points[0]; ++i) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        points[i] = (double)(state >> 33) / 2147483648.0;
+    }
+}
+
+__attribute__((noinline)) static netmesh_status work(netmesh_context* context) {
+#if JOB == 1
+    netmesh_delaunay_request request;
+    netmesh_delaunay_request_init(&request, sizeof request, DIM);
+    request.points = points;
+    request.point_count = POINTS;
+    return netmesh_delaunay(context, &request);
+#elif JOB == 2
+    netmesh_alpha_request request;
+    netmesh_alpha_request_init(&request, sizeof request, DIM);
+    request.points = points;
+    request.point_count = POINTS;
+    return netmesh_persist_alpha(context, &request);
+#elif JOB == 3 || JOB == 4
+    netmesh_mesh_request mesh;
+    netmesh_persist_request persist;
+    netmesh_status status;
+    netmesh_mesh_request_init(&mesh, sizeof mesh, DIM);
+    mesh.points = points;
+    mesh.point_count = POINTS;
+    mesh.purpose = NETMESH_PURPOSE_PERSIST;
+#if JOB == 4
+    mesh.certificate.ratio = 2.25;
+#endif
+    if ((status = netmesh_mesh(context, &mesh)) != NETMESH_OK) return status;
+    netmesh_persist_request_init(&persist, sizeof persist);
+    return netmesh_persist(context, &persist);
+#elif JOB == 5
+    netmesh_points_request request;
+    netmesh_points_request_init(&request, sizeof request, DIM, NETMESH_FILTER_RIPS);
+    request.points = points;
+    request.point_count = POINTS;
+    return netmesh_persist_points(context, &request);
+#else
+    return context == NULL ? NETMESH_OK : NETMESH_INTERNAL;
+#endif
+}
+
+/* 0: it failed. */
+uint64_t footprint_job(void* block, size_t block_bytes) {
+    netmesh_context* context = NULL;
+    uint64_t count = 0;
+    draw_points();
+#if JOB != 0
+    if (netmesh_init(block, block_bytes, &context) != NETMESH_OK) return 0;
+#endif
+    if (work(context) != NETMESH_OK) return 0;
+#if JOB == 1
+    {
+        netmesh_cell cell;
+        cell.struct_bytes = sizeof cell;
+        while (netmesh_get_cell(context, count, &cell) == NETMESH_OK) ++count;
+    }
+#elif JOB != 0
+    {
+        netmesh_pair pair;
+        pair.struct_bytes = sizeof pair;
+        while (netmesh_get_pair(context, count, &pair) == NETMESH_OK) ++count;
+    }
+#endif
+#if REPORT
+    report.struct_bytes = sizeof report;
+    if (count == 0 || netmesh_get_report(context, &report) != NETMESH_OK) return 0;
+    return report.memory.peak_bytes;
+#else
+    return count + block_bytes;
+#endif
+}
