@@ -34,6 +34,8 @@ constexpr Real tie = 1e-12L;
 // What a corner's shape may add to its distances, over its radius, is counted from here on: less is within the
 // tolerance.
 constexpr Real excess_min = 1e-9L;
+// As well as that corners are known, over the radius; far better than the tolerance.
+constexpr Real corner_precision = 0x1p-48L;
 
 }  // namespace
 
@@ -192,7 +194,7 @@ CellWalk::CellWalk(const MeshFiles& files, const FilterChoice& choice, std::uint
             star_[v].push_back(static_cast<std::uint32_t>(c));
         }
         Sphere ball;
-        const bool known = smallest_circumsphere(points, &ball);
+        const bool known = smallest_circumsphere(points, &ball, corner_precision);
         corners_.push_back(known ? ball.centre() : Place());
         const CornerError error = known ? corner_error(points, ball) : CornerError();
         error_.push_back(error.shape + error.coordinates);
@@ -292,30 +294,44 @@ Real CellWalk::cut_excess(std::size_t v, const Place& from, Real reach) const {
 // A place of v's cell, which lies in the ball or is bounded, near the one that is nearest to `goal`: a mean of corners
 // whose weights go from the corner that leads there least to the one that leads there most.
 Place CellWalk::towards(std::size_t v, const Place& goal) const {
-    std::vector<const Place*> corners;
-    for_each_corner(v, [&](const Known& corner) { corners.push_back(&corner.x); });
-    if (corners.empty()) return {};
-    std::vector<Real> weight(corners.size(), 0);
+    const std::size_t dim = goal.size();
+    std::vector<Real> corners;  // from the goal on, one after the other
+    for_each_corner(v, [&](const Known& corner) {
+        for (std::size_t k = 0; k < dim; k++) corners.push_back(corner.x[k] - goal[k]);
+    });
+    const std::size_t count = corners.size() / dim;
+    if (count == 0) return {};
+    const auto dot = [dim](const Real* a, const Real* b) {
+        Real sum = 0;
+        for (std::size_t k = 0; k < dim; k++) sum += a[k] * b[k];
+        return sum;
+    };
+    const auto corner = [&](std::size_t i) { return corners.data() + i * dim; };
+    std::vector<Real> weight(count, 0);
     std::size_t start = 0;
-    for (std::size_t i = 1; i < corners.size(); i++)
-        if (distance2(*corners[i], goal) < distance2(*corners[start], goal)) start = i;
+    for (std::size_t i = 1; i < count; i++)
+        if (dot(corner(i), corner(i)) < dot(corner(start), corner(start))) start = i;
     weight[start] = 1;
-    Place x = *corners[start];
+    Place x(corner(start), corner(start) + dim);
     for (int step = 0; step < 200; step++) {
+        // The one that leads there most has the least product with x.
         std::size_t best = 0, worst = 0;
-        Real most = -unbounded, least = unbounded;
-        for (std::size_t i = 0; i < corners.size(); i++) {
-            Real slope = 0;
-            for (std::size_t k = 0; k < x.size(); k++) slope += (goal[k] - x[k]) * ((*corners[i])[k] - x[k]);
-            if (slope > most) most = slope, best = i;
-            if (weight[i] > 0 && slope < least) least = slope, worst = i;
+        Real least = unbounded, most = -unbounded;
+        for (std::size_t i = 0; i < count; i++) {
+            const Real along = dot(x.data(), corner(i));
+            if (along < least) least = along, best = i;
+            if (weight[i] > 0 && along > most) most = along, worst = i;
         }
-        if (!(most > 1e-9L * distance2(x, goal))) break;
-        const Real share = std::min(weight[worst], (most - least) / distance2(*corners[best], *corners[worst]));
+        const Real x2 = dot(x.data(), x.data());
+        if (!(x2 - least > 1e-9L * x2)) break;
+        Place way(dim);
+        for (std::size_t k = 0; k < dim; k++) way[k] = corner(best)[k] - corner(worst)[k];
+        const Real share = std::min(weight[worst], (most - least) / dot(way.data(), way.data()));
         weight[best] += share;
         weight[worst] -= share;
-        for (std::size_t k = 0; k < x.size(); k++) x[k] += share * ((*corners[best])[k] - (*corners[worst])[k]);
+        for (std::size_t k = 0; k < dim; k++) x[k] += share * way[k];
     }
+    for (std::size_t k = 0; k < dim; k++) x[k] += goal[k];
     return x;
 }
 

@@ -13,6 +13,7 @@ namespace {
 // Distances that differ from the radius by less than this part of it are not told from it. The arithmetic here is far
 // more precise; what it leaves out, the errors of corners and rays, is added.
 constexpr Real margin = 0x1p-40L;
+constexpr Real precision = 0x1p-48L;  // of corners, over the radius; how far each is off is counted
 constexpr Real unit = 0x1p-58L;  // of sums of a few products
 
 Real dot(const Place& a, const Place& b) {
@@ -218,7 +219,7 @@ DualFaces::DualFaces(const MeshFiles& files) : files_(files) {
         std::vector<Place> points;
         for (std::uint32_t i = 0; i <= dim; i++) points.push_back(places_[vertex(c, i)]);
         Sphere ball;
-        smallest_circumsphere(points, &ball);
+        smallest_circumsphere(points, &ball, precision);
         // Of a cell that is nearly flat the centre is less well known; mostly that is enough.
         const bool known = !ball.point.empty() && ball.error < 0x1p-6L * radius_;
         corners_.push_back(known ? from_centre(ball.centre()) : Place());

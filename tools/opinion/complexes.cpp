@@ -14,6 +14,10 @@ namespace {
 
 // All faces of up to top + 1 vertices; false when there are too many.
 bool faces_of(const CellTable& cells, std::uint32_t top, std::set<Vertices>* faces) {
+    // A facet is of at most two cells.
+    const std::size_t count = cells.lines.size(), facets = cells.columns * count / 2;
+    const std::size_t least = top + 1 >= cells.columns ? facets + count : top + 2 == cells.columns ? facets : 0;
+    if (least > opinion_simplices_max) return false;
     for (std::size_t c = 0; c < cells.lines.size(); c++) {
         for (std::uint32_t subset = 1; subset < (1u << cells.columns); subset++) {
             Vertices face;

@@ -29,8 +29,9 @@ struct Sphere {
 };
 
 // The smallest sphere through 1 to D+1 affinely independent points whose coordinates are doubles; false when its error
-// would be larger than 2^-45 times its radius: then they are dependent but for their last digits.
-bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere);
+// would be larger than 2^-45 times its radius: then they are dependent but for their last digits. With an error of at
+// most `enough` times the radius long doubles do, which is much faster than twice their digits.
+bool smallest_circumsphere(const std::vector<Place>& points, Sphere* sphere, Real enough = 0);
 
 // The radius of the smallest ball that contains the points: the least sphere through some of them that contains all.
 Real enclosing_radius(const std::vector<Place>& points);
