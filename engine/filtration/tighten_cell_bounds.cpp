@@ -106,7 +106,7 @@ void CellTightener::bound_input(std::uint32_t input) {
         if (b > bound) bound = b;
     }
     if (!(bound < least_)) return;
-    arena_.pass(30 + corners_ / 2);
+    arena_.pass(60 + 4 * corners_);
     HalfSpace best;
     NearestInHull(dim).run(corner_, corners_, q, &best);
     const double b = best.distance(q) - slack;

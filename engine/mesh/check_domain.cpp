@@ -27,7 +27,7 @@ public:
         if (result.violation == nullptr && net_.spacing > 0 && !has_net())
             result = {"there is no boundary net, although its spacing was asked for", none};
         for (std::uint32_t v = 0; v < store_.state.vertex_count;)
-            for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+            for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 60); v < piece; ++v) {
                 store_.vertex(v).queued = 0;
             }
         return result;
@@ -57,7 +57,7 @@ private:
     }
     bool has_net() const {
         for (std::uint32_t v = 0; v < store_.state.vertex_count;)
-            for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+            for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 60); v < piece; ++v) {
                 if (is(v, on_hull) && !is_on_sphere(v)) return false;
             }
         return true;
@@ -84,7 +84,7 @@ private:
 [[gnu::cold]] CheckResult DomainCheck::find_inputs(bool whole) {
     const double most = domain_.radius + slack_;
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 60); v < piece; ++v) {
             if (whole && !is(v, in_cell)) return {"a vertex belongs to no cell", v};
             const Marker marker = store_.vertex(v).marker;
             if (is(v, on_hull) && marker != Marker::exempt) return {"a vertex of the mesh's hull is not exempt", v};
@@ -105,7 +105,7 @@ private:
     net_slack_ = slack_ + (delta_ > 0 ? place_ * domain_.radius / delta_ : 0);
     const double apart = delta_ > net_slack_ ? delta_ - net_slack_ : 0;
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 60); v < piece; ++v) {
             if (!stands_free(v)) continue;
             if (!is_on_sphere(v))
                 return {"an exempt vertex is not on the domain's sphere, where the boundary net is", v};
@@ -125,7 +125,7 @@ private:
 
 [[gnu::cold]] CheckResult DomainCheck::find_frame() const {
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 60); v < piece; ++v) {
             if (stands_free(v) && !is(v, on_hull))
                 return {"a vertex is exempt and neither on the hull nor in the boundary net nor in a shell", v};
         }

@@ -57,7 +57,7 @@ void take_sample(int, siginfo_t*, void* where) {
     const auto* stack = reinterpret_cast<const std::uint64_t*>(registers[REG_RSP]);
     for (int i = 0; i < 2000 && n < 8 && stack + i < __libc_stack_end; ++i) {
         const std::uint64_t word = stack[i];
-        if (word <= reinterpret_cast<std::uint64_t>(&__executable_start) ||
+        if (word <= reinterpret_cast<std::uint64_t>(&__executable_start) + 4096 ||
             word >= reinterpret_cast<std::uint64_t>(&etext))
             continue;
         const auto* code = reinterpret_cast<const unsigned char*>(word);
