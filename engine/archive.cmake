@@ -69,14 +69,14 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # is built.
 target_compile_options(netmesh_engine PRIVATE $<$<CONFIG:Release>:-Os>)
 set(fast api/report api/structs delaunay/spatial_order delaunay/triangulate diagram/bottleneck
-  filtration/mesh_filter filtration/radius_order filtration/rips_graph homology/pair_writer
-  homology/lower_star/surface homology/matrix/cohomology homology/matrix/homology homology/matrix/image
-  jobs/persist_alpha homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard mesh/cage_corner mesh/certificate_rule
-  mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality_rule numerics/residues
-  predicates/predicates)
+  filtration/mesh_filter filtration/rips_graph homology/lower_star/surface homology/matrix/cohomology
+  homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips
+  homology/rips/rips_simplices homology/vineyard/vineyard jobs/persist_alpha mesh/cage_corner
+  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality_rule
+  numerics/residues predicates/predicates)
 list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
-# Where -O3 saves more than a percent of a job's instructions.
+# Where -O3 saves a part of a large job that counts.
 set(fastest complex/faces delaunay/kernel delaunay/sphere delaunay/store filtration/alpha filtration/circumsphere
   homology/lower_star/lower_star mesh/input_tree numerics/radix_sort numerics/value_order)
 list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
