@@ -20,6 +20,9 @@ function(netmesh_can_finish out out_ok out_why)
   if(help MATCHES "force-group-allocation")
     list(APPEND flags --force-group-allocation)
   endif()
+  if(help MATCHES "--unique \\[=SECTION\\]")
+    list(APPEND flags "--unique=.rodata*") # or who calls anything holds the constants and texts of everything
+  endif()
   separate_arguments(user_flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
   if("-m32" IN_LIST user_flags)
     list(APPEND flags -m elf_i386)
@@ -79,7 +82,7 @@ set(seldom analysis/fatness analysis/hierarchy_size analysis/pacing analysis/siz
   jobs/value_vineyard mesh/ball_lists mesh/cage_corner mesh/check_domain mesh/check_reach mesh/domain
   mesh/hierarchy_quality mesh/quality_audit mesh/thesis_cages)
 list(TRANSFORM seldom REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
-set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os>")
+set_source_files_properties(${seldom} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
 # -O3 unrolls their loops to two or three times the size.
 set(unrolled analysis/fat_cell analysis/feature_integral api/report delaunay/spatial_order delaunay/triangulate
   diagram/bottleneck filtration/mesh_filter filtration/point_complexes filtration/radius_order filtration/tight_filter

@@ -37,6 +37,8 @@ public:
 
     // The pairs in the canonical order. In a file of its own, so that sorting is in the library once.
     PairList finish();
+    // The same where no pair names a cycle.
+    PairList finish_without_cycles();
 
 private:
     Pair* pairs() const { return reinterpret_cast<Pair*>(arena_.at(begin_)); }
