@@ -20,6 +20,9 @@ function(netmesh_can_finish out out_ok out_why)
   if(help MATCHES "force-group-allocation")
     list(APPEND flags --force-group-allocation)
   endif()
+  if(help MATCHES "--unique \\[=SECTION\\]")
+    list(APPEND flags "--unique=.rodata*") # or who calls anything holds the constants and texts of everything
+  endif()
   separate_arguments(user_flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
   if("-m32" IN_LIST user_flags)
     list(APPEND flags -m elf_i386)
@@ -66,8 +69,8 @@ set_target_properties(netmesh_engine PROPERTIES CXX_EXTENSIONS OFF INTERPROCEDUR
   ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plain)
 target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
-# is built.
-target_compile_options(netmesh_engine PRIVATE $<$<CONFIG:Release>:-Os>)
+# is built. What headers leave out at -Os (__OPTIMIZE_SIZE__) stays in: they have to mean the same in all files.
+target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
 set(fast api/report api/structs delaunay/spatial_order delaunay/triangulate diagram/bottleneck
   filtration/mesh_filter filtration/rips_graph homology/lower_star/surface homology/matrix/cohomology
   homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips

@@ -16,6 +16,12 @@ namespace {
 
 constexpr std::uint32_t children_max = 0xFFFFFFFEu;
 
+#ifdef __OPTIMIZE_SIZE__
+constexpr bool fetches_ahead = false;
+#else
+constexpr bool fetches_ahead = true;
+#endif
+
 // Cells by vertex.
 template <int D> struct Incidence {
     std::uint32_t* first;  // [vertex_count + 1]
@@ -55,8 +61,8 @@ template <int D> bool build_incidence(const TriangulationView<D>& complex, Arena
 template <int D>
 __attribute__((always_inline)) inline void fetch_star(const TriangulationView<D>& complex,
                                                       const Incidence<D>& incidence, std::uint32_t v) {
-    constexpr std::uint32_t ahead_max = 64;
-    if (v >= complex.vertex_count) return;
+    constexpr std::uint32_t ahead_max = fetches_ahead ? 64 : 0;
+    if (ahead_max == 0 || v >= complex.vertex_count) return;
     const std::uint32_t begin = incidence.first[v], degree = incidence.first[v + 1] - begin;
     for (std::uint32_t i = 0; i < degree && i < ahead_max; ++i)
         __builtin_prefetch(complex.vertices(incidence.cell[begin + i]));
@@ -155,7 +161,7 @@ template <int D>
 __attribute__((always_inline)) inline void fetch_children(const Faces<D>& faces, const Trie<D>& trie, int k,
                                                           std::uint32_t p) {
     constexpr std::uint32_t near = 8, far = 16;
-    if (k < 2 || p + far >= faces.count[k - 1]) return;
+    if (!fetches_ahead || k < 2 || p + far >= faces.count[k - 1]) return;
     __builtin_prefetch(trie.first_child[k - 2] + faces.facets_of(k - 1, p + far)[0]);
     __builtin_prefetch(faces.last_vertex[k - 1] + trie.first_child[k - 2][faces.facets_of(k - 1, p + near)[0]]);
 }

@@ -104,8 +104,10 @@ private:
 
     // Most faces have few children, for which starting sort() takes longer than sorting.
     void sort_children(std::uint32_t children) {
+#ifndef __OPTIMIZE_SIZE__
         if (children <= 24) return insertion_sort(seen_, children, Ascending{});
-        sort(seen_, children, Ascending{});
+#endif
+        sort_alike(seen_, children, Ascending{});
     }
     static std::size_t entries_a_cell(int level) { return level == 0 ? 1 : static_cast<std::size_t>(D + 1 - level); }
     std::uint32_t rank_of(Entry entry) const { return upper_[entry.cell() * D + entry.next() - 1]; }
@@ -132,7 +134,7 @@ private:
             entries_[0][star_size_] = Entry(star_size_, 0);
             size_[star_size_++] = static_cast<std::uint8_t>(n);
         }
-        sort(link_, link_size, Ascending{});
+        sort_alike(link_, link_size, Ascending{});
         for (std::uint32_t r = 0; r < link_size; ++r) rank_[link_[r]] = r;
         for (std::uint32_t c = 0; c < star_size_; ++c)
             for (int j = 0; j < size_[c]; ++j) upper_[c * D + j] = rank_[upper_[c * D + j]];

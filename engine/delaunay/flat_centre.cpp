@@ -29,7 +29,7 @@ bool centre_in_long_digits(int dim, const double* const* p, double shape_factor,
         lengths2 *= square.high;
     }
     const DoubleDouble* const minors =
-        minors_of_columns<2>(dim + 1, dim, edge, edge[0], level);  // minors[dim - j] is the one without row j
+        minors_of_columns<2, dimension_most()>(dim + 1, dim, edge, edge[0], level);  // [dim - j]: without row j
     for (int j = 0; j < dim; ++j) {
         const DoubleDouble quotient = minors[dim - j] / minors[0];
         x[j] = (dim - 1 - j) % 2 == 0 ? quotient.high : -quotient.high;
@@ -67,7 +67,7 @@ bool centre_in_integers(int dim, const double* const* p, double* x, double* erro
         }
         edge[i][dim] = square;
     }
-    const Integer512* const minors = minors_of_columns<2>(dim + 1, dim, edge, edge[0], level);
+    const Integer512* const minors = minors_of_columns<2, dimension_most()>(dim + 1, dim, edge, edge[0], level);
     int below;
     const double determinant = minors[0].leading(&below);
     for (int j = 0; j < dim; ++j) {

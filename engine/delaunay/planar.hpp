@@ -5,6 +5,7 @@
 
 namespace netmesh {
 
+#ifndef __OPTIMIZE_SIZE__
 // An edge from the new point, used by two new cells.
 struct PlanarEdge {
     double x, y, half_square;
@@ -33,6 +34,7 @@ inline bool circumscribe(const double* q, const PlanarEdge& a, const PlanarEdge&
     cell.error = static_cast<float>(1.01 * square_root(error2));
     return true;
 }
+#endif
 
 // In the plane the cells in conflict form a tree, as no vertex is inside the cavity. It is searched depth first and
 // counterclockwise, so no cell is met twice, none has to be marked, and the bounding facets come in their order. Facets
@@ -87,7 +89,9 @@ template <int D> void PlanarCavity<D>::fill(Kernel<D>& kernel, const Cavity& cav
     CellId before = end[1 - facets].made;
     VertexId a = end[0].start;
     const double* const q = store.point(id);
+#ifndef __OPTIMIZE_SIZE__
     PlanarEdge from = a == none ? PlanarEdge{} : edge_to(q, store.point(a));
+#endif
     for (std::ptrdiff_t k = 0; k < facets; ++k) {
         const CellId n = end[-k].made;
         const FacetId beyond = end[-k].beyond;
@@ -101,17 +105,20 @@ template <int D> void PlanarCavity<D>::fill(Kernel<D>& kernel, const Cavity& cav
         fresh.mark = 0;
         cells[before].neighbour[1] = FacetId(n, 2);
         cells[beyond.cell()].neighbour[beyond.position()] = FacetId(n, 0);
+        bool known = a == none || b == none;
+        if (known) make_ghost<D>(fresh);
+#ifndef __OPTIMIZE_SIZE__
         const PlanarEdge to = b == none ? PlanarEdge{} : edge_to(q, store.point(b));
-        if (a == none || b == none) {
-            make_ghost<D>(fresh);
-        } else if (!circumscribe(q, from, to, kernel.error_max_, fresh)) {
+        known = known || circumscribe(q, from, to, kernel.error_max_, fresh);
+        from = to;
+#endif
+        if (!known) {
             const double* const p[3] = {q, store.point(a), store.point(b)};
             solve_sphere<D>(p, kernel.error_max_, fresh);
         }
         if (keeps && a != none) store.vertex(a).cell = n;
         before = n;
         a = b;
-        from = to;
     }
     if (keeps) store.vertex(id).cell = before;
     store.state.last_cell = before;

@@ -8,6 +8,24 @@
 namespace netmesh {
 namespace {
 
+// How the plane's curve runs in a square: with exchanged axes, and with both reflected.
+struct PlanarState {
+    unsigned exchange = 0, reflect = 0;
+
+    // Position of quarter (x, y) of the square along the curve; goes on with that quarter.
+    constexpr unsigned step(unsigned x, unsigned y) {
+        x ^= reflect;
+        y ^= reflect;
+        const unsigned t = (x ^ y) & exchange;
+        x ^= t;
+        y ^= t;
+        exchange ^= y ^ 1;
+        reflect ^= x & (y ^ 1);
+        return x << 1 | (x ^ y);
+    }
+};
+
+#ifndef __OPTIMIZE_SIZE__
 // Three levels of the plane's curve at once. state: bit 1 exchanges the axes, bit 0 reflects both. step[64 * state +
 // six interleaved bits, x first] is 4 * (their position along the curve) + the next state.
 struct PlanarCurve {
@@ -15,17 +33,12 @@ struct PlanarCurve {
     constexpr PlanarCurve() : step{} {
         for (unsigned start = 0; start < 4; ++start)
             for (unsigned bits = 0; bits < 64; ++bits) {
-                unsigned exchange = start >> 1, reflect = start & 1, position = 0;
-                for (int level = 4; level >= 0; level -= 2) {
-                    unsigned x = (bits >> (level + 1) & 1) ^ reflect, y = (bits >> level & 1) ^ reflect;
-                    const unsigned t = (x ^ y) & exchange;
-                    x ^= t;
-                    y ^= t;
-                    position = position << 2 | x << 1 | (x ^ y);
-                    exchange ^= y ^ 1;
-                    reflect ^= x & (y ^ 1);
-                }
-                step[start << 6 | bits] = static_cast<std::uint8_t>(position << 2 | exchange << 1 | reflect);
+                PlanarState state{start >> 1, start & 1};
+                unsigned position = 0;
+                for (int level = 4; level >= 0; level -= 2)
+                    position = position << 2 | state.step(bits >> (level + 1) & 1, bits >> level & 1);
+                step[start << 6 | bits] =
+                    static_cast<std::uint8_t>(position << 2 | state.exchange << 1 | state.reflect);
             }
     }
 };
@@ -39,6 +52,7 @@ inline std::uint64_t spread(std::uint64_t x) {
     x = (x | x << 2) & 0x3333333333333333u;
     return (x | x << 1) & 0x5555555555555555u;
 }
+#endif
 
 template <int D> struct Curve {
     static constexpr int bits_max = 60 / D < 30 ? 60 / D : 30;
@@ -82,14 +96,20 @@ private:
         return key;
     }
     static std::uint64_t planar_position(const std::uint32_t* x, int bits) {
-        const std::uint64_t both = spread(x[0]) << 1 | spread(x[1]);
         std::uint64_t key = 0;
+#ifdef __OPTIMIZE_SIZE__
+        PlanarState state;
+        for (int level = bits - 1; level >= 0; --level)
+            key = key << 2 | state.step(x[0] >> level & 1, x[1] >> level & 1);
+#else
+        const std::uint64_t both = spread(x[0]) << 1 | spread(x[1]);
         unsigned state = 0;
         for (int shift = 2 * bits - 6; shift >= 0; shift -= 6) {
             const unsigned step = planar_curve.step[state << 6 | (both >> shift & 63u)];
             key = key << 6 | step >> 2;
             state = step & 3u;
         }
+#endif
         return key;
     }
 };
@@ -147,7 +167,11 @@ template <int D> struct Sorter {
             }
     }
     void sort_range(std::size_t begin, std::size_t end) {
+#ifdef __OPTIMIZE_SIZE__
+        sort_keys(keys + begin, order + begin, end - begin);  // items of equal keys ascend
+#else
         radix_sort(keys + begin, order + begin, spare_keys, spare_items, end - begin, arena);
+#endif
     }
     bool split_equal_keys(std::size_t count);
 };

@@ -10,7 +10,12 @@ namespace {
 // Here balls only answer whether a point is inside, so their bounds may grow: one question in thousands turns exact.
 constexpr double ball_error_max = 0x1p-7;
 
-constexpr std::uint32_t ahead = 6;  // vertices asked for before their turn: the order jumps about in memory
+// Vertices asked for before their turn: the order jumps about in memory.
+#ifdef __OPTIMIZE_SIZE__
+constexpr std::uint32_t ahead = 0;
+#else
+constexpr std::uint32_t ahead = 6;
+#endif
 
 constexpr std::size_t points_max = std::size_t{1} << 28;
 
@@ -26,7 +31,7 @@ template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t*
     for (std::uint32_t k = 0; k < count;)
         for (const std::uint64_t piece = store.arena.piece(k, count, 20); k < piece; ++k) {
             const std::uint32_t v = order[k];
-            if (k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]), 1);
+            if (ahead > 0 && k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]), 1);
             const bool duplicate = k > 0 && equal_points<D>(store.point(first), store.point(v));
             if (!duplicate) first = v;
             store.vertex(v).next = duplicate ? none : VertexId(0);
@@ -144,7 +149,7 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
     monitor.begin(NETMESH_STAGE_DELAUNAY, count);
     for (std::uint32_t k = 0; k < count; ++k) {
         const VertexId v(order[k]);
-        if (k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]));
+        if (ahead > 0 && k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]));
         if (store.vertex(v).cell != none) continue;
         const double* const q = store.point(v);
         const CellId hit = kernel.locate(q, v, store.state.last_cell);

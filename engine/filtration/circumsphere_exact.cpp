@@ -6,8 +6,18 @@
 namespace netmesh {
 namespace {
 
-std::uint64_t negative(std::uint64_t a, const ResiduePrime& prime) { return a == 0 ? 0 : prime.value - a; }
-std::uint64_t sum_of(std::uint64_t a, std::uint64_t b, const ResiduePrime& prime) {
+#ifdef __OPTIMIZE_SIZE__
+[[gnu::noinline]]
+#endif
+std::uint64_t
+negative(std::uint64_t a, const ResiduePrime& prime) {
+    return a == 0 ? 0 : prime.value - a;
+}
+#ifdef __OPTIMIZE_SIZE__
+[[gnu::noinline]]
+#endif
+std::uint64_t
+sum_of(std::uint64_t a, std::uint64_t b, const ResiduePrime& prime) {
     return a + b >= prime.value ? a + b - prime.value : a + b;
 }
 
@@ -16,13 +26,10 @@ void solve_residues(int k, const std::uint64_t (&gram)[ExactSphere::dim_max][Exa
                     const ResiduePrime& prime, std::uint64_t* det) {
     // The k+1 rows "columns of G, b"; minor k - i is the one without row i.
     ResidueMatrix a;
-    std::uint64_t level[2][widest_level(frame_rows_max)];
+    ResidueLevels level;
     for (int c = 0; c < k; ++c)
-        for (int r = 0; r <= k; ++r) {
-            a.entry[c][0][r] = gram[c][r < k ? r : c];
-            a.entry[c][1][r] = negative(a.entry[c][0][r], prime);
-        }
-    const std::uint64_t* const minors = residue_minors_up<2>(k + 1, k, a, a.entry[0][0], level, prime);
+        for (int r = 0; r <= k; ++r) a.put(c, r, gram[c][r < k ? r : c], prime);
+    const std::uint64_t* const minors = residue_minors(k + 1, k, a, level, prime);
     det[0] = minors[0];
     // b is the last row; k-1-i transpositions bring it to the place of row i.
     for (int i = 0; i < k; ++i) det[i + 1] = ((k - 1 - i) & 1) != 0 ? negative(minors[k - i], prime) : minors[k - i];
@@ -61,9 +68,8 @@ ExactSphere::ExactSphere(const double* const* point, int k, int dim) : k_(k), di
         for (int i = 0; i <= k; ++i) {
             x_[i][c] = scaled_integer(point[i][c], quantum_);
             power_max_ = x_[i][c].power > power_max_ ? x_[i][c].power : power_max_;
+            if (i > 0) edge_[c][i - 1] = two_difference(point[i][c], point[0][c]);
         }
-    for (int c = 0; c < dim; ++c)
-        for (int i = 0; i < k; ++i) edge_[c][i] = two_difference(point[i + 1][c], point[0][c]);
     length_bits_ = 2 * (widest + 1 - quantum_) + (dim > 4 ? 3 : dim > 2 ? 2 : 1);
 }
 
@@ -101,6 +107,22 @@ Floating floating_of(std::uint64_t* residues, int n) {
 
 }  // namespace
 
+#ifdef __OPTIMIZE_SIZE__
+Circumsphere ExactSphere::evaluate(std::uint64_t* scratch) const {
+    const int n = primes_for_bits(square_bits());
+    std::uint32_t within = 0;
+    for (int i = 0; i <= k_; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const ResiduePrime prime = residue_prime(j);
+            const Residues r = modulo(prime);
+            scratch[j] = i > 0 ? r.det[i] : sum_of(r.det[0], r.det[0], prime);  // 2 det G beta_i
+            for (int m = 1; i == 0 && m <= k_; ++m) scratch[j] = sum_of(scratch[j], negative(r.det[m], prime), prime);
+        }
+        if (sign_of_residues(scratch, n) <= 0) within |= 1u << i;
+    }
+    return {root_of(radius_squared(scratch)), within, 0};
+}
+#else
 Circumsphere ExactSphere::evaluate(std::uint64_t* scratch) const {
     const int n = primes_for_bits(square_bits());
     std::uint64_t* const first = scratch;  // 2 det G beta_0
@@ -121,6 +143,7 @@ Circumsphere ExactSphere::evaluate(std::uint64_t* scratch) const {
     square.exponent += 2 * quantum_ - 2;
     return {root_of(square), within, 0};
 }
+#endif
 
 Floating ExactSphere::radius_squared(std::uint64_t* scratch) const {
     const int n = primes_for_bits(square_bits());
@@ -179,7 +202,6 @@ std::uint32_t ExactSphere::hash() const {
 
 bool ExactSphere::excess(const ExactSphere& a, const ExactSphere& b, std::uint64_t* scratch, double* out) {
     const int shift = 2 * (a.quantum_ - b.quantum_);
-    const int shift_a = shift > 0 ? shift : 0, shift_b = shift < 0 ? -shift : 0;
     const int n = primes_for_bits(product_bits(a, b) + 1);
     if (n > residue_prime_count) return false;
     std::uint64_t *const difference = scratch, *const opposite = scratch + n, *const product = scratch + 2 * n;
@@ -187,8 +209,8 @@ bool ExactSphere::excess(const ExactSphere& a, const ExactSphere& b, std::uint64
         const ResiduePrime prime = residue_prime(j);
         const Residues ra = a.modulo(prime), rb = b.modulo(prime);
         std::uint64_t left = multiply(ra.sum, rb.det[0], prime), right = multiply(rb.sum, ra.det[0], prime);
-        if (shift_a > 0) left = multiply(left, power_of_two_modulo(shift_a, prime), prime);
-        if (shift_b > 0) right = multiply(right, power_of_two_modulo(shift_b, prime), prime);
+        std::uint64_t& coarser = shift > 0 ? left : right;
+        coarser = multiply(coarser, power_of_two_modulo(shift > 0 ? shift : -shift, prime), prime);
         difference[j] = sum_of(left, negative(right, prime), prime);
         opposite[j] = negative(difference[j], prime);
         product[j] = right;

@@ -231,8 +231,19 @@ template <int D> [[gnu::cold]] Status RadiusOrder<D>::decide(std::uint32_t begin
         settle(begin, end, radius, error);
         return Status::ok;
     }
-    std::uint32_t equal[4] = {label_[begin]}, kinds = 1, i = begin + 1;
-    for (; i < end; ++i) {
+    const std::uint32_t first = label_[begin];
+    std::uint32_t i;
+#ifdef __OPTIMIZE_SIZE__
+    for (i = begin; i < end; ++i) {
+        const ExactSphere sphere = sphere_of(label_[i]), least = sphere_of(first);
+        radius_[i] = 0;
+        if (!ExactSphere::congruent(sphere, least) && !ExactSphere::excess(sphere, least, scratch_, &radius_[i]))
+            return Status::out_of_range;
+        if (stop(64)) return Status::cancelled;
+    }
+#else
+    std::uint32_t equal[4] = {first}, kinds = 1;
+    for (i = begin + 1; i < end; ++i) {
         const ExactSphere sphere = sphere_of(label_[i]);
         const double near = radius_[i] - x + deviation_error(radius_[i]) + deviation_error(x);
         bool found = false;
@@ -258,9 +269,8 @@ template <int D> [[gnu::cold]] Status RadiusOrder<D>::decide(std::uint32_t begin
     constexpr std::uint32_t slots = 32;
     std::uint32_t known[slots];
     double excess[slots];
-    for (std::uint32_t& label : known) label = label_[begin];
+    for (std::uint32_t& label : known) label = first;
     for (double& e : excess) e = 0;
-    const std::uint32_t first = label_[begin];
     for (i = begin; i < end; ++i) {
         const ExactSphere sphere = sphere_of(label_[i]);
         const std::uint32_t slot = sphere.hash() % slots;
@@ -271,6 +281,7 @@ template <int D> [[gnu::cold]] Status RadiusOrder<D>::decide(std::uint32_t begin
         radius_[i] = excess[slot];
         if (stop(64)) return Status::cancelled;
     }
+#endif
     if (!sort_labelled(radius_ + begin, label_ + begin, end - begin, work_.arena)) return Status::out_of_memory;
     bool in_range = true;
     for (std::uint32_t from = begin, to; in_range && from < end; from = to) {
@@ -296,9 +307,13 @@ template <int D>
         in_range = in_range && (ExactSphere::congruent(x, y) || ExactSphere::excess(x, y, scratch_, &excess));
         return excess < 0;
     };
+#ifdef __OPTIMIZE_SIZE__
+    insertion_sort(label_ + begin, end - begin, less);  // there are hardly ever more than two
+#else
     bool sorted = true;
     for (std::uint32_t i = begin + 1; i < end && sorted; ++i) sorted = !less(label_[i], label_[i - 1]);
     if (!sorted) sort(label_ + begin, end - begin, less);
+#endif
     for (std::uint32_t from = begin, to; in_range && from < end; from = to) {
         to = from + 1;
         while (to < end && !less(label_[to - 1], label_[to])) ++to;

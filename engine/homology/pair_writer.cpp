@@ -9,4 +9,9 @@ PairList PairWriter::finish() {
     return PairList{pairs(), count_};
 }
 
+PairList PairWriter::finish_without_cycles() {
+    sort_alike(pairs(), count_, CanonicalOrder{});
+    return PairList{pairs(), count_};
+}
+
 }  // namespace netmesh

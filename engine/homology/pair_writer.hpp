@@ -37,6 +37,8 @@ public:
 
     // The pairs in the canonical order. In a file of its own, so that sorting is in the library once.
     PairList finish();
+    // The same where no pair names a cycle.
+    PairList finish_without_cycles();
 
     const Arena& arena() const { return arena_; }
 

@@ -81,21 +81,9 @@ public:
 
     // count objects of T, uninitialised, at the low (high) end, 16-byte aligned; nullptr when the gap is too small,
     // and then nothing has changed. O(1).
-    template <class T> T* take_low(std::size_t count) {
-        const std::size_t start = (low_ + alignment - 1) & ~(alignment - 1);
-        std::size_t need;
-        if (sweep_refuses() || !fits(count, sizeof(T), start - low_, &need)) return nullptr;
-        low_ = start + need;
-        note_peak();
-        return reinterpret_cast<T*>(base_ + start);
-    }
+    template <class T> T* take_low(std::size_t count) { return reinterpret_cast<T*>(take_items_low(count, sizeof(T))); }
     template <class T> T* take_high(std::size_t count) {
-        const std::size_t end = high_ & ~(alignment - 1);
-        std::size_t need;
-        if (sweep_refuses() || !fits(count, sizeof(T), high_ - end, &need)) return nullptr;
-        high_ = (end - need) & ~(alignment - 1);
-        note_peak();
-        return reinterpret_cast<T*>(base_ + high_);
+        return reinterpret_cast<T*>(take_items_high(count, sizeof(T)));
     }
     // Makes the last piece at the low (high) end longer by exactly this many bytes (a multiple of 8). False: no room.
     bool extend_low(std::size_t bytes) {
@@ -137,6 +125,23 @@ public:
     }
 
 private:
+    // One piece of code for all types.
+    unsigned char* take_items_low(std::size_t count, std::size_t item_bytes) {
+        const std::size_t start = (low_ + alignment - 1) & ~(alignment - 1);
+        std::size_t need;
+        if (sweep_refuses() || !fits(count, item_bytes, start - low_, &need)) return nullptr;
+        low_ = start + need;
+        note_peak();
+        return base_ + start;
+    }
+    unsigned char* take_items_high(std::size_t count, std::size_t item_bytes) {
+        const std::size_t end = high_ & ~(alignment - 1);
+        std::size_t need;
+        if (sweep_refuses() || !fits(count, item_bytes, high_ - end, &need)) return nullptr;
+        high_ = (end - need) & ~(alignment - 1);
+        note_peak();
+        return base_ + high_;
+    }
     bool fits(std::size_t count, std::size_t item_bytes, std::size_t padding, std::size_t* need) {
         if (count > (SIZE_MAX / 2) / item_bytes) {
             wanted_ = SIZE_MAX;

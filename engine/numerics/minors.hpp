@@ -85,14 +85,15 @@ template <int K, class T> void minors_up(int n, const T* column, const T* below,
     }
 }
 
-// The minors of order k of the first k columns of a matrix of n rows, from those of order K-1, in one of two levels.
-template <int K, class T>
+// The minors of order k <= most of the first k columns of a matrix of n rows, from those of order K-1, in one of two
+// levels.
+template <int K, int most, class T>
 const T* minors_of_columns(int n, int k, const T (*column)[minor_rows_max], const T* below,
                            T (&level)[2][widest_level(minor_rows_max)]) {
     if (K > k) return below;
-    if constexpr (K <= minor_rows_max) {
+    if constexpr (K <= most) {
         minors_up<K>(n, column[K - 1], below, level[K & 1]);
-        below = minors_of_columns<K + 1>(n, k, column, level[K & 1], level);
+        below = minors_of_columns<K + 1, most>(n, k, column, level[K & 1], level);
     }
     return below;
 }

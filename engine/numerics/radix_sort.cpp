@@ -58,4 +58,49 @@ void radix_sort(std::uint64_t* keys, std::uint32_t* items, std::uint64_t* spare_
         });
 }
 
+#ifdef __OPTIMIZE_SIZE__
+namespace {
+
+struct KeyedItem {
+    std::uint64_t key;
+    std::uint32_t item;
+    bool operator<(const KeyedItem& other) const { return key != other.key ? key < other.key : item < other.item; }
+};
+
+struct KeyedItems {
+    unsigned char* keys;
+    std::uint32_t* items;
+
+    KeyedItem get(std::size_t i) const {
+        KeyedItem x;
+        __builtin_memcpy(&x.key, keys + i * sizeof x.key, sizeof x.key);
+        x.item = items[i];
+        return x;
+    }
+    void put(std::size_t i, const KeyedItem& x) const {
+        __builtin_memcpy(keys + i * sizeof x.key, &x.key, sizeof x.key);
+        items[i] = x.item;
+    }
+};
+
+}  // namespace
+
+// Heapsort, as heap_sort of sort.hpp.
+void sort_keys(void* keys, std::uint32_t* items, std::size_t count) {
+    const KeyedItems all = {static_cast<unsigned char*>(keys), items};
+    for (std::size_t left = count / 2, end = count; end > 1;) {
+        const KeyedItem moved = all.get(left > 0 ? --left : --end);
+        if (left == 0 && end < count) all.put(end, all.get(0));
+        std::size_t hole = left;
+        for (std::size_t child; (child = 2 * hole + 1) < end; hole = child) {
+            KeyedItem above = all.get(child);
+            if (child + 1 < end && above < all.get(child + 1)) above = all.get(++child);
+            if (!(moved < above)) break;
+            all.put(hole, above);
+        }
+        all.put(hole, moved);
+    }
+}
+#endif
+
 }  // namespace netmesh

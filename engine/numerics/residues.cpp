@@ -24,6 +24,30 @@ constexpr std::uint16_t prime_excess[residue_prime_count] = {
     10605, 10633, 10729, 10731,
 };
 
+#ifdef __OPTIMIZE_SIZE__
+
+// Halves of the steps from one excess to the next.
+struct Steps {
+    std::uint8_t half[residue_prime_count];
+    constexpr Steps() : half() {
+        for (int i = 1; i < residue_prime_count; ++i)
+            half[i] = static_cast<std::uint8_t>((prime_excess[i] - prime_excess[i - 1]) / 2);
+    }
+};
+constexpr Steps steps;
+
+// 1 / a modulo the prime: a^(prime - 2).
+std::uint64_t inverse(std::uint64_t a, const ResiduePrime& prime) {
+    std::uint64_t power = 1;
+    for (int bit = 60; bit >= 0; --bit) {
+        power = multiply(power, power, prime);
+        if (((prime.value - 2) >> bit & 1) != 0) power = multiply(power, a, prime);
+    }
+    return power;
+}
+
+#else
+
 // a * small modulo 2^61 - excess, not quite reduced: below 2^61 + 2^31 when a is, for small < 2^14. In 64 bits,
 // as a = high * 2^30 + low and 2^61 = excess.
 constexpr std::uint64_t multiply_small(std::uint64_t a, std::uint64_t small, std::uint64_t excess) {
@@ -54,10 +78,6 @@ constexpr std::uint64_t prefix_inverse(int j) {
     return inverse(product >= p ? product - p : product, p);
 }
 
-#ifdef __OPTIMIZE_SIZE__
-// Found each time: a table takes 2 KiB.
-constexpr std::uint64_t known_prefix_inverse(int j) { return prefix_inverse(j); }
-#else
 struct PrefixInverses {
     std::uint64_t value[residue_prime_count];
     constexpr PrefixInverses() : value() {
@@ -65,13 +85,18 @@ struct PrefixInverses {
     }
 };
 constexpr PrefixInverses prefix_inverses;
-constexpr std::uint64_t known_prefix_inverse(int j) { return prefix_inverses.value[j]; }
+
 #endif
 
 }  // namespace
 
 ResiduePrime residue_prime(int index) {
+#ifdef __OPTIMIZE_SIZE__
+    std::uint64_t excess = prime_excess[0];
+    for (int i = 1; i <= index; ++i) excess += 2u * steps.half[i];
+#else
     const std::uint64_t excess = prime_excess[index];
+#endif
     return {(std::uint64_t{1} << 61) - excess, excess};
 }
 
@@ -82,12 +107,22 @@ int sign_of_residues(std::uint64_t* residues, int n) {
     for (int j = 0; j < n; ++j) {
         const ResiduePrime prime = residue_prime(j);
         std::uint64_t known = 0;
+        const std::uint64_t r = residues[j];
+#ifdef __OPTIMIZE_SIZE__
+        std::uint64_t before = 1, gap = 0;
+        for (int i = j - 1; i >= 0; --i) {
+            gap += 2u * steps.half[i + 1];                      // prime i modulo prime j
+            known = multiply(known, gap, prime) + residues[i];  // below 2^62
+            before = multiply(before, gap, prime);
+        }
+        residues[j] = multiply(r + 3 * prime.value - known, inverse(before, prime), prime);
+#else
         for (int i = j - 1; i >= 0; --i)
             known = multiply_small(known, prime.excess - prime_excess[i], prime.excess) + residues[i];
         UnsignedSum sum(known);
         known = reduce(sum, prime);
-        const std::uint64_t r = residues[j];
-        residues[j] = multiply(r >= known ? r - known : r + prime.value - known, known_prefix_inverse(j), prime);
+        residues[j] = multiply(r >= known ? r - known : r + prime.value - known, prefix_inverses.value[j], prime);
+#endif
         all_zero &= residues[j] == 0;
     }
     if (all_zero) return 0;
@@ -111,7 +146,7 @@ Floating floating_of_digits(const std::uint64_t* digits, int n) {
     DoubleDouble a = exactly(digits[top]);
     double unit = 1;
     for (int j = top - 1; j >= 0; --j) {
-        a = a * quick_two_sum(1, -static_cast<double>(prime_excess[j]) * 0x1p-61);
+        a = a * quick_two_sum(1, -static_cast<double>(static_cast<std::int64_t>(residue_prime(j).excess)) * 0x1p-61);
         unit = top - j > 3 ? 0 : unit * 0x1p-61;
         a = a + scaled(exactly(digits[j]), unit);
     }

@@ -107,4 +107,14 @@ void sort(T* items, std::uint64_t count, Less less, const Reports& reports = {})
     }
 }
 
+// The same for items that are alike in every bit when neither is less: no way of sorting shows in the result, and where
+// size counts the smallest one will do.
+template <class T, class Less> void sort_alike(T* items, std::uint64_t count, Less less) {
+#ifdef __OPTIMIZE_SIZE__
+    heap_sort(items, count, less);
+#else
+    sort(items, count, less);
+#endif
+}
+
 }  // namespace netmesh

@@ -1,8 +1,12 @@
 #include "numerics/value_order.hpp"
 
+#include "numerics/bits.hpp"
+#include "numerics/radix_sort.hpp"
+
 namespace netmesh {
 namespace {
 
+#ifndef __OPTIMIZE_SIZE__
 // A stretch of the array and the bit of its key at which the digit to sort by begins; the key is the value's 64 bits
 // and, once these are equal, the position's 32.
 struct Range {
@@ -12,14 +16,33 @@ constexpr std::uint32_t digits = 256;
 constexpr int digit_bits = 8;
 constexpr int depth_max = 14;  // 8 digits of the value and 4 of the position, one more each for an odd start
 constexpr std::uint32_t short_range = 40;
+#endif
+
+constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
 
 // Orders like the values, negative ones included.
 std::uint64_t key_of_value(double x) {
-    std::uint64_t b;
-    __builtin_memcpy(&b, &x, sizeof b);
-    constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-    return (b & sign) != 0 ? ~b : b | sign;
+    const std::uint64_t b = bits_of(x);
+    return (b & sign_bit) != 0 ? ~b : b | sign_bit;
 }
+
+#ifdef __OPTIMIZE_SIZE__
+
+// The keys stand where the values were.
+void sort_in_place(double* value, std::uint32_t* label, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint64_t key = key_of_value(value[i]);
+        __builtin_memcpy(value + i, &key, sizeof key);
+    }
+    sort_keys(value, label, count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        std::uint64_t key;
+        __builtin_memcpy(&key, value + i, sizeof key);
+        value[i] = double_of_bits((key & sign_bit) != 0 ? key ^ sign_bit : ~key);
+    }
+}
+
+#else
 
 struct Items {
     double* value;
@@ -146,17 +169,30 @@ void sort_items(const Items& items, std::uint32_t count, const SortScratch& scra
     }
 }
 
+#endif
+
 }  // namespace
 
 bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Arena& arena) {
+#ifdef __OPTIMIZE_SIZE__
+    for (std::uint32_t i = 0; i < count; ++i) position[i] = i;
+    return sort_labelled(value, position, count, arena);
+#else
     const ArenaScope scope(arena);
     SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
     arena.each(count, 1, [position](std::uint64_t i) { position[i] = static_cast<std::uint32_t>(i); });
     sort_items({value, position}, count, scratch, arena);
     return true;
+#endif
 }
 
+#ifdef __OPTIMIZE_SIZE__
+bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Arena&) {
+    sort_in_place(value, label, count);
+    return true;
+}
+#else
 bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Arena& arena) {
     const ArenaScope scope(arena);
     SortScratch scratch;
@@ -164,5 +200,6 @@ bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Are
     sort_items({value, label}, count, scratch, arena);
     return true;
 }
+#endif
 
 }  // namespace netmesh

@@ -37,31 +37,43 @@ template <int D, bool lifted> bool is_sure(const FloatResult& result) {
     return __builtin_fabs(result.determinant) > result.magnitude * factor;
 }
 
+#ifdef __OPTIMIZE_SIZE__
+constexpr bool takes_few_stages = true;  // 3, and in the plane 1, before 5: see undecided.cpp
+#else
+constexpr bool takes_few_stages = false;
+#endif
+
 // points: D+1.
 template <int D> Decision decide_orient(const double* const* points) {
+    FloatResult first = {0, 0};
     if constexpr (D == 2) {
         const int sign = planar_stage<false>(points);
         if (sign != 0) return decide(sign, false, stage_float);
     }
-    const FloatResult first = float_stage<D, false>(points, nullptr);
-    if (is_sure<D, false>(first) || is_exact_at_once<D, false>(points, first.magnitude))
-        return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    if constexpr (D != 2 || !takes_few_stages) {
+        first = float_stage<D, false>(points, nullptr);
+        if (is_sure<D, false>(first) || (!takes_few_stages && is_exact_at_once<D, false>(points, first.magnitude)))
+            return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    }
     return decide_undecided(D, false, points, first);
 }
 
 // points: D+2, q last. *minors_exact: minors[D - i] is exactly the determinant of the rows (x - q) of all points but i
 // (and q).
 template <int D> Decision decide_in_ball(const double* const* points, double* minors, bool* minors_exact) {
+    FloatResult first = {0, 0};
     *minors_exact = false;
     if constexpr (D == 2) {
         const int sign = planar_stage<true>(points);
         if (sign != 0) return decide(sign, false, stage_float);
     }
-    const FloatResult first = float_stage<D, true>(points, minors);
-    if (is_sure<D, true>(first)) return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
-    if (is_exact_at_once<D, true>(points, first.magnitude)) {
-        *minors_exact = true;
-        return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+    if constexpr (D != 2 || !takes_few_stages) {
+        first = float_stage<D, true>(points, minors);
+        if (is_sure<D, true>(first)) return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+        if (!takes_few_stages && is_exact_at_once<D, true>(points, first.magnitude)) {
+            *minors_exact = true;
+            return decide(sign_of(first.determinant), (D & 1) != 0, stage_float);
+        }
     }
     return decide_undecided(D, true, points, first);
 }

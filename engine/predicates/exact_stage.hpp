@@ -1,7 +1,6 @@
 // The determinant as residues, for all finite doubles.
 #pragma once
-#include "numerics/minors.hpp"
-#include "numerics/residues.hpp"
+#include "numerics/residue_minors.hpp"
 #include "predicates/frame.hpp"
 
 namespace netmesh {
@@ -31,31 +30,6 @@ inline std::uint64_t residue_of(const ScaledInteger& x, const std::uint64_t* pow
     std::uint64_t r = multiply(x.mantissa, std::uint64_t{1} << x.shift, prime);
     if (x.power != 0) r = multiply(r, power[x.power], prime);
     return x.negative && r != 0 ? prime.value - r : r;
-}
-
-// A matrix modulo a prime by columns, [1] with its signs changed.
-struct ResidueMatrix {
-    std::uint64_t entry[frame_rows_max][2][frame_rows_max];
-};
-
-// The minors of order `top` of the first columns of n rows modulo the prime, from those of order K-1, 1 <= top <= n.
-template <int K>
-const std::uint64_t* residue_minors_up(int n, int top, const ResidueMatrix& a, const std::uint64_t* below,
-                                       std::uint64_t (&level)[2][widest_level(frame_rows_max)],
-                                       const ResiduePrime& prime) {
-    if (K > top) return below;
-    if constexpr (K <= frame_rows_max) {
-        const MinorTerm* term = minor_table.term + minor_terms_at(K);
-        std::uint64_t* const out = level[K & 1];
-        for (int s = 0; s < binomial(n, K); ++s, term += K) {
-            UnsignedSum sum;
-            for (int j = 0; j < K; ++j)
-                sum.add_product(a.entry[K - 1][(K - 1 - j) & 1][term[j].row], below[term[j].below]);
-            out[s] = reduce(sum, prime);
-        }
-        below = residue_minors_up<K + 1>(n, top, a, out, level, prime);
-    }
-    return below;
 }
 
 // The least b for which 2^b is at least D^(D/2), or (D+1) D^(1+D/2) for lifted points: compared by squares.
@@ -97,18 +71,14 @@ static_assert(exact_primes_max <= residue_prime_count, "the table of primes is t
             for (int i = 0; i < n; ++i) {
                 const std::uint64_t r = residue_of(x[c][i], power, prime);
                 const std::uint64_t difference = r >= base ? r - base : r + prime.value - base;
-                a.entry[c][0][i] = difference;
-                a.entry[c][1][i] = prime.value - difference;
+                a.put(c, i, difference, prime);
                 lift[i].add_product(difference, difference);
             }
         }
         if (lifted)
-            for (int i = 0; i < n; ++i) {
-                a.entry[dim][0][i] = reduce(lift[i], prime);
-                a.entry[dim][1][i] = prime.value - a.entry[dim][0][i];
-            }
-        std::uint64_t level[2][widest_level(frame_rows_max)];
-        residues[k] = *residue_minors_up<2>(n, n, a, a.entry[0][0], level, prime);
+            for (int i = 0; i < n; ++i) a.put(dim, i, reduce(lift[i], prime), prime);
+        ResidueLevels level;
+        residues[k] = *residue_minors(n, n, a, level, prime);
     }
     return sign_of_residues(residues, primes);
 }

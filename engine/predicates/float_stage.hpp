@@ -108,7 +108,7 @@ template <class Dim, class Lifted> FloatResult float_stage_scaled(const Frame& f
     double magnitude = square_root(product) * magnitude_factor(dim, lifted);
     if (lifted) magnitude *= highest;  // a lift over its row's length is at most the lift
     double level[2][widest_level(minor_rows_max)];
-    return {*minors_of_columns<2>(n, n, column, column[0], level), magnitude};
+    return {*minors_of_columns<2, minor_rows_max>(n, n, column, column[0], level), magnitude};
 }
 
 }  // namespace netmesh

@@ -1,9 +1,43 @@
 #include "predicates/undecided.hpp"
 
 #include "predicates/exact_stage.hpp"
+
+#ifndef __OPTIMIZE_SIZE__
 #include "predicates/integer_stage.hpp"
+#endif
 
 namespace netmesh {
+
+#ifdef __OPTIMIZE_SIZE__
+
+// Where size counts residues answer at once, about the last point: the other stages would save time and nothing else.
+// Few digits take few primes.
+Decision decide_undecided(int dim, bool lifted, const double* const* points, const FloatResult&) {
+    const int rows = frame_rows(dim, lifted);
+    int least = 1024;
+    for (int i = 0; i <= rows; ++i)
+        for (int c = 0; c < dim; ++c) {
+            const int k = quantum_of(points[i][c]);
+            least = k < least ? k : least;
+        }
+    Frame frame;
+    frame.base = points[rows];
+    int quantum[dimension_most()], row_bits_max = 0, bits = hadamard_bits(dim, lifted);
+    for (int c = 0; c < dim; ++c) quantum[c] = least;
+    for (int i = 0; i < rows; ++i) {
+        frame.row[i] = points[i];
+        const int exponent = difference_exponent(dim, points[i], frame.base);
+        if (exponent == exponent_of_zero) return decide(0, false, stage_exact);
+        const int row_bits = exponent + 1 - least;
+        row_bits_max = row_bits > row_bits_max ? row_bits : row_bits_max;
+        bits += row_bits;
+    }
+    bits += lifted ? row_bits_max : 0;
+    return decide(exact_stage(frame, dim, lifted, quantum, bits), (dim & 1) != 0, stage_exact);
+}
+
+#else
+
 namespace {
 
 // The quantum certificate: when all coordinates are multiples of 2^quantum and the magnitude is below 2^53 quanta (of
@@ -68,7 +102,6 @@ Decision decide_in_stages(Dim dim, Lifted lifted, const double* const* points, c
 }  // namespace
 
 Decision decide_undecided(int dim, bool lifted, const double* const* points, const FloatResult& first) {
-#ifndef __OPTIMIZE_SIZE__
     // Surfaces and grids in space put most of their questions here: sizes known when compiling save a third of the
     // time.
     constexpr std::integral_constant<bool, true> in_ball{};
@@ -76,8 +109,9 @@ Decision decide_undecided(int dim, bool lifted, const double* const* points, con
         if (dim == 3 && lifted) return decide_in_stages(Dimension<3>{}, in_ball, points, first);
     if constexpr (serves_dimension(2))
         if (dim == 2 && lifted) return decide_in_stages(Dimension<2>{}, in_ball, points, first);
-#endif
     return decide_in_stages(dim, lifted, points, first);
 }
+
+#endif
 
 }  // namespace netmesh

@@ -30,7 +30,7 @@ std::uint64_t total(const PredicateCounts& counts) {
 template <int D> void agree(Kind kind) {
     inputs::Source source(1000 * D + static_cast<std::uint64_t>(kind));
     PredicateCounts counts{};
-    int wrong_orient = 0, wrong_in_ball = 0, wrong_portable = 0;
+    int wrong_orient = 0, wrong_in_ball = 0, wrong_portable = 0, wrong_small = 0;
     const int cases = cases_wanted(kind);
     for (int t = 0; t < cases; ++t) {
         const std::vector<inputs::Point> points = source.points(kind, D);
@@ -41,12 +41,14 @@ template <int D> void agree(Kind kind) {
         wrong_orient += o != oracle::orient({points.begin(), points.end() - 1});
         wrong_in_ball += b != oracle::in_ball(points);
         wrong_portable += o != portable_orient(D, p) || b != portable_in_ball(D, p);
+        wrong_small += o != small_orient(D, p) || b != small_in_ball(D, p);
     }
     CAPTURE(D);
     CAPTURE(inputs::name(kind));
     CHECK(wrong_orient == 0);
     CHECK(wrong_in_ball == 0);
     CHECK(wrong_portable == 0);
+    CHECK(wrong_small == 0);
     CHECK(total(counts) == 2 * static_cast<std::uint64_t>(cases));
 }
 

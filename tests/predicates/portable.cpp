@@ -1,6 +1,7 @@
 // The engine's sources once more, in a namespace of their own and without 128-bit integers.
 #define NETMESH_PORTABLE_WIDE
 #define netmesh netmesh_portable
+#include "numerics/residue_minors.cpp"
 #include "numerics/residues.cpp"
 #include "predicates/predicates.cpp"
 #include "predicates/undecided.cpp"

@@ -18,7 +18,7 @@ public:
 
     Status run();
     Status run_on_surface();
-    PairList finish() { return writer_.finish(); }
+    PairList finish() { return writer_.finish_without_cycles(); }
 
 private:
     class Recorder;
