@@ -2,12 +2,15 @@
 // mesh find, and faults of a mesh or of what keeps it are seen.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "cage_lemmas.hpp"
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "mesh/thesis_cages.hpp"
+#include "numerics/random.hpp"
 
 using namespace netmesh;
 
@@ -192,6 +195,135 @@ TEST_CASE("inputs that shells yield to are audited as vertices of the shell") {
 
 namespace {
 
+constexpr double shell_of_pair = ThesisCage::shell_factor * ThesisCage::slack / ThesisCage::epsilon;
+
+std::array<double, 2> ring_place(std::uint32_t k) {
+    std::array<double, 2> x;
+    CageTemplate<2>::point(k, x.data());
+    return x;
+}
+// A pair 1 apart about 0, so that a cage is made there and its shell is shell_of_pair away, and inputs that keep the
+// outermost cage away. `ring`: what stands near places of that shell. In another order each turn.
+inputs::Points pair_with(const std::vector<std::array<double, 2>>& ring, std::uint64_t turn) {
+    std::vector<std::array<double, 2>> all = {{0, 0}, {0, 0}, {1000, 0}, {-1000, 0}, {0, 1000}, {0, -1000}};
+    const std::array<double, 2> axis = ring_place(turn % 16);
+    all[1] = axis;
+    for (const auto& x : ring)
+        all.push_back(
+            {shell_of_pair * (axis[0] * x[0] - axis[1] * x[1]), shell_of_pair * (axis[1] * x[0] + axis[0] * x[1])});
+    for (std::size_t i = all.size(); i-- > 1;) std::swap(all[i], all[mix64(turn << 8 | i) % (i + 1)]);
+    inputs::Points points;
+    for (const auto& x : all) points.insert(points.end(), x.begin(), x.end());
+    return points;
+}
+// In how many orders the pair comes before the ring, which the shell then yields to.
+int audit_yielding(const std::vector<std::array<double, 2>>& ring, std::uint64_t turns) {
+    int found = 0;
+    for (std::uint64_t turn = 0; turn < turns; ++turn) {
+        Audited<2, Judged<2>> mesh(pair_with(ring, turn), asked(6, false, turn));
+        REQUIRE(mesh.status == Status::ok);
+        Judged<2>::check(mesh.result.audit.quality);
+        found += Judged<2>::yielded >= ring.size();
+    }
+    return found;
+}
+
+}  // namespace
+
+// Of all that is inserted as a shell, the second of these inputs has its second input the farthest away for its nearest
+// neighbour: that is why it is not in its place.
+TEST_CASE("the worst vertex of a shell may be an input that it yields to") {
+    std::array<double, 2> moved = ring_place(5);
+    const std::array<double, 2> out = moved;
+    moved[0] += 0.053 * out[1] + 0.015 * out[0];
+    moved[1] += -0.053 * out[0] + 0.015 * out[1];
+    CHECK(audit_yielding({ring_place(8), moved}, 40) > 0);
+}
+
+namespace {
+
+// When a cage is released, two vertices of its inside, neither of which is beside its shell or anything new, come close
+// to one another behind the mesher's back.
+template <int D> class Secret : public ThesisCages<D, Secret<D>> {
+    using Base = ThesisCages<D, Secret<D>>;
+
+public:
+    static inline double before, after;  // worst aspect ratio, before that and in the audit after it
+    static inline bool is_done;
+
+    Secret(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
+        : Base(store, request, work, result) {
+        before = after = 0;
+        is_done = false;
+    }
+    Status after_step() {
+        MeshAudit audit;
+        this->observers_.report(&audit);
+        after = audit.quality.worst;
+        if (is_done) return Status::cancelled;
+        const Status status = Base::after_step();
+        if (status != Status::ok) return status;
+        before = after;
+        for (std::uint32_t d = 1; d < live_.size() && !is_done; ++d)
+            if (live_[d] && !this->hierarchy_.is_live(d)) is_done = bring_together(this->hierarchy_.cage(d));
+        live_.assign(this->hierarchy_.made(), false);
+        for (std::uint32_t d = 0; d < live_.size(); ++d) live_[d] = this->hierarchy_.is_live(d);
+        first_ = this->store_.state.vertex_count;
+        return status;
+    }
+
+private:
+    bool bring_together(const Cage& cage) {
+        const Store<D>& store = this->store_;
+        // Inside of it, and with a ball about it that has no place for a shell or what is beyond.
+        const auto is_hidden = [&](std::uint32_t v) {
+            if (!is_inside<D>(store, cage, store.point(v))) return false;
+            for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+                const Cell<D>& cell = store.cell(c);
+                if (!store.is_live(c) ||
+                    std::find(cell.vertex, cell.vertex + D + 1, VertexId(v)) == cell.vertex + D + 1)
+                    continue;
+                for (const VertexId w : cell.vertex)
+                    if (w == none || w >= first_ || is_by_shell<D>(store, cage, w) ||
+                        !is_inside<D>(store, cage, store.point(w)))
+                        return false;
+            }
+            return true;
+        };
+        for (std::uint32_t c = 0; c < store.state.cell_slots; ++c) {
+            const VertexId v = store.cell(c).vertex[0], w = store.cell(c).vertex[1];
+            if (!store.is_live(c) || v == cage.centre || v == none || w == none ||
+                store.vertex(v).marker == Marker::exempt || store.vertex(w).marker == Marker::exempt || !is_hidden(v) ||
+                !is_hidden(w))
+                continue;
+            double* const x = this->store_.vertex(v).x;
+            for (int k = 0; k < D; ++k) x[k] = store.point(w)[k] + 1e-6 * (x[k] - store.point(w)[k]);
+            return true;
+        }
+        return false;
+    }
+    std::vector<bool> live_;
+    std::uint32_t first_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("audits look at all that is in a cage when it is released") {
+    int planted = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed)
+        for (const double ratio : {100.0, 1e4}) {
+            Audited<2, Secret<2>> mesh(inputs::nested(2, 3, 5, ratio, seed), asked(5, true));
+            if (!Secret<2>::is_done) continue;
+            planted++;
+            CHECK(mesh.status != Status::ok);
+            CHECK(Secret<2>::before < 1e4);
+            CHECK(Secret<2>::after > 1e5);
+        }
+    CHECK(planted > 0);
+}
+
+namespace {
+
 // It sees no encroachment from outside, so nothing is ever released.
 template <int D> class Blind : public ThesisCages<D, Blind<D>> {
 public:
@@ -309,6 +441,46 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of whole cells and cages of the th
         CHECK(m.after(m.whole_mesh(v)).encroached == 0);
         m.move(v, centre, 0.998);
         CHECK(m.after(m.whole_mesh(v)).encroached == 1);
+    }
+    SUBCASE("a vertex of another shell in the clearance of a cage") {
+        const auto [v, w] = m.neighbours(Marker::steiner, Marker::exempt, [&](std::uint32_t a, std::uint32_t b) {
+            return m.domains[b] != none && m.domains[b] != 0 && m.domains[a] == m.hierarchy.cage(m.domains[b]).parent;
+        });
+        const Cage& around = m.hierarchy.cage(m.domains[w]);
+        const double* const centre = m.store.point(around.centre);
+        m.store.vertex(v).marker = Marker::exempt;
+        const AuditStep step = {m.state.vertex_count, v, true};
+        m.move(v, centre, 1.001 * ThesisCage::clearance * around.radius / distance<D>(m.store.point(v), centre));
+        CHECK(m.after(step).encroached == 0);
+        m.move(v, centre, 0.998);
+        CHECK(m.after(step).encroached == 1);
+    }
+    SUBCASE("the ball of a domain does not cut cells") {
+        std::uint32_t judged = 0;
+        for (std::uint32_t v = m.inputs() + 2 * D; v < m.state.vertex_count; ++v) {
+            const std::uint32_t d = m.domains[v];
+            if (d == none || m.store.vertex(v).marker != Marker::steiner) continue;
+            Cage& own = m.hierarchy.cage(d);
+            const double* const centre = m.store.point(own.centre);
+            double far = 0, out = 0, near = infinity;  // corners from the centre of the domain and from v, neighbours
+            bool bounded = true;
+            for (std::uint32_t c = 0; c < m.state.cell_slots; ++c) {
+                const Cell<D>& cell = m.store.cell(c);
+                if (std::find(cell.vertex, cell.vertex + D + 1, VertexId(v)) == cell.vertex + D + 1) continue;
+                bounded &= !m.store.is_ghost(c) && cell.radius2 < infinity;
+                const double corner = distance<D>(cell.centre, m.store.point(v));
+                if (corner > out) out = corner, far = distance<D>(cell.centre, centre);
+                for (const VertexId u : cell.vertex)
+                    if (u != none && u != v) near = std::min(near, distance<D>(m.store.point(u), m.store.point(v)));
+            }
+            const double radius = own.radius, least = distance<D>(m.store.point(v), centre);
+            if (!bounded || !(far > 1.01 * least)) continue;
+            judged++;
+            own.radius = 0.5 * (far + least);  // v is inside, its farthest corner is not
+            CHECK(m.after({m.state.vertex_count, v, true}).worst >= 2 * out / near * (1 - 1e-9));
+            own.radius = radius;
+        }
+        CHECK(judged > 10);
     }
     SUBCASE("a Steiner point too close to an input") {
         const auto [v, w] = m.neighbours(Marker::steiner, Marker::input, [&](std::uint32_t a, std::uint32_t b) {

@@ -59,12 +59,18 @@ std::vector<NearestInput> nearest_inputs(const Mesh& mesh, std::uint32_t v, doub
     return found;
 }
 
-// The radius of a ball about the domain's centre that contains the inputs.
+// The radius of a ball about the domain's centre that contains the inputs; of a single one the larger of 1 and its
+// largest coordinate.
 double enclosing_radius(const Mesh& mesh) {
-    double most = 0;
-    for (std::size_t v = 0; v < mesh.count(); v++)
-        if (mesh.markers[v] == input_marker) most = std::max(most, distance(mesh.vertices[v], mesh.centre, mesh.dim));
-    return most;
+    double most = 0, magnitude = 1;
+    std::size_t inputs = 0;
+    for (std::size_t v = 0; v < mesh.count(); v++) {
+        if (mesh.markers[v] != input_marker) continue;
+        inputs++;
+        most = std::max(most, distance(mesh.vertices[v], mesh.centre, mesh.dim));
+        for (int k = 0; k < mesh.dim; k++) magnitude = std::max(magnitude, std::fabs(mesh.vertices[v][k]));
+    }
+    return inputs == 1 ? magnitude : most;
 }
 
 // In doubles but for what is beyond the limit, which is decided exactly: half of d, or the promise.

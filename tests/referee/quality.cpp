@@ -60,7 +60,12 @@ bool has_net(const Mesh& mesh, const Hull& hull) {
 }
 
 void judge_spacing(const Mesh& mesh, const std::vector<std::uint32_t>& net, Verdict* verdict) {
-    const double least = net_spacing(mesh) * (1 - 0x1p-30);
+    // Coordinates of both are rounded, each by half of a unit in its last place at most.
+    double magnitude = 0;
+    for (const std::uint32_t v : net)
+        for (int k = 0; k < mesh.dim; k++) magnitude = std::max(magnitude, std::fabs(mesh.vertices[v][k]));
+    const double rounding = 0x1p-52 * std::sqrt(static_cast<double>(mesh.dim)) * magnitude;
+    const double least = net_spacing(mesh) * (1 - 0x1p-30) - rounding;
     for (const std::uint32_t v : net)
         for (const std::uint32_t u : net)
             if (u != v && distance(mesh.vertices[u], mesh.vertices[v], mesh.dim) < least)

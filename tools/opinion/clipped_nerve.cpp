@@ -14,7 +14,7 @@ namespace {
 // more precise; what it leaves out, the errors of corners and rays, is added.
 constexpr Real margin = 0x1p-40L;
 constexpr Real precision = 0x1p-48L;  // of corners, over the radius; how far each is off is counted
-constexpr Real unit = 0x1p-58L;  // of sums of a few products
+constexpr Real unit = 0x1p-58L;       // of sums of a few products
 
 Real dot(const Place& a, const Place& b) {
     Real sum = 0;
