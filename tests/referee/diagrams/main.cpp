@@ -36,6 +36,7 @@ void run_long(const Tool& tool, DiagramSettings settings, const Command& argumen
     Random seeds(arguments.seed);
     const double end = now() + 60 * arguments.minutes;
     const std::vector<int> dims = dimensions_of(tool);
+    settings.memory = "256M";
     settings.seconds = 30;
     settings.sets_max = 8000;
     settings.simplices = 60000;
@@ -45,9 +46,6 @@ void run_long(const Tool& tool, DiagramSettings settings, const Command& argumen
     try_named_diagrams(tool, settings, account);
     for (std::size_t round = 0; now() < end || account->sets < arguments.sets; round++) {
         const int dim = dims[seeds.below(dims.size())];
-        // Six points of spread 1e27 make a million cells in R^4, in every second way to call persist: of such sets one
-        // in eight is tried in full.
-        settings.memory = round % 8 == 1 ? "256M" : "24M";
         if (round % 40 == 0) {
             try_diagram_plants(tool, settings, dims[round / 40 % dims.size()], seeds.next() >> 16, account);
         } else {
