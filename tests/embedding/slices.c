@@ -4,8 +4,8 @@
 #include <netmesh.h>
 #include <stdio.h>
 
-#define POINTS 20000
-#define BLOCK_BYTES ((size_t)64 << 20)
+#define POINTS 2000
+#define BLOCK_BYTES ((size_t)16 << 20)
 
 static double points[2 * POINTS];
 static uint64_t memory[BLOCK_BYTES / 8 + 2];
@@ -21,7 +21,7 @@ struct work {
 static int time_is_up(void* user, const netmesh_progress* progress) {
     struct work* const work = user;
     (void)progress;
-    if (++work->polls_in_slice < 2) return 0;
+    if (++work->polls_in_slice < 10) return 0;
     work->polls_in_slice = 0;
     return netmesh_pause(work->job);
 }
