@@ -10,6 +10,8 @@
 #include "analysis/pacing.hpp"
 #include "analysis/size.hpp"
 #include "analysis/structure.hpp"
+#include "api/call.hpp"
+#include "api/call.hpp"
 #include "common/arrays.hpp"
 #include "common/dimensions.hpp"
 #include "common/polls.hpp"
@@ -160,12 +162,17 @@ TEST_CASE_TEMPLATE_DEFINE("structure in little memory, and stopped", T, little_m
     StructureAnalysis whole, part;
     Polls polls;
     Monitor counting(Polls::answer, &polls);
-    REQUIRE(analyse_structure<D>(held.store, centre, 1, {held.block.arena, counting}, &whole) == Status::ok);
+    {
+        const Watch watch(held.block.arena, counting);
+        REQUIRE(analyse_structure<D>(held.store, centre, 1, {held.block.arena, counting}, &whole) == Status::ok);
+    }
     REQUIRE(polls.made > 0);
     for (long stop = 0; stop < polls.made; stop += 1 + polls.made / 8) {
         Polls stopped = {0, stop};
         Monitor monitor(Polls::answer, &stopped);
-        CHECK(analyse_structure<D>(held.store, centre, 1, {held.block.arena, monitor}, &part) == Status::cancelled);
+        const Watch watch(held.block.arena, monitor);
+        const Status status = analyse_structure<D>(held.store, centre, 1, {held.block.arena, monitor}, &part);
+        CHECK(watch.heed(status) == Status::cancelled);
         CHECK(stopped.made == stop + 1);
     }
     const std::size_t free_bytes = held.block.arena.bytes_free(), high = held.block.arena.high_mark();

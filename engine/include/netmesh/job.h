@@ -37,7 +37,7 @@ typedef struct netmesh_job netmesh_job;
 typedef netmesh_status (*netmesh_task)(void* user);
 
 /* Makes a job of task(user) on stack[0, stack_bytes), which is the job's alone until it ends and may not be moved.
- * Nothing runs yet. Costs O(stack_bytes).
+ * Nothing runs yet. Costs O(stack_bytes). While it pauses its contexts are its alone, too.
  * INVALID_ARGUMENT (a null pointer), OUT_OF_MEMORY (less than NETMESH_STACK_BYTES_MIN), NOT_BUILT: there is no way to
  * switch stacks on this processor (WebAssembly, ARMv6-M), or a shadow stack is in use. */
 #define NETMESH_STACK_BYTES_MIN 2048
