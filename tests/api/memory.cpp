@@ -114,14 +114,18 @@ TEST_CASE("a job cancelled at any poll leaves a Delaunay mesh, and the next run 
     calls.request.monitor.poll = stop;
     calls.request.monitor.user = &left;
     int cancelled = 0;
-    for (int polls = 0;; ++polls) {
+    // Each of the first ones, when there are no cells yet, then fewer.
+    for (int polls = 0;; polls += 1 + polls / 20) {
         left = polls;
         const netmesh_status status = run();
         if (status == NETMESH_OK) break;
         REQUIRE(status == NETMESH_CANCELLED);
         ++cancelled;
         calls.request.monitor.poll = nullptr;
-        CHECK(calls.check(NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY) == NETMESH_OK);
+        const bool is_mesh = calls.report().mesh.present != 0;
+        CHECK((is_mesh || polls < 20));
+        CHECK(calls.check(NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY) ==
+              (is_mesh ? NETMESH_OK : NETMESH_NO_RESULT));
         calls.request.monitor.poll = stop;
     }
     CHECK(cancelled > 5);
