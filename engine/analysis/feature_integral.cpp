@@ -59,7 +59,7 @@ private:
 };
 
 Status Boxes::open(Arena& arena) {
-    centres_ = arena.take_high<double>(static_cast<std::size_t>(levels_max * dim));
+    centres_ = arena.take_high<double>(std::size_t{levels_max} * static_cast<std::size_t>(dim));
     child_ = arena.take_high<std::uint8_t>(levels_max);
     if (centres_ == nullptr || child_ == nullptr) return Status::out_of_memory;
     double least2 = infinity;

@@ -11,7 +11,6 @@
 #include "analysis/size.hpp"
 #include "analysis/structure.hpp"
 #include "api/call.hpp"
-#include "api/call.hpp"
 #include "common/arrays.hpp"
 #include "common/dimensions.hpp"
 #include "common/polls.hpp"
