@@ -21,7 +21,7 @@ struct Centre {
     const double* const p = store.point(store.cell(c).vertex[0]);
     double longest = 0;
     const int dim = store.dim;
-    store.arena.pass(3 * static_cast<std::uint32_t>(dim * dim));
+    store.arena.pass(6 * static_cast<std::uint32_t>(dim * dim));
     DoubleDouble a[dimension_max][dimension_max + 1];
     for (int i = 0; i < dim; ++i)
         for (int k = 0; k < dim; ++k) {
@@ -160,7 +160,7 @@ private:
 }
 
 [[gnu::cold]] bool Reach::is_own(VertexId v, const double* y, const AnyCellList& star) const {
-    store_.arena.pass(1 + star.size() / 4);
+    store_.arena.pass(1 + star.size() / 2);
     double y2 = 0;
     for (int k = 0; k < dim; ++k) y2 += y[k] * y[k];
     for (std::uint32_t s = 0; s < star.size(); ++s)
@@ -187,7 +187,7 @@ private:
     if (!*fits) return false;
     for (std::uint32_t s = 0; s < star.size(); ++s) {
         const AnyCell cell = store_.cell(star[s]);
-        store_.arena.pass(1 << dim);
+        store_.arena.pass(2u << dim);
         for (unsigned set = 0; set < (2u << dim) - 1; ++set) {
             // Orthonormal normals and the foot's coordinates along them, the plane's first.
             double normal[dimension_max][dimension_max], along[dimension_max], foot[dimension_max] = {}, foot2 = 0;
