@@ -31,7 +31,7 @@ Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& 
     InputTree<D> tree;
     if (tree.build(store, arena, inputs) != Status::ok) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < store.state.vertex_count;)
-        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 20); v < piece; ++v) {
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
             if (!(limit2[v] < infinity)) continue;
             Neighbour near[2] = {{infinity, none, 0}, {infinity, none, 0}};
             tree.nearest_k(store.point(v), inputs < 2 ? inputs : 2, near);
