@@ -48,14 +48,7 @@ endif()
 # What Debian asks of every package: who may copy it, and what changed. The date is SOURCE_DATE_EPOCH where that is set.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
-string(REGEX REPLACE ".*(Copyright [^\n]*)\n+" "" license "${license}")
-string(REGEX REPLACE "\n\n" "\n.\n" license "${license}")
-string(REGEX REPLACE "\n(.)" "\n \\1" license "${license}")
-file(STRINGS ${PROJECT_SOURCE_DIR}/LICENSE copyright REGEX "^Copyright")
-string(REGEX REPLACE "^Copyright \\(c\\) " "" copyright "${copyright}")
-file(WRITE ${PROJECT_BINARY_DIR}/package/copyright
-  "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\nUpstream-Name: netmesh\n\n"
-  "Files: *\nCopyright: ${copyright}\nLicense: Expat\n ${license}")
+file(WRITE ${PROJECT_BINARY_DIR}/package/copyright "netmesh\n\n${license}")
 find_program(NETMESH_GZIP gzip)
 mark_as_advanced(NETMESH_GZIP)
 foreach(component tool development)
