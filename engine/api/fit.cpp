@@ -67,7 +67,7 @@ public:
                 constexpr int D = decltype(dimension)::value;
                 return measure_focus<D>(*context_, request_, filter_, &climbed->certified);
             });
-            if (measured != Status::ok) return measured;
+            if (measured != Status::ok) return static_cast<Status>(finish(context_, measured));
             diagram.certified_focus = climbed->certified;
         }
         // The mesh is refined for the complete filter's ratio; what it certifies for others is no matter of the ladder.

@@ -81,6 +81,13 @@ netmesh_status focused(Run& run) {
 // As fine as the block allows: a request refused gives another diagram, and a whole one.
 netmesh_status fit(Run& run) { return run.fit(run.points(), true); }
 
+// The same, at some scales.
+netmesh_status fit_focused(Run& run) {
+    netmesh_fit_request request = run.fit_request(run.points());
+    request.focus_from = 0.5;
+    request.focus_to = 2;
+    return netmesh_fit(run.context, &request);
+}
 // The same, for bars to be decided.
 netmesh_status decide(Run& run) {
     netmesh_fit_request request = run.fit_request(run.points());
@@ -244,6 +251,7 @@ const Job low_dimensions[] = {
     Job{"focused", 3, 4, focused}.large().tries(100),
     Job{"focused", 4, 4, focused}.large().tries(25),
     Job{"fit", 2, 5, fit}.keeping_diagram().tries(40).using_up(64 << 10),
+    Job{"fit focused", 2, 5, fit_focused}.keeping_diagram().tries(40).using_up(64 << 10),
     Job{"fit", 3, 3, fit}.keeping_diagram().tries(40).using_up(64 << 10).large(),
     Job{"fit", 4, 2, fit}.keeping_diagram().tries(40).using_up(80 << 10).large(),
     Job{"decide", 2, 25, decide}.keeping_diagram().tries(40).using_up(128 << 10),
