@@ -123,6 +123,7 @@ void FatCells::add_point(const double* x) {
         add_plane(normal, height);
     }
     for (int round = 0; round < clipping_rounds && lowest > 0; ++round) {
+        arena_.pass(2 * planes);
         const double radius = largest_inscribed_ball(dim, plane_, planes, ball_.radius, centre);
         for (int k = 0; k < dim; ++k) centre[k] += origin[k];
         const double away = distance(dim, centre, ball_.centre), room = ball_.radius - away;
@@ -180,6 +181,7 @@ void FatCells::add_point(const double* x) {
         double rounding = 0;
         for (std::uint32_t i = 0; i < points_ * static_cast<std::uint32_t>(dim); ++i)
             point_[i] -= p[i % static_cast<std::uint32_t>(dim)];
+        arena_.pass(2 * points_);
         smallest_enclosing_ball(dim, point_, points_, cell->out_centre, &cell->out_radius);
         for (int k = 0; k < dim; ++k) {
             cell->out_centre[k] += p[k];

@@ -151,6 +151,7 @@ private:
     smallest_enclosing_ball(dim, corners.x, corners.count, centre, &out_radius);
     double best = 0;
     for (int round = 0; round < clipped_rounds; ++round) {
+        arena_.pass(2 * neighbours.count);
         const double radius = largest_inscribed_ball(dim, neighbours.x, neighbours.count, m.nearest, centre);
         double away2 = 0, toward = 0;
         for (int k = 0; k < dim; ++k) {
@@ -191,6 +192,7 @@ private:
     if (!room) return Status::out_of_memory;
     if (!balls) return Status::ok;
     double centre[dimension_max];
+    arena_.pass(2 * corners.count);
     smallest_enclosing_ball(dim, corners.x, corners.count, centre, &m->out_radius);
     m->out_radius = (m->out_radius + m->doubt) * up;
     // The ball about the vertex encloses the cell too.

@@ -14,7 +14,7 @@ template <class Take> std::uint32_t flood(const AnyStore& store, CellId from, bo
     *hull = false;
     if (!taken.add(from)) return none;
     for (std::uint32_t k = 0; k < taken.size();)
-        for (const std::uint64_t piece = store.arena.piece(k, taken.size(), 20 * store.dim); k < piece; ++k) {
+        for (const std::uint64_t piece = store.arena.piece(k, taken.size(), 150 * store.dim); k < piece; ++k) {
             for (const FacetId facet : store.cell(taken[k]).neighbour) {
                 *hull |= facet == none;
                 if (facet == none || taken.has(facet.cell()) || !take(store.cell(facet.cell()))) continue;
@@ -60,7 +60,7 @@ Status measure_stars(const AnyStore& store, const bool* hull, StructureAnalysis*
         }
     std::uint64_t stars = 0;
     for (VertexId v(0); v < count;)
-        for (const std::uint64_t piece = store.arena.piece(v, count, 300 * store.dim * store.dim); v < piece; ++v) {
+        for (const std::uint64_t piece = store.arena.piece(v, count, 800 * store.dim * store.dim); v < piece; ++v) {
             if (store.vertex(v).cell == none) continue;
             std::uint64_t degree = 0, star = 0;
             const bool room = visit_any_star(store, v, [&](CellId c) {

@@ -1,30 +1,72 @@
 // Distances between diagrams. No context is needed.
 #include "api/call.hpp"
 #include "diagram/bottleneck.hpp"
+#include "diagram/wasserstein.hpp"
 
 namespace netmesh {
 namespace {
 
-Complaint read_request(const netmesh_bottleneck_request* from, netmesh_bottleneck_request* request) {
+// What both distances ask for.
+template <class Request> Complaint read_request(const Request* from, Request* request) {
     const netmesh_field fault = read_struct(from, request, sizeof *request);
     if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
     if (request->pairs_a == nullptr && request->count_a > 0) return {NETMESH_FIELD_PAIRS_A, "pairs_a is null"};
     if (request->pairs_b == nullptr && request->count_b > 0) return {NETMESH_FIELD_PAIRS_B, "pairs_b is null"};
     if (request->pair_bytes < sizeof(netmesh_pair))
         return {NETMESH_FIELD_PAIR_BYTES, "pair_bytes is not the size of a pair"};
-    if (!in_range(request->scale, NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG))
-        return {NETMESH_FIELD_SCALE, "unknown scale"};
     if (reinterpret_cast<std::uintptr_t>(request->scratch) % Arena::alignment != 0 ||
         (request->scratch == nullptr && request->scratch_bytes > 0))
         return {NETMESH_FIELD_SCRATCH, "scratch is null or not 16-byte aligned"};
     return {};
 }
-
-Complaint complaint_about_pairs(const DistanceRequest& asked) {
-    const char* const text = "a birth is not finite, or a death before it";
-    if (!are_diagram(asked.a, asked.log_scale)) return {NETMESH_FIELD_PAIRS_A, text};
-    if (!are_diagram(asked.b, asked.log_scale)) return {NETMESH_FIELD_PAIRS_B, text};
+Complaint complaint_about(const netmesh_bottleneck_request& request) {
+    if (!in_range(request.scale, NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG))
+        return {NETMESH_FIELD_SCALE, "unknown scale"};
     return {};
+}
+Complaint complaint_about(const netmesh_wasserstein_request& request) {
+    if (request.order < 1 || request.order > NETMESH_ORDER_MAX) return {NETMESH_FIELD_ORDER, "order is not from 1 to 16"};
+    if (!(request.relative_error >= relative_error_min && is_finite(request.relative_error)))
+        return {NETMESH_FIELD_RELATIVE_ERROR, "relative_error is not a finite number of at least 2^-30"};
+    if (request.degree == NETMESH_ALL_DEGREES) {
+        const char* const text = "mates and potentials are those of one degree";
+        if (request.mates_a != nullptr) return {NETMESH_FIELD_MATES, text};
+        if (request.potentials_a != nullptr || request.potentials_b != nullptr)
+            return {NETMESH_FIELD_POTENTIALS, text};
+    }
+    return {};
+}
+
+Complaint complaint_about_pairs(const PairView& a, const PairView& b, bool log_scale) {
+    const char* const text = "a birth is not finite, or a death before it";
+    if (!are_diagram(a, log_scale)) return {NETMESH_FIELD_PAIRS_A, text};
+    if (!are_diagram(b, log_scale)) return {NETMESH_FIELD_PAIRS_B, text};
+    return {};
+}
+
+// A call from request to result. measure(a, b, monitor, found) is the job, bytes_for(counts) the scratch that it needs.
+template <class Request, class Result, class Measure>
+netmesh_status compare(const Request* from, Result* result, netmesh_detail* detail, bool (*is_log)(const Request&),
+                       std::size_t (*bytes_for)(std::uint64_t, std::uint64_t), Measure measure) {
+    Request request;
+    Result found = {};
+    Complaint complaint = read_request(from, &request);
+    if (complaint.text == nullptr) complaint = complaint_about(request);
+    if (complaint.text == nullptr && !has_room(result)) complaint = {NETMESH_FIELD_RESULT, "distance has no size"};
+    Status status = Status::invalid_argument;
+    if (complaint.text == nullptr) {
+        const PairView a = {request.pairs_a, request.pair_bytes, request.count_a};
+        const PairView b = {request.pairs_b, request.pair_bytes, request.count_b};
+        Monitor monitor = monitor_of(request.monitor);
+        status = measure(request, a, b, monitor, &found);
+        if (status == Status::invalid_argument) complaint = complaint_about_pairs(a, b, is_log(request));
+    }
+    if (status == Status::ok) give_result(found, result);
+    netmesh_detail said = detail_of(status, complaint.text);
+    said.field = complaint.field;
+    if (status == Status::out_of_memory) said.bytes_wanted = bytes_for(request.count_a, request.count_b);
+    give_result(said, detail);
+    return said.status;
 }
 
 }  // namespace
@@ -42,28 +84,33 @@ size_t netmesh_bottleneck_bytes(const netmesh_bottleneck_request* from) {
 
 netmesh_status netmesh_bottleneck(const netmesh_bottleneck_request* from, netmesh_distance* distance,
                                   netmesh_detail* detail) {
-    netmesh_bottleneck_request request;
-    netmesh_distance found = {};
-    Complaint complaint = read_request(from, &request);
-    if (complaint.text == nullptr && !has_room(distance)) complaint = {NETMESH_FIELD_RESULT, "distance has no size"};
-    Status status = Status::invalid_argument;
-    if (complaint.text == nullptr) {
-        const DistanceRequest asked = {{request.pairs_a, request.pair_bytes, request.count_a},
-                                       {request.pairs_b, request.pair_bytes, request.count_b},
-                                       request.degree,
-                                       request.scale == NETMESH_SCALE_LOG,
-                                       request.scratch,
-                                       request.scratch_bytes};
-        Monitor monitor = monitor_of(request.monitor);
-        status = bottleneck(asked, monitor, &found);
-        if (status == Status::invalid_argument) complaint = complaint_about_pairs(asked);
-    }
-    if (status == Status::ok) give_result(found, distance);
-    netmesh_detail said = detail_of(status, complaint.text);
-    said.field = complaint.field;
-    if (status == Status::out_of_memory) said.bytes_wanted = bottleneck_bytes(request.count_a, request.count_b);
-    give_result(said, detail);
-    return said.status;
+    const auto is_log = [](const netmesh_bottleneck_request& r) { return r.scale == NETMESH_SCALE_LOG; };
+    return compare<netmesh_bottleneck_request>(
+        from, distance, detail, is_log, bottleneck_bytes,
+        [](const netmesh_bottleneck_request& r, const PairView& a, const PairView& b, Monitor& monitor,
+           netmesh_distance* found) {
+            const DistanceRequest asked = {a, b, r.degree, r.scale == NETMESH_SCALE_LOG, r.scratch, r.scratch_bytes};
+            return bottleneck(asked, monitor, found);
+        });
+}
+
+size_t netmesh_wasserstein_bytes(const netmesh_wasserstein_request* from) {
+    netmesh_wasserstein_request request;
+    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
+    return wasserstein_bytes(request.count_a, request.count_b);
+}
+
+netmesh_status netmesh_wasserstein(const netmesh_wasserstein_request* from, netmesh_wasserstein_distance* distance,
+                                   netmesh_detail* detail) {
+    const auto is_log = [](const netmesh_wasserstein_request&) { return false; };
+    return compare<netmesh_wasserstein_request>(
+        from, distance, detail, is_log, wasserstein_bytes,
+        [](const netmesh_wasserstein_request& r, const PairView& a, const PairView& b, Monitor& monitor,
+           netmesh_wasserstein_distance* found) {
+            const WassersteinRequest asked = {a,         b,           r.degree,       r.order,       r.relative_error,
+                                              r.scratch, r.scratch_bytes, r.mates_a, r.potentials_a, r.potentials_b};
+            return wasserstein(asked, monitor, found);
+        });
 }
 
 }  // extern "C"

@@ -255,6 +255,15 @@ void netmesh_bottleneck_request_init(netmesh_bottleneck_request* request, size_t
     start(defaults, request, request_bytes);
 }
 
+void netmesh_wasserstein_request_init(netmesh_wasserstein_request* request, size_t request_bytes, size_t pair_bytes) {
+    netmesh_wasserstein_request defaults = {};
+    defaults.pair_bytes = static_cast<uint32_t>(pair_bytes);
+    defaults.degree = NETMESH_ALL_DEGREES;
+    defaults.order = 1;
+    defaults.relative_error = 0.001;
+    start(defaults, request, request_bytes);
+}
+
 void netmesh_analyse_request_init(netmesh_analyse_request* request, size_t request_bytes) {
     netmesh_analyse_request defaults = {};
     defaults.what = NETMESH_ANALYSE_ALL;

@@ -98,6 +98,9 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_CAGE_KIND: return "cage_kind";
     case NETMESH_FIELD_STEP_COUNT: return "step_count";
     case NETMESH_FIELD_LONGER_THAN: return "longer_than";
+    case NETMESH_FIELD_RELATIVE_ERROR: return "relative_error";
+    case NETMESH_FIELD_MATES: return "mates_a";
+    case NETMESH_FIELD_POTENTIALS: return "potentials_a, potentials_b";
     case NETMESH_FIELD_COUNT: break;
     }
     return "unknown field";

@@ -5,21 +5,6 @@
 namespace netmesh {
 namespace {
 
-constexpr std::size_t alignment = 16;
-constexpr std::uint64_t side_max = std::uint64_t{1} << 25;
-
-// Scratch in pieces. Without a base it only counts: the size asked for is the layout itself.
-struct Scratch {
-    unsigned char* base;
-    std::size_t used;
-
-    template <class T> T* take(std::size_t count) {
-        T* const piece = base == nullptr ? nullptr : reinterpret_cast<T*>(base + used);
-        used += (count * sizeof(T) + alignment - 1) & ~(alignment - 1);
-        return piece;
-    }
-};
-
 struct Side {
     PairView pairs;
     DiagramPoint* points;
@@ -52,8 +37,6 @@ struct Workspace {
         scratch.edge = memory.take<std::uint32_t>(scratch.edge_max);
     }
 };
-
-bool is_essential(const netmesh_pair& pair) { return pair.death == infinity; }
 
 // Pairs that can only be matched with their own kind, so that one number of each is left and the order decides.
 enum class LineKind { essential, essential_from_zero, from_zero };
@@ -162,20 +145,6 @@ bool distance_in(Workspace& work, std::uint32_t degree, bool log_scale, Monitor&
     return true;
 }
 
-// The least degree of either diagram that is at least `from`; false if there is none.
-bool next_degree(const Workspace& work, std::uint64_t from, std::uint32_t* degree) {
-    bool found = false;
-    for (const Side& side : work.side) {
-        for (std::size_t i = 0; i < side.pairs.count; ++i) {
-            const std::uint32_t d = side.pairs[i].degree;
-            if (d < from || (found && d >= *degree)) continue;
-            *degree = d;
-            found = true;
-        }
-    }
-    return found;
-}
-
 netmesh_distance distance_of_key(std::uint64_t key, bool log_scale) {
     constexpr std::uint32_t bytes = sizeof(netmesh_distance);
     if (key == key_of_infinity) return {bytes, 0, infinity};
@@ -186,17 +155,8 @@ netmesh_distance distance_of_key(std::uint64_t key, bool log_scale) {
 
 }  // namespace
 
-bool are_diagram(const PairView& pairs, bool log_scale) {
-    for (std::size_t i = 0; i < pairs.count; ++i) {
-        const netmesh_pair pair = pairs[i];
-        if (!is_finite(pair.birth) || !(pair.death >= pair.birth)) return false;
-        if (log_scale && pair.birth < 0) return false;
-    }
-    return true;
-}
-
 std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b) {
-    if (count_a >= side_max || count_b >= side_max || (count_a + count_b) > SIZE_MAX / 1024) return SIZE_MAX;
+    if (count_a >= compared_pairs_max || count_b >= compared_pairs_max || (count_a + count_b) > SIZE_MAX / 1024) return SIZE_MAX;
     Scratch memory = {nullptr, 0};
     Workspace work = {};
     work.lay_out(memory, static_cast<std::size_t>(count_a), static_cast<std::size_t>(count_b));
@@ -218,7 +178,7 @@ Status bottleneck(const DistanceRequest& request, Monitor& monitor, netmesh_dist
     std::uint64_t from = 0;
     std::uint32_t degree = request.degree;
     const bool all = degree == NETMESH_ALL_DEGREES;
-    for (bool more = !all || next_degree(work, from, &degree); more; more = all && next_degree(work, from, &degree)) {
+    for (bool more = !all || next_degree(a, b, from, &degree); more; more = all && next_degree(a, b, from, &degree)) {
         if (!distance_in(work, degree, log_scale, monitor, &key)) return Status::cancelled;
         from = std::uint64_t{degree} + 1;
     }

@@ -3,29 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "diagram/pair_view.hpp"
 #include "include/netmesh.h"
 #include "vocabulary/monitor.hpp"
 #include "vocabulary/status.hpp"
 
 namespace netmesh {
-
-// Pairs as the caller has them: `stride` bytes from one to the next, as its netmesh_pair may be of a later version.
-struct PairView {
-    const void* first;
-    std::size_t stride;  // >= sizeof(netmesh_pair)
-    std::uint64_t count;
-    Monitor* monitor = nullptr;  // is told of loops over the pairs; null: nobody is
-
-    void report(std::uint64_t i) const {
-        if (i % 256 == 0 && monitor != nullptr) monitor->pass(25);
-    }
-    netmesh_pair operator[](std::size_t i) const {
-        report(i);
-        netmesh_pair pair;
-        __builtin_memcpy(&pair, static_cast<const unsigned char*>(first) + i * stride, sizeof pair);
-        return pair;
-    }
-};
 
 struct DistanceRequest {
     PairView a, b;
@@ -34,9 +17,6 @@ struct DistanceRequest {
     void* scratch;  // 16-byte aligned
     std::size_t scratch_bytes;
 };
-
-// Are births finite and deaths not before them; on the log scale, are births not negative?
-bool are_diagram(const PairView& pairs, bool log_scale);
 
 // Bytes of scratch for diagrams of so many pairs, SIZE_MAX when that does not fit.
 std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b);

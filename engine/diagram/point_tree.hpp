@@ -177,7 +177,7 @@ private:
     };
     static std::uint32_t middle_of(const Range& r) { return r.begin + (r.end - r.begin) / 2; }
 
-    // Moves the point that belongs at `middle` there, those before it to its left. Falls back to sorting.
+    // Moves the point that belongs at `middle` there, those before it to its left.
     void select(Range range, std::uint32_t middle) {
         const int axis = range.axis;
         std::uint64_t compared = 0;
@@ -185,13 +185,7 @@ private:
             step(++compared, 15);
             return a.coordinate[axis] < b.coordinate[axis];
         };
-        for (int splits_left = 2 * levels_max; range.end - range.begin > 24; --splits_left) {
-            if (splits_left == 0) return sort(points_ + range.begin, range.end - range.begin, less);
-            const std::uint32_t p =
-                range.begin + static_cast<std::uint32_t>(split(points_ + range.begin, range.end - range.begin, less));
-            (middle < p ? range.end : range.begin) = p;
-        }
-        insertion_sort(points_ + range.begin, range.end - range.begin, less);
+        netmesh::select(points_ + range.begin, range.end - range.begin, middle - range.begin, less);
     }
 
     Monitor* monitor_ = nullptr;

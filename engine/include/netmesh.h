@@ -13,6 +13,7 @@
  *     netmesh/persistence.h   filters, diagrams, bounds of bars, cycles, vineyards in k
  *     netmesh/complexes.h     other complexes: by scales, of points, any filtered one
  *     netmesh/bottleneck.h    the distance of two diagrams
+ *     netmesh/wasserstein.h   the cost of transport from one diagram to another
  *     netmesh/report.h        what a context holds and how it came about
  *     netmesh/job.h           calls in slices: pause at a poll, go on later
  *
@@ -49,5 +50,6 @@
 #include "netmesh/mesh.h"
 #include "netmesh/persistence.h"
 #include "netmesh/report.h"
+#include "netmesh/wasserstein.h"
 
 #endif

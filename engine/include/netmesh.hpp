@@ -82,6 +82,11 @@ struct ValueVineyard : netmesh_value_vineyard_request {
 struct Bottleneck : netmesh_bottleneck_request {
     Bottleneck() { netmesh_bottleneck_request_init(this, sizeof(netmesh_bottleneck_request), sizeof(netmesh_pair)); }
 };
+struct Wasserstein : netmesh_wasserstein_request {
+    Wasserstein() {
+        netmesh_wasserstein_request_init(this, sizeof(netmesh_wasserstein_request), sizeof(netmesh_pair));
+    }
+};
 struct Analyse : netmesh_analyse_request {
     Analyse() { netmesh_analyse_request_init(this, sizeof(netmesh_analyse_request)); }
 };
@@ -123,6 +128,17 @@ inline netmesh_status bottleneck(const netmesh_bottleneck_request& request, netm
     distance->struct_bytes = sizeof *distance;
     if (detail != nullptr) detail->struct_bytes = sizeof *detail;
     return netmesh_bottleneck(&request, distance, detail);
+}
+
+// Wasserstein distance, with request.scratch of wasserstein_bytes(request).
+inline std::size_t wasserstein_bytes(const netmesh_wasserstein_request& request) {
+    return netmesh_wasserstein_bytes(&request);
+}
+inline netmesh_status wasserstein(const netmesh_wasserstein_request& request, netmesh_wasserstein_distance* distance,
+                                  netmesh_detail* detail = nullptr) {
+    distance->struct_bytes = sizeof *distance;
+    if (detail != nullptr) detail->struct_bytes = sizeof *detail;
+    return netmesh_wasserstein(&request, distance, detail);
 }
 
 // Calls visit(netmesh_filter_info) for each filter.

@@ -107,13 +107,34 @@ void sort(T* items, std::uint64_t count, Less less, const Reports& reports = {})
     }
 }
 
-// The same for items that are alike in every bit when neither is less: no way of sorting shows in the result, and where
+// Puts the item that belongs at items[nth] there, and those that precede it before it. Sorts where splitting does not
+// get on. O(count) expected.
+template <class T, class Less> void select(T* items, std::uint64_t count, std::uint64_t nth, Less less) {
+    for (int splits_left = 68; count > 24; --splits_left) {
+        if (splits_left == 0) return sort(items, count, less);
+        const std::uint64_t p = split(items, count, less);
+        if (nth < p) {
+            count = p;
+        } else {
+            items += p;
+            count -= p;
+            nth -= p;
+        }
+    }
+    insertion_sort(items, count, less);
+}
+
+// Sorts items that are alike in every bit when neither is less: no way of sorting shows in the result, and where
 // size counts the smallest one will do.
-template <class T, class Less> void sort_alike(T* items, std::uint64_t count, Less less) {
+template <class T, class Less, class Reports = NoReports>
+void sort_alike(T* items, std::uint64_t count, Less less, const Reports& reports = {}) {
 #ifdef __OPTIMIZE_SIZE__
-    heap_sort(items, count, less);
+    heap_sort(items, count, [&reports, less](const T& a, const T& b) {
+        reports.pass(1);
+        return less(a, b);
+    });
 #else
-    sort(items, count, less);
+    sort(items, count, less, reports);
 #endif
 }
 

@@ -1,0 +1,65 @@
+/* The cost of transport from one diagram to another. */
+#ifndef NETMESH_WASSERSTEIN_H
+#define NETMESH_WASSERSTEIN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "bottleneck.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define NETMESH_ORDER_MAX 16
+
+typedef struct netmesh_wasserstein_request {
+    uint32_t struct_bytes;
+    uint32_t pair_bytes;         /* sizeof(netmesh_pair), from one pair to the next; not below that of version 0.2 */
+    netmesh_monitor monitor;     /* can only cancel, its progress is empty */
+    const netmesh_pair* pairs_a; /* [count_a], in any order; their struct_bytes are not read */
+    const netmesh_pair* pairs_b; /* [count_b] */
+    uint64_t count_a, count_b;
+    uint32_t degree;       /* init: NETMESH_ALL_DEGREES, the p-norm of the distances of all degrees */
+    uint32_t order;        /* p, 1 to NETMESH_ORDER_MAX; init: 1 */
+    double relative_error; /* at least 2^-30, finite; init: 0.001 */
+    void* scratch;         /* 16-byte aligned, scratch_bytes >= netmesh_wasserstein_bytes */
+    size_t scratch_bytes;
+    /* Outputs that may be null; only with one degree. Index into pairs_b of the pair that each of a is matched to,
+     * NETMESH_NONE for those on their way to the diagonal and those of other degrees. */
+    uint32_t* mates_a; /* [count_a] */
+    /* Potentials f that prove `lower`, in units of the result's exponent: with e = 2^exponent, f(a) <= (e l / 2)^p for
+     * a bar of length l, and likewise f(b); f(a) + f(b) <= (e d(a, b))^p; lower is at most (sum of all f)^(1/p) / e.
+     * 0 for essential pairs, those of length 0 and those of other degrees. */
+    double* potentials_a; /* [count_a] */
+    double* potentials_b; /* [count_b] */
+} netmesh_wasserstein_request;
+
+/* pair_bytes: sizeof(netmesh_pair). */
+void netmesh_wasserstein_request_init(netmesh_wasserstein_request* request, size_t request_bytes, size_t pair_bytes);
+
+/* Bytes of scratch for count_a and count_b pairs, about 90 a pair; SIZE_MAX when they do not fit or there are more than
+ * 2^25 pairs; 0 on an invalid request. */
+size_t netmesh_wasserstein_bytes(const netmesh_wasserstein_request* request);
+
+typedef struct netmesh_wasserstein_distance {
+    uint32_t struct_bytes;
+    int32_t exponent; /* of the unit of potentials */
+    double value;     /* what the matching found costs, rounded up: no less than the distance */
+    double lower;     /* no more than the distance */
+} netmesh_wasserstein_distance;
+
+/* Wasserstein distance of order p between two diagrams: the least (sum of d^p)^(1/p) over all ways to match pairs one
+ * to one, or to the diagonal. d is the larger of the moves of birth and death, as in the bottleneck distance, which is
+ * the limit for large p; half of the length for a way to the diagonal. Essential pairs are matched to essential pairs
+ * by birth; where their numbers differ both bounds are infinite. The distance is from `lower` to `value`, and value <=
+ * (1 + relative_error) lower. Births are finite, death >= birth. No context is needed; detail, which may be null, gets
+ * what a context would keep. Expected cost about O(n^1.5 log n), more the smaller the error.
+ * INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+netmesh_status netmesh_wasserstein(const netmesh_wasserstein_request* request, netmesh_wasserstein_distance* distance,
+                                   netmesh_detail* detail);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
