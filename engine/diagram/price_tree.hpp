@@ -1,5 +1,5 @@
-// Points of a diagram with a potential each, as an implicit k-d tree: the root of a stretch is its middle. Every node
-// has the box of its stretch and the largest potential in it, so that a search for the least cost minus potential leaves
+// Points of a diagram with a potential each, as an implicit k-d tree: the root of a stretch is its middle. A stretch is
+// split where it is wider, and every node has the box of its stretch and the largest potential in it, so that a search for the least cost minus potential leaves
 // out what is too far or too dear.
 #pragma once
 #include <cstdint>
@@ -38,18 +38,19 @@ public:
         monitor_ = &monitor;
         Range stack[levels_max];
         int height = 0;
-        for (Range now = {0, count, 0};;) {
+        for (Range now = {0, count};;) {
             if (now.end - now.begin > 1) {
                 const std::uint32_t middle = middle_of(now);
+                const int axis = wider_axis(now);
                 std::uint64_t compared = 0;
                 select(points + now.begin, now.end - now.begin, middle - now.begin,
-                       [this, &now, &compared](const TransportPoint& a, const TransportPoint& b) {
+                       [this, axis, &compared](const TransportPoint& a, const TransportPoint& b) {
                            if (++compared % 256 == 0) monitor_->pass(15);
-                           const double x = a.at[now.axis], y = b.at[now.axis];
+                           const double x = a.at[axis], y = b.at[axis];
                            return x < y || (!(y < x) && a.index < b.index);
                        });
-                stack[height++] = {middle + 1, now.end, 1 - now.axis};
-                now = {now.begin, middle, 1 - now.axis};
+                stack[height++] = {middle + 1, now.end};
+                now = {now.begin, middle};
                 continue;
             }
             if (height == 0) break;
@@ -95,7 +96,7 @@ public:
     void price(std::uint32_t i, double potential) {
         Range path[levels_max];
         int depth = 0;
-        Range now = {0, count_, 0};
+        Range now = {0, count_};
         for (; middle_of(now) != i; now = part_of(now, i)) path[depth++] = now;
         path[depth++] = now;
         nodes_[i].potential = potential;
@@ -103,8 +104,8 @@ public:
             const Range r = path[--depth];
             const std::uint32_t middle = middle_of(r);
             double largest = nodes_[middle].potential;
-            if (middle > r.begin) largest = larger(largest, nodes_[middle_of({r.begin, middle, 0})].largest);
-            if (middle + 1 < r.end) largest = larger(largest, nodes_[middle_of({middle + 1, r.end, 0})].largest);
+            if (middle > r.begin) largest = larger(largest, nodes_[middle_of({r.begin, middle})].largest);
+            if (middle + 1 < r.end) largest = larger(largest, nodes_[middle_of({middle + 1, r.end})].largest);
             if (nodes_[middle].largest == largest) return;
             nodes_[middle].largest = largest;
         }
@@ -117,7 +118,7 @@ public:
         Offer offer = {diagonal, infinity, none};
         std::uint32_t looks = 0;
         if (count_ == 0) return offer;
-        for (Range now = {0, count_, 0};;) {
+        for (Range now = {0, count_};;) {
             const std::uint32_t middle = middle_of(now);
             ++looks;
             const double value = cost.between(from.at, points_[middle].at) - nodes_[middle].potential;
@@ -126,8 +127,8 @@ public:
             } else if (offer.at != none && value < offer.second) {
                 offer.second = value;
             }
-            const Later left = bound(from, {now.begin, middle, 0}, cost);
-            const Later right = bound(from, {middle + 1, now.end, 0}, cost);
+            const Later left = bound(from, {now.begin, middle}, cost);
+            const Later right = bound(from, {middle + 1, now.end}, cost);
             const bool left_first = left.least <= right.least;
             const Later &near = left_first ? left : right, &far = left_first ? right : left;
             const double bar = bar_of(offer);
@@ -151,7 +152,6 @@ private:
     static constexpr int levels_max = 34;
     struct Range {
         std::uint32_t begin, end;
-        int axis;
     };
     struct Later {
         Range range;
@@ -160,7 +160,20 @@ private:
     static std::uint32_t middle_of(const Range& r) { return r.begin + (r.end - r.begin) / 2; }
     static Range part_of(const Range& r, std::uint32_t i) {
         const std::uint32_t middle = middle_of(r);
-        return i < middle ? Range{r.begin, middle, 0} : Range{middle + 1, r.end, 0};
+        return i < middle ? Range{r.begin, middle} : Range{middle + 1, r.end};
+    }
+    // Bars of degree 0 all have one birth.
+    int wider_axis(const Range& r) const {
+        double low[2] = {infinity, infinity}, high[2] = {-infinity, -infinity};
+        for (std::uint32_t i = r.begin; i < r.end; ++i) {
+            if (i % 256 == 0) monitor_->pass(10);
+            for (int k = 0; k < 2; ++k) {
+                const double x = points_[i].at[k];
+                if (x < low[k]) low[k] = x;
+                if (x > high[k]) high[k] = x;
+            }
+        }
+        return high[1] - low[1] > high[0] - low[0] ? 1 : 0;
     }
     static double larger(double a, double b) { return a > b ? a : b; }
     // Only less than this changes an offer.
@@ -168,7 +181,7 @@ private:
 
     // Calls visit(node) for the nodes from the root to point i.
     template <class Visit> void descend(std::uint32_t i, Visit visit) {
-        for (Range now = {0, count_, 0};; now = part_of(now, i)) {
+        for (Range now = {0, count_};; now = part_of(now, i)) {
             visit(nodes_[middle_of(now)]);
             if (middle_of(now) == i) return;
         }

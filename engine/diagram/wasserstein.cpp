@@ -65,20 +65,18 @@ public:
     Transport(Workspace& work, Power power, double relative_error, Monitor& monitor)
         : work_(work), cost_(power), relative_error_(relative_error), monitor_(monitor) {}
 
-    // The part of the distance that is due to these points. False when it is cancelled.
+    // The part of the distance that is due to these points, from the matching at hand. False when it is cancelled.
     bool solve(Bracket* found) {
         *found = {0, 0};
-        // To begin with all go to the diagonal.
-        for (Market& m : work_.side)
-            for (std::uint32_t i = 0; i < m.tree.count(); ++i) m.mate[i] = none;
         double longest = longest_move();
         if (longest == 0) return true;
         cost_.set_unit(TransportCost::unit_of(longest));
         measure_diagonals(infinity);
         ceiling_ = cost_of_matching();
+        measure_diagonals(ceiling_);
         Market& b = work_.side[1];
         b.tree.price_all([&b](std::uint32_t j) { return b.diagonal[j]; });
-        for (double step = 0.25;;) {
+        for (double step = dearest() / 4;;) {
             auction(step);
             if (monitor_.has_stopped()) return false;
             longest = longest_move();
@@ -88,6 +86,7 @@ public:
             const double upper = cost_of_matching();
             if (upper < ceiling_) ceiling_ = upper;
             measure_diagonals(ceiling_);
+            cut_potentials();
             const double lower = lower_bound();
             if (monitor_.has_stopped()) return false;
             const Bracket in_unit = {cost_.power().root_below(lower), cost_.power().root_above(upper)};
@@ -156,7 +155,7 @@ private:
         }
         return longest;
     }
-    // Ways to the diagonal, at most `ceiling`; potentials of b are not above them.
+    // Ways to the diagonal, at most `ceiling`.
     void measure_diagonals(double ceiling) {
         for (Market& m : work_.side) {
             for (std::uint32_t i = 0; i < m.tree.count(); ++i) {
@@ -165,7 +164,16 @@ private:
                 if (m.diagonal[i] > ceiling) m.diagonal[i] = ceiling;
             }
         }
-        if (ceiling == infinity) return;
+    }
+    double dearest() const {
+        double most = 0;
+        for (const Market& m : work_.side)
+            for (std::uint32_t i = 0; i < m.tree.count(); ++i)
+                if (m.diagonal[i] > most) most = m.diagonal[i];
+        return most;
+    }
+    // Potentials of b are not above its ways to the diagonal.
+    void cut_potentials() {
         Market& b = work_.side[1];
         b.tree.price_all([&b](std::uint32_t j) {
             const double potential = b.tree.potential(j);
@@ -359,8 +367,13 @@ Status wasserstein(const WassersteinRequest& request, Monitor& monitor, netmesh_
         }
         collect(work.side[0], degree, monitor);
         collect(work.side[1], degree, monitor);
-        Transport transport(work, power, request.relative_error, monitor);
+        // To begin with all go to the diagonal. What is good in the first order is good in others, too, of which costs
+        // are so flat that auctions get nearer to the short moves by small steps alone.
+        for (Market& m : work.side)
+            for (std::uint32_t i = 0; i < m.tree.count(); ++i) m.mate[i] = none;
         Bracket part;
+        if (request.order > 1 && !Transport(work, Power(1), 0.25, monitor).solve(&part)) return Status::cancelled;
+        Transport transport(work, power, request.relative_error, monitor);
         if (!transport.solve(&part)) return Status::cancelled;
         if (!all) transport.write(request);
         exponent = transport.exponent();

@@ -152,8 +152,10 @@ double CellTightener::input_distance_low(VertexId v, double least) {
     ++depth;
     while (depth > 0 && least_ > least) {
         const Part part = stack[--depth];
+        arena_.pass(1);
         if (!(box_distance(part) < least_)) continue;
         if (part.range.is_leaf()) {
+            arena_.pass(part.range.end - part.range.begin);
             for (std::uint32_t i = part.range.begin; i < part.range.end; ++i) bound_input(tree_.item(i));
             continue;
         }

@@ -24,14 +24,15 @@ inline netmesh_bottleneck_request bottleneck_request(const std::vector<netmesh_p
 // 16-byte aligned.
 class Scratch {
 public:
-    explicit Scratch(const netmesh_bottleneck_request& request) : bytes_(netmesh_bottleneck_bytes(&request)) {
+    explicit Scratch(const netmesh_bottleneck_request& request) : Scratch(netmesh_bottleneck_bytes(&request)) {}
+    explicit Scratch(std::size_t bytes) : bytes_(bytes) {
         if (posix_memalign(&memory_, 16, bytes_) != 0) throw std::bad_alloc();
     }
     ~Scratch() { std::free(memory_); }
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
 
-    void lend(netmesh_bottleneck_request* request) const {
+    template <class Request> void lend(Request* request) const {
         request->scratch = memory_;
         request->scratch_bytes = bytes_;
     }
