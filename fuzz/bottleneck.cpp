@@ -1,11 +1,11 @@
-// Diagrams to their bottleneck distance against the definition: all ways to match small diagrams, in both scales. The
-// scratch memory is allocated at the size that was asked for.
+// Diagrams to their bottleneck distance, in both scales, and their Wasserstein distance against the definition: all
+// ways to match small diagrams. The scratch memory is allocated at the size that was asked for.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "common/bottleneck.hpp"
+#include "common/wasserstein.hpp"
 #include "fuzz/decoder.hpp"
 
 namespace {
@@ -38,8 +38,10 @@ struct Scale {
     }
 };
 
-// Bars of `a` and of the diagonal to bars of `b` and of the diagonal, in every way.
-Real least_over_matchings(const Diagram& a, const Diagram& b, Scale scale, bool with_diagonal) {
+// Bars of `a` and of the diagonal to bars of `b` and of the diagonal, in every way: the least of all that `add` makes
+// of a matching's costs, from the scale's least on.
+template <class Add>
+Real least_over_matchings(const Diagram& a, const Diagram& b, Scale scale, bool with_diagonal, Add add) {
     if (!with_diagonal && a.size() != b.size()) return infinity;
     std::vector<std::size_t> order(with_diagonal ? a.size() + b.size() : a.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -48,14 +50,16 @@ Real least_over_matchings(const Diagram& a, const Diagram& b, Scale scale, bool 
         Real worst = scale.least();
         for (std::size_t i = 0; i < order.size(); ++i) {
             const bool left = i < a.size(), right = order[i] < b.size();
-            if (left && right) worst = std::max(worst, scale.cost(a[i], b[order[i]]));
-            if (left && !right) worst = std::max(worst, scale.to_diagonal(a[i]));
-            if (!left && right) worst = std::max(worst, scale.to_diagonal(b[order[i]]));
+            if (left && right) add(&worst, scale.cost(a[i], b[order[i]]));
+            if (left && !right) add(&worst, scale.to_diagonal(a[i]));
+            if (!left && right) add(&worst, scale.to_diagonal(b[order[i]]));
         }
         best = std::min(best, worst);
     } while (std::next_permutation(order.begin(), order.end()));
     return best;
 }
+
+void widen(Real* worst, Real cost) { *worst = std::max(*worst, cost); }
 
 Diagram part(const Diagram& all, std::uint32_t degree, bool essential) {
     Diagram result;
@@ -101,8 +105,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Real expected = scale.least();
     for (std::uint32_t k = 0; k < 2; ++k) {
         if (degree != NETMESH_ALL_DEGREES && degree != k) continue;
-        expected = std::max(expected, least_over_matchings(part(a, k, false), part(b, k, false), scale, true));
-        expected = std::max(expected, least_over_matchings(part(a, k, true), part(b, k, true), scale, false));
+        expected = std::max(expected, least_over_matchings(part(a, k, false), part(b, k, false), scale, true, widen));
+        expected = std::max(expected, least_over_matchings(part(a, k, true), part(b, k, true), scale, false, widen));
     }
     if (!log || std::isinf(expected)) {
         require(found.value == expected && found.exponent == 0);
@@ -110,6 +114,24 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(found.value >= 1 && found.value < 2);
         require(std::fabs(std::ldexp(static_cast<Real>(found.value), found.exponent) - expected) <=
                 expected * 0x1p-52L);
+    }
+
+    if (!log) {
+        const auto order = 1 + tape.below(3);
+        const Transport bounds = wasserstein(wasserstein_request(a, b, order, 0.01, degree));
+        require(bounds.status == NETMESH_OK && bounds.lower <= bounds.value);
+        Real sum = 0;
+        for (std::uint32_t k = 0; k < 2; ++k) {
+            if (degree != NETMESH_ALL_DEGREES && degree != k) continue;
+            const auto add = [order](Real* all, Real cost) { *all += std::pow(cost, static_cast<Real>(order)); };
+            sum += least_over_matchings(part(a, k, false), part(b, k, false), scale, true, add);
+            sum += least_over_matchings(part(a, k, true), part(b, k, true), scale, false, add);
+        }
+        const Real exact = std::pow(sum, 1 / static_cast<Real>(order)), slack = exact * 0x1p-50L + 0x1p-1073L;
+        require(std::isinf(bounds.value) ? std::isinf(exact) || exact > 0x1p1023L : bounds.value >= exact - slack);
+        require(std::isinf(exact) ? std::isinf(bounds.lower) : bounds.lower <= exact + slack);
+        const bool is_large = bounds.value > 0x1p-1000;
+        require(!std::isfinite(bounds.value) || !is_large || bounds.value <= bounds.lower * 1.01 * (1 + 0x1p-50));
     }
 
     // What is no diagram is refused.

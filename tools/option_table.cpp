@@ -23,10 +23,11 @@ const std::vector<CommandEntry>& command_entries() {
          "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth "
          "death`;\n"
          "the bars that never die are the Betti numbers.\n"},
-        {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck distance between two diagrams",
+        {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck or Wasserstein distance between two diagrams",
          "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential "
-         "classes "
-         "differ.\n"},
+         "classes\n"
+         "differ. The bottleneck distance is exact; that of Wasserstein is what a matching costs, at most --error\n"
+         "above what is proven to be the least; --json has both numbers.\n"},
         {Command::vineyard, "vineyard", "POINTS | COMPLEX --values FILE", 1,
          "diagrams of d_k for a range of k, or of a complex for any sequence of values, and their vines",
          "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of "
@@ -219,6 +220,15 @@ std::string apply_lipschitz(Options& options, const std::string& text) {
 }
 std::string apply_cut(Options& options, const std::string& text) {
     return parse_finite(text, &options.cut.emplace()) ? "" : "must be a finite number";
+}
+std::string apply_order(Options& options, const std::string& text) {
+    std::uint64_t order;
+    if (!parse_unsigned(text, &order) || order < 1 || order > NETMESH_ORDER_MAX) return "must be an order from 1 to 16";
+    options.order = static_cast<std::uint32_t>(order);
+    return {};
+}
+std::string apply_relative_error(Options& options, const std::string& text) {
+    return parse_finite(text, &options.error) && options.error >= 0x1p-30 ? "" : "must be a finite number above 1e-9";
 }
 std::string apply_error(Options& options, const std::string& text) {
     return parse_finite(text, &options.error) && options.error > 0 ? "" : "must be a finite number above 0";
@@ -418,6 +428,9 @@ const std::vector<OptionEntry>& option_entries() {
         {"--svg", vineyard, "FILE", apply_path<&Options::svg>, "picture of the vines, k against radius"},
         {"--analyse", mesh | delaunay, nullptr, apply_switch<&Options::analyse>,
          "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
+        {"--wasserstein", distance, "P", apply_order,
+         "Wasserstein distance of order P, 1 to 16: the P-th root of the least sum of P-th powers of moves"},
+        {"--error", distance, "E", apply_relative_error, "relative error of the Wasserstein distance (0.001)"},
         {"--log", distance, nullptr, apply_switch<&Options::log>,
          "distance of natural logarithms; births at 0 are matched to births at 0 alone"},
         {"--check", engine | vineyard, nullptr, apply_switch<&Options::check>,

@@ -136,6 +136,9 @@ Outcome check_together(const Options& options) {
     if (options.pace_theta > 0 && options.pace_path.empty()) return usage_error("--theta goes with --pace");
     if (!options.weighted_path.empty() && (!hierarchical || options.finish))
         return usage_error("--weighted-cells goes with --method netmesh, without --finish, which removes cages");
+    if (options.order > 0 && options.log) return usage_error("--log goes with the bottleneck distance alone");
+    if (options.command == Command::distance && options.error > 0 && options.order == 0)
+        return usage_error("--error goes with --wasserstein; the bottleneck distance is exact");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

@@ -59,7 +59,8 @@ struct Options {
         k_last;                            // knn, kdistance, barycentric filters; of a vineyard the first and the last
     std::optional<Expression> function;    // of the filter function
     std::optional<double> lipschitz, cut;  // of that
-    double error = 0;                      // asked of its diagram; 0: not given
+    double error = 0;                      // asked of its diagram, or relative of --wasserstein; 0: not given
+    std::uint32_t order = 0;               // of --wasserstein; 0: not given
     std::string values_at;  // in place of the expression: a file of values at the vertices of a mesh; of a head the
                             // fingerprint of the values
     std::shared_ptr<const VertexFunction> vertex_function;  // what was read of it

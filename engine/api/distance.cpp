@@ -19,20 +19,19 @@ template <class Request> Complaint read_request(const Request* from, Request* re
         return {NETMESH_FIELD_SCRATCH, "scratch is null or not 16-byte aligned"};
     return {};
 }
-Complaint complaint_about(const netmesh_bottleneck_request& request) {
-    if (!in_range(request.scale, NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG))
-        return {NETMESH_FIELD_SCALE, "unknown scale"};
+Complaint complaint_about_distance(const netmesh_bottleneck_request& request) {
+    if (!in_range(request.scale, NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG)) return {NETMESH_FIELD_SCALE, "unknown scale"};
     return {};
 }
-Complaint complaint_about(const netmesh_wasserstein_request& request) {
-    if (request.order < 1 || request.order > NETMESH_ORDER_MAX) return {NETMESH_FIELD_ORDER, "order is not from 1 to 16"};
+Complaint complaint_about_distance(const netmesh_wasserstein_request& request) {
+    if (request.order < 1 || request.order > NETMESH_ORDER_MAX)
+        return {NETMESH_FIELD_ORDER, "order is not from 1 to 16"};
     if (!(request.relative_error >= relative_error_min && is_finite(request.relative_error)))
         return {NETMESH_FIELD_RELATIVE_ERROR, "relative_error is not a finite number of at least 2^-30"};
     if (request.degree == NETMESH_ALL_DEGREES) {
         const char* const text = "mates and potentials are those of one degree";
         if (request.mates_a != nullptr) return {NETMESH_FIELD_MATES, text};
-        if (request.potentials_a != nullptr || request.potentials_b != nullptr)
-            return {NETMESH_FIELD_POTENTIALS, text};
+        if (request.potentials_a != nullptr || request.potentials_b != nullptr) return {NETMESH_FIELD_POTENTIALS, text};
     }
     return {};
 }
@@ -51,7 +50,7 @@ netmesh_status compare(const Request* from, Result* result, netmesh_detail* deta
     Request request;
     Result found = {};
     Complaint complaint = read_request(from, &request);
-    if (complaint.text == nullptr) complaint = complaint_about(request);
+    if (complaint.text == nullptr) complaint = complaint_about_distance(request);
     if (complaint.text == nullptr && !has_room(result)) complaint = {NETMESH_FIELD_RESULT, "distance has no size"};
     Status status = Status::invalid_argument;
     if (complaint.text == nullptr) {
@@ -103,14 +102,22 @@ size_t netmesh_wasserstein_bytes(const netmesh_wasserstein_request* from) {
 netmesh_status netmesh_wasserstein(const netmesh_wasserstein_request* from, netmesh_wasserstein_distance* distance,
                                    netmesh_detail* detail) {
     const auto is_log = [](const netmesh_wasserstein_request&) { return false; };
-    return compare<netmesh_wasserstein_request>(
-        from, distance, detail, is_log, wasserstein_bytes,
-        [](const netmesh_wasserstein_request& r, const PairView& a, const PairView& b, Monitor& monitor,
-           netmesh_wasserstein_distance* found) {
-            const WassersteinRequest asked = {a,         b,           r.degree,       r.order,       r.relative_error,
-                                              r.scratch, r.scratch_bytes, r.mates_a, r.potentials_a, r.potentials_b};
-            return wasserstein(asked, monitor, found);
-        });
+    return compare<netmesh_wasserstein_request>(from, distance, detail, is_log, wasserstein_bytes,
+                                                [](const netmesh_wasserstein_request& r, const PairView& a,
+                                                   const PairView& b, Monitor& monitor,
+                                                   netmesh_wasserstein_distance* found) {
+                                                    const WassersteinRequest asked = {a,
+                                                                                      b,
+                                                                                      r.degree,
+                                                                                      r.order,
+                                                                                      r.relative_error,
+                                                                                      r.scratch,
+                                                                                      r.scratch_bytes,
+                                                                                      r.mates_a,
+                                                                                      r.potentials_a,
+                                                                                      r.potentials_b};
+                                                    return wasserstein(asked, monitor, found);
+                                                });
 }
 
 }  // extern "C"

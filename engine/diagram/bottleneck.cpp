@@ -156,7 +156,8 @@ netmesh_distance distance_of_key(std::uint64_t key, bool log_scale) {
 }  // namespace
 
 std::size_t bottleneck_bytes(std::uint64_t count_a, std::uint64_t count_b) {
-    if (count_a >= compared_pairs_max || count_b >= compared_pairs_max || (count_a + count_b) > SIZE_MAX / 1024) return SIZE_MAX;
+    if (count_a >= compared_pairs_max || count_b >= compared_pairs_max || (count_a + count_b) > SIZE_MAX / 1024)
+        return SIZE_MAX;
     Scratch memory = {nullptr, 0};
     Workspace work = {};
     work.lay_out(memory, static_cast<std::size_t>(count_a), static_cast<std::size_t>(count_b));

@@ -1,6 +1,6 @@
 // Points of a diagram with a potential each, as an implicit k-d tree: the root of a stretch is its middle. A stretch is
-// split where it is wider, and every node has the box of its stretch and the largest potential in it, so that a search for the least cost minus potential leaves
-// out what is too far or too dear.
+// split where it is wider, and every node has the box of its stretch and the largest potential in it, so that a search
+// for the least cost minus potential leaves out what is too far or too dear.
 #pragma once
 #include <cstdint>
 

@@ -1,4 +1,5 @@
-// Costs of transport between persistence diagrams: p-th powers of distances, in a unit of length that is a power of two.
+// Costs of transport between persistence diagrams: p-th powers of distances, in a unit of length that is a power of
+// two.
 #pragma once
 #include <cstdint>
 
@@ -7,8 +8,9 @@
 
 namespace netmesh {
 
-// x^p for x >= 0 by repeated products, p from 1 to order_max, and p-th roots that are surely above or below. A product of
-// positive numbers is within 1 + 2^-53 of its own, so a power is within (1 + 2^-53)^(p - 1) unless it leaves the range.
+// x^p for x >= 0 by repeated products, p from 1 to order_max, and p-th roots that are surely above or below. A product
+// of positive numbers is within 1 + 2^-53 of its own, so a power is within (1 + 2^-53)^(p - 1) unless it leaves the
+// range.
 class Power {
 public:
     static constexpr std::uint32_t order_max = 16;
@@ -102,7 +104,9 @@ public:
     double to_box(const double* x, const double* low, const double* high) const {
         double largest = 0;
         for (int k = 0; k < 2; ++k) {
-            const double outside = x[k] < low[k] ? difference(low[k], x[k]) : x[k] > high[k] ? difference(x[k], high[k]) : 0;
+            const double outside = x[k] < low[k]    ? difference(low[k], x[k])
+                                   : x[k] > high[k] ? difference(x[k], high[k])
+                                                    : 0;
             if (outside > largest) largest = outside;
         }
         return power_.of(largest);

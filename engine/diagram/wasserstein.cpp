@@ -20,7 +20,7 @@ struct Market {
     PriceTree tree;
 };
 
-struct Workspace {
+struct Markets {
     Market side[2];
     std::uint32_t* queue;
     std::uint32_t queue_size;
@@ -62,7 +62,7 @@ private:
 // Auctions over the points of two diagrams of one degree.
 class Transport {
 public:
-    Transport(Workspace& work, Power power, double relative_error, Monitor& monitor)
+    Transport(Markets& work, Power power, double relative_error, Monitor& monitor)
         : work_(work), cost_(power), relative_error_(relative_error), monitor_(monitor) {}
 
     // The part of the distance that is due to these points, from the matching at hand. False when it is cancelled.
@@ -265,7 +265,7 @@ private:
         if (i % 256 == 0) monitor_.pass(25);
     }
 
-    Workspace& work_;
+    Markets& work_;
     TransportCost cost_;
     double relative_error_;
     Monitor& monitor_;
@@ -273,7 +273,7 @@ private:
 };
 
 // Points off the diagonal of one degree into the tree.
-void collect(Market& m, std::uint32_t degree, Monitor& monitor) {
+void collect_points_of(Market& m, std::uint32_t degree, Monitor& monitor) {
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < m.pairs.count; ++i) {
         const netmesh_pair pair = m.pairs[i];
@@ -314,7 +314,7 @@ Bracket combined(const Bracket& x, const Bracket& y, const Power& power) {
 }
 
 // Essential pairs go by birth, which is the least of all sums where costs are convex. False when their numbers differ.
-bool match_essential(Workspace& work, const WassersteinRequest& request, std::uint32_t degree, const Power& power,
+bool match_essential(Markets& work, const WassersteinRequest& request, std::uint32_t degree, const Power& power,
                      Monitor& monitor, Bracket* total) {
     Market &a = work.side[0], &b = work.side[1];
     const std::uint32_t count = collect_essential(a, degree, monitor);
@@ -334,7 +334,7 @@ std::size_t wasserstein_bytes(std::uint64_t count_a, std::uint64_t count_b) {
     if (count_a >= compared_pairs_max || count_b >= compared_pairs_max || (count_a + count_b) > SIZE_MAX / 256)
         return SIZE_MAX;
     Scratch memory = {nullptr, 0};
-    Workspace work = {};
+    Markets work = {};
     work.lay_out(memory, static_cast<std::size_t>(count_a), static_cast<std::size_t>(count_b));
     return memory.used;
 }
@@ -345,7 +345,7 @@ Status wasserstein(const WassersteinRequest& request, Monitor& monitor, netmesh_
     if (!are_diagram(a, false) || !are_diagram(b, false)) return Status::invalid_argument;
     if (wasserstein_bytes(a.count, b.count) > request.scratch_bytes) return Status::out_of_memory;
     Scratch memory = {static_cast<unsigned char*>(request.scratch), 0};
-    Workspace work = {};
+    Markets work = {};
     work.lay_out(memory, static_cast<std::size_t>(a.count), static_cast<std::size_t>(b.count));
     work.side[0].pairs = a;
     work.side[1].pairs = b;
@@ -365,8 +365,8 @@ Status wasserstein(const WassersteinRequest& request, Monitor& monitor, netmesh_
             total = {infinity, infinity};
             break;
         }
-        collect(work.side[0], degree, monitor);
-        collect(work.side[1], degree, monitor);
+        collect_points_of(work.side[0], degree, monitor);
+        collect_points_of(work.side[1], degree, monitor);
         // To begin with all go to the diagonal. What is good in the first order is good in others, too, of which costs
         // are so flat that auctions get nearer to the short moves by small steps alone.
         for (Market& m : work.side)

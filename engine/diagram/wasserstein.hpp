@@ -29,16 +29,16 @@ std::size_t wasserstein_bytes(std::uint64_t count_a, std::uint64_t count_b);
 
 // What the result means, and which pairs are admitted: netmesh_wasserstein in netmesh/wasserstein.h.
 //
-// A matching of the points off the diagonals costs sum c(a, b) over its pairs plus what the others' ways to the diagonal
-// cost. Potentials f of the points with f(a) + f(b) <= c(a, b), and none above the cost of the way to the diagonal, sum
-// up to no more than any matching costs (duality of transport). Both are found by auctions (Bertsekas): first the
-// points of a bid for those of b, whose potentials go down; then the points of b that were left, and whose potentials
-// are below their way to the diagonal, bid for those of a. Each bid keeps f(a) + f(b) <= c(a, b) + step, with equality
-// for matched points, so matching and potentials are within (count_a + count_b) step of one another. The step becomes
-// smaller from round to round, starting from the potentials of the round before, until the distance found is within
-// the relative error of the bound that the potentials prove. What costs more than the best matching so far is cut off
-// there, which changes no optimum: so potentials are never far larger than what is sought.
-// invalid_argument, out_of_memory, cancelled.
+// A matching of the points off the diagonals costs sum c(a, b) over its pairs plus what the others' ways to the
+// diagonal cost. Potentials f of the points with f(a) + f(b) <= c(a, b), and none above the cost of the way to the
+// diagonal, sum up to no more than any matching costs (duality of transport). Both are found by auctions (Bertsekas):
+// first the points of a bid for those of b, whose potentials go down; then the points of b that were left, and whose
+// potentials are below their way to the diagonal, bid for those of a. Each bid keeps f(a) + f(b) <= c(a, b) + step,
+// with equality for matched points, so matching and potentials are within (count_a + count_b) step of one another. The
+// step becomes smaller from round to round, starting from the potentials of the round before, until the distance found
+// is within the relative error of the bound that the potentials prove. What costs more than the best matching so far is
+// cut off there, which changes no optimum: so potentials are never far larger than what is sought. invalid_argument,
+// out_of_memory, cancelled.
 Status wasserstein(const WassersteinRequest& request, Monitor& monitor, netmesh_wasserstein_distance* distance);
 
 }  // namespace netmesh

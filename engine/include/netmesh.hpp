@@ -83,9 +83,7 @@ struct Bottleneck : netmesh_bottleneck_request {
     Bottleneck() { netmesh_bottleneck_request_init(this, sizeof(netmesh_bottleneck_request), sizeof(netmesh_pair)); }
 };
 struct Wasserstein : netmesh_wasserstein_request {
-    Wasserstein() {
-        netmesh_wasserstein_request_init(this, sizeof(netmesh_wasserstein_request), sizeof(netmesh_pair));
-    }
+    Wasserstein() { netmesh_wasserstein_request_init(this, sizeof(netmesh_wasserstein_request), sizeof(netmesh_pair)); }
 };
 struct Analyse : netmesh_analyse_request {
     Analyse() { netmesh_analyse_request_init(this, sizeof(netmesh_analyse_request)); }

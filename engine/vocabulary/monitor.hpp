@@ -51,7 +51,7 @@ private:
 #ifdef NETMESH_SWEEP
     static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
 #else
-    static constexpr std::uint32_t interval = 3000;  // about every third of a millisecond
+    static constexpr std::uint32_t interval = 1000;  // about every tenth of a millisecond
 #endif
     netmesh_poll poll_ = nullptr;
     void* user_ = nullptr;

@@ -11,8 +11,8 @@
 #include <cstring>
 #include <set>
 
-#include "common/bottleneck.hpp"
 #include "common/session.hpp"
+#include "common/wasserstein.hpp"
 
 namespace {
 
@@ -226,7 +226,7 @@ void dimension(int dim) {
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? sizes.side : 3)));
 }
 
-// Distances of the diagrams of two samples, as the bits that netmesh_bottleneck returns.
+// Distances of the diagrams of two samples, to the last bit.
 void distances() {
     Watched a(2), b(2);
     const bool made = a.alpha(inputs::shell(2, 500, 0.5, 1, 1)) == NETMESH_OK &&
@@ -237,6 +237,11 @@ void distances() {
         failed = failed || !made || d.status != NETMESH_OK;
         std::printf("bottleneck %s distance %a exponent %d\n", scale == NETMESH_SCALE_LOG ? "log" : "plain", d.value,
                     d.exponent);
+    }
+    for (const std::uint32_t order : {1u, 2u, 5u}) {
+        const Transport d = wasserstein(wasserstein_request(x, y, order, 0.01));
+        failed = failed || d.status != NETMESH_OK;
+        std::printf("wasserstein order %" PRIu32 " from %a to %a\n", order, d.lower, d.value);
     }
 }
 

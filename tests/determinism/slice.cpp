@@ -464,6 +464,19 @@ private:
         Hash hash;
         hash.add(distance.value);
         add_hash(line, "distance", status, hash.value());
+        netmesh::requests::Wasserstein transport;
+        transport.pairs_a = a;
+        transport.pairs_b = b;
+        transport.count_a = transport.count_b = 3;
+        transport.order = 2;
+        transport.scratch = context_.block();
+        transport.scratch_bytes = context_.block_bytes();
+        auto bounds = netmesh::sized<netmesh_wasserstein_distance>();
+        const netmesh_status moved = netmesh_wasserstein(&transport, &bounds, nullptr);
+        Hash hash_of_bounds;
+        hash_of_bounds.add(bounds.lower);
+        hash_of_bounds.add(bounds.value);
+        add_hash(line, "transport", moved, hash_of_bounds.value());
     }
 
     Input& in_;

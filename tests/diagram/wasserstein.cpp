@@ -69,7 +69,8 @@ Real least_assignment(const Diagram& a, const Diagram& b, std::uint32_t order) {
 // What the outputs of a distance in one degree say, by their definition alone; both diagrams have that degree only and
 // no essential pairs.
 void check_outputs(const Diagram& a, const Diagram& b, std::uint32_t order, const Transport& found,
-                   const std::vector<std::uint32_t>& mates, const std::vector<double>& f, const std::vector<double>& g) {
+                   const std::vector<std::uint32_t>& mates, const std::vector<double>& f,
+                   const std::vector<double>& g) {
     const Real unit = std::ldexp(Real{1}, found.exponent);
     Real proven = 0, paid = 0;
     std::vector<bool> taken(b.size(), false);
@@ -246,7 +247,8 @@ TEST_CASE("diagrams of thousands of bars are within the error, and near the bott
         CAPTURE(kind);
         const Diagram a = sample(random, 1500, kind, 1), b = sample(random, 1400, kind, 1);
         const double n = 2900, widest = bottleneck(a, b).value;
-        const Transport one = distance(a, b, 1, 0.001), two = distance(a, b, 2, 0.001), last = distance(a, b, 16, 0.001);
+        const Transport one = distance(a, b, 1, 0.001), two = distance(a, b, 2, 0.001),
+                        last = distance(a, b, 16, 0.001);
         CHECK(two.lower <= one.value);
         CHECK(last.lower <= two.value);
         CHECK(last.value >= widest);

@@ -1,4 +1,4 @@
-/* A budget of polls (about a third of a millisecond of work each): a job that goes beyond it stops with a valid mesh of
+/* A budget of polls (about a tenth of a millisecond of work each): a job that goes beyond it stops with a valid mesh of
  * what it had inserted. There is no way to go on from there: a second call starts anew, in the same block, and with a
  * larger budget gives the result that it would have given at first. */
 #include <netmesh.h>
@@ -40,7 +40,7 @@ int main(void) {
     persist.filter = NETMESH_FILTER_ALPHA;
     report.struct_bytes = sizeof report;
 
-    left = 200;
+    left = 600;
     if (netmesh_delaunay(context, &request) != NETMESH_CANCELLED) return 2;
     if (netmesh_get_report(context, &report) != NETMESH_OK || report.complete || report.mesh.vertices == 0) return 3;
     if (netmesh_check(context, &check) != NETMESH_OK) return 4;

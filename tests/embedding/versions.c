@@ -73,6 +73,7 @@ GUARDED(netmesh_points_vineyard_request, nested);
 GUARDED(netmesh_homology_request, homology);
 GUARDED(netmesh_value_vineyard_request, values);
 GUARDED(netmesh_bottleneck_request, bottleneck);
+GUARDED(netmesh_wasserstein_request, wasserstein);
 GUARDED(netmesh_analyse_request, analyse);
 GUARDED(netmesh_detail, detail);
 GUARDED(netmesh_report, report);
@@ -88,13 +89,14 @@ GUARDED(netmesh_scale_step, step);
 GUARDED(netmesh_simplex, simplex);
 GUARDED(netmesh_vine_point, vine);
 GUARDED(netmesh_distance, distance);
+GUARDED(netmesh_wasserstein_distance, transport);
 GUARDED(netmesh_figure, figure);
 GUARDED(netmesh_filter_info, info);
 
 static void fill_results(void) {
     FILL(detail), FILL(report), FILL(analysis), FILL(vertex), FILL(cell), FILL(cage), FILL(voronoi), FILL(ball),
         FILL(pair), FILL(bar), FILL(step);
-    FILL(simplex), FILL(vine), FILL(distance), FILL(figure), FILL(info);
+    FILL(simplex), FILL(vine), FILL(distance), FILL(transport), FILL(figure), FILL(info);
 }
 
 #define POINTS_OF(request) ((request).it.points = points, (request).it.point_count = POINTS)
@@ -102,7 +104,7 @@ static void fill_results(void) {
 static void fill_requests(void) {
     FILL(delaunay), FILL(mesh), FILL(load), FILL(cages), FILL(check), FILL(function), FILL(persist), FILL(bounds);
     FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(nested), FILL(homology), FILL(values),
-        FILL(bottleneck), FILL(analyse);
+        FILL(bottleneck), FILL(wasserstein), FILL(analyse);
     netmesh_delaunay_request_init(&delaunay.it, sizeof delaunay.it, 2);
     netmesh_mesh_request_init(&mesh.it, sizeof mesh.it, 2);
     netmesh_load_request_init(&load.it, sizeof load.it, 2);
@@ -121,6 +123,7 @@ static void fill_requests(void) {
     netmesh_homology_request_init(&homology.it, sizeof homology.it);
     netmesh_value_vineyard_request_init(&values.it, sizeof values.it);
     netmesh_bottleneck_request_init(&bottleneck.it, sizeof bottleneck.it, sizeof(netmesh_pair));
+    netmesh_wasserstein_request_init(&wasserstein.it, sizeof wasserstein.it, sizeof(netmesh_pair));
     netmesh_analyse_request_init(&analyse.it, sizeof analyse.it);
     look_at_guards("an init call");
     POINTS_OF(delaunay), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(alpha), POINTS_OF(rips),
@@ -233,6 +236,10 @@ static void run_others(void) {
     netmesh_bottleneck(&bottleneck.it, &distance.it,
                        &detail.it); /* an older program's pairs or scratch are too small */
     look_at_guards("netmesh_bottleneck");
+    wasserstein.it.pairs_a = wasserstein.it.pairs_b = &pair.it;
+    wasserstein.it.count_a = wasserstein.it.count_b = 0;
+    netmesh_wasserstein(&wasserstein.it, &transport.it, &detail.it);
+    look_at_guards("netmesh_wasserstein");
 }
 
 int main(void) {

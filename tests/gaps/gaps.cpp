@@ -17,10 +17,10 @@
 #include <string>
 
 #include "common/arrays.hpp"
-#include "common/bottleneck.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
+#include "common/wasserstein.hpp"
 
 namespace {
 
@@ -495,40 +495,41 @@ void homology(int dim) {
     vines("vineyard by vertex", true, 2);
 }
 
-void bottleneck(int dim) {
+void distances(int dim) {
     if (dim != 2) return;
     const std::size_t n = some(20000, 400);
-    for (const netmesh_scale scale : {NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG}) {
-        std::vector<netmesh_pair> diagrams[2];
-        for (std::size_t k = 0; k < 2; ++k) {
-            const inputs::Points places = inputs::uniform(2, n, 11 + k);
-            for (std::size_t i = 0; i < n; ++i) {
-                auto pair = netmesh::sized<netmesh_pair>();
-                const double x = places[2 * i], y = places[2 * i + 1];
-                pair.degree = 1;
-                pair.birth = 2 + std::min(x, y);
-                pair.death = 2 + std::max(x, y);
-                diagrams[k].push_back(pair);
-            }
+    std::vector<netmesh_pair> diagrams[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+        const inputs::Points places = inputs::uniform(2, n, 11 + k);
+        for (std::size_t i = 0; i < n; ++i) {
+            const double x = places[2 * i], y = places[2 * i + 1];
+            diagrams[k].push_back(bar(1, 2 + std::min(x, y), 2 + std::max(x, y)));
         }
-        netmesh_bottleneck_request request = bottleneck_request(diagrams[0], diagrams[1], scale);
-        request.monitor.poll = poll;
-        const Scratch scratch(request);
-        scratch.lend(&request);
-        auto distance = netmesh::sized<netmesh_distance>();
-        measure(scale == NETMESH_SCALE_PLAIN ? "bottleneck" : "bottleneck, log", 2, n,
-                [&] { return netmesh_bottleneck(&request, &distance, nullptr); });
     }
+    const auto measure_call = [n](const char* name, auto request, auto call, auto distance, std::size_t bytes) {
+        request.monitor.poll = poll;
+        const Scratch scratch(bytes);
+        scratch.lend(&request);
+        measure(name, 2, n, [&] { return call(&request, &distance, nullptr); });
+    };
+    for (const netmesh_scale scale : {NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG}) {
+        const netmesh_bottleneck_request request = bottleneck_request(diagrams[0], diagrams[1], scale);
+        measure_call(scale == NETMESH_SCALE_PLAIN ? "bottleneck" : "bottleneck, log", request, netmesh_bottleneck,
+                     netmesh::sized<netmesh_distance>(), netmesh_bottleneck_bytes(&request));
+    }
+    const netmesh_wasserstein_request request = wasserstein_request(diagrams[0], diagrams[1], 1, 0.01);
+    measure_call("wasserstein", request, netmesh_wasserstein, netmesh::sized<netmesh_wasserstein_distance>(),
+                 netmesh_wasserstein_bytes(&request));
 }
 
 struct Group {
     const char* name;
     void (*run)(int dim);
 };
-const Group groups[] = {{"delaunay", delaunay},    {"grids", grids},       {"mesh", mesh},     {"analyses", analyses},
-                        {"goals", goals},          {"cages", cages},       {"refine", refine}, {"fit", fit},
-                        {"scales", scales},        {"vineyard", vineyard}, {"points", points}, {"homology", homology},
-                        {"bottleneck", bottleneck}};
+const Group groups[] = {{"delaunay", delaunay},  {"grids", grids},       {"mesh", mesh},     {"analyses", analyses},
+                        {"goals", goals},        {"cages", cages},       {"refine", refine}, {"fit", fit},
+                        {"scales", scales},      {"vineyard", vineyard}, {"points", points}, {"homology", homology},
+                        {"distances", distances}};
 
 }  // namespace
 

@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "common/bottleneck.hpp"
 #include "common/inputs.hpp"
+#include "common/wasserstein.hpp"
 #include "sweep/harness.hpp"
 
 namespace {
@@ -21,22 +21,40 @@ std::vector<netmesh_pair> diagram(std::uint64_t seed, std::size_t count) {
     return pairs;
 }
 
+enum class Kind { plain, log, transport };
+constexpr const char* names[] = {"distance", "distance, log", "transport"};
+
 struct Distances {
     std::vector<netmesh_pair> a, b;
-    netmesh_scale scale;
+    Kind kind;
 
     std::size_t bytes() const {
-        const netmesh_bottleneck_request request = bottleneck_request(a, b, scale);
+        if (kind == Kind::transport) {
+            const netmesh_wasserstein_request request = wasserstein_request(a, b, 2, 1e-6);
+            return netmesh_wasserstein_bytes(&request);
+        }
+        const netmesh_bottleneck_request request = bottleneck_request(a, b);
         return netmesh_bottleneck_bytes(&request);
     }
     Result in(Block* block, std::size_t bytes) const {
-        netmesh_bottleneck_request request = bottleneck_request(a, b, scale);
+        if (kind == Kind::transport) {
+            auto distance = netmesh::sized<netmesh_wasserstein_distance>();
+            distance.value = -1;
+            return run(wasserstein_request(a, b, 2, 1e-6), netmesh_wasserstein, distance, block, bytes);
+        }
+        const netmesh_distance distance = {sizeof distance, 0, -1};
+        const netmesh_scale scale = kind == Kind::log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN;
+        return run(bottleneck_request(a, b, scale), netmesh_bottleneck, distance, block, bytes);
+    }
+
+private:
+    template <class Request, class Call, class Found>
+    static Result run(Request request, Call call, Found distance, Block* block, std::size_t bytes) {
         request.scratch = block->base();
         request.scratch_bytes = bytes;
         request.monitor.poll = sweep_poll;
-        netmesh_distance distance = {sizeof distance, 0, -1};
         auto detail = netmesh::sized<netmesh_detail>();
-        const netmesh_status status = netmesh_bottleneck(&request, &distance, &detail);
+        const netmesh_status status = call(&request, &distance, &detail);
         require(detail.status == status, "the detail does not fit");
         const bool disturbed = status == NETMESH_OUT_OF_MEMORY || status == NETMESH_CANCELLED;
         require(status == NETMESH_OK || disturbed, netmesh_status_text(status));
@@ -50,9 +68,10 @@ struct Distances {
 }  // namespace
 
 void sweep_distances() {
-    for (const netmesh_scale scale : {NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG}) {
-        const Distances job = {diagram(1, 24), diagram(2, 21), scale};
-        place = {"distance", 0, "undisturbed", 0};
+    for (const Kind kind : {Kind::plain, Kind::log, Kind::transport}) {
+        const Distances job = {diagram(1, 24), diagram(2, 21), kind};
+        const char* const name = names[static_cast<int>(kind)];
+        place = {name, 0, "undisturbed", 0};
         const Tally before = total;
         const std::size_t bytes = job.bytes();
         Block block(bytes, 0xAA, false);
@@ -89,7 +108,7 @@ void sweep_distances() {
         }
         std::printf(
             "%-16s   :                 %5ld polls, %7zu bytes; %6ld refused, %5ld cancelled, %6ld whole, %6ld pauses\n",
-            scale == NETMESH_SCALE_LOG ? "distance, log" : "distance", polls, bytes, total.refused - before.refused,
-            total.cancelled - before.cancelled, total.whole - before.whole, total.pauses - before.pauses);
+            name, polls, bytes, total.refused - before.refused, total.cancelled - before.cancelled,
+            total.whole - before.whole, total.pauses - before.pauses);
     }
 }

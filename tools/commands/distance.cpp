@@ -1,4 +1,4 @@
-// distance: the bottleneck distance between two diagrams, degree by degree.
+// distance: the bottleneck or Wasserstein distance between two diagrams, degree by degree.
 #include <cmath>
 #include <set>
 
@@ -28,22 +28,61 @@ Outcome read_pairs(const std::string& path, std::vector<netmesh_pair>* pairs, st
 
 int poll(void*, const netmesh_progress*) { return platform::interrupted() ? 1 : 0; }
 
+// One call, with its result in *found.
+DegreeDistance call(const requests::Bottleneck& request, netmesh_status* status) {
+    netmesh_distance found = {};
+    *status = bottleneck(request, &found);
+    const bool logarithm = request.scale == NETMESH_SCALE_LOG && found.value < HUGE_VAL;
+    const double value = logarithm ? natural_logarithm(found.value, found.exponent) : found.value;
+    return {request.degree, value, value};
+}
+DegreeDistance call(const requests::Wasserstein& request, netmesh_status* status) {
+    netmesh_wasserstein_distance found = {};
+    *status = wasserstein(request, &found);
+    return {request.degree, found.value, found.lower};
+}
+std::size_t scratch_bytes(const requests::Bottleneck& request) { return bottleneck_bytes(request); }
+std::size_t scratch_bytes(const requests::Wasserstein& request) { return wasserstein_bytes(request); }
+
 // The distance in each of the degrees.
-Outcome measure(requests::Bottleneck request, const std::set<std::uint32_t>& degrees,
+template <class Request>
+Outcome measure(Request request, const std::vector<netmesh_pair> (&pairs)[2], const std::set<std::uint32_t>& degrees,
                 std::vector<DegreeDistance>* distances) {
+    request.monitor.poll = poll;
+    request.pairs_a = pairs[0].data();
+    request.pairs_b = pairs[1].data();
+    request.count_a = pairs[0].size();
+    request.count_b = pairs[1].size();
+    request.scratch_bytes = scratch_bytes(request);
+    platform::Reservation scratch;
+    if (request.scratch_bytes == SIZE_MAX || !scratch.reserve(request.scratch_bytes)) {
+        return {Exit::memory, "netmesh: no memory to compare diagrams of " + grouped_text(pairs[0].size()) + " and " +
+                                  grouped_text(pairs[1].size()) + " bars"};
+    }
+    request.scratch = scratch.base();
     for (const std::uint32_t degree : degrees) {
         request.degree = degree;
-        netmesh_distance distance = {};
-        const netmesh_status status = bottleneck(request, &distance);
+        netmesh_status status;
+        distances->push_back(call(request, &status));
         if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
         if (status != NETMESH_OK) {
             return {Exit::internal, std::string("netmesh: internal error: ") + netmesh_status_text(status)};
         }
-        const bool logarithm = request.scale == NETMESH_SCALE_LOG && distance.value < HUGE_VAL;
-        distances->push_back(
-            {degree, logarithm ? natural_logarithm(distance.value, distance.exponent) : distance.value});
     }
     return {};
+}
+
+Outcome measure(const Options& options, const std::vector<netmesh_pair> (&pairs)[2],
+                const std::set<std::uint32_t>& degrees, std::vector<DegreeDistance>* distances) {
+    if (options.order == 0) {
+        requests::Bottleneck request;
+        request.scale = options.log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN;
+        return measure(request, pairs, degrees, distances);
+    }
+    requests::Wasserstein request;
+    request.order = options.order;
+    if (options.error > 0) request.relative_error = options.error;
+    return measure(request, pairs, degrees, distances);
 }
 
 }  // namespace
@@ -66,22 +105,8 @@ Outcome run_distance(const Options& options) {
     RunReport run;
     run.options = &options;
     run.read_seconds = platform::seconds_now() - start;
-    requests::Bottleneck request;
-    request.monitor.poll = poll;
-    request.pairs_a = pairs[0].data();
-    request.pairs_b = pairs[1].data();
-    request.count_a = pairs[0].size();
-    request.count_b = pairs[1].size();
-    request.scale = options.log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN;
-    request.scratch_bytes = bottleneck_bytes(request);
-    platform::Reservation scratch;
-    if (request.scratch_bytes == SIZE_MAX || !scratch.reserve(request.scratch_bytes)) {
-        return {Exit::memory, "netmesh: no memory to compare diagrams of " + grouped_text(pairs[0].size()) + " and " +
-                                  grouped_text(pairs[1].size()) + " bars"};
-    }
-    request.scratch = scratch.base();
     run.distances.emplace();
-    const Outcome outcome = measure(request, degrees, &*run.distances);
+    const Outcome outcome = measure(options, pairs, degrees, &*run.distances);
     if (!outcome.good()) return outcome;
     run.total_seconds = platform::seconds_now() - start;
     return write_files({{"", [&](TextWriter& out) {

@@ -118,16 +118,21 @@ void add_to_vineyard(Json& json, const netmesh_vineyard_report& report, const Vi
 
 // Infinity is null.
 void write_distances(Json& json, const RunReport& run) {
-    json.entry("scale", run.options->log ? "log" : "plain");
-    json.key("distances");
-    json.open('[');
-    for (const DegreeDistance& d : *run.distances) {
+    const auto write = [&](const char* name, double DegreeDistance::*number) {
+        json.key(name);
         json.open('[');
-        json.value(d.degree);
-        json.value(d.value);
+        for (const DegreeDistance& d : *run.distances) {
+            json.open('[');
+            json.value(d.degree);
+            json.value(d.*number);
+            json.close(']');
+        }
         json.close(']');
-    }
-    json.close(']');
+    };
+    json.entry("scale", run.options->log ? "log" : "plain");
+    if (run.options->order > 0) json.entry("order", run.options->order);
+    write("distances", &DegreeDistance::value);
+    if (run.options->order > 0) write("lower_bounds", &DegreeDistance::lower);
 }
 
 void write_checked(Json& json, const std::vector<std::string>& checked) {

@@ -15,6 +15,7 @@ namespace netmesh::tool {
 struct DegreeDistance {
     std::uint32_t degree;
     double value;  // may be infinite
+    double lower;  // the distance is not less: the same, but for that of Wasserstein
 };
 
 struct RunReport {

@@ -195,7 +195,7 @@ typedef struct netmesh_progress {
     uint64_t vertices, cells; /* of the mesh so far */
 } netmesh_progress;
 
-/* Called by every call that is given a netmesh_monitor, in all of its phases, about every million instructions, some
+/* Called by every call that is given a netmesh_monitor, in all of its phases, about every 300,000 instructions, some
  * hundred microseconds on a desktop processor. What cannot be divided is one star, column or ball, and what a function
  * of the caller's takes. A non-zero return cancels: the call that polls returns NETMESH_CANCELLED and polls no more.
  * Where nothing can stop in the middle (sorting, compaction of a finished mesh) it does so at the end of the phase.

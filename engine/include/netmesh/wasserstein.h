@@ -53,10 +53,9 @@ typedef struct netmesh_wasserstein_distance {
  * to one, or to the diagonal. d is the larger of the moves of birth and death, as in the bottleneck distance, which is
  * the limit for large p; half of the length for a way to the diagonal. Essential pairs are matched to essential pairs
  * by birth; where their numbers differ both bounds are infinite. The distance is from `lower` to `value`, and value <=
- * (1 + relative_error) lower, but that below 2^-1000 both end in a double that is there. Births are finite, death >= birth. No context is
- * needed; detail, which may be null, gets
- * what a context would keep. Expected cost about O(n^1.5 log n), more the smaller the error.
- * INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+ * (1 + relative_error) lower, but that below 2^-1000 both end in a double that is there. Births are finite, death >=
+ * birth. No context is needed; detail, which may be null, gets what a context would keep. Expected cost about O(n^1.5
+ * log n), more the smaller the error. INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_wasserstein(const netmesh_wasserstein_request* request, netmesh_wasserstein_distance* distance,
                                    netmesh_detail* detail);
 

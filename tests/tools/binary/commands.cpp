@@ -602,6 +602,18 @@ TEST_CASE("distance: a line per degree, plain and log, faults by file and line")
     CHECK(folder.run("distance a.pers a.pers").out == "0 0\n1 0\n");
     CHECK(folder.run("distance --log a.pers - ", "1 1 3\n0 0 inf\n0 1e-9 1\n").out == "0 inf\n1 0\n");
     CHECK(folder.run("distance empty.pers empty.pers").out == "");
+    const std::string c = "1 0 2\n1 10 14\n", d = "1 0 2.5\n1 10 13\n1 20 21\n";
+    folder.write("c.pers", c);
+    folder.write("d.pers", d);
+    CHECK(folder.run("distance c.pers d.pers --wasserstein 1").out.rfind("1 2.0000000000", 0) == 0);
+    result = folder.run("distance c.pers d.pers --wasserstein 1 --json");
+    for (const char* part : {"\"order\": 1,", "\"distances\": [[1, 2.0000000000", "\"lower_bounds\": [[1, 1.9999"})
+        CHECK(result.out.find(part) != std::string::npos);
+    result = folder.run("distance a.pers b.pers");
+    CHECK(folder.run("distance c.pers d.pers --wasserstein 2 --error 1e-6").out.rfind("1 1.2247448", 0) == 0);
+    for (const char* wrong : {"--wasserstein 0", "--wasserstein 17", "--wasserstein x", "--wasserstein 1 --log",
+                              "--error .1", "--wasserstein 1 --error 0"})
+        CHECK(folder.run(std::string("distance c.pers d.pers ") + wrong).exit == 2);
     CHECK(folder.run("distance empty.pers a.pers --quiet").out == "0 inf\n1 1\n");
     CHECK(folder.run("distance a.pers b.pers --json").out.find("\"distances\": [[0, 1], [1, 0.5], [2, null]]") !=
           std::string::npos);
