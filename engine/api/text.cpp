@@ -98,6 +98,8 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_CAGE_KIND: return "cage_kind";
     case NETMESH_FIELD_STEP_COUNT: return "step_count";
     case NETMESH_FIELD_LONGER_THAN: return "longer_than";
+    case NETMESH_FIELD_POINT_FORMAT: return "point_format";
+    case NETMESH_FIELD_POINT_STRIDE_BYTES: return "point_stride_bytes";
     case NETMESH_FIELD_COUNT: break;
     }
     return "unknown field";
