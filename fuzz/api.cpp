@@ -3,6 +3,7 @@
 // end in a known status that is not NETMESH_INTERNAL, with a text, and results must be readable as far as the report
 // says.
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "common/read.hpp"
@@ -76,6 +77,27 @@ private:
         request.monitor = c.monitor;
         request.points = x.data();
         request.point_count = c.dim == 0 ? 0 : x.size() / c.dim;
+        // The seed says how they lie, so that older inputs mean what they did.
+        const std::size_t gap = c.seed / 8 % 3 + 1, dim = c.dim;
+        if (c.seed % 8 == 4) request.point_stride_bytes = 4;  // refused
+        if (c.seed % 8 == 5) request = in_rows(request, x, &floats_, dim);
+        if (c.seed % 8 == 6) request = in_rows(request, x, &floats_, dim + gap);
+        if (c.seed % 8 == 7) request = in_rows(request, x, &doubles_, dim + gap);
+        return request;
+    }
+    // In rows of that many numbers, the last one cut off where its point ends.
+    template <class Request, class Number>
+    static Request in_rows(Request request, const std::vector<double>& x, std::vector<Number>* rows, std::size_t stride) {
+        std::vector<Number> all;
+        for (std::size_t i = 0; i < request.point_count; ++i) {
+            all.resize(i * stride, std::numeric_limits<Number>::quiet_NaN());
+            for (std::uint32_t k = 0; k < request.dim; ++k)
+                all.push_back(static_cast<Number>(x[i * request.dim + k]));
+        }
+        *rows = std::vector<Number>(all);  // no spare capacity
+        request.points = rows->data();
+        request.point_format = sizeof(Number) == 4 ? NETMESH_POINTS_FLOAT32 : NETMESH_POINTS_FLOAT64;
+        request.point_stride_bytes = stride == request.dim ? 0 : stride * sizeof(Number);
         return request;
     }
     std::vector<double> make_points(std::uint32_t dim) {
@@ -613,6 +635,8 @@ private:
 
     Tape tape_;
     fuzz::Handed handed_;
+    std::vector<float> floats_;  // points that a call reads
+    std::vector<double> doubles_;
     void* block_;
     std::size_t block_bytes_ = 0;
     netmesh_context* context_ = nullptr;

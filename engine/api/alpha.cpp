@@ -31,12 +31,12 @@ extern "C" netmesh_status netmesh_persist_alpha(netmesh_context* context, const 
     netmesh_alpha_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    const Complaint complaint = complaint_about_points(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
-    const AlphaOfPoints wanted = {request.points,
+    const AlphaOfPoints wanted = {rows_of(request),
                                   request.point_count,
                                   request.seed,
                                   {degree_of(request.max_degree, request.dim), request.keep_zero_pairs != 0}};

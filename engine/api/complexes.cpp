@@ -57,14 +57,14 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
     netmesh_points_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    Complaint complaint = complaint_about_points(request);
     if (complaint.text == nullptr) complaint = complaint_about_complex(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
     const PointsRequest wanted = {points_filter_of(request),
-                                  request.points,
+                                  rows_of(request),
                                   static_cast<std::uint32_t>(request.point_count),
                                   request.dim,
                                   request.keep_zero_pairs != 0,

@@ -112,6 +112,8 @@ private:
         netmesh_mesh_request_init(&asked, sizeof asked, request_.dim);
         asked.monitor = request_.monitor;
         asked.points = request_.points;
+        asked.point_format = request_.point_format;
+        asked.point_stride_bytes = request_.point_stride_bytes;
         asked.point_count = request_.point_count;
         asked.seed = request_.seed;
         asked.purpose = NETMESH_PURPOSE_PERSIST;
@@ -149,7 +151,7 @@ private:
 };
 
 Complaint complaint_about_fit(const netmesh_fit_request& request) {
-    const Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    const Complaint complaint = complaint_about_points(request);
     if (complaint.text != nullptr) return complaint;
     if (request.ratio != 0 && !is_valid_ratio(request.ratio))
         return {NETMESH_FIELD_RATIO, "ratio is not a finite number above the root of 2"};

@@ -62,7 +62,7 @@ netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_reque
     MeshResult<D> result = {};
     Store<D> store(context->arena, context->mesh.store);
     Status status =
-        mesh_points<D>(store, request.points, request.point_count, asked, {context->arena, monitor}, &result);
+        mesh_points<D>(store, rows_of(request), request.point_count, asked, {context->arena, monitor}, &result);
     context->mesh.method = request.method;
     context->mesh.audited = request.audit;
     keep_input(context, D, result.input, status);
@@ -95,7 +95,7 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const netmesh_delaunay
     netmesh_delaunay_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    const Complaint complaint = complaint_about_points(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
@@ -105,7 +105,7 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const netmesh_delaunay
         InputReport input;
         Store<D> store(context->arena, context->mesh.store);
         const Status status =
-            watch.heed(triangulate<D>(store, request.points, request.point_count, request.seed, monitor, &input));
+            watch.heed(triangulate<D>(store, rows_of(request), request.point_count, request.seed, monitor, &input));
         keep_input(context, D, input, status);
         return finish_points(context, status, input);
     });
@@ -115,7 +115,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request
     netmesh_mesh_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    Complaint complaint = complaint_about_points(request);
     if (complaint.text == nullptr) complaint = complaint_about_numbers(request);
     if (complaint.text == nullptr) complaint = complaint_about_method(request);
     if (complaint.text == nullptr) complaint = complaint_about_goal(request);

@@ -1,5 +1,7 @@
 #include "api/requests.hpp"
 
+#include <cstddef>
+
 #include "api/mesh_rules.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/function_filter.hpp"
@@ -33,11 +35,32 @@ Complaint complaint_about_dim(std::uint32_t dim) {
     return {NETMESH_FIELD_DIM, "left out of this build: the dimension, by NETMESH_EACH_DIMENSION", true};
 }
 
-Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim) {
-    if (points == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
-    if (count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
-    if (count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
-    return complaint_about_dim(dim);
+Complaint complaint_about_rows(const GivenRows& given) {
+    // What the platform aligns a double to inside of a struct: 4 bytes in 32 bits on x86, 8 elsewhere.
+    struct AlignedDouble {
+        char before;
+        double x;
+    };
+    if (given.points == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
+    if (given.count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
+    if (given.count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
+    const Complaint complaint = complaint_about_dim(given.dim);
+    if (complaint.text != nullptr) return complaint;
+    if (!in_range(*given.format, NETMESH_POINTS_FLOAT64, NETMESH_POINTS_FLOAT32))
+        return {NETMESH_FIELD_POINT_FORMAT, "unknown format of points"};
+    const bool are_floats = *given.format == NETMESH_POINTS_FLOAT32;
+    const std::size_t alignment = are_floats ? alignof(float) : offsetof(AlignedDouble, x);
+    if (reinterpret_cast<std::uintptr_t>(given.points) % alignment != 0)
+        return {NETMESH_FIELD_POINTS, "points is not aligned as its format asks"};
+    const std::size_t stride = given.stride_bytes;
+    if (stride == 0) return {};
+    const std::size_t row_bytes = given.dim * (are_floats ? sizeof(float) : sizeof(double));
+    if (stride < row_bytes) return {NETMESH_FIELD_POINT_STRIDE_BYTES, "point_stride_bytes is less than a row"};
+    if (stride % alignment != 0)
+        return {NETMESH_FIELD_POINT_STRIDE_BYTES, "point_stride_bytes is not a multiple of what points are aligned to"};
+    if (stride > SIZE_MAX / 2 / given.count)
+        return {NETMESH_FIELD_POINT_STRIDE_BYTES, "so many rows so far apart do not fit an address space"};
+    return {};
 }
 
 Complaint complaint_about_built_filter(netmesh_filter filter, std::uint32_t k) {

@@ -6,6 +6,7 @@
 #include "mesh/check_domain.hpp"
 #include "mesh/mesh_request.hpp"
 #include "mesh/sizing.hpp"
+#include "numerics/input_rows.hpp"
 
 namespace netmesh {
 
@@ -35,7 +36,25 @@ bool is_valid_theta(double theta);
 bool is_valid_scales_ratio(double ratio, double theta);  // what 1 + 3 theta leaves is a valid ratio
 
 Complaint complaint_about_dim(std::uint32_t dim);
-Complaint complaint_about_points(const double* points, std::size_t count, std::uint32_t dim);
+
+// Points as they lie in the caller's memory.
+struct GivenRows {
+    const void* points;
+    std::size_t count;
+    std::uint32_t dim;
+    const netmesh_point_format* format;  // may be none of the enumeration's
+    std::size_t stride_bytes;
+};
+Complaint complaint_about_rows(const GivenRows& given);
+template <class Request> Complaint complaint_about_points(const Request& request) {
+    return complaint_about_rows(
+        {request.points, request.point_count, request.dim, &request.point_format, request.point_stride_bytes});
+}
+// Of a request that nothing is wrong with.
+template <class Request> InputRows rows_of(const Request& request) {
+    return {request.points, request.point_stride_bytes, request.point_format == NETMESH_POINTS_FLOAT32};
+}
+
 // Is what evaluates the filter in this build? k: 1 where it has none.
 Complaint complaint_about_built_filter(netmesh_filter filter, std::uint32_t k);
 Complaint complaint_about_values(const netmesh_values& values);

@@ -18,7 +18,7 @@ Complaint complaint_about_built_scales(bool by_ratio) {
 }
 
 Complaint complaint_about_scales(const netmesh_scales_request& request) {
-    Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    Complaint complaint = complaint_about_points(request);
     if (complaint.text == nullptr) complaint = complaint_about_values(request.values);
     if (complaint.text != nullptr) return complaint;
     if (!is_valid_tau(tau_of(request.dim, request.tau)))
@@ -67,7 +67,7 @@ Status persist(netmesh_context* context, const netmesh_scales_request& request, 
     StoreState state = {};
     Store<D> store(context->arena, state);
     std::uint32_t* order;
-    Status status = take_input<D>(store, request.points, request.point_count, request.seed, monitor, input, &order);
+    Status status = take_input<D>(store, rows_of(request), request.point_count, request.seed, monitor, input, &order);
     context->arena.release_low(context->start);  // the order
     if (status == Status::ok)
         status = persist_scales<D>(store, state.vertex_count, wanted, {context->arena, monitor}, result);

@@ -101,6 +101,8 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_RELATIVE_ERROR: return "relative_error";
     case NETMESH_FIELD_MATES: return "mates_a";
     case NETMESH_FIELD_POTENTIALS: return "potentials_a, potentials_b";
+    case NETMESH_FIELD_POINT_FORMAT: return "point_format";
+    case NETMESH_FIELD_POINT_STRIDE_BYTES: return "point_stride_bytes";
     case NETMESH_FIELD_COUNT: break;
     }
     return "unknown field";

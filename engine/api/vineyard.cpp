@@ -103,14 +103,14 @@ netmesh_status netmesh_points_vineyard(netmesh_context* context, const netmesh_p
     netmesh_points_vineyard_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    Complaint complaint = complaint_about_points(request.points, request.point_count, request.dim);
+    Complaint complaint = complaint_about_points(request);
     if (complaint.text == nullptr) complaint = complaint_about(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
     const std::uint32_t count = static_cast<std::uint32_t>(request.point_count);
-    const PointsVineyardRequest wanted = {{request.points, count, request.dim}, filter_of(request), request.k_last};
+    const PointsVineyardRequest wanted = {{rows_of(request), count, request.dim}, filter_of(request), request.k_last};
     PointsVineyard made;
     const Status status = watch.heed(points_vineyard(wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_points(context, status, NETMESH_FIELD_K_LAST, made);

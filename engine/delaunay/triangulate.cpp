@@ -85,15 +85,16 @@ bool independent_points(const Store<D>& store, const std::uint32_t* order, std::
 }
 
 template <int D>
-Status take_input(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                   InputReport* input, std::uint32_t** order) {
     *input = InputReport{};
     if (n == 0 || n > points_max) return Status::invalid_argument;
     monitor.begin(NETMESH_STAGE_SORT, n);
     for (std::size_t i = 0; i < n;)
         for (const std::uint64_t piece = store.arena.piece(i, n, 5 * D); i < piece; ++i) {
+            const unsigned char* const row = points.row(i, D);
             for (int k = 0; k < D; ++k)
-                if (!is_finite(points[i * D + k])) {
+                if (!is_finite(points.coordinate(row, k))) {
                     input->row_a = i;
                     return Status::not_finite;
                 }
@@ -105,8 +106,9 @@ Status take_input(Store<D>& store, const double* points, std::size_t n, std::uin
     for (std::uint32_t i = 0; i < count;)
         for (const std::uint64_t piece = store.arena.piece(i, count, 20 + 10 * D); i < piece; ++i) {
             Vertex<D>& v = store.vertex(i);
+            const unsigned char* const row = points.row(i, D);
             for (int k = 0; k < D; ++k) {
-                v.x[k] = points[std::size_t{i} * D + k] + 0.0;
+                v.x[k] = points.coordinate(row, k) + 0.0;
                 fingerprint.add(v.x[k]);
             }
             v.nearest2 = infinity;
@@ -132,7 +134,7 @@ Status take_input(Store<D>& store, const double* points, std::size_t n, std::uin
 }
 
 template <int D>
-Status triangulate(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                    InputReport* input) {
     const std::size_t low = store.arena.low_mark();
     std::uint32_t* order;
@@ -170,9 +172,9 @@ Status triangulate(Store<D>& store, const double* points, std::size_t n, std::ui
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status take_input<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*,        \
+    template Status take_input<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,        \
                                   std::uint32_t**);                                                                    \
-    template Status triangulate<D>(Store<D>&, const double*, std::size_t, std::uint64_t, Monitor&, InputReport*);      \
+    template Status triangulate<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*);      \
     template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, VertexId*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "delaunay/kernel.hpp"
+#include "numerics/input_rows.hpp"
 #include "vocabulary/monitor.hpp"
 
 namespace netmesh {
@@ -20,14 +21,14 @@ struct InputReport {
 // input; finds and removes exact duplicates and leaves the insertion order of what remains in order[0..vertex_count),
 // which is taken at the low end. out_of_memory, not_finite (row_a), invalid_argument when n is 0 or above 2^28.
 template <int D>
-Status take_input(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                   InputReport* input, std::uint32_t** order);
 
 // Triangulates points[n][D]. ok, flat (fewer than D+1 affinely independent points), out_of_memory, cancelled, and what
 // take_input says. Unless there is no first cell yet, the store is left compact and a Delaunay triangulation of what
 // was inserted; vertices not inserted have cell `none`.
 template <int D>
-Status triangulate(Store<D>& store, const double* points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                    InputReport* input);
 
 // The first D+1 affinely independent points along order[0..count), exactly. False when there are none.

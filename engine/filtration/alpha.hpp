@@ -33,8 +33,8 @@ template <int D> struct AlphaFiltration {
 // are below 2^(16,700 / (4D+2)) units, the unit being the highest power of two of which all coordinates are multiples:
 // 2^1670 in the plane, 2^1190 in space, 2^640 in R^6. Beyond that the result may be out_of_range.
 //
-// Requires all faces (faces.dimension_max == D), fewer than 2^32. One small linear solve a face, see circumsphere.hpp,
-// and what order_radii takes. Scratch at the high end: that of ExactSphere, then of
+// Requires all faces (faces.dimension_max == D), fewer than 2^32; last_vertex[D] is not read. One small linear solve a
+// face, see circumsphere.hpp, and what order_radii takes. Scratch at the high end: that of ExactSphere, then of
 // order_radii.
 // out_of_memory, out_of_range, cancelled.
 template <int D>

@@ -19,9 +19,16 @@ template <int D> struct PointRecords {
         return reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(coordinates) +
                                                static_cast<std::ptrdiff_t>(v) * stride_bytes);
     }
+    // last_vertex[D] is not read.
     void of_face(const Faces<D>& faces, int k, std::uint32_t face, const double** point) const {
         std::uint32_t vertex[D + 1];
-        faces.vertices(k, face, vertex);
+        if (k == D) {
+            const std::uint32_t* const facet = faces.facets_of(D, face);
+            vertex[D] = faces.last_vertex[D - 1][facet[0]];
+            faces.vertices(D - 1, facet[D], vertex);
+        } else {
+            faces.vertices(k, face, vertex);
+        }
         for (int i = 0; i <= k; ++i) point[i] = (*this)[vertex[i]];
     }
 };

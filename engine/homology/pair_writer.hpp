@@ -29,6 +29,14 @@ public:
         return true;
     }
     bool add_essential(double birth, std::uint32_t degree) { return add(birth, __builtin_inf(), degree); }
+    // Moves what is noted down to `offset`, from where on nothing but pairs stands at the low end any more.
+    void move_down(std::size_t offset) {
+        const std::size_t begin = (offset + Arena::alignment - 1) & ~(Arena::alignment - 1);
+        NETMESH_ASSERT(begin <= begin_ && reserved_ == 0);
+        __builtin_memmove(arena_.at(begin), pairs(), count_ * sizeof(Pair));
+        begin_ = begin;
+        arena_.release_low(begin + count_ * sizeof(Pair));
+    }
     // Whether add() would note such a pair.
     bool keeps(double birth, double death, std::uint32_t degree) const {
         return degree <= request_.max_degree && (birth != death || request_.keep_zero);
@@ -59,8 +67,12 @@ private:
 // Runs a reduction, which has finish() for its pairs at the arena's low end; what it took besides is given back.
 template <class Reduction> Status write_diagram(Reduction& reduction, Arena& arena, PairList* out) {
     ArenaScope scope(arena);
+    const std::size_t low = arena.low_mark();
     const Status status = reduction.run();
-    if (status != Status::ok) return status;
+    if (status != Status::ok) {
+        if (arena.low_mark() < low) scope.keep_low_from_now();  // of a stacked complex something is gone
+        return status;
+    }
     *out = reduction.finish();
     scope.keep_low_from_now();
     return Status::ok;

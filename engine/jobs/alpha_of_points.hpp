@@ -10,7 +10,7 @@
 namespace netmesh {
 
 struct AlphaOfPoints {
-    const double* points;  // [count][D]
+    InputRows points;
     std::size_t count;
     std::uint64_t seed;
     DiagramRequest diagram;

@@ -10,7 +10,7 @@ namespace netmesh {
 
 struct PointsRequest {
     PointsFilter filter;
-    const double* points;  // [count][dim]
+    InputRows points;
     std::uint32_t count, dim;
     bool keep_zero, representatives;  // representatives: of filters that have cycles
 };

@@ -20,7 +20,7 @@ bool is_approximate(const PointsFilter& filter) { return has_edges(filter.filter
 
 Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::uint64_t* culprit) {
     const std::uint32_t n = given.count, dim = given.dim;
-    const double* const points = given.points;
+    const InputRows& points = given.points;
     double* const x = arena.take_low<double>(std::size_t{n} * dim);
     const ArenaScope scope(arena);
     std::uint32_t* const order = arena.take_high<std::uint32_t>(n);
@@ -30,11 +30,12 @@ Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::u
     f.add(static_cast<std::uint64_t>(dim));
     for (std::uint32_t i = 0; i < n;)
         for (const std::uint64_t piece = arena.piece(i, n, 20 * dim); i < piece; ++i) {
+            const unsigned char* const row = points.row(i, static_cast<int>(dim));
+            *culprit = i;
             for (std::uint32_t d = 0; d < dim; ++d) {
                 const std::size_t at = std::size_t{i} * dim + d;
-                *culprit = i;
-                if (!is_finite(points[at])) return Status::not_finite;
-                x[at] = points[at] + 0.0;
+                x[at] = points.coordinate(row, static_cast<int>(d)) + 0.0;
+                if (!is_finite(x[at])) return Status::not_finite;
                 f.add(x[at]);
             }
             order[i] = i;

@@ -8,6 +8,7 @@
 #include "diagram/pair.hpp"
 #include "include/netmesh.h"
 #include "memory/work.hpp"
+#include "numerics/input_rows.hpp"
 
 namespace netmesh {
 
@@ -22,7 +23,7 @@ struct PointsFilter {
 };
 
 struct GivenPoints {
-    const double* points;  // [count][dim]
+    InputRows points;
     std::uint32_t count, dim;
 };
 

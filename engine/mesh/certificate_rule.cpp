@@ -393,13 +393,13 @@ template <int D> const char* CertificateRule<D>::clipped_violation() {
 }  // namespace
 
 template <int D>
-Status mesh_by_certificate(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
+Status mesh_by_certificate(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
                            const Work& work, MeshResult<D>* result) {
     return mesh_by_rule<D, CertificateRule<D>>(store, points, n, request, work, result);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_by_certificate<D>(Store<D>&, const double*, std::size_t, const MeshRequest&, const Work&,     \
+    template Status mesh_by_certificate<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,     \
                                            MeshResult<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

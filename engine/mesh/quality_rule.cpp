@@ -281,13 +281,13 @@ template <int D> bool QualityRule<D>::must_yield(const Split<D>& split, const Ne
 }  // namespace
 
 template <int D>
-Status mesh_by_quality(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
+Status mesh_by_quality(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
                        const Work& work, MeshResult<D>* result) {
     return mesh_by_rule<D, QualityRule<D>>(store, points, n, request, work, result);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_by_quality<D>(Store<D>&, const double*, std::size_t, const MeshRequest&, const Work&,         \
+    template Status mesh_by_quality<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,         \
                                        MeshResult<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

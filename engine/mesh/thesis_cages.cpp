@@ -13,7 +13,7 @@ public:
 }  // namespace
 
 template <int D>
-Status mesh_by_thesis_cages(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
+Status mesh_by_thesis_cages(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
                             const Work& work, MeshResult<D>* result) {
     if constexpr (D <= thesis_dim_max)
         return mesh_by_rule<D, ThesisRule<D>>(store, points, n, request, work, result);
@@ -22,7 +22,7 @@ Status mesh_by_thesis_cages(Store<D>& store, const double* points, std::size_t n
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_by_thesis_cages<D>(Store<D>&, const double*, std::size_t, const MeshRequest&, const Work&,    \
+    template Status mesh_by_thesis_cages<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,    \
                                             MeshResult<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -425,7 +425,7 @@ template <int D, class Rule> std::size_t ThesisCages<D, Rule>::keep_results(std:
 }
 
 template <int D>
-Status mesh_by_thesis_cages(Store<D>& store, const double* points, std::size_t n, const MeshRequest& request,
+Status mesh_by_thesis_cages(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
                             const Work& work, MeshResult<D>* result);
 
 }  // namespace netmesh

@@ -2,6 +2,9 @@
 #pragma once
 #include <doctest/doctest.h>
 
+#include <cstdint>
+#include <cstring>
+
 #include "common/session.hpp"
 
 struct Fixture {
@@ -57,6 +60,34 @@ struct Fixture {
             bad.dim = d;
             refused(job(c, &bad), NETMESH_FIELD_DIM);
         }
+        needs_rows(job, good);
+    }
+    // Formats, addresses and strides that no rows have.
+    template <class Request> void needs_rows(netmesh_status (*job)(netmesh_context*, const Request*), Request good) {
+        const std::size_t row = good.dim * sizeof(double);
+        Request bad = good;
+        for (const int format : {-1, 2}) {
+            std::memcpy(&bad.point_format, &format, sizeof format);
+            refused(job(c, &bad), NETMESH_FIELD_POINT_FORMAT);
+        }
+        bad = good;
+        for (const std::size_t stride : {std::size_t{1}, row - 8, row + 2, row + 3, SIZE_MAX / 2 / 8 * 8}) {
+            bad.point_stride_bytes = stride;
+            refused(job(c, &bad), NETMESH_FIELD_POINT_STRIDE_BYTES);
+        }
+        bad.point_format = NETMESH_POINTS_FLOAT32;
+        for (const std::size_t stride : {std::size_t{4}, row / 2 - 4, row / 2 + 2, SIZE_MAX - 3}) {
+            bad.point_stride_bytes = stride;
+            refused(job(c, &bad), NETMESH_FIELD_POINT_STRIDE_BYTES);
+        }
+        bad.point_stride_bytes = 0;
+        for (const int off : {1, 2, 3}) {
+            bad.points = static_cast<const char*>(good.points) + off;
+            refused(job(c, &bad), NETMESH_FIELD_POINTS);
+        }
+        bad.point_format = NETMESH_POINTS_FLOAT64;
+        bad.points = static_cast<const char*>(good.points) + 2;
+        refused(job(c, &bad), NETMESH_FIELD_POINTS);
     }
     Session session;
     inputs::Points points;

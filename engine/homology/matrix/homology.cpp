@@ -78,18 +78,29 @@ Status Homology::unite_top(std::uint32_t k) {
     const HighScope scope(arena_);
     const std::uint32_t rows = of(k - 1).count, columns = of(k).count, outside = columns;
     const std::size_t faces = std::size_t{columns} * (k + 1);
+    const std::uint32_t* const face = of(k).faces;
     std::uint32_t* const first = owner_;
-    std::uint32_t* const second = arena_.take_high<std::uint32_t>(rows);
+    // Of a stacked complex faces give up their places meanwhile: the place of the last coface leads to that of the
+    // other one.
+    std::uint32_t* const place =
+        complex_.stacked ? reinterpret_cast<std::uint32_t*>(arena_.at(arena_.offset_of(face))) : nullptr;
+    std::uint32_t* const second = place == nullptr ? arena_.take_high<std::uint32_t>(rows) : nullptr;
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(std::size_t{columns} + 1);
-    if (second == nullptr || parent == nullptr) return Status::out_of_memory;
+    if ((place == nullptr && second == nullptr) || parent == nullptr || faces >= none) return Status::out_of_memory;
     for (std::uint32_t f = 0; f < rows;)
         for (const std::uint64_t piece = arena_.piece(f, rows, 4); f < piece; ++f) {
-            first[f] = second[f] = none;
+            first[f] = none;
+            if (place == nullptr) second[f] = none;
         }
-    for (std::size_t i = 0; i < faces;)
+    for (std::uint32_t i = 0; i < faces;)
         for (const std::uint64_t piece = arena_.piece(i, faces, 12); i < piece; ++i) {
-            const std::uint32_t f = of(k).faces[i];
-            (first[f] == none ? first : second)[f] = static_cast<std::uint32_t>(i / (k + 1));
+            const std::uint32_t f = face[i];
+            if (place != nullptr) {
+                place[i] = first[f];
+                first[f] = i;
+            } else {
+                (first[f] == none ? first : second)[f] = i;
+            }
         }
     for (std::uint32_t j = 0; j <= columns; ++j) {
         arena_.step(j, 3);
@@ -98,7 +109,17 @@ Status Homology::unite_top(std::uint32_t k) {
     for (std::uint32_t f = rows; f-- > 0;) {
         if (progress_.stop(1)) return Status::cancelled;
         if (first[f] == none) continue;
-        std::uint32_t a = first[f], b = second[f] == none ? outside : second[f];
+        std::uint32_t one = first[f], other = place != nullptr ? place[one] : second[f];
+        if (place != nullptr) {  // f is seen once: its places get it back
+            place[one] = f;
+            if (other != none) {
+                place[other] = f;
+                const std::uint32_t last = one;
+                one = other;
+                other = last;
+            }
+        }
+        std::uint32_t a = one / (k + 1), b = other == none ? outside : other / (k + 1);
         if (!unite(parent, a, b, [](std::uint32_t x, std::uint32_t y) { return x > y; })) continue;
         paired_.insert(f);
         if (!writer_.add(of(k - 1).value[f], of(k).value[b], k - 1)) return Status::out_of_memory;
@@ -198,6 +219,7 @@ Status Homology::run() {
         status = dual ? unite_top(k) : reduce(k);
         if (status == Status::ok) NETMESH_VALIDATE_WHOLE(pivots_violation(of(k), k, of(k - 1).count, paired_));
         paired_above_ = paired_;
+        if (complex_.stacked) writer_.move_down(arena_.offset_of(of(k).faces));
     }
     return status == Status::ok && complex_.dimension >= 1 && max_degree_ >= 1 ? add_loops() : status;
 }

@@ -19,7 +19,7 @@ typedef struct netmesh_scales_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const double* points; /* [point_count][D]. Not read by the plan */
+    const void* points;   /* [point_count][D]. Not read by the plan */
     size_t point_count;   /* 1 .. NETMESH_POINTS_MAX */
     uint64_t seed;        /* of every random choice; init: 1 */
     double tau;           /* as of netmesh_mesh_request */
@@ -32,6 +32,8 @@ typedef struct netmesh_scales_request {
                                  and finite; 0: as eps says. Not both */
     uint32_t bounds;          /* 1: the bounds of netmesh_bound_bars too, by scale */
     uint32_t representatives; /* 1: keep a cycle for each pair of some length (netmesh_get_cycle), of points */
+    netmesh_point_format point_format; /* of points; see there */
+    size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_scales_request;
 
 void netmesh_scales_request_init(netmesh_scales_request* request, size_t request_bytes, uint32_t dim);
@@ -63,11 +65,13 @@ typedef struct netmesh_alpha_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const double* points;     /* [point_count][D], any finite doubles. Not read by the plan */
+    const void* points;       /* [point_count][D], any finite numbers. Not read by the plan */
     size_t point_count;       /* 1 .. NETMESH_POINTS_MAX */
     uint64_t seed;            /* as of netmesh_delaunay_request */
     uint32_t max_degree;      /* highest degree of homology, more than D-1 counts as D-1; init: NETMESH_DIM_MAX */
     uint32_t keep_zero_pairs; /* 1: pairs of zero length are kept */
+    netmesh_point_format point_format; /* of points; see there */
+    size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_alpha_request;
 
 void netmesh_alpha_request_init(netmesh_alpha_request* request, size_t request_bytes, uint32_t dim);
@@ -95,7 +99,7 @@ typedef struct netmesh_points_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const double* points; /* [point_count][D]. Not read by the plan */
+    const void* points;   /* [point_count][D]. Not read by the plan */
     size_t point_count;   /* 1 .. NETMESH_POINTS_MAX */
     netmesh_filter filter;
     netmesh_values values;
@@ -104,6 +108,8 @@ typedef struct netmesh_points_request {
     uint32_t keep_zero_pairs; /* 1: pairs of zero length are kept */
     uint32_t representatives; /* 1: keep a cycle for each pair (netmesh_get_cycle); RIPS and CECH. Vertices are numbered
                                  in input order after merging */
+    netmesh_point_format point_format; /* of points; see there */
+    size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_points_request;
 
 void netmesh_points_request_init(netmesh_points_request* request, size_t request_bytes, uint32_t dim,
@@ -124,12 +130,14 @@ typedef struct netmesh_points_vineyard_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const double* points;  /* [point_count][D]. Not read by the plan */
+    const void* points;    /* [point_count][D]. Not read by the plan */
     size_t point_count;    /* 1 .. NETMESH_POINTS_MAX */
     netmesh_filter filter; /* BARYCENTRIC_CECH or BARYCENTRIC_RIPS */
     netmesh_values values;
     uint32_t k_first, k_last; /* 1 <= k_first <= k_last and k_last + max_degree <= 30; init: 1 and 1 */
     uint32_t max_degree;      /* init: 1 */
+    netmesh_point_format point_format; /* of points; see there */
+    size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_points_vineyard_request;
 
 void netmesh_points_vineyard_request_init(netmesh_points_vineyard_request* request, size_t request_bytes, uint32_t dim,

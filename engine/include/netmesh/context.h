@@ -63,6 +63,17 @@ typedef char netmesh_enumerations_are_ints[sizeof(netmesh_status) == sizeof(int)
 /* A short English phrase for a status; never null. */
 const char* netmesh_status_text(netmesh_status status);
 
+/* What the numbers of points are. They are read where they lie, once, and turned into doubles exactly, so results are
+ * those of the same numbers in doubles, byte for byte.
+ * In each request on points: row i begins point_stride_bytes * i bytes behind `points`, D numbers of point_format one
+ * after the other; 0: rows are packed. points and point_stride_bytes are multiples of 4 for FLOAT32, of what a double
+ * is aligned to (8; 4 on 32-bit x86) for FLOAT64, a stride no less than a row and point_count of them no more than
+ * half of an address space: INVALID_ARGUMENT. What lies between rows is not read, nor is anything by a plan. */
+typedef enum netmesh_point_format {
+    NETMESH_POINTS_FLOAT64 = 0, /* double */
+    NETMESH_POINTS_FLOAT32 = 1  /* float */
+} NETMESH_AN_INT netmesh_point_format;
+
 /* What an error is about: a field of a request, or another argument. A later version only adds to the end. */
 typedef enum netmesh_field {
     NETMESH_FIELD_NONE = 0,
@@ -131,6 +142,8 @@ typedef enum netmesh_field {
     NETMESH_FIELD_RELATIVE_ERROR,
     NETMESH_FIELD_MATES,
     NETMESH_FIELD_POTENTIALS,
+    NETMESH_FIELD_POINT_FORMAT,
+    NETMESH_FIELD_POINT_STRIDE_BYTES,
     NETMESH_FIELD_COUNT
 } NETMESH_AN_INT netmesh_field;
 

@@ -23,10 +23,12 @@ typedef struct netmesh_delaunay_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const double* points;    /* [point_count][D], any finite doubles; -0.0 counts as 0. Not read by the plan */
+    const void* points;      /* [point_count][D], any finite numbers; -0.0 counts as 0. Not read by the plan */
     size_t point_count;      /* 1 .. NETMESH_POINTS_MAX */
     uint64_t seed;           /* of every random choice; init: 1. The result does not depend on it, time does */
     netmesh_purpose purpose; /* MESH or PERSIST; read by the plan alone */
+    netmesh_point_format point_format; /* of points; see there */
+    size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_delaunay_request;
 
 /* Defaults for dimension dim. Writes request_bytes = sizeof *request. */
@@ -106,7 +108,7 @@ typedef struct netmesh_mesh_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const double* points; /* [point_count][D]. Not read by the plan */
+    const void* points;   /* [point_count][D]. Not read by the plan */
     size_t point_count;   /* 1 .. NETMESH_POINTS_MAX */
     uint64_t seed;        /* of every random choice; init: 1 */
     netmesh_purpose purpose;
@@ -138,6 +140,8 @@ typedef struct netmesh_mesh_request {
      * one around the points; nothing is refined outside, and filters with clips_cells are filtered on the nerve of the
      * clipped cells. 1: for whole cells; what other filters, which take cells whole, certify is better then. */
     uint32_t whole_cells;
+    netmesh_point_format point_format; /* of points; see there */
+    size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_mesh_request;
 
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim);

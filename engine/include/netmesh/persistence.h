@@ -206,7 +206,7 @@ typedef struct netmesh_fit_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const double* points;        /* [point_count][D] */
+    const void* points;          /* [point_count][D] */
     size_t point_count;          /* 1 .. NETMESH_POINTS_MAX */
     uint64_t seed;               /* of every random choice; init: 1 */
     double ratio;                /* R, the coarsest ratio, > sqrt 2; 0: 4 */
@@ -223,6 +223,8 @@ typedef struct netmesh_fit_request {
     uint32_t by_error;                /* 1: of FUNCTION the least certified_error; ratio and focus are 0 then */
     double longer_than; /* L > 1: scales of interest are chosen so that bars of more than L times their birth are
                            decided; of COMPLETE with certified values, focus_from and focus_to 0. 0: see below */
+    netmesh_point_format point_format; /* of points; see there */
+    size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_fit_request;
 
 void netmesh_fit_request_init(netmesh_fit_request* request, size_t request_bytes, uint32_t dim);
