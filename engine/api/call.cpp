@@ -22,7 +22,7 @@ const char* message_of(netmesh_status status, const char* text) {
     return status == NETMESH_OK ? "" : text != nullptr ? text : netmesh_status_text(status);
 }
 
-void keep(netmesh_context* context, const netmesh_detail& detail, const char* text) {
+void keep_said(netmesh_context* context, const netmesh_detail& detail, const char* text) {
     context->detail.said = detail;
     context->detail.message_from = text == nullptr ? 0
                                                    : static_cast<std::intptr_t>(
@@ -68,7 +68,7 @@ netmesh_status finish(netmesh_context* context, Status status, const char* text,
         const std::uint64_t least = context->block_bytes + Arena::alignment;
         detail.bytes_wanted = wanted > least ? wanted : least;
     }
-    keep(context, detail, text);
+    keep_said(context, detail, text);
     return detail.status;
 }
 
@@ -83,7 +83,7 @@ netmesh_status refuse(netmesh_context* context, const Complaint& complaint, std:
     const Status status = complaint.not_built ? Status::not_built : Status::invalid_argument;
     netmesh_detail detail = facts_of(status, row, 0);
     detail.field = complaint.field;
-    keep(context, detail, complaint.text);
+    keep_said(context, detail, complaint.text);
     return detail.status;
 }
 
