@@ -24,10 +24,10 @@ const char* message_of(netmesh_status status, const char* text) {
 
 void keep_said(netmesh_context* context, const netmesh_detail& detail, const char* text) {
     context->detail.said = detail;
-    context->detail.message_from = text == nullptr ? 0
-                                                   : static_cast<std::intptr_t>(
-                                                         reinterpret_cast<std::uintptr_t>(text) -
-                                                         reinterpret_cast<std::uintptr_t>(text_origin));
+    context->detail.message_from = text == nullptr
+                                       ? 0
+                                       : static_cast<std::intptr_t>(reinterpret_cast<std::uintptr_t>(text) -
+                                                                    reinterpret_cast<std::uintptr_t>(text_origin));
 }
 
 }  // namespace

@@ -11,15 +11,15 @@
 
 namespace netmesh {
 
-// D coordinates at the start of each vertex record.
-template <int D> struct PointRecords {
+// Coordinates at the start of each vertex record.
+struct PointRecords {
     const double* coordinates;
     std::ptrdiff_t stride_bytes;
     const double* operator[](std::uint32_t v) const {
         return reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(coordinates) +
                                                static_cast<std::ptrdiff_t>(v) * stride_bytes);
     }
-    void of_face(const Faces<D>& faces, int k, std::uint32_t face, const double** point) const {
+    template <int D> void of_face(const Faces<D>& faces, int k, std::uint32_t face, const double** point) const {
         std::uint32_t vertex[D + 1];
         faces.vertices(k, face, vertex);
         for (int i = 0; i <= k; ++i) point[i] = (*this)[vertex[i]];
@@ -52,7 +52,7 @@ template <int D> inline bool edge_radius(const double* const* point, Radius* out
 // that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
 // digits than there are; cancelled.
 template <int D>
-Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value,
+Status order_radii(const Faces<D>& faces, const PointRecords& points, const Work& work, double* const* value,
                    double* error);
 
 }  // namespace netmesh
