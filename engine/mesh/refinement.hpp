@@ -165,7 +165,7 @@ private:
     const Rule& rule() const { return static_cast<const Rule&>(*this); }
 };
 
-template <int D, class Rule> [[gnu::cold]] Status Refinement<D, Rule>::open() {
+template <int D, class Rule> Status Refinement<D, Rule>::open() {
     inputs_ = store_.state.vertex_count;
     Status status = tree_.build(store_, store_.arena, inputs_, Rule::searches_rings);
     if (status == Status::ok) status = check_separation<D>(store_, tree_, rule().finest(), &result_.input);
@@ -196,7 +196,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::run(std::uint32_t* orde
     return status == Status::cancelled && observers_.lists_are_full() ? Status::out_of_memory : status;
 }
 
-template <int D, class Rule> [[gnu::cold]] Status Refinement<D, Rule>::close(std::size_t low, Status status) {
+template <int D, class Rule> Status Refinement<D, Rule>::close(std::size_t low, Status status) {
     observers_.report(&result_.audit);
     low = rule().keep_results(low);
     result_.location = {tree_.touches(), observers_.list_looks(), kernel_.steps() + passed_};

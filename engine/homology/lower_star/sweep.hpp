@@ -253,7 +253,7 @@ template <int D> bool Sweep<D>::gather(std::uint32_t c, std::uint32_t r) {
     return true;
 }
 
-template <int D> [[gnu::cold]] bool Sweep<D>::start_columns(std::uint32_t k, VertexId v) {
+template <int D> bool Sweep<D>::start_columns(std::uint32_t k, VertexId v) {
     std::uint32_t left = 0;
     for (std::uint32_t i = 0; i < star_.count(); ++i) {
         left += star_.dimension(i) == k && star_.partner(i) == none && star_.owner(i) == none ? 1 : 0;
