@@ -78,12 +78,16 @@ set(fast api/report api/structs delaunay/spatial_order delaunay/triangulate diag
   mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/quality_rule
   numerics/residues predicates/predicates)
 list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
-set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2>")
+set(unaligned "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(unaligned ";-fno-align-jumps;-fno-align-labels") # loops and functions are
+endif()
+set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2${unaligned}>")
 # Where -O3 saves a part of a large job that counts.
 set(fastest complex/faces delaunay/kernel delaunay/sphere delaunay/store filtration/alpha filtration/circumsphere
   homology/lower_star/lower_star mesh/input_tree numerics/radix_sort numerics/value_order)
 list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
-set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
+set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3${unaligned}>")
 target_include_directories(netmesh_engine
   PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include> PRIVATE ${PROJECT_SOURCE_DIR}/engine)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -219,7 +219,7 @@ void offer_poles(const Store<D>& store, const Domain<D>& ball, const double* u, 
 // is. distance2 of *found is negative when there is none. Just before, v's star of `count` cells has been visited.
 template <int D>
 [[gnu::cold]] void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId v, double bound2,
-                 std::uint32_t count, Corner<D>* found) {
+                               std::uint32_t count, Corner<D>* found) {
     *found = Corner<D>{};
     const CellId* const star = store.list_top();
     const Cut<D> cut(ball, u, bound2);

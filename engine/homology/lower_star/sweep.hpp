@@ -281,7 +281,7 @@ template <int D> void Sweep<D>::add_outer_facet(std::uint32_t i) {
 }
 
 // Adds the facets noted to column c, whose entries have N ranks.
-template <int D> template <std::uint32_t N> bool Sweep<D>::add_outer_facets(std::uint32_t c) {
+template <int D> template <std::uint32_t N> [[gnu::cold]] bool Sweep<D>::add_outer_facets(std::uint32_t c) {
     FacetRanks<N>* const outer = reinterpret_cast<FacetRanks<N>*>(outer_);
     sort(outer, outer_count_, LaterRanks{});
     Run run = no_run;
