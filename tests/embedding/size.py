@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What the smallest programs take: text and constants above those of an empty program, at -Os on this machine.
+"""What the smallest programs take: text and constants above those of an empty program, at -Os on this machine. And
+what the whole archive takes, all dimensions, all calls.
 
     size.py SOURCE WORK CC CXX           build, run, and compare with the limits below
     size.py SOURCE WORK CC CXX --table   the same as a table for the README
@@ -23,6 +24,7 @@ BUILDS = {
     "D = 2 and 3, least": (["-DNETMESH_DIMENSIONS=2;3", f"-DNETMESH_WITHOUT={WITHOUT}"],
                            {"delaunay": 37100, "alpha": 77300, "persist": 120300}),
 }
+WHOLE = 1_000_000
 
 
 def run(*command):
@@ -35,6 +37,13 @@ def run(*command):
 def text_of(program):
     """Text and constants, as `size` adds them up."""
     return int(run("size", program).splitlines()[1].split()[0])
+
+
+def build_archive(source, build, cc, cxx, settings):
+    run("cmake", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=MinSizeRel", "-DNETMESH_BUILD_TOOLS=OFF",
+        "-DNETMESH_BUILD_TESTS=OFF", "-DNETMESH_INSTALL=OFF", "-DNETMESH_BUILD_FUZZ=OFF",
+        f"-DCMAKE_CXX_COMPILER={cxx}", f"-DCMAKE_C_COMPILER={cc}", *settings)
+    run("cmake", "--build", build, "-j", str(os.cpu_count()))
 
 
 def prints_fingerprints(source, build, cxx):
@@ -69,10 +78,7 @@ def main():
     failed, rows = False, []
     for name, (settings, limits) in BUILDS.items():
         build = os.path.join(work, name.replace(" ", "").replace(",", "-").replace("=", ""))
-        run("cmake", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=MinSizeRel", "-DNETMESH_BUILD_TOOLS=OFF",
-            "-DNETMESH_BUILD_TESTS=OFF", "-DNETMESH_INSTALL=OFF", "-DNETMESH_BUILD_FUZZ=OFF",
-            f"-DCMAKE_CXX_COMPILER={cxx}", f"-DCMAKE_C_COMPILER={cc}", *settings)
-        run("cmake", "--build", build, "-j", str(os.cpu_count()))
+        build_archive(source, build, cc, cxx, settings)
         row = []
         for program, printed in PROGRAMS.items():
             text, said = text_of_source(f"{here}/size_{program}.c", os.path.join(build, "libnetmesh.a"))
@@ -89,6 +95,14 @@ def main():
     if "--table" in sys.argv:
         print("| build | " + " | ".join(f"`size_{program}.c`" for program in PROGRAMS) + " |")
         print("|---|" + "---:|" * len(PROGRAMS))
+    else:
+        whole = os.path.join(work, "whole")
+        build_archive(source, whole, cc, cxx, [])
+        text = text_of(os.path.join(whole, "libnetmesh.a"))
+        print(f"the whole archive: {text:,} bytes")
+        if text > WHOLE:
+            failed = True
+            print(f"above {WHOLE:,}")
     for row in rows:
         print("| " + " | ".join(row) + " |" if "--table" in sys.argv else "   ".join(row))
     return failed
