@@ -72,7 +72,8 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # is built. What headers leave out at -Os (__OPTIMIZE_SIZE__) stays in: they have to mean the same in all files.
 target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
 set(fast api/report api/structs delaunay/spatial_order delaunay/triangulate diagram/bottleneck
-  diagram/wasserstein   filtration/mesh_filter filtration/rips_graph homology/lower_star/surface homology/matrix/cohomology
+  diagram/wasserstein filtration/mesh_filter filtration/rips_graph homology/lower_star/surface
+  homology/matrix/cohomology
   homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips
   homology/rips/rips_simplices homology/vineyard/vineyard jobs/persist_alpha
   mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/quality_rule

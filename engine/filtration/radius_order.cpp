@@ -44,12 +44,13 @@ struct FaceTable {
     const std::uint32_t* const* last_vertex;
     const std::uint32_t* const* facets;
 
-    // The points of a k-face, ascending.
+    // The points of a k-face, ascending. The last vertex of a cell is that of the facet opposite its first one, too.
     void points(const PointRecords& records, int k, std::uint32_t face, const double** point) const {
         for (; k > 0; --k) {
-            point[k] = records[last_vertex[k][face]];
-            face = facets[k][static_cast<std::size_t>(face) * (static_cast<std::size_t>(k) + 1) +
-                             static_cast<std::size_t>(k)];
+            const std::uint32_t* const facet =
+                facets[k] + static_cast<std::size_t>(face) * (static_cast<std::size_t>(k) + 1);
+            point[k] = records[k == dim ? last_vertex[k - 1][facet[0]] : last_vertex[k][face]];
+            face = facet[k];
         }
         point[0] = records[last_vertex[0][face]];
     }
