@@ -250,6 +250,7 @@ template <int D> Status NerveFinder<D>::find_faces(int n) {
 }
 
 template <int D> Status NerveFinder<D>::examine(CellId c, const Face<D>& face) {
+    work_.arena.pass(4 * D);
     const EqualFoot<double> foot(ball_, face.point, face.size);
     if (foot.beyond() > 0) return Status::ok;
     for (int i = 0; i <= D; ++i)
@@ -267,7 +268,9 @@ template <int D> Status NerveFinder<D>::examine(CellId c, const Face<D>& face) {
             if (!star.add(cell.neighbour[i].cell())) return Status::out_of_memory;
         }
     }
+    work_.arena.pass(4 * D * star.size());
     int part = judge(foot, face, star);
+    if (part == 0) work_.arena.pass(100 * D * star.size());
     if (part == 0) part = judge_precisely(face, star);
     if (part == 0) certain_ = false;
     return part < 0 ? insert(face) : Status::ok;
