@@ -32,9 +32,17 @@ std::string ending_of(const std::string& path) {
 
 std::string shown_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
 
-Outcome read_content(const std::string& path, std::string* content) {
+Outcome read_content(const std::string& path, std::string* content, bool* packed) {
     std::string why;
     const bool good = path == "-" ? platform::read_stdin(content, &why) : platform::read_file(path, content, &why);
+    const bool gzip = good && content->compare(0, 2, "\x1F\x8B") == 0;
+    if (packed != nullptr) *packed = gzip;
+    if (gzip) {
+        std::string unpacked;
+        const std::string complaint = gunzip(*content, &unpacked);
+        *content = std::move(unpacked);
+        return complaint.empty() ? Outcome{} : data_error(shown_name(path) + ": " + complaint);
+    }
     if (good) return {};
     if (platform::interrupted()) return {Exit::cancelled, "netmesh: cancelled while reading " + shown_name(path)};
     return data_error(shown_name(path) + ": " + why);
@@ -55,7 +63,7 @@ struct Format {
 // Formats that are read and have a mark of their own.
 Format format_of(std::string_view content) {
     if (starts(content, "\x93NUMPY")) return {".npy", "a NumPy array"};
-    if (starts(content, "PK\x03\x04") && content.substr(26, 300).find(".npy") != std::string_view::npos)
+    if (starts(content, "PK\x03\x04") && content.substr(4, 320).find(".npy") != std::string_view::npos)
         return {".npz", "an archive of NumPy arrays"};
     if (starts(content, "ply\n") || starts(content, "ply\r")) return {".ply", "a PLY file"};
     const std::string_view first = content.substr(0, content.find_first_of(" \r\n\t"));
@@ -151,20 +159,14 @@ Outcome line_of_byte(const Source& source, std::size_t at, const std::string& co
                       complaint);
 }
 
-// Unpacks *source and settles its ending by what it holds.
-Outcome settle(Source* source) {
+// Settles the ending of *source by what it holds.
+Outcome settle(bool packed, Source* source) {
     const std::string& content = source->content;
-    if (starts(content, "\x1F\x8B")) {
-        std::string unpacked;
-        const std::string complaint = gunzip(content, &unpacked);
-        if (!complaint.empty()) return data_error(source->name + ": " + complaint);
-        source->content = std::move(unpacked);
-        if (source->ending == ".gz") source->ending = ending_of(source->name.substr(0, source->name.size() - 3));
-    } else if (source->ending == ".gz") {
-        return data_error(source->name + ": not compressed by gzip (bytes 0 and 1): take .gz off its name");
-    }
-    const Format found = format_of(content);
     std::string& ending = source->ending;
+    if (ending == ".gz" && !packed)
+        return data_error(source->name + ": not compressed by gzip (bytes 0 and 1): take .gz off its name");
+    if (ending == ".gz") ending = ending_of(source->name.substr(0, source->name.size() - 3));
+    const Format found = format_of(content);
     if (*found.ending != 0 && (ending.empty() || ending == ".dat")) ending = found.ending;
     const bool pdb = std::string(found.ending) == ".pdb" && (ending == ".ent" || ending == ".pqr");
     if (*found.ending != 0 && ending != found.ending && !pdb)
@@ -194,10 +196,11 @@ Outcome read_source(const std::string& path, Source* source) {
         source->array = path.substr(colon + 5);
     }
     source->name = shown_name(file);
-    const Outcome outcome = read_content(file, &source->content);
+    bool packed = false;
+    const Outcome outcome = read_content(file, &source->content, &packed);
     if (!outcome.good()) return outcome;
     source->ending = file == "-" ? std::string() : ending_of(file);
-    return settle(source);
+    return settle(packed, source);
 }
 
 Outcome parse_surface(const Source& source, PointCloud* cloud) {

@@ -66,8 +66,9 @@ bool is_binary_stl(std::string_view content);
 // The ending of a file name in lower case, dot included; empty when there is none.
 std::string ending_of(const std::string& path);
 
-// Content of a file, stdin for "-"; Exit::data "FILE: why" or Exit::cancelled otherwise.
-Outcome read_content(const std::string& path, std::string* content);
+// Content of a file, stdin for "-", unpacked where it is gzip (*packed, when asked for); Exit::data "FILE: why" or
+// Exit::cancelled otherwise.
+Outcome read_content(const std::string& path, std::string* content, bool* packed = nullptr);
 // How messages call the file: <stdin> for "-".
 std::string shown_name(const std::string& path);
 

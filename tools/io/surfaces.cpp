@@ -89,7 +89,8 @@ Outcome parse_stl_points(std::string_view content, PointCloud* cloud) {
         ended = ended || starts(line, "endsolid");
         if (!starts(line, "vertex")) continue;
         const std::vector<std::string_view> words = split_blanks(line);
-        if (words.size() != 4) return line_error(cloud->name, reader.number(), "not `vertex X Y Z`");
+        if (words.size() != 4)
+            return line_error(cloud->name, reader.number(), "not `vertex X Y Z`; was the file cut off?");
         std::array<double, 3> corner;
         for (unsigned c = 0; c < 3; c++)
             if (!parse_finite(std::string(words[c + 1]), &corner[c]))

@@ -134,9 +134,11 @@ Outcome TableParser::find_header() {
     std::vector<Field> fields;
     std::string sentence;
     std::uint64_t line = 0;
-    const bool first_is_words =
-        !lines_.empty() && ((cut_line(lines_[0].text, 0, &fields) && is_header_line(fields)) ||
-                            (cut_line(lines_[0].text, options_.delimiter, &fields) && is_header_line(fields)));
+    const auto are_words = [&](char delimiter) {
+        return !lines_.empty() && cut_line(lines_[0].text, delimiter, &fields) && is_header_line(fields);
+    };
+    const bool bars = !lines_.empty() && lines_[0].text.find('|') != std::string_view::npos;
+    const bool first_is_words = are_words(0) || are_words(options_.delimiter) || (bars && are_words('|'));
     const bool quoted_alone = !lines_.empty() && lines_.size() > 1 && lines_[0].text.find('"') != std::string::npos &&
                               lines_[1].text.find('"') == std::string::npos;
     const bool apart = first_is_words || quoted_alone;
@@ -188,7 +190,7 @@ Outcome TableParser::drop_ends() {
     if (trailing && names_.size() == width_ + 1 && names_.back().empty()) names_.pop_back();
     if (names_.empty() || names_.size() == width_) return {};
     // A header may have another delimiter than the rows.
-    if (!cut_line(header_.text, 0, &fields) || fields.size() != width_) return {};
+    if (!cut_line(header_.text, 0, &fields) || fields.size() != width_ || !is_header_line(fields)) return {};
     names_.clear();
     for (const Field& field : fields) names_.emplace_back(field.text);
     return {};

@@ -158,7 +158,103 @@ std::string thousands(char delimiter) {
            " reads them as decimal";
 }
 
-constexpr const char* grouped = "blanks within numbers (1 234): write them without";
+// The dialect of lines[first..], by what stands in them and what fits all of them.
+class DialectFinder {
+public:
+    DialectFinder(const std::vector<TableLine>& lines, std::size_t first) : lines_(lines), first_(first) {
+        for (std::size_t i = first; i < lines.size(); i++) count_marks(lines[i].text, &marks_);
+        line = lines[first].number;
+    }
+    // A complaint about `line`, or empty.
+    std::string find() {
+        const std::size_t count = lines_.size() - first_;
+        if (marks_.bar == count) return by('|');
+        if (marks_.semicolon == count) return by(';');
+        if (marks_.tab == count && !marks_.leading_tab && is_tab_separated(lines_, first_)) return by('\t');
+        if (marks_.comma == count && marks_.semicolon == 0) return by_commas();
+        return by_blanks();
+    }
+
+    Dialect dialect;
+    bool understood_commas = false;
+    std::uint64_t line;
+
+private:
+    Look look(char delimiter, bool decimal_comma) const { return look_at(lines_, first_, delimiter, decimal_comma); }
+    std::string take_decimal(char delimiter) {
+        dialect = {delimiter, true};
+        understood_commas = true;
+        return {};
+    }
+    std::string by(char delimiter);
+    std::string by_commas();
+    std::string by_blanks();
+
+    const std::vector<TableLine>& lines_;
+    const std::size_t first_;
+    Marks marks_;
+};
+
+constexpr const char* both = "points and commas are both decimal here; write numbers in one way";
+
+// A delimiter that stands in every line and in no number.
+std::string DialectFinder::by(char delimiter) {
+    const Look strict = look(delimiter, true);
+    if (strict.broken_digits) {
+        line = strict.broken_line;
+        return "blanks within numbers (1 234): write them without";
+    }
+    if (strict.may_be_thousands) return thousands(delimiter);
+    if (strict.consistent || (!strict.inner_blanks && marks_.comma == 0)) {
+        if (strict.decimal_commas && strict.points) return both;
+        if (strict.decimal_commas) return take_decimal(delimiter);
+        dialect = {delimiter, false};
+        return {};
+    }
+    const bool mixes = delimiter != '|' && marks_.bare_comma == 0 && look(0, false).consistent;
+    dialect = {mixes ? char{0} : delimiter, !mixes && marks_.comma > 0};
+    return {};
+}
+
+// Commas in every line: between columns, unless numbers have them, too.
+std::string DialectFinder::by_commas() {
+    const Look strict = look(',', true);  // decimal ones are in quotes
+    if (strict.may_be_thousands) return thousands(',');
+    if (strict.decimal_commas) return strict.points ? both : take_decimal(',');
+    const std::size_t loose = line_of_loose_decimals(lines_, first_);
+    if (loose != SIZE_MAX) {
+        line = lines_[loose].number;
+        return "numbers behind commas begin with zeros, as decimals do: columns are to be held apart by something else "
+               "than decimal commas; --delimiter , reads it as it stands";
+    }
+    if (marks_.blank + marks_.tab > 0) {
+        const Look blanks = look(' ', true);
+        if (blanks.consistent && blanks.decimal_commas && blanks.width > 1)
+            return two_ways(blanks.width, ' ', look(0, false).width);
+    }
+    const std::size_t count = lines_.size() - first_;
+    if (marks_.comma_and_blank == count && marks_.bare_comma == count)
+        return "commas with blanks behind and commas without: write points in place of decimal commas; --delimiter , "
+               "takes every comma for a delimiter";
+    dialect = {strict.inner_blanks ? char{0} : ',', false};
+    return {};
+}
+
+// No delimiter but blanks in every line.
+std::string DialectFinder::by_blanks() {
+    const Look blanks = look(' ', true);
+    if (marks_.comma == 0) {
+        const bool bars = marks_.bar > 0 && !blanks.consistent;
+        dialect = {bars ? '|' : marks_.semicolon > 0 ? char{0} : ' ', false};
+        return {};
+    }
+    dialect = {};
+    if (!blanks.consistent || !blanks.decimal_commas) return {};
+    const Look mixed = look(0, false);
+    if (mixed.consistent) return two_ways(blanks.width, ' ', mixed.width);
+    if (blanks.points) return {};
+    return blanks.may_be_thousands ? thousands(' ') : take_decimal(' ');
+}
 
 }  // namespace
 
@@ -170,81 +266,14 @@ std::string delimiter_option(char delimiter) {
 
 std::string find_dialect(const std::vector<TableLine>& lines, std::size_t first, const TableOptions& options,
                          Dialect* dialect, std::string* sentence, std::uint64_t* line) {
-    constexpr const char* understood = "commas read as decimal";
     *dialect = {options.delimiter, options.delimiter != 0};
     if (options.delimiter != 0 || first == lines.size()) return {};
-    *line = lines[first].number;
-    const std::size_t count = lines.size() - first;
-    Marks marks;
-    for (std::size_t i = first; i < lines.size(); i++) count_marks(lines[i].text, &marks);
-
-    char delimiter = ' ';
-    if (marks.bar == count) {
-        delimiter = '|';
-    } else if (marks.semicolon == count) {
-        delimiter = ';';
-    } else if (marks.tab == count && !marks.leading_tab && is_tab_separated(lines, first)) {
-        delimiter = '\t';
-    } else if (marks.comma == count && marks.semicolon == 0) {
-        delimiter = ',';
-    }
-    if (delimiter == '|' || delimiter == ';' || delimiter == '\t') {
-        const Look look = look_at(lines, first, delimiter, true);
-        if (look.broken_digits) return *line = look.broken_line, grouped;
-        if (look.may_be_thousands) return thousands(delimiter);
-        if (look.consistent || (!look.inner_blanks && marks.comma == 0)) {
-            *dialect = {delimiter, look.decimal_commas};
-            if (look.decimal_commas && look.points)
-                return "points and commas are both decimal here; write numbers in one way";
-            if (look.decimal_commas) *sentence = understood;
-            return {};
-        }
-        const Look mixed = look_at(lines, first, 0, false);
-        const bool fits = mixed.consistent && delimiter != '|' && marks.bare_comma == 0;
-        *dialect = {fits ? char{0} : delimiter, !fits && marks.comma > 0};
-        return {};
-    }
-    const Look blanks = look_at(lines, first, ' ', true);
-    if (delimiter == ',') {
-        const Look look = look_at(lines, first, ',', true);  // commas in quotes
-        if (look.may_be_thousands) return thousands(',');
-        if (look.decimal_commas && look.points)
-            return "points and commas are both decimal here; write numbers in one way";
-        if (look.decimal_commas) {
-            *dialect = {',', true};
-            *sentence = understood;
-            return {};
-        }
-        const std::size_t loose = line_of_loose_decimals(lines, first);
-        if (loose != SIZE_MAX) {
-            *line = lines[loose].number;
-            return "numbers behind commas begin with zeros, as decimals do: columns are to be held apart by something "
-                   "else than decimal commas; --delimiter , reads it as it stands";
-        }
-        if (blanks.consistent && blanks.decimal_commas && blanks.width > 1)
-            return two_ways(blanks.width, ' ', look_at(lines, first, 0, false).width);
-        if (marks.comma_and_blank == count && marks.bare_comma == count)
-            return "commas with blanks behind and commas without: write points in place of decimal commas; "
-                   "--delimiter , takes every comma for a delimiter";
-        *dialect = {look.inner_blanks ? char{0} : ',', false};
-        return {};
-    }
-    if (marks.comma > 0) {
-        const Look mixed = look_at(lines, first, 0, false);
-        if (blanks.consistent && blanks.decimal_commas && !blanks.points && !mixed.consistent) {
-            *dialect = {' ', true};
-            *sentence = understood;
-            if (blanks.may_be_thousands) return thousands(' ');
-            return {};
-        }
-        if (blanks.consistent && blanks.decimal_commas && mixed.consistent)
-            return two_ways(blanks.width, ' ', mixed.width);
-        *dialect = {};
-        return {};
-    }
-    *dialect = {marks.semicolon > 0 ? char{0} : ' ', false};
-    if (marks.bar > 0 && !blanks.consistent) *dialect = {'|', false};
-    return {};
+    DialectFinder finder(lines, first);
+    const std::string complaint = finder.find();
+    *dialect = finder.dialect;
+    *line = finder.line;
+    if (finder.understood_commas) *sentence = "commas read as decimal";
+    return complaint;
 }
 
 }  // namespace netmesh::tool

@@ -292,7 +292,8 @@ std::vector<OddFile> formats() {
         bad("no_vertex.obj", "# nothing\n", 1, "a table is named"),
         good("ascii.stl", ascii_stl, "3 different corners of 2 triangles", space),
         good("binary.stl", binary_stl(2, 2), "3 different corners of 2 triangles", space),
-        bad("cut_off.stl", ascii_stl.substr(0, 200), 8, "copy it again"),
+        bad("cut_off.stl", replaced(ascii_stl, "endsolid a\n", ""), 15, "copy it again"),
+        bad("cut_off_within.stl", ascii_stl.substr(0, 200), 13, "was the file cut off?"),
         bad("binary_cut_off.stl", binary_stl(3, 2), 0, "was it cut off?"),
         bad("binary_nan.stl", replaced(binary_stl(1, 1), "\0\0\xC0\x3F"s, "\0\0\xC0\x7F"s), 0, "finite double"),
         // names that say something else

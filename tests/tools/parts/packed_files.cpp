@@ -37,6 +37,7 @@ public:
         path_ = std::string(name) + "/";
     }
     ~Files() { std::filesystem::remove_all(path_); }
+    const std::string& path() const { return path_; }
     // What reading `name` says; `open`, behind a colon, is the array that is asked for.
     Outcome read(const std::string& name, const std::string& content, PointCloud* cloud, const std::string& open = "") {
         std::ofstream(path_ + name, std::ios::binary) << content;
@@ -133,6 +134,17 @@ TEST_CASE("gz of everything: the inner ending says what it is") {
     CHECK(files.read("large.txt.gz", gzipped(large), &cloud).message == "");
     CHECK(cloud.rows() == 40000);
     CHECK(cloud.coordinates[2 * 39999] == 39999.5);
+}
+
+TEST_CASE("gz of any file that the tool reads") {
+    Files files;
+    PointCloud cloud;
+    CHECK(files.read("k.txt.gz", gzipped("0 0\n1 0\n0 1 1\n"), &cloud).exit == Exit::data);
+    std::string content;
+    bool packed = false;
+    CHECK(read_content(files.path() + "k.txt.gz", &content, &packed).good());
+    CHECK(content == "0 0\n1 0\n0 1 1\n");
+    CHECK(packed);
 }
 
 TEST_CASE("gz that is broken, cut off or none") {
