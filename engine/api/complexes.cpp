@@ -11,20 +11,6 @@
 namespace netmesh {
 namespace {
 
-// Keeps a diagram, in a context that is empty otherwise; complex: of its cycles, null when there are none.
-void keep_diagram(netmesh_context* context, const KeptInput& input, const KeptDiagram& diagram,
-                  const ComplexDiagram& made, const ListedComplex* complex) {
-    context->complete = true;
-    context->input = input;
-    context->diagram = diagram;
-    context->diagram.present = true;
-    context->diagram.pairs = Slice<Pair>::of(context->arena, made.pairs.pairs, made.pairs.count);
-    context->diagram.simplices = made.simplices;
-    if (complex == nullptr) return;
-    keep_cycles(context, made.cycles, context->arena.bytes());
-    keep_complex(context, *complex);
-}
-
 Complaint complaint_about_complex(const netmesh_points_request& request) {
     const Filter* const filter = find_filter(request.filter);
     if (filter == nullptr || filter->source != FilterSource::points)

@@ -20,6 +20,19 @@ void keep_complex(netmesh_context* context, const ListedComplex& complex) {
     }
 }
 
+void keep_diagram(netmesh_context* context, const KeptInput& input, const KeptDiagram& diagram,
+                  const ComplexDiagram& made, const ListedComplex* complex) {
+    context->complete = true;
+    context->input = input;
+    context->diagram = diagram;
+    context->diagram.present = true;
+    context->diagram.pairs = Slice<Pair>::of(context->arena, made.pairs.pairs, made.pairs.count);
+    context->diagram.simplices = made.simplices;
+    if (complex == nullptr) return;
+    keep_cycles(context, made.cycles, context->arena.bytes());
+    keep_complex(context, *complex);
+}
+
 FilteredComplex kept_complex(const netmesh_context* context, const std::uint32_t** labels) {
     const KeptComplex& kept = context->cycles.complex;
     const void* const block = context;

@@ -249,6 +249,13 @@ void netmesh_points_request_init(netmesh_points_request* request, size_t request
     start(defaults, request, request_bytes);
 }
 
+void netmesh_distances_request_init(netmesh_distances_request* request, size_t request_bytes) {
+    netmesh_distances_request defaults = {};
+    defaults.threshold = infinity;
+    defaults.max_degree = 1;
+    start(defaults, request, request_bytes);
+}
+
 void netmesh_points_vineyard_request_init(netmesh_points_vineyard_request* request, size_t request_bytes, uint32_t dim,
                                           netmesh_filter filter) {
     netmesh_points_vineyard_request defaults = {};

@@ -103,6 +103,11 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_POTENTIALS: return "potentials_a, potentials_b";
     case NETMESH_FIELD_POINT_FORMAT: return "point_format";
     case NETMESH_FIELD_POINT_STRIDE_BYTES: return "point_stride_bytes";
+    case NETMESH_FIELD_LAYOUT: return "layout";
+    case NETMESH_FIELD_NUMBERS: return "numbers";
+    case NETMESH_FIELD_ENTRY_COUNT: return "entry_count";
+    case NETMESH_FIELD_EVALUATE: return "evaluate";
+    case NETMESH_FIELD_THRESHOLD: return "threshold";
     case NETMESH_FIELD_COUNT: break;
     }
     return "unknown field";

@@ -13,11 +13,10 @@ constexpr std::uint32_t count_max = 0x7FFFFFFFu;
 
 // The simplices whose edges are at most 2 * limit long, dimension by dimension. Their values are half their longest
 // edge.
-class Cliques {
+template <class Half> class Cliques {
 public:
-    Cliques(int dim, const double* coordinates, std::uint32_t n, double limit, const Work& work, ListedComplex* out)
-        : dim_(static_cast<std::size_t>(dim)), coordinates_(coordinates), n_(n), limit_(limit), arena_(work.arena),
-          monitor_(work.monitor), out_(*out) {}
+    Cliques(Half half, std::uint32_t n, double limit, const Work& work, ListedComplex* out)
+        : half_(half), n_(n), limit_(limit), arena_(work.arena), monitor_(work.monitor), out_(*out) {}
 
     Status list(std::uint32_t dimension) {
         out_ = {};
@@ -63,7 +62,6 @@ private:
         out_.value[k] = arena_.take_low<double>(out_.count[k]);
         return out_.rows[k] != nullptr && out_.value[k] != nullptr;
     }
-    const double* point(std::uint32_t i) const { return coordinates_ + i * dim_; }
 
     // Calls f(vertices, last, value) for every k-simplex. False: cancelled.
     template <class F> bool extend(std::uint32_t k, F f) {
@@ -73,7 +71,7 @@ private:
             for (std::uint32_t last = row[k - 1] + 1; last < n_; ++last) {
                 double value = out_.value[k - 1][i];
                 for (std::uint32_t v = 0; v < k && value <= limit_; ++v) {
-                    const double half = half_distance(static_cast<int>(dim_), point(row[v]), point(last));
+                    const double half = half_(last, row[v]);
                     if (half > value) value = half;
                 }
                 if (value <= limit_) f(row, last, value);
@@ -82,8 +80,7 @@ private:
         return true;
     }
 
-    const std::size_t dim_;
-    const double* coordinates_;
+    Half half_;  // half the distance of two vertices, the larger one first; infinite: they are never joined
     std::uint32_t n_;
     double limit_;
     Arena& arena_;
@@ -91,9 +88,10 @@ private:
     ListedComplex& out_;
 };
 
-Status list_cliques(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, double limit,
-                    const Work& work, ListedComplex* out) {
-    Cliques cliques(dim, coordinates, n, limit, work, out);
+template <class Half>
+Status list_cliques(Half half, std::uint32_t n, std::uint32_t dimension, double limit, const Work& work,
+                    ListedComplex* out) {
+    Cliques<Half> cliques(half, n, limit, work, out);
     const Status status = cliques.list(dimension);
     ComplexFault fault;
     return status != Status::ok ? status : link_faces(*out, false, work, &fault);
@@ -204,16 +202,31 @@ double binomial_of_real(double n, std::uint32_t k) {
     return b > 0 ? b : 0;
 }
 
+struct HalfDistances {
+    int dim;
+    const double* coordinates;
+    double operator()(std::uint32_t i, std::uint32_t j) const {
+        const std::size_t row = static_cast<std::size_t>(dim);
+        return half_distance(dim, coordinates + j * row, coordinates + i * row);
+    }
+};
+
 }  // namespace
 
 Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out) {
-    return list_cliques(dim, coordinates, n, dimension, cone_radius(dim, coordinates, n), work, out);
+    return list_cliques(HalfDistances{dim, coordinates}, n, dimension, cone_radius(dim, coordinates, n), work, out);
 }
 
 Status full_rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                          ListedComplex* out) {
-    return list_cliques(dim, coordinates, n, dimension, infinity, work, out);
+    return list_cliques(HalfDistances{dim, coordinates}, n, dimension, infinity, work, out);
+}
+
+Status distance_complex(const DistanceSource& source, std::uint32_t dimension, double limit, const Work& work,
+                        ListedComplex* out) {
+    const auto half = [&source](std::uint32_t i, std::uint32_t j) { return source.half(i, j); };
+    return list_cliques(half, source.count, dimension, limit, work, out);
 }
 
 Status cech_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "complex/listed_complex.hpp"
+#include "filtration/distance_source.hpp"
 #include "memory/work.hpp"
 
 namespace netmesh {
@@ -21,6 +22,11 @@ Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::ui
 // The same without an end: all simplices of up to dimension + 1 points.
 Status full_rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                          ListedComplex* out);
+
+// The skeleton up to `dimension` of the flag complex of points within twice the limit, which is finite. Otherwise as
+// rips_complex.
+Status distance_complex(const DistanceSource& source, std::uint32_t dimension, double limit, const Work& work,
+                        ListedComplex* out);
 
 // All simplices of up to dimension + 1 points. The value of a simplex is the radius of its smallest circumsphere if
 // that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball, never decreasing from

@@ -12,14 +12,15 @@
  *     netmesh/measure.h       their cells measured, checked and analysed
  *     netmesh/persistence.h   filters, diagrams, bounds of bars, cycles, vineyards in k
  *     netmesh/complexes.h     other complexes: by scales, of points, any filtered one
+ *     netmesh/distances.h     complexes of data that is known by its distances
  *     netmesh/bottleneck.h    the distance of two diagrams
  *     netmesh/wasserstein.h   the cost of transport from one diagram to another
  *     netmesh/report.h        what a context holds and how it came about
  *     netmesh/job.h           calls in slices: pause at a poll, go on later
  *
  * Life of a context:   init -> delaunay | mesh | load -> persist | vineyard -> bound_bars, represent -> get_*
- *                      init -> fit | persist_scales | persist_points | points_vineyard | homology | value_vineyard
- *                           -> get_*
+ *                      init -> fit | persist_scales | persist_points | persist_distances | points_vineyard | homology |
+ *                              value_vineyard -> get_*
  *
  * Requests. A job takes the context and one request, a struct that its init call fills with defaults:
  *
@@ -45,6 +46,7 @@
 #include "netmesh/bottleneck.h"
 #include "netmesh/complexes.h"
 #include "netmesh/context.h"
+#include "netmesh/distances.h"
 #include "netmesh/job.h"
 #include "netmesh/measure.h"
 #include "netmesh/mesh.h"

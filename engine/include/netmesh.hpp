@@ -68,6 +68,9 @@ struct Points : netmesh_points_request {
         netmesh_points_request_init(this, sizeof(netmesh_points_request), d, f);
     }
 };
+struct Distances : netmesh_distances_request {
+    Distances() { netmesh_distances_request_init(this, sizeof(netmesh_distances_request)); }
+};
 struct PointsVineyard : netmesh_points_vineyard_request {
     PointsVineyard(std::uint32_t d, netmesh_filter f) {
         netmesh_points_vineyard_request_init(this, sizeof(netmesh_points_vineyard_request), d, f);
@@ -111,6 +114,7 @@ inline std::size_t plan(const netmesh_mesh_request& request) { return netmesh_pl
 inline std::size_t plan(const netmesh_scales_request& request) { return netmesh_plan_scales(&request); }
 inline std::size_t plan(const netmesh_alpha_request& request) { return netmesh_plan_alpha(&request); }
 inline std::size_t plan(const netmesh_points_request& request) { return netmesh_plan_points(&request); }
+inline std::size_t plan(const netmesh_distances_request& request) { return netmesh_plan_distances(&request); }
 inline std::size_t plan(const netmesh_points_vineyard_request& request) {
     return netmesh_plan_points_vineyard(&request);
 }
@@ -218,6 +222,9 @@ public:
     }
     netmesh_status persist_points(const netmesh_points_request& r) {
         return status_ = netmesh_persist_points(context_, &r);
+    }
+    netmesh_status persist_distances(const netmesh_distances_request& r) {
+        return status_ = netmesh_persist_distances(context_, &r);
     }
     netmesh_status points_vineyard(const netmesh_points_vineyard_request& r) {
         return status_ = netmesh_points_vineyard(context_, &r);

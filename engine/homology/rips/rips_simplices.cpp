@@ -56,6 +56,7 @@ bool RipsSimplices::open(RipsGraph& graph, std::uint32_t others, Arena& arena) {
     shift_ = index_bits(n_, others);
     if (!sort_edges(graph, arena)) return false;
     ends_ = graph.ends;
+    if (others == 0) return true;
     rank_ = arena.take_high<std::uint32_t>(std::size_t{n_} * n_);
     choose_ = arena.take_high<std::uint64_t>((std::size_t{others} + 1) * n_);
     if (rank_ == nullptr || choose_ == nullptr) return false;

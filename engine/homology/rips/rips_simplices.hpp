@@ -30,8 +30,8 @@ struct RipsSimplex {
 
 class RipsSimplices {
 public:
-    // Ranks the graph's edges, for simplices of up to `others` vertices besides their last edge. What it takes at the
-    // high end stays. False: out of memory.
+    // Ranks the graph's edges, for simplices of up to `others` vertices besides their last edge; of 0 the edges are put
+    // in order and nothing else is told. What it takes at the high end stays. False: out of memory.
     bool open(RipsGraph& graph, std::uint32_t others, Arena& arena);
 
     std::uint32_t vertices() const { return n_; }

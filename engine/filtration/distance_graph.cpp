@@ -1,0 +1,192 @@
+#include "filtration/distance_graph.hpp"
+
+#include "memory/arena.hpp"
+#include "numerics/fingerprint.hpp"
+#include "numerics/radix_sort.hpp"
+#include "numerics/real.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr double largest = 0x1.fffffffffffffp1023;
+
+// What is wrong with the distance of i and j < i; of a full matrix, in both places.
+DistanceFault fault_at(const DistanceSource& source, std::uint32_t i, std::uint32_t j, double half) {
+    const DistanceFlaw flaw = flaw_of(half);
+    if (flaw != DistanceFlaw::none) return {flaw, i, j};
+    if (source.kind != DistanceSource::Kind::full) return {};
+    const std::size_t n = source.count;
+    const double here = source.numbers[i * n + j], there = source.numbers[j * n + i];
+    if (here == there) return {};
+    const DistanceFlaw other = flaw_of(there);
+    if (other != DistanceFlaw::none) return {other, j, i};
+    return {DistanceFlaw::asymmetric, i, j};
+}
+
+DistanceFault fault_on_diagonal(const DistanceSource& source, std::uint32_t i) {
+    const double own = source.numbers[i * (std::size_t{source.count} + 1)];
+    if (own == 0) return {};
+    return {own != own ? DistanceFlaw::not_a_number : DistanceFlaw::own, i, i};
+}
+
+// From how far on some point is joined to all others: the least of `most`; the end of what is wanted.
+double end_of(const double* most, std::uint32_t n, double threshold, const Arena& arena) {
+    double limit = threshold < largest ? threshold : largest;
+    arena.each(n, 1, [&](std::uint64_t i) { limit = most[i] < limit ? most[i] : limit; });
+    return limit;
+}
+
+// Reads every distance once; f(half).
+template <class F>
+Status read_all(const DistanceSource& source, double threshold, const Work& work, DistanceLimits* out,
+                DistanceFault* fault, F f) {
+    const std::uint32_t n = source.count;
+    const HighScope scope(work.arena);
+    double* const most = work.arena.take_high<double>(n);  // of each point
+    if (most == nullptr) return Status::out_of_memory;
+    work.arena.each(n, 1, [most](std::uint64_t i) { most[i] = 0; });
+    const bool is_full = source.kind == DistanceSource::Kind::full;
+    PairPolls polls(work.monitor, source.cost() + (is_full ? 5 : 0));
+    Fingerprint fingerprint;
+    fingerprint.add(std::uint64_t{n});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        if (is_full) *fault = fault_on_diagonal(source, i);
+        if (fault->flaw != DistanceFlaw::none) return Status::invalid_argument;
+        for (std::uint32_t j = 0; j < i; ++j) {
+            if (polls.stop(i)) return Status::cancelled;
+            const double half = source.half(i, j);
+            *fault = fault_at(source, i, j, half);
+            if (fault->flaw != DistanceFlaw::none) return Status::invalid_argument;
+            fingerprint.add(half);
+            if (half > most[i]) most[i] = half;
+            if (half > most[j]) most[j] = half;
+            f(half);
+        }
+    }
+    *out = {end_of(most, n, threshold, work.arena), fingerprint.value()};
+    return Status::ok;
+}
+
+}  // namespace
+
+Status measure_distances(const DistanceSource& source, double threshold, const Work& work, DistanceLimits* out,
+                         DistanceFault* fault) {
+    work.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    return read_all(source, threshold, work, out, fault, [](double) {});
+}
+
+// All halves are written down as they are read, then those that are wanted move together.
+Status distance_graph(const DistanceSource& source, double threshold, const Work& work, RipsGraph* out,
+                      DistanceLimits* limits, DistanceFault* fault) {
+    *out = {};
+    const std::uint32_t n = source.count;
+    Arena& arena = work.arena;
+    work.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    double* const value = arena.take_low<double>(DistanceSource::triangle(n));
+    if (value == nullptr) return Status::out_of_memory;
+    double* next = value;
+    const Status status = read_all(source, threshold, work, limits, fault, [&next](double half) { *next++ = half; });
+    if (status != Status::ok) return status;
+    std::uint32_t count = 0;
+    arena.each(static_cast<std::uint64_t>(next - value), 1,
+               [&](std::uint64_t i) { count += value[i] <= limits->limit ? 1 : 0; });
+    const HighScope scope(arena);
+    std::uint32_t* const kept = arena.take_high<std::uint32_t>(count);
+    if (kept == nullptr) return Status::out_of_memory;
+    const double* half = value;
+    std::uint32_t at = 0;
+    for (std::uint32_t i = 1; i < n; ++i) {
+        if (work.monitor.advance(i, 1 + i / 30)) return Status::cancelled;
+        for (std::uint32_t j = 0; j < i; ++j, ++half) {
+            if (!(*half <= limits->limit)) continue;
+            value[at] = *half;
+            kept[at++] = RipsGraph::edge(i, j);
+        }
+    }
+    arena.release_low(arena.offset_of(value + count));
+    std::uint32_t* const ends = arena.take_low<std::uint32_t>(count);
+    if (ends == nullptr) return Status::out_of_memory;
+    move_bytes(ends, kept, sizeof *ends * std::size_t{count}, arena);
+    *out = {n, count, value, ends};
+    return Status::ok;
+}
+
+// Entries in order of their edges, so that those of one edge stand together and ties are those of a matrix.
+Status sparse_graph(const DistanceEntries& from, double threshold, const Work& work, RipsGraph* out,
+                    DistanceLimits* limits, DistanceFault* fault) {
+    *out = {};
+    Arena& arena = work.arena;
+    const std::uint32_t n = from.count, entries = from.entry_count;
+    work.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    double* const value = arena.take_low<double>(entries);
+    std::uint32_t* const ends = arena.take_low<std::uint32_t>(entries);
+    const HighScope scope(arena);
+    double* const most = arena.take_high<double>(n);
+    std::uint32_t* const joined = arena.take_high<std::uint32_t>(n);  // to so many others
+    std::uint64_t* const keys = arena.take_high<std::uint64_t>(entries);
+    std::uint64_t* const spare_keys = arena.take_high<std::uint64_t>(entries);
+    std::uint32_t* const order = arena.take_high<std::uint32_t>(entries);
+    std::uint32_t* const spare = arena.take_high<std::uint32_t>(entries);
+    if (value == nullptr || ends == nullptr || most == nullptr || joined == nullptr || keys == nullptr ||
+        spare_keys == nullptr || order == nullptr || spare == nullptr)
+        return Status::out_of_memory;
+    std::uint32_t count = 0;
+    for (std::uint32_t e = 0; e < entries; ++e) {
+        if (e % 64 == 0 && work.monitor.advance(e, 4)) return Status::cancelled;
+        const netmesh_distance_entry& entry = from.entries[e];
+        const bool is_own = entry.i == entry.j;
+        DistanceFlaw flaw = flaw_of(entry.distance);
+        if (entry.i >= n || entry.j >= n) flaw = DistanceFlaw::no_point;
+        if (flaw == DistanceFlaw::none && is_own && entry.distance != 0) flaw = DistanceFlaw::own;
+        if (flaw != DistanceFlaw::none) {
+            *fault = {flaw, e, e};
+            return Status::invalid_argument;
+        }
+        if (is_own) continue;
+        keys[count] = entry.i > entry.j ? RipsGraph::edge(entry.i, entry.j) : RipsGraph::edge(entry.j, entry.i);
+        order[count++] = e;
+    }
+    radix_sort(keys, order, spare_keys, spare, count, arena);
+    arena.each(n, 1, [most, joined](std::uint64_t i) {
+        most[i] = 0;
+        joined[i] = 0;
+    });
+    Fingerprint fingerprint;
+    fingerprint.add(std::uint64_t{n});
+    std::uint32_t edges = 0;
+    for (std::uint32_t e = 0; e < count; ++e) {
+        if (e % 64 == 0 && work.monitor.advance(e, 20)) return Status::cancelled;
+        const double distance = from.entries[order[e]].distance, half = distance / 2 + 0.0;
+        if (e > 0 && keys[e] == keys[e - 1]) {
+            if (from.entries[order[e - 1]].distance == distance) continue;
+            *fault = {DistanceFlaw::asymmetric, order[e], order[e - 1]};
+            return Status::invalid_argument;
+        }
+        fingerprint.add(keys[e]);
+        fingerprint.add(half);
+        if (!(half < infinity)) continue;
+        value[edges] = half;
+        const std::uint32_t end = ends[edges] = static_cast<std::uint32_t>(keys[e]);
+        ++edges;
+        const std::uint32_t both[] = {end >> 16, end & 0xFFFF};
+        for (const std::uint32_t v : both) {
+            ++joined[v];
+            if (half > most[v]) most[v] = half;
+        }
+    }
+    arena.each(n, 1, [most, joined, n](std::uint64_t i) {
+        if (joined[i] != n - 1) most[i] = infinity;
+    });
+    *limits = {end_of(most, n, threshold, arena), fingerprint.value()};
+    std::uint32_t kept = 0;
+    for (std::uint32_t e = 0; e < edges; ++e) {
+        if (e % 64 == 0 && work.monitor.advance(e, 3)) return Status::cancelled;
+        if (!(value[e] <= limits->limit)) continue;
+        value[kept] = value[e];
+        ends[kept++] = ends[e];
+    }
+    *out = {n, kept, value, ends};
+    return Status::ok;
+}
+
+}  // namespace netmesh

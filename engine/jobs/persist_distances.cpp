@@ -1,0 +1,119 @@
+#include "jobs/persist_distances.hpp"
+
+#include "filtration/point_complexes.hpp"
+#include "homology/rips/tree.hpp"
+#include "jobs/point_set.hpp"
+
+namespace netmesh {
+namespace {
+
+std::uint32_t points_of(const DistancesRequest& request) {
+    return request.entries.count > 0 ? request.entries.count : request.source.count;
+}
+
+// Half of all distances that edges tell, infinity of the others.
+Status spread_edges(const RipsGraph& graph, const Work& work, DistanceSource* out) {
+    const std::size_t pairs = DistanceSource::triangle(graph.vertices);
+    double* const halves = work.arena.take_low<double>(pairs);
+    if (halves == nullptr) return Status::out_of_memory;
+    work.arena.each(pairs, 1, [halves](std::uint64_t i) { halves[i] = infinity; });
+    work.arena.each(graph.edge_count, 5, [&graph, halves](std::uint64_t e) {
+        halves[DistanceSource::triangle(graph.ends[e] >> 16) + (graph.ends[e] & 0xFFFF)] = graph.value[e];
+    });
+    *out = {DistanceSource::Kind::halves, graph.vertices, halves, 0, nullptr, nullptr};
+    return Status::ok;
+}
+
+Status persist_listed_graph(const DistancesRequest& request, const RipsGraph& graph, double limit, const Work& work,
+                            DistancesDiagram* out) {
+    DistanceSource source;
+    Status status = spread_edges(graph, work, &source);
+    const std::uint32_t wanted = request.max_degree + 1, n = graph.vertices, dimension = wanted < n ? wanted : n - 1;
+    if (status == Status::ok) status = distance_complex(source, dimension, limit, work, &out->complex);
+    if (status != Status::ok) return status;
+    ComplexRequest counted = {{request.max_degree, request.keep_zero}, true};
+    counted.counted = request.max_degree > 1 ? request.max_degree : 1;
+    return persist_complex(out->complex, counted, work, &out->diagram);
+}
+
+// Degree 0, of which no edge is stored.
+Status persist_tree(const DistancesRequest& request, const Work& work, DistancesDiagram* out) {
+    const DistanceSource& source = request.source;
+    DistanceLimits limits;
+    const Status status = measure_distances(source, request.threshold, work, &limits, &out->fault);
+    if (status != Status::ok) return status;
+    out->input_fingerprint = limits.fingerprint;
+    work.monitor.begin(NETMESH_STAGE_REDUCE, 0);
+    PairPolls polls(work.monitor, source.cost() + 3);
+    const auto half = [&source](std::uint32_t i, std::uint32_t j) {
+        const double h = source.half(i, j);
+        return h >= 0 ? h : infinity;  // what is no distance the second time
+    };
+    const auto stop = [&polls](std::uint32_t v) { return polls.stop(v); };
+    RipsTree<decltype(half), decltype(stop)> tree(source.count, limits.limit, half, stop, request.keep_zero,
+                                                  work.arena);
+    const Status made = write_diagram(tree, work.arena, &out->diagram.pairs);
+    out->diagram.simplices = tree.simplices();
+    return made;
+}
+
+Status persist_graph(const DistancesRequest& request, const Work& work, DistancesDiagram* out) {
+    RipsGraph graph;
+    DistanceLimits limits;
+    const Status status =
+        request.entries.count > 0
+            ? sparse_graph(request.entries, request.threshold, work, &graph, &limits, &out->fault)
+            : distance_graph(request.source, request.threshold, work, &graph, &limits, &out->fault);
+    if (status != Status::ok) return status;
+    out->input_fingerprint = limits.fingerprint;
+    if (request.representatives) return persist_listed_graph(request, graph, limits.limit, work, out);
+    CountedPairs found = {};
+    const Status reduced = persist_rips(graph, {request.max_degree, request.keep_zero}, work, &found);
+    out->diagram.pairs = found.pairs;
+    out->diagram.simplices = found.simplices;
+    return reduced;
+}
+
+// Halves are exact but for those that have no digits left to halve.
+void note_halving_error(const Arena& arena, DistancesDiagram* out) {
+    ValueRange range;
+    const PairList& pairs = out->diagram.pairs;
+    arena.each(pairs.count, 1, [&](std::uint64_t i) { range.add(pairs.pairs[i].birth, pairs.pairs[i].death); });
+    out->value_error = range.least < 0x1p-1022 ? 0x1p-1074 / range.least : 0;
+}
+
+}  // namespace
+
+Status persist_distances(const DistancesRequest& request, const Work& work, DistancesDiagram* out) {
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    *out = DistancesDiagram{};
+    const bool is_tree = request.max_degree == 0 && request.entries.count == 0 && !request.representatives;
+    const Status status = is_tree ? persist_tree(request, work, out) : persist_graph(request, work, out);
+    if (status == Status::ok) {
+        note_halving_error(work.arena, out);
+        return request.representatives ? status : move_pairs_down(low, work.arena, &out->diagram.pairs);
+    }
+    work.arena.release_low(low);
+    work.arena.release_high(high);
+    return status;
+}
+
+double distances_bytes(const DistancesRequest& request, std::uint64_t n) {
+    const double points = static_cast<double>(n);
+    double edges = points * (points - 1) / 2;
+    const double entries = static_cast<double>(request.entries.entry_count);
+    if (request.entries.count > 0 && entries < edges) edges = entries;
+    double bytes = 80 * points + 36 * edges;
+    if (request.max_degree == 0 && !request.representatives)
+        return 1.1 * (request.entries.count > 0 ? bytes : 80 * points);
+    if (request.entries.count > 0) bytes += 24 * entries;
+    const std::uint64_t top = std::uint64_t{request.max_degree} + 1;
+    const std::uint32_t dimension = static_cast<std::uint32_t>(top < n ? top : n - 1);
+    double columns = 0;
+    for (std::uint32_t p = 1; p <= request.max_degree; ++p) columns += skeleton_count(n, p) - skeleton_count(n, p - 1);
+    bytes += 4 * points * points + 8 * points * (request.max_degree + 2) + 72 * columns;
+    if (request.representatives) bytes = 12 * points * points + skeleton_count(n, dimension) * (8.0 * (dimension + 1) + 32);
+    return 1.1 * bytes;
+}
+
+}  // namespace netmesh

@@ -1,0 +1,266 @@
+// Rips complexes of distances: the same diagram from every layout as from points, brute force, and what is refused.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "common/read.hpp"
+#include "common/session.hpp"
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+struct Matrix {
+    std::uint32_t n;
+    std::vector<double> full, lower;
+    std::vector<netmesh_distance_entry> entries;
+
+    double at(std::uint32_t i, std::uint32_t j) const { return full[i * std::size_t{n} + j]; }
+};
+
+template <class F> Matrix matrix_of(std::uint32_t n, F distance) {
+    Matrix m = {n, std::vector<double>(n * std::size_t{n}), {}, {}};
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = 0; j < i; ++j) {
+            const double d = distance(i, j);
+            m.full[i * std::size_t{n} + j] = m.full[j * std::size_t{n} + i] = d;
+            m.lower.push_back(d);
+            if (d < HUGE_VAL) m.entries.push_back({(i + j) % 2 == 0 ? i : j, (i + j) % 2 == 0 ? j : i, d});
+        }
+    }
+    std::reverse(m.entries.begin(), m.entries.end());
+    return m;
+}
+double evaluate(void* user, std::uint32_t i, std::uint32_t j) { return static_cast<const Matrix*>(user)->at(i, j); }
+
+// Small whole numbers: no metric, many ties.
+Matrix random_matrix(std::uint32_t n, std::uint64_t seed, std::uint32_t most) {
+    return matrix_of(n, [&](std::uint32_t, std::uint32_t) {
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<double>(1 + (seed >> 33) % most);
+    });
+}
+
+constexpr netmesh_distance_layout layouts[] = {NETMESH_DISTANCES_FULL, NETMESH_DISTANCES_LOWER,
+                                               NETMESH_DISTANCES_SPARSE, NETMESH_DISTANCES_FUNCTION};
+
+netmesh_distances_request request_of(const Matrix& m, netmesh_distance_layout layout, std::uint32_t degree) {
+    netmesh_distances_request r = netmesh::requests::Distances();
+    r.layout = layout;
+    r.numbers = layout == NETMESH_DISTANCES_FULL ? m.full.data() : m.lower.data();
+    r.entries = m.entries.data();
+    r.entry_count = m.entries.size();
+    r.evaluate = evaluate;
+    r.user = const_cast<Matrix*>(&m);
+    r.point_count = m.n;
+    r.max_degree = degree;
+    return r;
+}
+
+netmesh_status run(Session& s, const netmesh_distances_request& r) {
+    return s.until_it_fits(netmesh_plan_distances(&r), [&] { return netmesh_persist_distances(s.context, &r); });
+}
+
+bool same(const std::vector<netmesh_pair>& a, const std::vector<netmesh_pair>& b) {
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) {
+               return x.degree == y.degree && std::memcmp(&x.birth, &y.birth, sizeof x.birth) == 0 &&
+                      std::memcmp(&x.death, &y.death, sizeof x.death) == 0;
+           });
+}
+
+// The complex listed simplex by simplex, as far as `limit`, and its homology.
+std::vector<netmesh_pair> by_list(const Matrix& m, std::uint32_t degree, double limit) {
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint64_t> starts = {0};
+    std::vector<double> entries;
+    for (std::uint32_t set = 1; set < 1u << m.n; ++set) {
+        std::vector<std::uint32_t> in;
+        for (std::uint32_t v = 0; v < m.n; ++v)
+            if ((set >> v & 1) != 0) in.push_back(v);
+        double value = 0;
+        for (const std::uint32_t i : in)
+            for (const std::uint32_t j : in) value = std::max(value, m.at(i, j) / 2);
+        if (in.size() > degree + 2 || !(value <= limit) || value == HUGE_VAL) continue;
+        vertices.insert(vertices.end(), in.begin(), in.end());
+        starts.push_back(vertices.size());
+        entries.push_back(value);
+    }
+    Session s(2);
+    netmesh_homology_request r = netmesh::requests::Homology();
+    r.vertices = vertices.data();
+    r.starts = starts.data();
+    r.entries = entries.data();
+    r.simplex_count = entries.size();
+    r.max_degree = degree;
+    REQUIRE(s.homology(r) == NETMESH_OK);
+    return s.pairs();
+}
+
+}  // namespace
+
+TEST_CASE("distances of points have the diagram of the points, in every layout") {
+    for (const std::uint32_t degree : {0u, 1u, 2u}) {
+        CAPTURE(degree);
+        const inputs::Points points = inputs::uniform(2, 40);
+        Session by_points(2), by_distances(2);
+        REQUIRE(by_points.points(by_points.points_request(points, NETMESH_FILTER_RIPS, 1, degree)) == NETMESH_OK);
+        const Matrix m = matrix_of(40, [&](std::uint32_t i, std::uint32_t j) {
+            const double x = points[2 * i] - points[2 * j], y = points[2 * i + 1] - points[2 * j + 1];
+            return std::sqrt(x * x + y * y);
+        });
+        for (const netmesh_distance_layout layout : layouts) {
+            CAPTURE(layout);
+            const netmesh_distances_request r = request_of(m, layout, degree);
+            REQUIRE(run(by_distances, r) == NETMESH_OK);
+            CHECK(same(by_distances.pairs(), by_points.pairs()));
+            CHECK(by_distances.report().diagram.simplices == by_points.report().diagram.simplices);
+            CHECK(by_distances.report().diagram.filter == NETMESH_FILTER_RIPS);
+            CHECK(by_distances.report().input.distinct == 40);
+        }
+    }
+}
+
+TEST_CASE("distances that are no metric, thresholds and points that are never joined, against a list of simplices") {
+    Session s(2);
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        Matrix m = random_matrix(7, seed, seed % 2 == 0 ? 5 : 1000);
+        if (seed % 3 == 0)
+            m = matrix_of(7, [&](std::uint32_t i, std::uint32_t j) {
+                return (i * j + seed) % 4 == 1 ? HUGE_VAL : m.at(i, j);
+            });
+        for (const double threshold : {HUGE_VAL, 400.0, 1.5, 0.0}) {
+            for (const std::uint32_t degree : {0u, 1u, 2u, 3u}) {
+                CAPTURE(seed);
+                CAPTURE(threshold);
+                CAPTURE(degree);
+                const std::vector<netmesh_pair> expected = by_list(m, degree, threshold);
+                for (const netmesh_distance_layout layout : layouts) {
+                    netmesh_distances_request r = request_of(m, layout, degree);
+                    r.threshold = threshold;
+                    REQUIRE(run(s, r) == NETMESH_OK);
+                    CHECK(same(s.pairs(), expected));
+                    r.representatives = 1;
+                    REQUIRE(run(s, r) == NETMESH_OK);
+                    CHECK(same(s.pairs(), expected));
+                    CHECK(s.report().diagram.representatives == 1);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("the fingerprint of distances tells one from another, not how they were handed over") {
+    Session s(2);
+    Matrix m = random_matrix(9, 3, 100);
+    const auto print = [&](netmesh_distance_layout layout, std::uint32_t degree) {
+        REQUIRE(run(s, request_of(m, layout, degree)) == NETMESH_OK);
+        return s.report().input.fingerprint;
+    };
+    const std::uint64_t full = print(NETMESH_DISTANCES_FULL, 1);
+    CHECK(print(NETMESH_DISTANCES_LOWER, 1) == full);
+    CHECK(print(NETMESH_DISTANCES_FUNCTION, 0) == full);
+    m.lower[5] += 1;
+    CHECK(print(NETMESH_DISTANCES_LOWER, 1) != full);
+}
+
+TEST_CASE("distances that are none are refused with their place") {
+    Session s(2);
+    const auto refused = [&](const netmesh_distances_request& r, netmesh_field field, std::uint64_t a,
+                             std::uint64_t b) {
+        CHECK(run(s, r) == NETMESH_INVALID_ARGUMENT);
+        CHECK(s.detail().field == field);
+        CHECK(s.detail().index_a == a);
+        CHECK(s.detail().index_b == b);
+        CHECK(s.detail().message[0] != 0);
+        CHECK(s.report().diagram.present == 0);
+    };
+    const Matrix good = random_matrix(6, 1, 9);
+    for (const std::uint32_t degree : {0u, 1u}) {
+        for (const double wrong : {-1.0, not_a_number}) {
+            Matrix m = good;
+            m.full[3 * 6 + 1] = m.full[1 * 6 + 3] = m.lower[3 + 1] = wrong;
+            refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 3, 1);
+            refused(request_of(m, NETMESH_DISTANCES_LOWER, degree), NETMESH_FIELD_NUMBERS, 3, 1);
+            refused(request_of(m, NETMESH_DISTANCES_FUNCTION, degree), NETMESH_FIELD_NUMBERS, 3, 1);
+            m = good;
+            m.full[1 * 6 + 3] = wrong;
+            refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 1, 3);
+            m.entries[4].distance = wrong;
+            refused(request_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 4, 4);
+        }
+        Matrix m = good;
+        m.full[5 * 6 + 2] += 1;
+        refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 5, 2);
+        m = good;
+        m.full[4 * 6 + 4] = 1;
+        refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 4, 4);
+        m = good;
+        m.entries[2].i = 6;
+        refused(request_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 2, 2);
+        m = good;
+        m.entries.push_back({m.entries[3].j, m.entries[3].i, m.entries[3].distance + 1});
+        refused(request_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 15, 3);
+        m.entries.back().distance -= 1;
+        CHECK(run(s, request_of(m, NETMESH_DISTANCES_SPARSE, degree)) == NETMESH_OK);
+    }
+}
+
+TEST_CASE("requests on distances name the field at fault") {
+    Session s(2);
+    const Matrix m = random_matrix(6, 1, 9);
+    const auto refused = [&](netmesh_distance_layout layout, auto change, netmesh_field field) {
+        netmesh_distances_request r = request_of(m, layout, 1);
+        change(r);
+        CHECK(netmesh_persist_distances(s.context, &r) == NETMESH_INVALID_ARGUMENT);
+        CHECK(s.detail().field == field);
+    };
+    refused(NETMESH_DISTANCES_FULL, [](auto& r) { r.numbers = nullptr; }, NETMESH_FIELD_NUMBERS);
+    refused(NETMESH_DISTANCES_SPARSE, [](auto& r) { r.entries = nullptr; }, NETMESH_FIELD_ENTRIES);
+    refused(NETMESH_DISTANCES_SPARSE, [](auto& r) { r.entry_count = 1u << 31; }, NETMESH_FIELD_ENTRY_COUNT);
+    refused(NETMESH_DISTANCES_FUNCTION, [](auto& r) { r.evaluate = nullptr; }, NETMESH_FIELD_EVALUATE);
+    for (const netmesh_distance_layout layout : layouts) {
+        refused(layout, [](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
+        refused(layout, [](auto& r) { r.point_count = 0; }, NETMESH_FIELD_POINT_COUNT);
+        refused(layout, [](auto& r) { r.point_count = 65537; }, NETMESH_FIELD_POINT_COUNT);
+        refused(layout, [](auto& r) { r.threshold = -1; }, NETMESH_FIELD_THRESHOLD);
+        refused(layout, [](auto& r) { r.threshold = not_a_number; }, NETMESH_FIELD_THRESHOLD);
+        refused(layout, [](auto& r) { r.max_degree = 31; }, NETMESH_FIELD_MAX_DEGREE);
+        const int unknown = 9;
+        refused(layout, [&](auto& r) { std::memcpy(&r.layout, &unknown, sizeof unknown); }, NETMESH_FIELD_LAYOUT);
+    }
+    netmesh_distances_request r = request_of(m, NETMESH_DISTANCES_LOWER, 1);
+    r.point_count = 1;
+    r.numbers = nullptr;
+    REQUIRE(run(s, r) == NETMESH_OK);
+    CHECK(s.pairs().size() == 1);
+}
+
+TEST_CASE("distances stop at every poll") {
+    Session s(2);
+    const Matrix m = random_matrix(120, 5, 1000);
+    struct Count {
+        int left;
+        static int poll(void* user, const netmesh_progress*) { return --static_cast<Count*>(user)->left < 0 ? 1 : 0; }
+    };
+    for (const netmesh_distance_layout layout : layouts) {
+        netmesh_distances_request r = request_of(m, layout, 1);
+        Count count = {1 << 30};
+        r.monitor = {Count::poll, &count};
+        REQUIRE(run(s, r) == NETMESH_OK);
+        const int polls = (1 << 30) - count.left;
+        const std::uint64_t print = s.report().fingerprint;
+        CHECK(polls > 2);
+        for (int after = 0; after < polls; after += 1 + polls / 20) {
+            count.left = after;
+            CHECK(run(s, r) == NETMESH_CANCELLED);
+            CHECK(s.report().diagram.present == 0);
+        }
+        count.left = 1 << 30;
+        REQUIRE(run(s, r) == NETMESH_OK);
+        CHECK(s.report().fingerprint == print);
+    }
+}
