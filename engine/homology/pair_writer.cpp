@@ -10,7 +10,7 @@ PairList PairWriter::finish() {
 }
 
 PairList PairWriter::finish_without_cycles() {
-    sort_alike(pairs(), count_, CanonicalOrder{});
+    sort_alike(pairs(), count_, CanonicalOrder{}, arena_);
     return PairList{pairs(), count_};
 }
 

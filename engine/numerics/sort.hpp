@@ -109,11 +109,15 @@ void sort(T* items, std::uint64_t count, Less less, const Reports& reports = {})
 
 // The same for items that are alike in every bit when neither is less: no way of sorting shows in the result, and where
 // size counts the smallest one will do.
-template <class T, class Less> void sort_alike(T* items, std::uint64_t count, Less less) {
+template <class T, class Less, class Reports = NoReports>
+void sort_alike(T* items, std::uint64_t count, Less less, const Reports& reports = {}) {
 #ifdef __OPTIMIZE_SIZE__
-    heap_sort(items, count, less);
+    heap_sort(items, count, [&reports, less](const T& a, const T& b) {
+        reports.step(0, 20);
+        return less(a, b);
+    });
 #else
-    sort(items, count, less);
+    sort(items, count, less, reports);
 #endif
 }
 
