@@ -168,7 +168,7 @@ template <int D> struct Sorter {
     }
     void sort_range(std::size_t begin, std::size_t end) {
 #ifdef __OPTIMIZE_SIZE__
-        sort_keys(keys + begin, order + begin, end - begin);  // items of equal keys ascend
+        sort_keys(keys + begin, order + begin, end - begin, arena);  // items of equal keys ascend
 #else
         radix_sort(keys + begin, order + begin, spare_keys, spare_items, end - begin, arena);
 #endif

@@ -86,9 +86,10 @@ struct KeyedItems {
 }  // namespace
 
 // Heapsort, as heap_sort of sort.hpp.
-void sort_keys(void* keys, std::uint32_t* items, std::size_t count) {
+void sort_keys(void* keys, std::uint32_t* items, std::size_t count, const Arena& arena) {
     const KeyedItems all = {static_cast<unsigned char*>(keys), items};
     for (std::size_t left = count / 2, end = count; end > 1;) {
+        arena.step(left, 600);
         const KeyedItem moved = all.get(left > 0 ? --left : --end);
         if (left == 0 && end < count) all.put(end, all.get(0));
         std::size_t hole = left;

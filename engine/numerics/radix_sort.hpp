@@ -16,7 +16,7 @@ void radix_sort(std::uint64_t* keys, std::uint32_t* items, std::uint64_t* spare_
 #ifdef __OPTIMIZE_SIZE__
 // Sorts by key, equal keys by item, O(count log count), with nothing to spare. keys: the bytes of 64-bit numbers, which
 // may stand in the place of doubles.
-void sort_keys(void* keys, std::uint32_t* items, std::size_t count);
+void sort_keys(void* keys, std::uint32_t* items, std::size_t count, const Arena& arena);
 #endif
 
 }  // namespace netmesh

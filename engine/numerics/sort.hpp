@@ -130,7 +130,7 @@ template <class T, class Less, class Reports = NoReports>
 void sort_alike(T* items, std::uint64_t count, Less less, const Reports& reports = {}) {
 #ifdef __OPTIMIZE_SIZE__
     heap_sort(items, count, [&reports, less](const T& a, const T& b) {
-        reports.pass(1);
+        reports.step(0, 20);
         return less(a, b);
     });
 #else

@@ -29,12 +29,12 @@ std::uint64_t key_of_value(double x) {
 #ifdef __OPTIMIZE_SIZE__
 
 // The keys stand where the values were.
-void sort_in_place(double* value, std::uint32_t* label, std::uint32_t count) {
+void sort_in_place(double* value, std::uint32_t* label, std::uint32_t count, const Arena& arena) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint64_t key = key_of_value(value[i]);
         __builtin_memcpy(value + i, &key, sizeof key);
     }
-    sort_keys(value, label, count);
+    sort_keys(value, label, count, arena);
     for (std::uint32_t i = 0; i < count; ++i) {
         std::uint64_t key;
         __builtin_memcpy(&key, value + i, sizeof key);
@@ -188,8 +188,8 @@ bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Ar
 }
 
 #ifdef __OPTIMIZE_SIZE__
-bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Arena&) {
-    sort_in_place(value, label, count);
+bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Arena& arena) {
+    sort_in_place(value, label, count, arena);
     return true;
 }
 #else

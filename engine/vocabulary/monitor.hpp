@@ -52,6 +52,8 @@ private:
 
 #ifdef NETMESH_SWEEP
     static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
+#elif defined(__OPTIMIZE_SIZE__)
+    static constexpr std::uint32_t interval = 800;  // small code is slower
 #else
     static constexpr std::uint32_t interval = 1000;  // about every tenth of a millisecond
 #endif
