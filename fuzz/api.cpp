@@ -87,12 +87,12 @@ private:
     }
     // In rows of that many numbers, the last one cut off where its point ends.
     template <class Request, class Number>
-    static Request in_rows(Request request, const std::vector<double>& x, std::vector<Number>* rows, std::size_t stride) {
+    static Request in_rows(Request request, const std::vector<double>& x, std::vector<Number>* rows,
+                           std::size_t stride) {
         std::vector<Number> all;
         for (std::size_t i = 0; i < request.point_count; ++i) {
             all.resize(i * stride, std::numeric_limits<Number>::quiet_NaN());
-            for (std::uint32_t k = 0; k < request.dim; ++k)
-                all.push_back(static_cast<Number>(x[i * request.dim + k]));
+            for (std::uint32_t k = 0; k < request.dim; ++k) all.push_back(static_cast<Number>(x[i * request.dim + k]));
         }
         *rows = std::vector<Number>(all);  // no spare capacity
         request.points = rows->data();

@@ -303,8 +303,8 @@ template <int D, class Rule> Status Refinement<D, Rule>::reach_sizes() {
 
 // What mesh_points does for one method.
 template <int D, class Rule>
-Status mesh_by_rule(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request, const Work& work,
-                    MeshResult<D>* result) {
+Status mesh_by_rule(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                    const Work& work, MeshResult<D>* result) {
     *result = MeshResult<D>{};
     const std::size_t low = store.arena.low_mark();
     Rule rule(store, request, work, *result);
