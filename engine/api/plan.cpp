@@ -1,8 +1,10 @@
-// Bytes of block to plan for. How many vertices and cells there will be, and what reductions fill in, is measured on
-// uniform points (vocabulary/dimension.hpp); what one of them takes is the size of what is placed.
+// Bytes of block to plan for, as measured on uniform points: the peaks of triangulations and of alpha complexes; of
+// meshes in the plane and in space the vertices, and the bytes that each of them takes; of others how many vertices and
+// cells there will be (vocabulary/dimension.hpp), and what one of them takes is the size of what is placed.
 #include "api/plan.hpp"
 
 #include "api/mesh_rules.hpp"
+#include "api/plan_figures.hpp"
 #include "complex/triangulation.hpp"
 #include "delaunay/store.hpp"
 #include "filtration/mesh_filter.hpp"
@@ -13,12 +15,15 @@
 #include "mesh/cage_template.hpp"
 #include "mesh/hierarchy.hpp"
 #include "mesh/observers.hpp"
+#include "numerics/elementary.hpp"
 
 namespace netmesh {
 namespace {
 
-// Covers other seeds and small sets.
+// From D = 4 on, and of audits: covers other seeds and small sets.
 constexpr double plan_margin = 1.3;
+// Of VoronoiRefine's sphere in R^4, on 100 to 300 uniform points at the default tau.
+constexpr double boundary_net_vertices = 17000, boundary_net_cells = 17 * boundary_net_vertices;
 // Small sets are all boundary: a frame, its ghosts, and the cells that join them to the points.
 struct Boundary {
     double vertices, cells;
@@ -26,9 +31,8 @@ struct Boundary {
 constexpr Boundary whole_boundary = {100, 64};
 constexpr double block_overhead = 16384;
 
-// Bytes a simplex, measured with what reductions fill in: gradient and critical columns of a filter on a mesh; rows,
-// values, order and columns of an alpha complex.
-constexpr double gradient_bytes = 8, alpha_bytes = 48;
+// Bytes a simplex, measured with what reductions fill in: gradient and critical columns of a filter on a mesh.
+constexpr double gradient_bytes = 8;
 
 // Of bounds: tables of a filter's values or of covers, whichever is more; a bar's claims, its bounds twice, and its
 // part in the join. Bars of each degree are as many as points at most, as measured.
@@ -54,14 +58,9 @@ struct Planned {
     bool hierarchy = false;
     bool location = false, quality = false;  // audits
     bool filter = false;                     // values and diagram of a filter on a mesh
-    bool alpha = false;
     bool scales = false;
     bool bounds = false, representatives = false;  // with scales
 };
-
-template <int D> Amounts delaunay_amounts(double points) {
-    return {points, points, points * figures<D>.delaunay_cells_per_point};
-}
 
 // Of a mesh of aspect ratio tau; eps: over-refined to that many f_P, 0: not; surroundings: points that a larger domain
 // counts for.
@@ -115,7 +114,6 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
     }
     const double simplices = n.cells * figures<D>.simplices_per_cell;
     if (planned.filter) bytes += (sizeof(double) + mesh_filter_vertex_bytes) * n.vertices + gradient_bytes * simplices;
-    if (planned.alpha) bytes += alpha_bytes * simplices;
     if (planned.bounds) {
         bytes += (sizeof(Interval) + bounds_vertex_bytes) * n.vertices + bounds_bar_bytes * D * n.points;
         bytes += sizeof(ScaleStep) * 2.0 * ScaleGrid::cells_max / plan_margin;  // the grid, and the steps made of it
@@ -126,17 +124,71 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
 }
 
-// Without a triangulation that stays: the larger of its peak and that of the complex, which stands beside the
-// coordinates. A simplex has taken 32 and 28 bytes in the plane and in space, 35 in R^6; grids take 8 more.
-constexpr double alpha_of_points_bytes = 36;
+// A diagram of few points has its peak where radii are put in order by a table of 16 KB, with `share` of what else it
+// takes.
+template <int D> double alpha_block(const PeakFigures& figures, double points, double share) {
+    const double peak = figures.at<D>(points);
+    const double ordered = block_overhead + sizeof(netmesh_context) + 256 + share * (peak - figures.fixed);
+    return ordered > peak ? ordered : peak;
+}
 
-template <int D> double alpha_of_points_block(double points) {
-    const Amounts amounts = delaunay_amounts<D>(points);
-    const double triangulated = block_bytes<D>(amounts, {});
-    const double simplices = amounts.cells * figures<D>.simplices_per_cell;
-    const double filtered = plan_margin * (sizeof(double) * D * points + alpha_of_points_bytes * simplices) +
-                            sizeof(netmesh_context) + block_overhead;
-    return triangulated > filtered ? triangulated : filtered;
+// What a mesh is made for.
+struct MeshKind {
+    double tau = 0, ratio = 0;  // one of them
+    double eps = 0;
+    bool clipped = false, shell = false, net = false, cages = false, thesis = false;
+};
+
+template <int D> double planned_vertices(const MeshKind& kind, double points) {
+    constexpr MeshFigures f = MeshFiguresOf<D>::value;
+    constexpr double taus[3] = {f.tau[0] - 2, f.tau[1] - 2, f.tau[2] - 2},
+                     ratios[3] = {0.5857864376, 0.8357864376, 1.5857864376};
+    const double n = points > 100 ? points : 100, root = square_root(n);
+    double growth = kind.ratio > 0 ? interpolated(kind.ratio - 1.4142135624, ratios, f.by_ratio)
+                                   : interpolated(kind.tau - 2, taus, f.by_tau);
+    const double shell = kind.shell ? f.shell * square_root(growth) * to_power(n, f.shell_power) : 0;
+    if (kind.cages) growth *= f.cages_growth;
+    double vertices = points * (1 + growth * (1 + f.spread_root / root + f.spread / n)) + shell;
+    if (points < 100) vertices += 100 - points;
+    if (kind.net) vertices += f.net_fixed + f.net * to_power(n, f.net_power) + f.net_each * points;
+    if constexpr (D <= thesis_dim_max)
+        if (kind.thesis) vertices += 1.6 * RootTemplate<D>::size;
+    double fine = kind.eps > 0 ? f.sizes : 0;
+    for (int k = 0; k < D && kind.eps > 0; ++k) fine /= kind.eps;
+    if (fine > 0) fine = points * (f.sizes_each + fine) * (1 + 3 / square_root(points));
+    return fine > vertices ? fine : vertices;
+}
+
+constexpr int mesh_figures_dim_max = 4;
+constexpr double mesh_overhead = 6500;
+
+// What scales take besides the largest mesh: the points with their partition; bounds and cycles.
+template <int D> double scales_block(double vertices, double points, const Planned& planned) {
+    double bytes = points * (sizeof(Vertex<D>) + ScalePartition<D>::point_bytes + sizeof(std::uint32_t));
+    constexpr double bars = D < 4 ? 215 : bounds_bar_bytes * D, steps = 16384;
+    if (planned.bounds) bytes += (sizeof(Interval) + bounds_vertex_bytes) * vertices + bars * points + steps;
+    // Cycles take the place of bounds.
+    const double cycles =
+        sizeof(std::uint32_t) * (figures<D>.mesh_cells_per_vertex + 1) * vertices + chain_bytes * D * points;
+    if (planned.representatives) bytes += planned.bounds && D < 4 ? chain_bytes / 8 * points : cycles;
+    return bytes;
+}
+
+// The larger of the peaks while it is made and, with `filter`, while it is filtered.
+template <int D> double mesh_block(const MeshKind& kind, double points, const Planned& planned) {
+    constexpr MeshFigures f = MeshFiguresOf<D>::value;
+    MeshKind plain = kind;
+    plain.cages = false;
+    const double vertices = planned_vertices<D>(plain, points), tables = 9 * points + mesh_overhead;
+    double bytes = vertices * f.made + tables;
+    if (planned.hierarchy) {
+        const double caged = planned_vertices<D>(kind, points) * f.with_cages + tables;
+        if (!kind.cages) bytes *= 1.03;
+        if (caged > bytes || kind.cages) bytes = caged;
+    }
+    const double each = kind.eps > 0 ? f.fine : kind.clipped ? f.clipped : f.whole;
+    const double filtered = vertices * each + f.pairs * points + mesh_overhead;
+    return planned.filter && filtered > bytes ? filtered : bytes;
 }
 
 bool is_plannable(std::uint32_t dim, std::size_t points) {
@@ -167,11 +219,12 @@ size_t netmesh_plan_delaunay(const netmesh_delaunay_request* from) {
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (!is_plannable(request.dim, request.point_count)) return 0;
     if (!in_range(request.purpose, NETMESH_PURPOSE_MESH, NETMESH_PURPOSE_PERSIST)) return 0;
-    Planned planned;
-    planned.alpha = request.purpose == NETMESH_PURPOSE_PERSIST;
+    const bool alpha = request.purpose == NETMESH_PURPOSE_PERSIST;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
-        return block_bytes<D>(delaunay_amounts<D>(static_cast<double>(request.point_count)), planned);
+        constexpr DelaunayFigures f = DelaunayFiguresOf<D>::value;
+        const double points = static_cast<double>(request.point_count);
+        return alpha ? alpha_block<D>(f.filtered, points, D == 2 ? 0.68 : 0.8) : f.triangulated.at<D>(points);
     }));
 }
 
@@ -180,7 +233,9 @@ size_t netmesh_plan_alpha(const netmesh_alpha_request* from) {
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (!is_plannable(request.dim, request.point_count)) return 0;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
-        return alpha_of_points_block<decltype(dimension)::value>(static_cast<double>(request.point_count));
+        constexpr int D = decltype(dimension)::value;
+        constexpr PeakFigures f = DelaunayFiguresOf<D>::value.diagram;
+        return alpha_block<D>(f, static_cast<double>(request.point_count), D == 2 ? 0.48 : 0.8);
     }));
 }
 
@@ -201,10 +256,27 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
         constexpr int D = decltype(dimension)::value;
         const double points = static_cast<double>(request.point_count);
         const double surroundings = tight ? figures<D>.tight_surroundings : 0;
-        const bool clipped = goal_of(request).clipped;
+        const bool clipped = goal_of(request).clipped, net = request.method == NETMESH_METHOD_REFINE;
+        if constexpr (D <= mesh_figures_dim_max) {
+            const bool unknown =
+                D > 3 && (net || sizes_of(request).eps > 0 || request.cage_kind == NETMESH_CAGES_THESIS);
+            if (!unknown && !planned.location && !(planned.quality && (planned.hierarchy || D > 3))) {
+                MeshKind kind = {tau, ratio, sizes_of(request).eps};
+                kind.clipped = clipped;
+                kind.shell = planned.filter && !clipped;
+                kind.net = net;
+                kind.cages = planned.hierarchy && request.finish == 0;
+                kind.thesis = request.cage_kind == NETMESH_CAGES_THESIS;
+                return mesh_block<D>(kind, points, planned);
+            }
+        }
         const Boundary boundary = clipped ? clipped_boundary<D> : whole_boundary;
         Amounts amounts = mesh_amounts<D>(points, tau, sizes_of(request).eps, surroundings, boundary);
         if (request.cage_kind == NETMESH_CAGES_THESIS) amounts = with_thesis_shells<D>(amounts);
+        if (net) {
+            amounts.vertices += boundary_net_vertices;
+            amounts.cells += boundary_net_cells;
+        }
         if (D >= 4 && clipped) amounts = without_surroundings(amounts);
         return block_bytes<D>(amounts, planned);
     }));
@@ -226,6 +298,13 @@ size_t netmesh_plan_scales(const netmesh_scales_request* from) {
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         const double points = static_cast<double>(request.point_count);
+        if constexpr (D <= mesh_figures_dim_max)
+            if (D < 4 || ratio > 0) {
+                MeshKind kind = {tau, ratio > 0 ? ratio / (1 + 3 * theta) : 0, ratio > 0 ? 0 : tight_size(eps)};
+                kind.clipped = ratio > 0;
+                return mesh_block<D>(kind, points, planned) +
+                       scales_block<D>(planned_vertices<D>(kind, points), points, planned);
+            }
         if (ratio > 0) {
             const Amounts clipped = mesh_amounts<D>(points, tau, 0, 0, clipped_boundary<D>);
             return block_bytes<D>(D < 4 ? clipped : without_surroundings(clipped), planned);

@@ -72,38 +72,23 @@ bool keep_dimensions(int dim, int dimension, std::uint32_t* face_count, std::uin
     return true;
 }
 
-// Reverses the order of `count` words of 8 bytes, of whatever type.
-void reverse_words(unsigned char* words, std::size_t count, const Arena& arena) {
-    constexpr std::size_t word = 8;
-    for (std::size_t i = 0; i < count / 2;)
-        for (const std::uint64_t piece = arena.piece(i, count / 2, 8); i < piece; ++i) {
-            unsigned char* const a = words + i * word;
-            unsigned char* const b = words + (count - 1 - i) * word;
-            unsigned char kept[word];
-            __builtin_memcpy(kept, a, word);
-            __builtin_memcpy(a, b, word);
-            __builtin_memcpy(b, kept, word);
-        }
-}
-
-// Exchanges two neighbouring pieces of memory of a and b words of 8 bytes.
-void exchange_pieces(unsigned char* at, std::size_t a, std::size_t b, const Arena& arena) {
-    reverse_words(at, a, arena);
-    reverse_words(at + 8 * a, b, arena);
-    reverse_words(at, a + b, arena);
-}
-
 // The facets of all dimensions stand before the values of all; from here on those of each dimension stand together, the
-// highest last, so that they can be given up in that order. In place.
-void stack_dimensions(int dimension, std::uint32_t** facets, double** value, Arena& arena) {
+// highest last, so that they can be given up in that order. Scratch: the values of one dimension. False: out of memory.
+bool stack_dimensions(int dimension, std::uint32_t** facets, double** value, Arena& arena) {
     for (int k = 0; k < dimension; ++k) {
+        const HighScope scope(arena);
         const std::size_t begin = arena.offset_of(facets[k + 1]), middle = arena.offset_of(value[k]),
-                          end = arena.offset_of(value[k + 1]);
+                          bytes = arena.offset_of(value[k + 1]) - middle;
         unsigned char* const at = arena.at(begin);
-        exchange_pieces(at, (middle - begin) / 8, (end - middle) / 8, arena);
+        unsigned char* const kept = arena.take_high<unsigned char>(bytes);
+        if (kept == nullptr) return false;
+        move_bytes(kept, arena.at(middle), bytes, arena);
+        move_bytes(at + bytes, at, middle - begin, arena);
+        move_bytes(at, kept, bytes, arena);
         value[k] = reinterpret_cast<double*>(at);
-        for (int i = k + 1; i <= dimension; ++i) facets[i] += (end - middle) / sizeof(std::uint32_t);
+        for (int i = k + 1; i <= dimension; ++i) facets[i] += bytes / sizeof(std::uint32_t);
     }
+    return true;
 }
 
 // Leaves the pairs somewhere above the arena's low mark, with what was taken on the way.
@@ -138,7 +123,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
         status = order_faces(k, dimension, faces.count, faces.facets, value, work.arena);
         if (status != Status::ok) return status;
     }
-    if (D > 2) stack_dimensions(dimension, faces.facets, value, work.arena);
+    if (D > 2 && !stack_dimensions(dimension, faces.facets, value, work.arena)) return Status::out_of_memory;
     FilteredComplex filtered = {};
     filtered.stacked = D > 2;
     filtered.dimension = static_cast<std::uint32_t>(dimension);

@@ -41,7 +41,7 @@ struct Figures {
     std::uint32_t ply_expected;            // cells looked at for a point's ply, on quality meshes
     std::uint32_t intersections_expected;  // the same for a ball's intersections
     // Planning memory: measured on uniform points
-    double delaunay_cells_per_point, mesh_cells_per_vertex, simplices_per_cell;
+    double mesh_cells_per_vertex, simplices_per_cell;
     double growth;  // vertices a point: 1 + growth / (tau - 2)^(growth_eighths / 8)
     int growth_eighths;
     double over_refined;        // vertices a point of an over-refined mesh, times eps^D
@@ -51,19 +51,19 @@ struct Figures {
 
 template <int D> struct FiguresOf;
 template <> struct FiguresOf<2> {
-    static constexpr Figures value = {2.5, 1.25, 4, 0.1, 0.5, 4, 24, 2.0, 2.05, 3.0, 2.1, 7, 6, 16, 8};
+    static constexpr Figures value = {2.5, 1.25, 4, 0.1, 0.5, 4, 24, 2.05, 3.0, 2.1, 7, 6, 16, 8};
 };
 template <> struct FiguresOf<3> {
-    static constexpr Figures value = {2.5, 1.1, 4, 0.25, 0.5, 20, 240, 6.8, 6.5, 4.35, 4.1, 10, 15, 32, 24};
+    static constexpr Figures value = {2.5, 1.1, 4, 0.25, 0.5, 20, 240, 6.5, 4.35, 4.1, 10, 15, 32, 24};
 };
 template <> struct FiguresOf<4> {
-    static constexpr Figures value = {3.08, 1.05, 4.6, 1, 0.5, 120, 3000, 31, 28, 6.3, 8.5, 12, 21, 64, 96};
+    static constexpr Figures value = {3.08, 1.05, 4.6, 1, 0.5, 120, 3000, 28, 6.3, 8.5, 12, 21, 64, 96};
 };
 template <> struct FiguresOf<5> {
-    static constexpr Figures value = {4, 1, 5.2, 4, 0.6, 700, 40000, 160, 140, 9.1, 12, 13, 26, 128, 480};
+    static constexpr Figures value = {4, 1, 5.2, 4, 0.6, 700, 40000, 140, 9.1, 12, 13, 26, 128, 480};
 };
 template <> struct FiguresOf<6> {
-    static constexpr Figures value = {4, 1, 5.7, 16, 0.7, 4000, 400000, 760, 600, 13.3, 15, 14, 36, 256, 2400};
+    static constexpr Figures value = {4, 1, 5.7, 16, 0.7, 4000, 400000, 600, 13.3, 15, 14, 36, 256, 2400};
 };
 template <int D> constexpr const Figures& figures = FiguresOf<D>::value;
 

@@ -30,8 +30,9 @@ private:
 // What runs in a block that was planned for it.
 using Job = std::function<netmesh_status(Calls&)>;
 
-// `share`: the least part of the plan that the job has to use, two thirds of what it uses; 0 where the sets are so
-// small that plans are for their boundary.
+// `share`: the least part of the plan that the job has to use, 1 / 1.1 where there are enough points (tests/plans has
+// more of them and many sets), less where sets differ more; 0 where they are so small that plans are for their
+// boundary.
 void expect_enough(int dim, const std::string& name, std::size_t planned, double share, const Job& job) {
     INFO("D = " << dim << ", " << name << ", " << planned << " bytes");
     REQUIRE(planned > 0);
@@ -75,7 +76,7 @@ TEST_CASE("the plan of a triangulation suffices, with its alpha complex too") {
         const inputs::Points points = inputs::uniform(dim, count(dim, {4000, 2000, 600, 150, 60}), 17);
         for (const netmesh_purpose purpose : {NETMESH_PURPOSE_MESH, NETMESH_PURPOSE_PERSIST}) {
             const bool alpha = purpose == NETMESH_PURPOSE_PERSIST;
-            const double share = by_dimension(dim, {0.4, 0.33, 0.25, 0.15, 0.05});
+            const double share = by_dimension(dim, {0.91, 0.91, 0.91, 0.91, 0.5});
             const netmesh_delaunay_request request = Calls(dim).delaunay_request(points, purpose);
             expect_enough(dim, alpha ? "alpha" : "delaunay", netmesh_plan_delaunay(&request), share, [&](Calls& calls) {
                 const netmesh_status status = netmesh_delaunay(calls.context, &request);
@@ -90,7 +91,7 @@ TEST_CASE("the plan of an alpha complex without a triangulation suffices") {
         const inputs::Points points = inputs::uniform(dim, count(dim, {4000, 2000, 600, 150, 60}), 17);
         const netmesh_alpha_request request = Calls(dim).alpha_request(points);
         expect_enough(dim, "alpha of points", netmesh_plan_alpha(&request),
-                      by_dimension(dim, {0.4, 0.33, 0.25, 0.15, 0.05}),
+                      by_dimension(dim, {0.91, 0.91, 0.91, 0.91, 0.5}),
                       [&](Calls& calls) { return netmesh_persist_alpha(calls.context, &request); });
     }
 }
@@ -101,30 +102,32 @@ TEST_CASE("the plan of a mesh suffices, whatever it is for") {
         const double most = dim > 4 ? 0 : 1;
         const Job complete = [](Calls& calls) { return calls.persist(); };
         const Job tight = [](Calls& calls) { return calls.persist(NETMESH_FILTER_TIGHT); };
-        expect_mesh(dim, n, "mesh", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}), [](auto&) {});
-        expect_mesh(dim, n, "mesh, tau", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}),
+        expect_mesh(dim, n, "mesh", most * by_dimension(dim, {0.75, 0.55, 0.25, 0., 0.}), [](auto&) {});
+        expect_mesh(dim, n, "mesh, tau", most * by_dimension(dim, {0.75, 0.55, 0.25, 0., 0.}),
                     [](auto& r) { r.tau = 3.5; });
         expect_mesh(
-            dim, n, "persist", most * 0.2, [](auto& r) { r.purpose = NETMESH_PURPOSE_PERSIST; }, complete);
+            dim, n, "persist", most * by_dimension(dim, {0.85, 0.6, 0.25, 0., 0.}),
+            [](auto& r) { r.purpose = NETMESH_PURPOSE_PERSIST; }, complete);
         expect_mesh(
-            dim, n, "persist by ratio", most * 0.12,
+            dim, n, "persist by ratio", most * by_dimension(dim, {0.9, 0.7, 0.3, 0., 0.}),
             [](auto& r) {
                 r.purpose = NETMESH_PURPOSE_PERSIST;
                 r.certificate.ratio = 2.3;
             },
             complete);
-        expect_mesh(dim, n, "netmesh", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}),
+        expect_mesh(dim, n, "netmesh", most * by_dimension(dim, {0.75, 0.55, 0.25, 0., 0.}),
                     [](auto& r) { r.method = NETMESH_METHOD_HIERARCHY; });
-        expect_mesh(dim, n, "netmesh, finished", most * by_dimension(dim, {0.4, 0.3, 0.12, 0., 0.}), [](auto& r) {
+        expect_mesh(dim, n, "netmesh, finished", most * by_dimension(dim, {0.75, 0.55, 0.25, 0., 0.}), [](auto& r) {
             r.method = NETMESH_METHOD_HIERARCHY;
             r.finish = 1;
         });
         if (dim > 4) continue;
-        expect_mesh(dim, count(dim, {300, 40, 4}), "netmesh, cages of the thesis", 0.02, [](auto& r) {
-            r.method = NETMESH_METHOD_HIERARCHY;
-            r.cage_kind = NETMESH_CAGES_THESIS;
-            r.tau = 6;
-        });
+        expect_mesh(dim, count(dim, {300, 40, 4}), "netmesh, cages of the thesis",
+                    by_dimension(dim, {0.7, 0.4, 0.1, 0., 0.}), [](auto& r) {
+                        r.method = NETMESH_METHOD_HIERARCHY;
+                        r.cage_kind = NETMESH_CAGES_THESIS;
+                        r.tau = 6;
+                    });
         expect_mesh(dim, count(dim, {300, 80, 8}), "netmesh, audited", 0.1, [](auto& r) {
             r.method = NETMESH_METHOD_HIERARCHY;
             r.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
@@ -132,7 +135,7 @@ TEST_CASE("the plan of a mesh suffices, whatever it is for") {
         expect_mesh(dim, count(dim, {600, 60, 4}), "over-refined", 0.1, [](auto& r) { r.sizes.eps = 0.4; });
         if (dim > 3) continue;
         expect_mesh(
-            dim, count(dim, {200, 12}), "tight", 0.04, [](auto& r) { r.purpose = NETMESH_PURPOSE_TIGHT; }, tight);
+            dim, count(dim, {200, 12}), "tight", 0.5, [](auto& r) { r.purpose = NETMESH_PURPOSE_TIGHT; }, tight);
     }
 }
 
@@ -157,13 +160,13 @@ TEST_CASE("the plan of scales suffices") {
     for (const int dim : dimensions(2, 3)) {
         const inputs::Points points = inputs::uniform(dim, count(dim, {120, 10}), 17);
         netmesh_scales_request request = Calls(dim).scales_request(points);
-        expect_enough(dim, "scales", netmesh_plan_scales(&request), 0.035,
+        expect_enough(dim, "scales", netmesh_plan_scales(&request), 0.5,
                       [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
         request.bounds = 1;
-        expect_enough(dim, "scales, bounds", netmesh_plan_scales(&request), 0.03,
+        expect_enough(dim, "scales, bounds", netmesh_plan_scales(&request), 0.5,
                       [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
         request.representatives = 1;
-        expect_enough(dim, "scales, cycles", netmesh_plan_scales(&request), 0.03,
+        expect_enough(dim, "scales, cycles", netmesh_plan_scales(&request), 0.5,
                       [&](Calls& calls) { return netmesh_persist_scales(calls.context, &request); });
     }
 }

@@ -1,0 +1,101 @@
+// What plans are fitted to, measured on uniform points.
+#pragma once
+#include "numerics/elementary.hpp"
+#include "numerics/square_root.hpp"
+
+namespace netmesh {
+
+// x^p, x > 0, |p| < 64.
+inline double to_power(double x, double p) {
+    const double all = p < 0 ? -p : p;
+    const int whole = static_cast<int>(all);
+    double result = power(x, whole), root = x, rest = all - whole;
+    for (int bit = 0; bit < 30; ++bit) {
+        root = square_root(root);
+        rest *= 2;
+        if (rest < 1) continue;
+        result *= root;
+        rest -= 1;
+    }
+    return p < 0 ? 1 / result : result;
+}
+
+// Peaks of triangulations and alpha complexes of n uniform points: fixed + n (each - hull n^(-1/D)), as points near the
+// hull have fewer cells. Fitted to the largest of up to 60 sets, n = 100 to 100,000 (D = 2, 3), 3,000 (4), 1,000 (5)
+// and 100 (6, where nothing is known of more): 1.5% above it, and at most 5% for all n (tests/plans).
+struct PeakFigures {
+    double fixed, each, hull;
+    template <int D> double at(double points) const {
+        const double n = points > 100 ? points : 100;
+        return fixed + points * (each - hull * to_power(n, -1.0 / D));
+    }
+};
+// Made by netmesh_delaunay; with the diagram of netmesh_persist; by netmesh_persist_alpha.
+struct DelaunayFigures {
+    PeakFigures triangulated, filtered, diagram;
+};
+template <int D> struct DelaunayFiguresOf;
+template <> struct DelaunayFiguresOf<2> {
+    static constexpr DelaunayFigures value = {{3000, 158.5, 0}, {2400, 334, 0}, {2400, 196.5, 0}};
+};
+template <> struct DelaunayFiguresOf<3> {
+    static constexpr DelaunayFigures value = {{2100, 554, 201}, {9000, 1333.5, 1200}, {9000, 777.7, 569}};
+};
+template <> struct DelaunayFiguresOf<4> {
+    static constexpr DelaunayFigures value = {{2100, 3209, 3885}, {2100, 9764, 15112}, {2100, 6446, 9796}};
+};
+template <> struct DelaunayFiguresOf<5> {
+    static constexpr DelaunayFigures value = {{2100, 23745, 39497}, {3000, 89150, 162518}, {2100, 64660, 117413}};
+};
+template <> struct DelaunayFiguresOf<6> {
+    static constexpr DelaunayFigures value = {{2100, 160400, 275800}, {2100, 525400, 872065}, {2100, 424200, 708000}};
+};
+
+// Vertices of meshes of uniform points in R^2, R^3, R^4: 1 + growth spread a point. The spread from set to set
+// is large where points are few: the largest of 60 sets of 100 points has 2.5 (D = 2) and 3 (3) times as many as the
+// least one. Each at three places, between them as powers: of tau - 2 at `tau` - 2 and of ratio - sqrt 2 at ratios of
+// 2, 2.25, 3.
+struct MeshFigures {
+    double tau[3];
+    double by_tau[3], by_ratio[3];
+    double cages_growth;         // with compact cages, times that without
+    double spread_root, spread;  // 1 + spread_root / sqrt n + spread / n
+    double shell_power, shell;   // refined around the domain for persistence: shell sqrt(growth) n^power
+    double net_fixed, net_power, net,
+        net_each;              // VoronoiRefine, at the default tau: net_fixed + net n^power + net_each n
+    double sizes_each, sizes;  // over-refined: sizes_each + sizes / eps^D a point
+    // Bytes a vertex: while a mesh is made; made with cages; filtered whole, clipped, over-refined.
+    double made, with_cages, whole, clipped, fine;
+    double pairs;  // of a diagram, a point
+};
+template <int D> struct MeshFiguresOf;
+// clang-format off
+template <> struct MeshFiguresOf<2> {
+    static constexpr MeshFigures value = {
+        {2.5, 3.5, 6}, {3.4, 1.31, 0.485}, {2, 0.985, 0.302}, 0.9, 7.5, 100,
+        0, 62, 700, 0.5, 12, 0.62, 10, 2.47,
+        161, 190, 180.5, 217.5, 184.5, 29};
+};
+template <> struct MeshFiguresOf<3> {
+    static constexpr MeshFigures value = {
+        {2.5, 3.5, 6}, {7.9, 1.97, 0.515}, {3.6, 1.39, 0.31}, 1, 11, 60,
+        0.3334, 17, 0, 0.25, 2450, 0.6, 48, 4.9,
+        516, 578, 655, 662, 650, 85};
+};
+// Not of nets and sizes.
+template <> struct MeshFiguresOf<4> {
+    static constexpr MeshFigures value = {
+        {3.08, 3.5, 6}, {5.05, 3.05, 0.63}, {5.9, 2.1, 0.385}, 1, 5, 0,
+        0.5, 16, 0, 0, 0, 0, 0, 0,
+        2490, 2500, 3080, 3080, 0, 180};
+};
+// clang-format on
+
+// Takes powers for granted between the places, and beyond them as next to the ends.
+inline double interpolated(double x, const double (&place)[3], const double (&value)[3]) {
+    const int i = x < place[1] ? 0 : 1;
+    const double far = place[i + 1] / place[i], low = value[i] / value[i + 1];
+    return value[i] * to_power(x / place[i], -logarithm(low) / logarithm(far));
+}
+
+}  // namespace netmesh

@@ -1,0 +1,222 @@
+// Planned bytes against the peaks of jobs on uniform points. A block of that size does for every set, and is at most
+// 1.1 times the largest peak where there are enough points: how many vertices a mesh of a hundred points has differs
+// from set to set by more than that, and plans do not read points. Fails when one is wrong.
+//
+//   plans [long] [every] [D]... [JOB]...
+//
+// long: up to 100,000 points, an hour or so; without it up to 300, an eighth of the sets, and limits twice as wide.
+// every: a line for each plan, also where all is well.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/calls.hpp"
+#include "common/dimensions.hpp"
+
+namespace {
+
+constexpr double settled_limit = 1.1;
+
+// Plans, then runs; without a context it plans alone.
+using Run = std::function<netmesh_status(Calls&, const inputs::Points&, std::size_t* planned)>;
+
+struct Job {
+    const char* name;
+    // A plan does from a few points on. It is at most 1.1 times the largest peak of the sets from so many points on, by
+    // dimension from the plane on, as far as that has been seen; from 100 points to there, at most `few` times.
+    std::vector<std::size_t> settled;
+    double few;
+    std::vector<std::size_t> most;  // points of the long form
+    Run run;
+};
+
+netmesh_status mesh_by(Calls& calls, const inputs::Points& points, std::size_t* planned,
+                       const std::function<void(netmesh_mesh_request&)>& change, const netmesh_filter* filter) {
+    netmesh_mesh_request request = calls.mesh_request(points);
+    change(request);
+    *planned = netmesh_plan_mesh(&request);
+    netmesh_status status = netmesh_mesh(calls.context, &request);
+    if (status == NETMESH_OK && filter != nullptr) status = calls.persist(*filter);
+    return status;
+}
+
+Run mesh(const std::function<void(netmesh_mesh_request&)>& change) {
+    return [change](Calls& c, const inputs::Points& p, std::size_t* planned) {
+        return mesh_by(c, p, planned, change, nullptr);
+    };
+}
+Run persist(const std::function<void(netmesh_mesh_request&)>& change,
+            netmesh_purpose purpose = NETMESH_PURPOSE_PERSIST) {
+    return [change, purpose](Calls& c, const inputs::Points& p, std::size_t* planned) {
+        const netmesh_filter filter = purpose == NETMESH_PURPOSE_TIGHT ? NETMESH_FILTER_TIGHT : NETMESH_FILTER_COMPLETE;
+        return mesh_by(
+            c, p, planned,
+            [&](netmesh_mesh_request& request) {
+                request.purpose = purpose;
+                change(request);
+            },
+            &filter);
+    };
+}
+Run triangulation(netmesh_purpose purpose) {
+    return [purpose](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+        const netmesh_delaunay_request request = calls.delaunay_request(points, purpose);
+        *planned = netmesh_plan_delaunay(&request);
+        const netmesh_status status = netmesh_delaunay(calls.context, &request);
+        if (status != NETMESH_OK || purpose == NETMESH_PURPOSE_MESH) return status;
+        return calls.persist(NETMESH_FILTER_ALPHA);
+    };
+}
+Run alpha() {
+    return [](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+        const netmesh_alpha_request request = calls.alpha_request(points);
+        *planned = netmesh_plan_alpha(&request);
+        return netmesh_persist_alpha(calls.context, &request);
+    };
+}
+Run scales(const std::function<void(netmesh_scales_request&)>& change) {
+    return [change](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+        netmesh_scales_request request = calls.scales_request(points);
+        change(request);
+        *planned = netmesh_plan_scales(&request);
+        return netmesh_persist_scales(calls.context, &request);
+    };
+}
+constexpr std::size_t never = SIZE_MAX;
+const std::vector<std::size_t> meshes = {1000, 3000, 3000};
+const Run by_ratio = persist([](auto& r) { r.certificate.ratio = 2.25; });
+
+const std::vector<Job> jobs = {
+    {"delaunay", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 1000, 100}, triangulation(NETMESH_PURPOSE_MESH)},
+    {"delaunay-alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, triangulation(NETMESH_PURPOSE_PERSIST)},
+    {"alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha()},
+    {"mesh", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto&) {})},
+    {"mesh-tau3.5", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.tau = 3.5; })},
+    {"mesh-tau6", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.tau = 6; })},
+    {"persist", meshes, 1.7, {100000, 30000, 1000}, persist([](auto&) {})},
+    {"persist-tau3.5", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.tau = 3.5; })},
+    {"persist-tau6", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.tau = 6; })},
+    {"ratio2", meshes, 1.9, {30000, 10000, 300}, persist([](auto& r) { r.certificate.ratio = 2; })},
+    {"ratio2.25", meshes, 1.7, {100000, 30000, 1000}, by_ratio},
+    {"ratio3", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.certificate.ratio = 3; })},
+    {"ratio2.25-whole", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) {
+         r.certificate.ratio = 2.25;
+         r.whole_cells = 1;
+     })},
+    {"hierarchy", {1730, 10000, 3000}, 2, {100000, 30000, 1000}, mesh([](auto& r) {
+         r.method = NETMESH_METHOD_HIERARCHY;
+     })},
+    {"hierarchy-finished", {never, never, never}, 2, {30000, 10000, 1000}, mesh([](auto& r) {
+         r.method = NETMESH_METHOD_HIERARCHY;
+         r.finish = 1;
+     })},
+    {"hierarchy-thesis", {1000, 3000}, 1.5, {10000, 1000}, mesh([](auto& r) {
+         r.method = NETMESH_METHOD_HIERARCHY;
+         r.cage_kind = NETMESH_CAGES_THESIS;
+         r.tau = 6;
+     })},
+    {"refine", {1730, 3000}, 1.6, {100000, 10000, 300}, mesh([](auto& r) { r.method = NETMESH_METHOD_REFINE; })},
+    {"quality-audit", meshes, 2, {10000, 3000}, mesh([](auto& r) { r.audit = NETMESH_AUDIT_QUALITY; })},
+    {"location-audit", {never, never}, 4, {3000, 1000}, mesh([](auto& r) { r.audit = NETMESH_AUDIT_LOCATION; })},
+    {"sizes-eps0.4", {1000, 1730}, 1.4, {30000, 3000}, mesh([](auto& r) { r.sizes.eps = 0.4; })},
+    {"tight", {300, never}, 1.4, {3000, 100}, persist([](auto&) {}, NETMESH_PURPOSE_TIGHT)},
+    {"scales-ratio3", {3000, never}, 2.6, {10000, 3000}, scales([](auto& r) { r.ratio = 3; })},
+    {"scales-ratio3-bounds", {3000, never}, 2.6, {3000, 1000}, scales([](auto& r) {
+         r.ratio = 3;
+         r.bounds = 1;
+     })},
+    {"scales", {1000, never}, 1.4, {1000, 100}, scales([](auto&) {})},
+};
+
+struct Options {
+    bool is_long = false, every = false;
+    std::vector<int> dims;
+    std::vector<std::string> names;
+
+    bool wants(const Job& job, int dim) const {
+        return static_cast<std::size_t>(dim - 2) < job.most.size() &&
+               (dims.empty() || std::find(dims.begin(), dims.end(), dim) != dims.end()) &&
+               (names.empty() || std::find(names.begin(), names.end(), job.name) != names.end());
+    }
+};
+
+// Sets of n points: the fewer the points, the more they differ. None of them is one that plans are fitted to.
+constexpr std::uint64_t first_seed = 1001;
+std::uint64_t sets_of(std::size_t n, bool is_long) {
+    const std::uint64_t sets = n < 200 ? 60 : n < 400 ? 40 : n < 2000 ? 16 : n < 4000 ? 6 : 2;
+    return is_long ? sets : (sets + 7) / 8;
+}
+
+// The peak in a block of the planned bytes; 0: it did not do.
+std::uint64_t peak_of(const Job& job, int dim, std::size_t n, std::uint64_t seed, std::size_t* planned) {
+    const inputs::Points points = inputs::uniform(dim, n, seed);
+    Calls calls(dim);
+    job.run(calls, points, planned);
+    const std::unique_ptr<void, void (*)(void*)> block(std::aligned_alloc(16, *planned), std::free);
+    if (block == nullptr || netmesh_init(block.get(), *planned, &calls.context) != NETMESH_OK) return 0;
+    const netmesh_status status = job.run(calls, points, planned);
+    return status == NETMESH_OK ? calls.report().memory.peak_bytes : 0;
+}
+
+// Whether the plan for n points does, and is not too much.
+bool check(const Job& job, int dim, std::size_t n, const Options& options) {
+    std::size_t planned = 0;
+    std::uint64_t least = UINT64_MAX, largest = 0, failed = 0;
+    const std::uint64_t sets = sets_of(n, options.is_long);
+    for (std::uint64_t seed = first_seed; seed < first_seed + sets; ++seed) {
+        const std::uint64_t peak = peak_of(job, dim, n, seed, &planned);
+        if (peak == 0) ++failed;
+        if (peak > 0 && peak < least) least = peak;
+        if (peak > largest) largest = peak;
+    }
+    const double share = largest > 0 ? static_cast<double>(planned) / static_cast<double>(largest) : 0;
+    const bool is_settled = options.is_long && n >= job.settled[static_cast<std::size_t>(dim - 2)];
+    const double limit = is_settled || job.few == 0 ? settled_limit : options.is_long ? job.few : 2 * job.few;
+    const bool good = failed == 0 && (n < 100 || share <= limit);
+    if (good && !options.every) return true;
+    std::printf("%s%-22s D %d %6zu points, %2llu sets: %11zu planned, %.3f to %.3f times the peaks, at most %.1f",
+                good ? "" : "WRONG ", job.name, dim, n, static_cast<unsigned long long>(sets), planned, share,
+                static_cast<double>(planned) / static_cast<double>(least), limit);
+    std::printf(failed > 0 ? "; too small for %llu\n" : "\n", static_cast<unsigned long long>(failed));
+    return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "long") {
+            options.is_long = true;
+        } else if (word == "every") {
+            options.every = true;
+        } else if (word.size() == 1) {
+            options.dims.push_back(word[0] - '0');
+        } else {
+            options.names.push_back(word);
+        }
+    }
+    setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+    unsigned checked = 0, wrong = 0;
+    for (const Job& job : jobs)
+        for (const int dim : dimensions()) {
+            if (!options.wants(job, dim)) continue;
+            const std::size_t most = job.most[static_cast<std::size_t>(dim - 2)];
+            for (const std::size_t n : {10, 30, 100, 173, 300, 547, 1000, 1730, 3000, 10000, 30000, 100000}) {
+                const std::size_t few = dim == 2 ? 300 : dim == 3 ? 173 : 100;
+                if (n > most || (!options.is_long && n > few)) break;
+                if (n < 100 && job.few == 0) continue;
+                if (n * std::size_t(dim) < 30) continue;
+                ++checked;
+                if (!check(job, dim, n, options)) ++wrong;
+            }
+        }
+    std::printf("%u plans checked, %u wrong\n", checked, wrong);
+    return wrong == 0 && checked > 0 ? 0 : 1;
+}
