@@ -87,12 +87,12 @@ private:
     }
     // In rows of that many numbers, the last one cut off where its point ends.
     template <class Request, class Number>
-    static Request in_rows(Request request, const std::vector<double>& x, std::vector<Number>* rows, std::size_t stride) {
+    static Request in_rows(Request request, const std::vector<double>& x, std::vector<Number>* rows,
+                           std::size_t stride) {
         std::vector<Number> all;
         for (std::size_t i = 0; i < request.point_count; ++i) {
             all.resize(i * stride, std::numeric_limits<Number>::quiet_NaN());
-            for (std::uint32_t k = 0; k < request.dim; ++k)
-                all.push_back(static_cast<Number>(x[i * request.dim + k]));
+            for (std::uint32_t k = 0; k < request.dim; ++k) all.push_back(static_cast<Number>(x[i * request.dim + k]));
         }
         *rows = std::vector<Number>(all);  // no spare capacity
         request.points = rows->data();
@@ -226,6 +226,35 @@ private:
         const std::vector<double> x = make_points(c.dim);
         request = on_points(request, c, x);
         ended(netmesh_persist_points(context_, maybe(request, c)));
+    }
+    // Of few points; numbers are anything now and then.
+    void persist_distances() {
+        const Choices c = choose();
+        const std::uint32_t n = tape_.below(9), layout = tape_.rarely() ? tape_.byte() : tape_.below(3);
+        std::vector<double> full(std::size_t{n} * n, 0.0), lower;
+        std::vector<netmesh_distance_entry> entries;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            for (std::uint32_t j = 0; j < i; ++j) {
+                const double d = tape_.rarely() ? tape_.number() : tape_.below(16);
+                full[i * std::size_t{n} + j] = d;
+                full[j * std::size_t{n} + i] = tape_.rarely() ? tape_.number() : d;
+                lower.push_back(d);
+                if ((tape_.byte() & 3) != 0) entries.push_back({tape_.rarely() ? tape_.byte() : i, j, d});
+            }
+        }
+        netmesh::requests::Distances request;
+        request.monitor = c.monitor;
+        std::memcpy(&request.layout, &layout, sizeof layout);
+        request.numbers = layout == NETMESH_DISTANCES_FULL ? full.data() : lower.data();
+        request.entries = entries.data();
+        request.entry_count = entries.size();
+        request.point_count = n;
+        if ((tape_.byte() & 1) != 0) request.threshold = tape_.number();
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        request.representatives = tape_.byte() & 1;
+        ended(netmesh_persist_distances(context_, maybe<netmesh_distances_request>(request, c)));
+        netmesh_plan_distances(&request);
     }
     void points_vineyard() {
         const Choices c = choose();
@@ -607,7 +636,11 @@ private:
         case 3: return make_mesh();
         case 4:
         case 5: return persist();
-        case 6: return tape_.byte() % 4 == 0 ? persist_alpha() : persist_points();
+        case 6: {
+            const std::uint32_t which = tape_.byte();
+            if (which % 4 == 0) return persist_alpha();
+            return which >= 192 ? persist_distances() : persist_points();
+        }
         case 7: return homology();
         case 8: return vineyard();
         case 9:

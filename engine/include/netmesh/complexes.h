@@ -19,12 +19,12 @@ typedef struct netmesh_scales_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const void* points;   /* [point_count][D]. Not read by the plan */
-    size_t point_count;   /* 1 .. NETMESH_POINTS_MAX */
-    uint64_t seed;        /* of every random choice; init: 1 */
-    double tau;           /* as of netmesh_mesh_request */
-    double eps;           /* accuracy of each scale's diagram, in (0, 1/2]; 0: 1/2, or none where ratio is given */
-    double theta;         /* mediality that keeps points in one scale, in (0, 1/9]; 0: 1/9 */
+    const void* points; /* [point_count][D]. Not read by the plan */
+    size_t point_count; /* 1 .. NETMESH_POINTS_MAX */
+    uint64_t seed;      /* of every random choice; init: 1 */
+    double tau;         /* as of netmesh_mesh_request */
+    double eps;         /* accuracy of each scale's diagram, in (0, 1/2]; 0: 1/2, or none where ratio is given */
+    double theta;       /* mediality that keeps points in one scale, in (0, 1/9]; 0: 1/9 */
     netmesh_values values;
     uint32_t max_degree;      /* as of netmesh_persist_request; init: NETMESH_DIM_MAX */
     uint32_t keep_zero_pairs; /* likewise */
@@ -95,12 +95,13 @@ netmesh_status netmesh_persist_alpha(netmesh_context* context, const netmesh_alp
  *   BARYCENTRIC_RIPS    the same with Rips for Cech: certified values are the filter's own times 2^(1/4), which makes
  *                       the diagram a 2^(1/4)-approximation; with the filter's own values it is a
  * sqrt(2)-approximation */
+#define NETMESH_RIPS_DIM_MAX 65536
 typedef struct netmesh_points_request {
     uint32_t struct_bytes;
-    uint32_t dim; /* D, 2..6 */
+    uint32_t dim; /* D, 2..6; of RIPS to NETMESH_RIPS_DIM_MAX */
     netmesh_monitor monitor;
-    const void* points;   /* [point_count][D]. Not read by the plan */
-    size_t point_count;   /* 1 .. NETMESH_POINTS_MAX */
+    const void* points; /* [point_count][D]. Not read by the plan */
+    size_t point_count; /* 1 .. NETMESH_POINTS_MAX */
     netmesh_filter filter;
     netmesh_values values;
     uint32_t k;               /* of the barycentric filters, >= 1 and k + max_degree <= 30; init: 1 */
@@ -134,8 +135,8 @@ typedef struct netmesh_points_vineyard_request {
     size_t point_count;    /* 1 .. NETMESH_POINTS_MAX */
     netmesh_filter filter; /* BARYCENTRIC_CECH or BARYCENTRIC_RIPS */
     netmesh_values values;
-    uint32_t k_first, k_last; /* 1 <= k_first <= k_last and k_last + max_degree <= 30; init: 1 and 1 */
-    uint32_t max_degree;      /* init: 1 */
+    uint32_t k_first, k_last;          /* 1 <= k_first <= k_last and k_last + max_degree <= 30; init: 1 and 1 */
+    uint32_t max_degree;               /* init: 1 */
     netmesh_point_format point_format; /* of points; see there */
     size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_points_vineyard_request;
