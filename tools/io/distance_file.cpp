@@ -20,7 +20,7 @@ std::string count_text(std::size_t count) { return std::to_string(count) + (coun
 
 std::string flaw_of(double distance) { return distance < 0 ? "a distance is negative: " + number_text(distance) : ""; }
 
-Outcome read_rows(std::string_view content, DistanceFile* file, std::vector<Row>* rows) {
+Outcome read_rows(std::string_view content, bool sparse, DistanceFile* file, std::vector<Row>* rows) {
     LineReader reader(content);
     std::string_view line;
     std::vector<double> row;
@@ -35,7 +35,7 @@ Outcome read_rows(std::string_view content, DistanceFile* file, std::vector<Row>
             return line_error(file->place.name, reader.number(), complaint);
         }
         may_be_header = false;
-        for (std::size_t f = 0; f < row.size(); f++) {
+        for (std::size_t f = sparse ? 2 : 0; f < row.size(); f++) {
             const std::string flaw = flaw_of(row[f]);
             if (!flaw.empty())
                 return line_error(file->place.name, reader.number(), "field " + std::to_string(f + 1) + ": " + flaw);
@@ -129,7 +129,7 @@ std::string DistanceFile::where(std::uint64_t a, std::uint64_t b) const {
 
 Outcome parse_distances(std::string_view content, bool sparse, DistanceFile* file) {
     std::vector<Row> rows;
-    const Outcome outcome = read_rows(content, file, &rows);
+    const Outcome outcome = read_rows(content, sparse, file, &rows);
     return outcome.good() ? take_rows(rows, sparse, file) : outcome;
 }
 
