@@ -45,6 +45,41 @@ void read_points_by(Outcome (*parse)(std::string_view, PointCloud*), std::string
     if (ended(parse(content, &cloud))) check_cloud(cloud);
 }
 
+void read_atoms(std::string_view content) {
+    for (Outcome (*parse)(std::string_view, PointCloud*) : {parse_pdb_atoms, parse_pqr_atoms, parse_xyz_atoms}) {
+        if (parse != parse_xyz_atoms || is_chemical_xyz(content)) read_points_by(parse, content);
+    }
+}
+
+void check_table(const Outcome& outcome, const Table& table) {
+    if (!ended(outcome)) return;
+    require(table.width > 0 && table.rows() > 0 && table.values.size() == table.rows() * table.width);
+    require(table.lines.empty() || table.lines.size() == table.rows());
+    for (const double x : table.values) require(std::isfinite(x) && (x != 0 || !std::signbit(x)));
+    for (const char c : table.note) require(static_cast<unsigned char>(c) >= ' ');
+}
+
+void read_array(std::string_view content) {
+    Table table;
+    table.name = name;
+    check_table(parse_npz_table(content, "", {}, &table), table);
+}
+
+// A table read by options: the first bytes choose them.
+void read_asked(std::string_view content) {
+    if (content.size() < 3) return;
+    TableOptions options;
+    constexpr char delimiters[] = {0, ',', ';', '\t', ' ', '|', ':', '/'};
+    options.delimiter = delimiters[static_cast<unsigned char>(content[0]) % 8];
+    options.skip = static_cast<unsigned char>(content[1]) % 4;
+    constexpr const char* columns[] = {"", "1", "2,1", "2-4", "x,y", "1,x"};
+    const std::string chosen = columns[static_cast<unsigned char>(content[2]) % 6];
+    if (!chosen.empty()) require(parse_columns(chosen, &options.columns).empty());
+    Table table;
+    table.name = name;
+    check_table(parse_table(content.substr(3), options, &table), table);
+}
+
 void read_node(std::string_view content) {
     NodeFile node;
     node.cloud.name = name;
@@ -151,7 +186,7 @@ void read_vertex_values(std::string_view content) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
-    switch (data[0] % 12) {
+    switch (data[0] % 17) {
     case 0: read_points_by(parse_text_points, content); break;
     case 1: read_points_by(parse_npy_points, content); break;
     case 2: read_points_by(parse_off_points, content); break;
@@ -166,6 +201,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 9: read_vines(content); break;
     case 10: read_cycles(content); break;
     case 11: read_vertex_values(content); break;
+    case 12: read_points_by(parse_obj_points, content); break;
+    case 13: read_points_by(parse_stl_points, content); break;
+    case 14: read_atoms(content); break;
+    case 15: read_array(content); break;
+    case 16: read_asked(content); break;
     default: read_complex(content); break;
     }
     return 0;

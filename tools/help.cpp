@@ -22,10 +22,10 @@ std::string program_help() {
     }
     text +=
         "  netmesh COMMAND --help\n  netmesh --version\n\n"
-        "POINTS is a text file with one point a line (blanks, tabs, commas or semicolons between coordinates, # for\n"
-        "comments, - for stdin), or a .npy, .off, .ply or .node file. Data goes to stdout or to the file of -o, "
-        "messages\n"
-        "to stderr. Files appear whole or not at all.\n\n"
+        "POINTS is a table in text, one point a line (blanks, tabs, commas, semicolons or bars between coordinates,\n"
+        "# for comments, - for stdin), or .npy .npz .off .ply .obj .stl .node, or atoms in .xyz .pdb .pqr; .gz around\n"
+        "any of them. Data goes to stdout or to the file of -o, messages to stderr.\n"
+        "Files appear whole or not at all.\n\n"
         "Exit: 0 done, 1 internal error, 2 usage, 3 bad data or file, 4 memory too small, 5 degenerate input refused,\n"
         "6 cancelled, 7 check failed.\n";
     return text;

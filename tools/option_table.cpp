@@ -8,11 +8,11 @@ namespace netmesh::tool {
 
 const std::vector<CommandEntry>& command_entries() {
     static const std::vector<CommandEntry> table = {
-        {Command::mesh, "mesh", "POINTS", 1, "quality mesh",
+        {Command::mesh, "mesh", "POINTS...", 1, "quality mesh",
          "Every vertex but the boundary's gets a Voronoi cell whose aspect ratio, clipped to the domain, is at most "
          "tau.\n"},
-        {Command::delaunay, "delaunay", "POINTS", 1, "Delaunay triangulation", ""},
-        {Command::persist, "persist", "POINTS | MESH.node --values-at FILE | FILE --distances", 1,
+        {Command::delaunay, "delaunay", "POINTS...", 1, "Delaunay triangulation", ""},
+        {Command::persist, "persist", "POINTS... | MESH.node --values-at FILE | FILE --distances", 1,
          "persistence diagram",
          "Prints lines `degree birth death`, radii, inf for the essential class, behind comments `# name value` that "
          "say how\n"
@@ -279,6 +279,33 @@ std::string apply_audit(Options& options, const std::string& value) {
     return "not location, quality or all";
 }
 
+std::string apply_min_persistence(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.min_persistence) && options.min_persistence >= 0;
+    return good ? "" : "must be a finite number, 0 or more";
+}
+
+std::string apply_top(Options& options, const std::string& text) {
+    return parse_unsigned(text, &options.top) && options.top > 0 ? "" : "must be a number of bars, 1 or more";
+}
+
+std::string apply_columns(Options& options, const std::string& text) {
+    return parse_columns(text, &options.table.columns);
+}
+
+std::string apply_delimiter(Options& options, const std::string& text) {
+    constexpr std::pair<const char*, char> names[] = {{"tab", '\t'},  {"\\t", '\t'},  {"blank", ' '},
+                                                      {"space", ' '}, {"comma", ','}, {"semicolon", ';'}};
+    for (const auto& [name, delimiter] : names)
+        if (text == name) return options.table.delimiter = delimiter, "";
+    const bool good = text.size() == 1 && text.find_first_of("0123456789+-.eE#\"\n\r") == std::string::npos;
+    if (good) options.table.delimiter = text[0];
+    return good ? "" : "must be one character that is part of no number, or tab or blank";
+}
+
+std::string apply_skip(Options& options, const std::string& text) {
+    return parse_unsigned(text, &options.table.skip) ? "" : "must be a number of lines";
+}
+
 std::string apply_out(Options& options, const std::string& text) {
     options.out = text == "-" ? "" : text;
     return text.empty() ? "must be a file name" : "";
@@ -299,6 +326,7 @@ constexpr unsigned size = bit(Command::size), check = bit(Command::check), sampl
 constexpr unsigned homology = bit(Command::homology), distance = bit(Command::distance);
 constexpr unsigned vineyard = bit(Command::vineyard);
 constexpr unsigned engine = mesh | delaunay | persist;
+constexpr unsigned points = engine | vineyard | check;  // commands that read points
 
 constexpr const char* next_line = "\n                    ";  // of a help text
 
@@ -325,10 +353,22 @@ std::string vineyard_filter_help() {
 const std::vector<OptionEntry>& option_entries() {
     static const std::vector<OptionEntry> table = {
         {"-o", mesh | delaunay, "OUT", apply_out,
-         ".node (with .ele and .neigh), .vtu (D = 2, 3) or .off; without it OFF on stdout"},
-        {"-o", persist | homology, "OUT.pers", apply_out, "the diagram; without it on stdout"},
+         ".node (with .ele and .neigh) or .off; of D = 2, 3 also .vtu .msh .mesh, or triangles as .ply .obj; without\n"
+         "                    it OFF on stdout; of several POINTS {} stands for the name of each: -o 'out/{}.vtu'"},
+        {"-o", persist, "OUT", apply_out,
+         "the diagram: .pers .csv .json or .npy; without it .pers on stdout; of several POINTS {} stands for the name\n"
+         "                    of each: -o '{}.pers'"},
+        {"-o", homology, "OUT", apply_out, "the diagram: .pers .csv .json or .npy; without it .pers on stdout"},
+        {"--min-persistence", persist | homology, "X", apply_min_persistence,
+         "write bars no shorter than X alone (0); the file then carries no certificate"},
+        {"--top", persist | homology, "N", apply_top, "write the N longest bars of each degree alone; likewise"},
         {"-o", vineyard, "OUT.vines", apply_out, "the vines; without it on stdout"},
         {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
+        {"--columns", points, "LIST", apply_columns,
+         "the columns of a table or array that are coordinates: numbers from 1, ranges, names of the header: 2-4,z"},
+        {"--delimiter", points, "C", apply_delimiter,
+         "what stands between columns: , ; | tab or blank; commas in numbers are then decimal (told by the file)"},
+        {"--skip", points, "N", apply_skip, "lines left out at the top of a table (none but a header)"},
         {"-n", sample, "N", apply_count, "number of points"},
         {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
         {"--points", size, "N", apply_count, "number of points"},
@@ -427,7 +467,8 @@ const std::vector<OptionEntry>& option_entries() {
          "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
         {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
-         "a cycle for each bar: a line `bar DEGREE BIRTH DEATH N`, then N simplices, one a line: by vertices of the\n"
+         ".vtu or .obj: a cycle for each bar to look at; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`, then N\n"
+         "                    simplices, one a line: by vertices of the\n"
          "                    mesh, or of scales, rips and cech by the different points in their order"},
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,
          "the diagram's cycles, as persist wrote them: with --mesh, or with --points for scales, rips and cech, each\n"
@@ -437,9 +478,12 @@ const std::vector<OptionEntry>& option_entries() {
         {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},
         {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
         {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
-        {"--svg", mesh | delaunay, "FILE", apply_path<&Options::svg>, "picture of a mesh in the plane"},
-        {"--svg", persist | homology, "FILE", apply_path<&Options::svg>, "picture of barcode and diagram"},
-        {"--svg", vineyard, "FILE", apply_path<&Options::svg>, "picture of the vines, k against radius"},
+        {"--svg", mesh | delaunay, "FILE", apply_path<&Options::svg>,
+         "picture of a mesh in the plane; - is stdout, for it alone"},
+        {"--svg", persist | homology, "FILE", apply_path<&Options::svg>,
+         "picture of barcode and diagram; - is stdout, for it alone"},
+        {"--svg", vineyard, "FILE", apply_path<&Options::svg>,
+         "picture of the vines, k against radius; - is stdout, for it alone"},
         {"--analyse", mesh | delaunay, nullptr, apply_switch<&Options::analyse>,
          "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
         {"--wasserstein", distance, "P", apply_order,

@@ -86,7 +86,11 @@ Outcome check_positionals(const Options& options) {
     bool empty = options.positionals.size() < due;
     for (std::size_t i = 0; i < due && !empty; i++) empty = options.positionals[i].empty();
     if (empty) return usage_error(std::string(command.name) + " needs " + command.positional);
-    if (options.positionals.size() > due)
+    const Command c = options.command;
+    const bool several = c == Command::mesh || c == Command::delaunay || c == Command::persist;
+    if (several && std::find(options.positionals.begin(), options.positionals.end(), "") != options.positionals.end())
+        return usage_error("an empty name of a file");
+    if (!several && options.positionals.size() > due)
         return usage_error("unexpected argument " + options.positionals[due] + " after " + command.name);
     return {};
 }

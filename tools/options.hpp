@@ -11,6 +11,7 @@
 #include "netmesh.h"
 #include "tools/expression.hpp"
 #include "tools/filters.hpp"
+#include "tools/io/table.hpp"
 #include "tools/outcome.hpp"
 
 namespace netmesh::tool {
@@ -25,12 +26,15 @@ struct Options {
     std::vector<std::pair<std::string, std::string>> given;  // options and their values, as they were written
     bool help = false, version = false;
 
-    std::string out;  // empty: stdout
+    TableOptions table;  // how points are read
+    std::string out;     // empty: stdout
     std::string svg;
     std::string mesh_out;         // persist: where the filtered mesh goes
     std::string representatives;  // where the cycles go
     std::string pace_path;        // where the order of the inputs goes
     std::string weighted_path;    // where the weighted cells of cages go
+    double min_persistence = 0;   // of bars that are written
+    std::uint64_t top = 0;        // so many of each degree, the longest; 0: all
     bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false, log = false;
 
     std::optional<double> tau;

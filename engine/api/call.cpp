@@ -4,7 +4,31 @@ namespace netmesh {
 namespace {
 
 // Messages are static texts of this library, and so is this one: their distances do not depend on where it is loaded.
-const char* text_origin() { return netmesh_status_text(NETMESH_OK); }
+// A distance of 0 stands for the status's own text, which is not linked before someone asks for it.
+constexpr char text_origin[] = "texts";
+
+// A detail without its message.
+netmesh_detail facts_of(Status status, std::uint64_t a, std::uint64_t b) {
+    netmesh_detail detail = {};
+    detail.struct_bytes = sizeof detail;
+    detail.status = static_cast<netmesh_status>(status);
+    detail.index_a = a;
+    detail.index_b = b;
+    return detail;
+}
+
+// text null: the status's own.
+const char* message_of(netmesh_status status, const char* text) {
+    return status == NETMESH_OK ? "" : text != nullptr ? text : netmesh_status_text(status);
+}
+
+void keep_said(netmesh_context* context, const netmesh_detail& detail, const char* text) {
+    context->detail.said = detail;
+    context->detail.message_from = text == nullptr
+                                       ? 0
+                                       : static_cast<std::intptr_t>(reinterpret_cast<std::uintptr_t>(text) -
+                                                                    reinterpret_cast<std::uintptr_t>(text_origin));
+}
 
 }  // namespace
 
@@ -17,27 +41,17 @@ bool usable(netmesh_context* context) {
 bool usable(const netmesh_context* context) { return context != nullptr && context->magic == context_magic; }
 
 netmesh_detail detail_of(Status status, const char* text, std::uint64_t a, std::uint64_t b) {
-    netmesh_detail detail = {};
-    detail.struct_bytes = sizeof detail;
-    detail.status = static_cast<netmesh_status>(status);
-    detail.index_a = a;
-    detail.index_b = b;
-    detail.message = status == Status::ok ? "" : text != nullptr ? text : netmesh_status_text(detail.status);
+    netmesh_detail detail = facts_of(status, a, b);
+    detail.message = message_of(detail.status, text);
     return detail;
-}
-
-void keep_detail(netmesh_context* context, const netmesh_detail& detail) {
-    const auto from = reinterpret_cast<std::uintptr_t>(text_origin());
-    context->detail.said = detail;
-    context->detail.said.message = nullptr;
-    context->detail.message_from = static_cast<std::intptr_t>(reinterpret_cast<std::uintptr_t>(detail.message) - from);
 }
 
 netmesh_detail kept_detail(const netmesh_context* context) {
     netmesh_detail detail = context->detail.said;
-    const auto from = reinterpret_cast<std::uintptr_t>(text_origin());
-    const std::uintptr_t address = from + static_cast<std::uintptr_t>(context->detail.message_from);
-    detail.message = reinterpret_cast<const char*>(address);  // NOLINT(performance-no-int-to-ptr)
+    const std::int64_t from = context->detail.message_from;
+    const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(text_origin) + static_cast<std::uintptr_t>(from);
+    const char* const text = reinterpret_cast<const char*>(address);  // NOLINT(performance-no-int-to-ptr)
+    detail.message = message_of(detail.status, from == 0 ? nullptr : text);
     return detail;
 }
 
@@ -47,14 +61,14 @@ netmesh_status finish(netmesh_context* context, Status status, const char* text,
         status = Status::check_failed;
         text = "the cells that were loaded are not a triangulated ball";
     }
-    netmesh_detail detail = detail_of(status, text, a, b);
+    netmesh_detail detail = facts_of(status, a, b);
     if (status == Status::out_of_memory) {
         // Lists that fill their share of the block ask for nothing: more than the block it is all the same.
         const std::uint64_t wanted = context->arena.bytes_wanted() + (context->block_bytes - context->arena.bytes());
         const std::uint64_t least = context->block_bytes + Arena::alignment;
         detail.bytes_wanted = wanted > least ? wanted : least;
     }
-    keep_detail(context, detail);
+    keep_said(context, detail, text);
     return detail.status;
 }
 
@@ -67,9 +81,9 @@ netmesh_status fail_and_clear(netmesh_context* context, Status status, const cha
 
 netmesh_status refuse(netmesh_context* context, const Complaint& complaint, std::uint64_t row) {
     const Status status = complaint.not_built ? Status::not_built : Status::invalid_argument;
-    netmesh_detail detail = detail_of(status, complaint.text, row);
+    netmesh_detail detail = facts_of(status, row, 0);
     detail.field = complaint.field;
-    keep_detail(context, detail);
+    keep_said(context, detail, complaint.text);
     return detail.status;
 }
 

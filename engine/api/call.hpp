@@ -38,8 +38,7 @@ inline netmesh_status refuse(netmesh_context* context, netmesh_field field, cons
 // A detail with everything that finish puts into the context's.
 netmesh_detail detail_of(Status status, const char* text, std::uint64_t a = 0, std::uint64_t b = 0);
 
-// Keeps what a call says; what the last one said.
-void keep_detail(netmesh_context* context, const netmesh_detail& detail);
+// What the last call said.
 netmesh_detail kept_detail(const netmesh_context* context);
 
 // Text for what read_struct finds at fault.

@@ -95,8 +95,8 @@ template <int D> struct Trie { std::uint32_t* first_child[D + 1]; };
 
 // Reads the stream once. With `faces` null it only counts, else it fills last_vertex and first_child.
 template <int D>
-bool unfold(const std::uint32_t* word, int dimension_max, std::uint32_t* count, const Faces<D>* faces,
-            const Trie<D>* trie, const Arena& arena) {
+[[gnu::noinline]] bool unfold(const std::uint32_t* word, int dimension_max, std::uint32_t* count, const Faces<D>* faces,
+                              const Trie<D>* trie, const Arena& arena) {
     std::uint32_t at[D + 2], end[D + 2];
     for (int k = 0; k <= D; ++k) count[k] = 0;
     while (*word != none) {

@@ -105,7 +105,7 @@ template <int D> bool Kernel<D>::ghost_in_conflict(CellId c, int infinite, const
     return exact_conflict(behind, q, id);
 }
 
-template <int D> Status Kernel<D>::start(const VertexId* ids) {
+template <int D> [[gnu::cold]] Status Kernel<D>::start(const VertexId* ids) {
     if (!store_.has_room(D + 2, 0, 0)) return Status::out_of_memory;
     const double* p[D + 1];
     VertexId v[D + 1];

@@ -13,7 +13,7 @@ constexpr double u = unit_roundoff;
 
 // Divides each edge, and with it its equation, by a power of two of its own, so that lengths of any ratio do not meet
 // in one product. False when an edge vanishes or all are too short for their squares.
-template <int D> bool rescale(double (&a)[D + 1][D + 1], double* lengths2) {
+template <int D> [[gnu::cold]] bool rescale(double (&a)[D + 1][D + 1], double* lengths2) {
     double longest = 0;
     *lengths2 = 1;
     for (int i = 0; i < D; ++i) {
@@ -65,7 +65,7 @@ template <int D> bool keep_sphere(const double* p0, const double* x, double shap
 constexpr double error_limit = 0.25;  // beyond it the bounds' own assumptions fail
 
 // For cells so flat that the digits of a double do not tell their centre.
-template <int D> [[gnu::noinline]] void solve_flat_sphere(const double* const* p, Cell<D>& cell) {
+template <int D> [[gnu::cold, gnu::noinline]] void solve_flat_sphere(const double* const* p, Cell<D>& cell) {
     double x[D], error2;
     if (centre_in_long_digits(D, p, shape_factor<D>(), x, &error2) &&
         keep_sphere<D>(p[0], x, error2, error_limit, cell))

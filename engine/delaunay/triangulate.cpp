@@ -172,9 +172,9 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status take_input<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,        \
+    template Status take_input<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,     \
                                   std::uint32_t**);                                                                    \
-    template Status triangulate<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*);      \
+    template Status triangulate<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*);   \
     template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, VertexId*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -25,7 +25,7 @@ constexpr std::uint32_t faces_between_polls = 256;
 
 template <int D> class AlphaValues {
 public:
-    AlphaValues(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value)
+    AlphaValues(const Faces<D>& faces, const PointRecords& points, const Work& work, double* const* value)
         : faces_(faces), points_(points), work_(work), value_(value) {}
 
     Status run(double* error) {
@@ -83,7 +83,7 @@ private:
     }
 
     const Faces<D>& faces_;
-    const PointRecords<D> points_;
+    const PointRecords points_;
     const Work& work_;
     double* const* value_;
     std::uint64_t* scratch_ = nullptr;

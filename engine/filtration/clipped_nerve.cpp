@@ -86,12 +86,12 @@ private:
     Status examine(CellId c, const Face<D>& face);
     Status insert(const Face<D>& face);
     template <class Number>
-    int judge(const EqualFoot<D, Number>& foot, const Face<D>& face, const CellList<D>& star) const;
+    int judge(const EqualFoot<Number>& foot, const Face<D>& face, const CellList<D>& star) const;
     [[gnu::noinline, gnu::cold]] int judge_precisely(const Face<D>& face, const CellList<D>& star) const {
-        return judge(EqualFoot<D, WideFloat>(ball_, face.point, face.size), face, star);
+        return judge(EqualFoot<WideFloat>(ball_, face.point, face.size), face, star);
     }
     [[gnu::noinline, gnu::cold]] int beyond_precisely(const double* const* point) const {
-        return EqualFoot<D, WideFloat>(ball_, point, D + 1).beyond();
+        return EqualFoot<WideFloat>(ball_, point, D + 1).beyond();
     }
     bool is_open(CellId c) const { return cell_[c] == static_cast<std::uint8_t>(CellPart::open); }
     bool is_in(CellId c) const { return cell_[c] == static_cast<std::uint8_t>(CellPart::in); }
@@ -163,7 +163,7 @@ template <int D> Status NerveFinder<D>::settle_open_cells() {
         if (present_in(c) == (2u << D) - 1) {
             const double* point[D + 1];
             for (int i = 0; i <= D; ++i) point[i] = store_.point(store_.cell(c).vertex[i]);
-            beyond = EqualFoot<D, double>(ball_, point, D + 1).beyond();
+            beyond = EqualFoot<double>(ball_, point, D + 1).beyond();
             if (beyond == 0) beyond = beyond_precisely(point);
             if (beyond == 0) certain_ = false;
         }
@@ -250,7 +250,8 @@ template <int D> Status NerveFinder<D>::find_faces(int n) {
 }
 
 template <int D> Status NerveFinder<D>::examine(CellId c, const Face<D>& face) {
-    const EqualFoot<D, double> foot(ball_, face.point, face.size);
+    work_.arena.pass(4 * D);
+    const EqualFoot<double> foot(ball_, face.point, face.size);
     if (foot.beyond() > 0) return Status::ok;
     for (int i = 0; i <= D; ++i)
         if ((face.set >> i & 1u) == 0 && foot.nearer(store_.point(store_.cell(c).vertex[i])) > 0) return Status::ok;
@@ -267,7 +268,9 @@ template <int D> Status NerveFinder<D>::examine(CellId c, const Face<D>& face) {
             if (!star.add(cell.neighbour[i].cell())) return Status::out_of_memory;
         }
     }
+    work_.arena.pass(4 * D * star.size());
     int part = judge(foot, face, star);
+    if (part == 0) work_.arena.pass(100 * D * star.size());
     if (part == 0) part = judge_precisely(face, star);
     if (part == 0) certain_ = false;
     return part < 0 ? insert(face) : Status::ok;
@@ -276,7 +279,7 @@ template <int D> Status NerveFinder<D>::examine(CellId c, const Face<D>& face) {
 // Of a face none of whose cofacets is in. -1: it is in, 1: it is not, 0: not certain.
 template <int D>
 template <class Number>
-int NerveFinder<D>::judge(const EqualFoot<D, Number>& foot, const Face<D>& face, const CellList<D>& star) const {
+int NerveFinder<D>::judge(const EqualFoot<Number>& foot, const Face<D>& face, const CellList<D>& star) const {
     int part = foot.beyond();
     if (part > 0) return 1;
     for (std::uint32_t k = 0; k < star.size(); ++k)

@@ -30,6 +30,7 @@
 #include "mesh/domain.hpp"
 #include "numerics/bits.hpp"
 #include "numerics/wide_float.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
@@ -50,21 +51,24 @@ template <> struct Arithmetic<WideFloat> {
 };
 
 // Answers: 1 and -1 are certain, 0 is not.
-template <int D, class Number> class EqualFoot {
+template <class Number> class EqualFoot {
 public:
     // Of the simplex of vertices point[0..n), 1 <= n <= D + 1.
+    template <int D>
     EqualFoot(const Domain<D>& ball, const double* const* point, int n)
-        : point_(point), n_(n), scale_(-exponent_of(ball.radius)), radius_(ball.radius * power_of_two(scale_)) {
+        : EqualFoot(D, ball.centre, ball.radius, point, n) {}
+    EqualFoot(int dim, const double* centre, double radius, const double* const* point, int n)
+        : dim_(dim), point_(point), n_(n), scale_(-exponent_of(radius)), radius_(radius * power_of_two(scale_)) {
         double size = 0;
-        for (int k = 0; k < D; ++k) {
-            y_[k] = centre_[k] = A::difference(ball.centre[k], point[0][k], scale_);
+        for (int k = 0; k < dim_; ++k) {
+            y_[k] = centre_[k] = A::difference(centre[k], point[0][k], scale_);
             size += size_of(y_[k]);
         }
         doubt_ = unit * size + 0x1p-1000;
-        double near2[D + 1];
-        int from[D + 1];
+        double near2[dim_max + 1];
+        int from[dim_max + 1];
         for (int i = 1; i < n; ++i) {
-            near2[i] = netmesh::distance2<D>(point[0], point[i]);
+            near2[i] = netmesh::distance2(dim_, point[0], point[i]);
             from[i] = 0;
         }
         for (int step = 1; step < n && doubt_ < infinity; ++step) {
@@ -75,7 +79,7 @@ public:
             near2[next] = -1;
             for (int i = 1; i < n; ++i) {
                 if (!(near2[i] >= 0)) continue;
-                const double d2 = netmesh::distance2<D>(point[next], point[i]);
+                const double d2 = netmesh::distance2(dim_, point[next], point[i]);
                 if (d2 >= near2[i]) continue;
                 near2[i] = d2;
                 from[i] = next;
@@ -86,35 +90,37 @@ public:
     // 1: the foot is outside of the ball, -1: inside.
     int beyond() const {
         Number away2 = A::zero();
-        for (int k = 0; k < D; ++k) {
+        for (int k = 0; k < dim_; ++k) {
             const Number x = y_[k] - centre_[k];
             away2 = away2 + x * x;
         }
         double size = 0;
-        for (int k = 0; k < D; ++k) size += size_of(centre_[k]);
+        for (int k = 0; k < dim_; ++k) size += size_of(centre_[k]);
         const double q = A::high(away2), r2 = radius_ * radius_, away = square_root(q);
         const double moved = doubt_ + unit * (size + away);
-        const double slack = 1.01 * (moved * (2 * away + moved) + unit * ((D + 1) * q + 2 * r2)) + underflow;
+        const double slack = 1.01 * (moved * (2 * away + moved) + unit * ((dim_ + 1) * q + 2 * r2)) + underflow;
         return sign(A::high(away2 - A::square(radius_)), slack);
     }
 
     // 1: the foot is nearer to w than to the vertices, -1: farther.
     int nearer(const double* w) const {
         const double* u = point_[0];
-        double best2 = netmesh::distance2<D>(u, w);
+        double best2 = netmesh::distance2(dim_, u, w);
         for (int i = 1; i < n_; ++i) {
-            const double d2 = netmesh::distance2<D>(point_[i], w);
+            const double d2 = netmesh::distance2(dim_, point_[i], w);
             if (!(d2 < best2)) continue;
             best2 = d2;
             u = point_[i];
         }
-        Number d[D];
+        Number d[dim_max];
         const Side side = side_of(u, w, d);
-        return sign(A::high(side.gain), 1.01 * side.length * (2 * doubt_ + (2 * D + 8) * unit * side.size) + underflow);
+        return sign(A::high(side.gain),
+                    1.01 * side.length * (2 * doubt_ + (2 * dim_ + 8) * unit * side.size) + underflow);
     }
 
 private:
     using A = Arithmetic<Number>;
+    static constexpr int dim_max = dimension_most();
     static constexpr double unit = A::unit, underflow = 0x1p-1060;
 
     // R of the head for d = w - u, |d| and S.
@@ -125,10 +131,10 @@ private:
     static double size_of(const Number& x) { return absolute(A::high(x)); }
     static int sign(double value, double slack) { return value > slack ? 1 : value < -slack ? -1 : 0; }
 
-    Side side_of(const double* u, const double* w, Number (&d)[D]) const {
+    Side side_of(const double* u, const double* w, Number (&d)[dim_max]) const {
         Side side = {A::zero(), 0, 0};
         double length2 = 0;
-        for (int k = 0; k < D; ++k) {
+        for (int k = 0; k < dim_; ++k) {
             const Number a = A::difference(u[k], point_[0][k], scale_), z = y_[k] - a;
             d[k] = A::difference(w[k], u[k], scale_);
             side.gain = side.gain + d[k] * (z + z - d[k]);
@@ -140,18 +146,18 @@ private:
     }
 
     void meet_bisector(const double* u, const double* w) {
-        Number(&n)[D] = normal_[count_];
+        Number(&n)[dim_max] = normal_[count_];
         const Side side = side_of(u, w, n);
         double off = unit;
         for (int i = 0; i < count_; ++i) {
             Number along = A::zero();
-            for (int k = 0; k < D; ++k) along = along + n[k] * normal_[i][k];
+            for (int k = 0; k < dim_; ++k) along = along + n[k] * normal_[i][k];
             along = along / length2_[i];
-            for (int k = 0; k < D; ++k) n[k] = n[k] - along * normal_[i][k];
-            off += tilt_[i] + (2 * D + 3) * unit;
+            for (int k = 0; k < dim_; ++k) n[k] = n[k] - along * normal_[i][k];
+            off += tilt_[i] + (2 * dim_ + 3) * unit;
         }
         Number length2 = A::zero();
-        for (int k = 0; k < D; ++k) length2 = length2 + n[k] * n[k];
+        for (int k = 0; k < dim_; ++k) length2 = length2 + n[k] * n[k];
         const double height2 = A::high(length2), height = square_root(height2), stretch = side.length / height;
         const double tilt = 1.01 * off * stretch;
         if (!(height2 > A::normal2_min && height2 < infinity && tilt < 0x1p-10)) {
@@ -160,26 +166,27 @@ private:
         }
         const Number step = side.gain / (length2 + length2);
         double size = 0;
-        for (int k = 0; k < D; ++k) {
+        for (int k = 0; k < dim_; ++k) {
             y_[k] = y_[k] - step * n[k];
             size += size_of(y_[k]);
         }
-        doubt_ = 1.01 * (stretch * (doubt_ + (D + 4) * unit * side.size) +
-                         size_of(step) * height * (tilt + (D + 3) * unit) + unit * size);
+        doubt_ = 1.01 * (stretch * (doubt_ + (dim_ + 4) * unit * side.size) +
+                         size_of(step) * height * (tilt + (dim_ + 3) * unit) + unit * size);
         length2_[count_] = length2;
         tilt_[count_++] = tilt;
     }
 
+    const int dim_;
     const double* const* const point_;
     const int n_;
-    const int scale_;          // lengths are multiplied by 2^scale_, so that the radius is between 1 and 2
-    const double radius_;      // of the ball
-    int count_ = 0;            // normals
-    Number y_[D], centre_[D];  // the foot and o, relative to point[0]
-    double doubt_;             // the foot is within this of the true one; infinite for simplices that may be flat
-    Number normal_[D][D];      // orthogonal
-    Number length2_[D];        // of the normals
-    double tilt_[D];
+    const int scale_;                      // lengths are multiplied by 2^scale_, so that the radius is between 1 and 2
+    const double radius_;                  // of the ball
+    int count_ = 0;                        // normals
+    Number y_[dim_max], centre_[dim_max];  // the foot and o, relative to point[0]
+    double doubt_;  // the foot is within this of the true one; infinite for simplices that may be flat
+    Number normal_[dim_max][dim_max];  // orthogonal
+    Number length2_[dim_max];          // of the normals
+    double tilt_[dim_max];
 };
 
 }  // namespace netmesh

@@ -37,9 +37,28 @@ double deviating(double base, double x) {
 }
 double deviation_error(double x) { return 0x1p-87 * (1 + absolute(x)) + 0x1p-52 * absolute(x); }
 
-template <int D> class RadiusOrder {
+// Faces<D> with the dimension as a number.
+struct FaceTable {
+    int dim;
+    const std::uint32_t* count;
+    const std::uint32_t* const* last_vertex;
+    const std::uint32_t* const* facets;
+
+    // The points of a k-face, ascending. The last vertex of a cell is that of the facet opposite its first one, too.
+    void points(const PointRecords& records, int k, std::uint32_t face, const double** point) const {
+        for (; k > 0; --k) {
+            const std::uint32_t* const facet =
+                facets[k] + static_cast<std::size_t>(face) * (static_cast<std::size_t>(k) + 1);
+            point[k] = records[k == dim ? last_vertex[k - 1][facet[0]] : last_vertex[k][face]];
+            face = facet[k];
+        }
+        point[0] = records[last_vertex[0][face]];
+    }
+};
+
+class RadiusOrder {
 public:
-    RadiusOrder(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value,
+    RadiusOrder(const FaceTable& faces, const PointRecords& points, const Work& work, double* const* value,
                 double error)
         : faces_(faces), points_(points), work_(work), value_(value), error_(error), spread_(1.01 * error + 0x1p-51) {}
 
@@ -61,9 +80,9 @@ private:
     }
     [[gnu::cold, gnu::noinline]] ExactSphere sphere_of(std::uint32_t label) const {
         const Place place = place_of(label);
-        const double* point[D + 1];
-        points_.of_face(faces_, place.k, place.face, point);
-        return ExactSphere(point, place.k, D);
+        const double* point[dimension_most() + 1];
+        faces_.points(points_, place.k, place.face, point);
+        return ExactSphere(point, place.k, faces_.dim);
     }
     Radius look_again(std::uint32_t i) const;
 
@@ -76,8 +95,8 @@ private:
     bool collect(bool all);
     bool stop(std::uint32_t work) { return work_.monitor.advance(done_, work); }
 
-    const Faces<D>& faces_;
-    const PointRecords<D>& points_;
+    const FaceTable faces_;
+    const PointRecords& points_;
     const Work& work_;
     std::uint64_t* scratch_ = nullptr;
     double* const* const value_;
@@ -92,10 +111,10 @@ private:
 };
 
 // Takes radii and labels of those that may have another radius close by, or of all. False: out of memory.
-template <int D> bool RadiusOrder<D>::collect(bool all) {
+bool RadiusOrder::collect(bool all) {
     count_ = 0;
     std::uint64_t faces = 0, radii = 0, room = 0;
-    for (int k = 1; k <= D; ++k) {
+    for (int k = 1; k <= faces_.dim; ++k) {
         faces += faces_.count[k];
         for (std::uint32_t i = 0; i < faces_.count[k];)
             for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 5); i < piece; ++i) {
@@ -107,21 +126,21 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     CloseValues close;
     if (!all) {
         if (!close.take(radii, spread_, work_.arena)) return false;
-        for (int k = 1; k <= D; ++k)
+        for (int k = 1; k <= faces_.dim; ++k)
             for (std::uint32_t i = 0; i < faces_.count[k];)
                 for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 30); i < piece; ++i) {
                     if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
                 }
     }
     if (all || room > radii) room = radii;
-    radius_ = work_.arena.template take_high<double>(static_cast<std::size_t>(room));
-    label_ = work_.arena.template take_high<std::uint32_t>(static_cast<std::size_t>(room));
+    radius_ = work_.arena.take_high<double>(static_cast<std::size_t>(room));
+    label_ = work_.arena.take_high<std::uint32_t>(static_cast<std::size_t>(room));
     if (radius_ == nullptr || label_ == nullptr) {
         work_.arena.release_low(low);
         return false;
     }
     std::uint32_t label = 0;
-    for (int k = 1; k <= D; ++k) {
+    for (int k = 1; k <= faces_.dim; ++k) {
         work_.arena.each(faces_.count[k], 30, [&](std::uint64_t i) {
             if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) return;
             radius_[count_] = value_[k][i];
@@ -134,7 +153,7 @@ template <int D> bool RadiusOrder<D>::collect(bool all) {
     return sort_labelled(radius_, label_, count_, work_.arena);
 }
 
-template <int D> Status RadiusOrder<D>::run() {
+Status RadiusOrder::run() {
     const bool all = !(spread_ < CloseValues::spread_max);
     Status status = pass(all);
     if (status == Status::ok && crowded_ && !all) {
@@ -144,10 +163,10 @@ template <int D> Status RadiusOrder<D>::run() {
     return status;
 }
 
-template <int D> Status RadiusOrder<D>::pass(bool all) {
+Status RadiusOrder::pass(bool all) {
     const HighScope scope(work_.arena);
     if (!collect(all)) return Status::out_of_memory;
-    scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(D));
+    scratch_ = work_.arena.take_high<std::uint64_t>(ExactSphere::room(faces_.dim));
     if (scratch_ == nullptr) return Status::out_of_memory;
     last_ = 0;
     const double low = 1 - spread_, high = 1 + spread_;
@@ -167,17 +186,20 @@ template <int D> Status RadiusOrder<D>::pass(bool all) {
 }
 
 // The radius at its place as the float stage knows it.
-template <int D> [[gnu::cold]] Radius RadiusOrder<D>::look_again(std::uint32_t i) const {
+[[gnu::cold]] Radius RadiusOrder::look_again(std::uint32_t i) const {
     const Place place = place_of(label_[i]);
-    const double* point[D + 1];
-    points_.of_face(faces_, place.k, place.face, point);
+    const double* point[dimension_most() + 1];
+    faces_.points(points_, place.k, place.face, point);
     Radius again;
-    const bool known = place.k == 1 ? edge_radius<D>(point, &again) : simplex_radius<2, D>(point, place.k, &again);
+    const bool known = with_dimension(static_cast<std::uint32_t>(faces_.dim), [&](auto dim) {
+        constexpr int D = decltype(dim)::value;
+        return place.k == 1 ? edge_radius<D>(point, &again) : simplex_radius<2, D>(point, place.k, &again);
+    });
     return known ? again : Radius{radius_[i], exact_radius_error(radius_[i])};
 }
 
 // Radii of which each meets the next by the common bound: cuts where all before are below all that follow.
-template <int D> [[gnu::cold]] Status RadiusOrder<D>::part(std::uint32_t begin, std::uint32_t end) {
+[[gnu::cold]] Status RadiusOrder::part(std::uint32_t begin, std::uint32_t end) {
     if (end - begin > few || end - begin == 1 || crowded_) return compute(begin, end);
     double low[few], high[few];
     for (std::uint32_t i = 0; i < end - begin; ++i) {
@@ -199,7 +221,7 @@ template <int D> [[gnu::cold]] Status RadiusOrder<D>::part(std::uint32_t begin, 
 }
 
 // Radii that nothing is known of but that they are above all before.
-template <int D> [[gnu::cold]] Status RadiusOrder<D>::compute(std::uint32_t begin, std::uint32_t end) {
+[[gnu::cold]] Status RadiusOrder::compute(std::uint32_t begin, std::uint32_t end) {
     if (end - begin == 1) {
         settle(begin, end, radius_[begin], error_);
         return Status::ok;
@@ -224,7 +246,7 @@ template <int D> [[gnu::cold]] Status RadiusOrder<D>::compute(std::uint32_t begi
 }
 
 // Radii whose leading digits agree. Each is held against some that are known to be equal; nearly always all are.
-template <int D> [[gnu::cold]] Status RadiusOrder<D>::decide(std::uint32_t begin, std::uint32_t end, double base) {
+[[gnu::cold]] Status RadiusOrder::decide(std::uint32_t begin, std::uint32_t end, double base) {
     const double x = radius_[begin], radius = deviating(base, x);
     const double error = exact_radius_error(radius) + (radius_[end - 1] - x);
     if (end - begin == 1) {
@@ -297,8 +319,7 @@ template <int D> [[gnu::cold]] Status RadiusOrder<D>::decide(std::uint32_t begin
 }
 
 // The last resort: a comparison sort. False: out of range.
-template <int D>
-[[gnu::cold]] bool RadiusOrder<D>::compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error) {
+[[gnu::cold]] bool RadiusOrder::compare_all(std::uint32_t begin, std::uint32_t end, double radius, double error) {
     bool in_range = true;
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
         work_.arena.pass(20);
@@ -323,8 +344,7 @@ template <int D>
 }
 
 // Equal radii, above those settled before.
-template <int D>
-[[gnu::cold]] void RadiusOrder<D>::settle(std::uint32_t begin, std::uint32_t end, double radius, double error) {
+[[gnu::cold]] void RadiusOrder::settle(std::uint32_t begin, std::uint32_t end, double radius, double error) {
     if (radius <= last_) {
         const double above = last_ < radius_max ? next_up(last_) : last_;
         error = above > last_ ? error + 1.01 * (above - radius) / radius : infinity;
@@ -343,16 +363,16 @@ template <int D>
 }  // namespace
 
 template <int D>
-Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value,
+Status order_radii(const Faces<D>& faces, const PointRecords& points, const Work& work, double* const* value,
                    double* error) {
-    RadiusOrder<D> order(faces, points, work, value, *error);
+    RadiusOrder order({D, faces.count, faces.last_vertex, faces.facets}, points, work, value, *error);
     const Status status = order.run();
     *error = order.error();
     return status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status order_radii<D>(const Faces<D>&, const PointRecords<D>&, const Work&, double* const*, double*);
+    template Status order_radii<D>(const Faces<D>&, const PointRecords&, const Work&, double* const*, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

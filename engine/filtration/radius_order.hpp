@@ -11,8 +11,8 @@
 
 namespace netmesh {
 
-// D coordinates at the start of each vertex record.
-template <int D> struct PointRecords {
+// Coordinates at the start of each vertex record.
+struct PointRecords {
     const double* coordinates;
     std::ptrdiff_t stride_bytes;
     const double* operator[](std::uint32_t v) const {
@@ -20,7 +20,7 @@ template <int D> struct PointRecords {
                                                static_cast<std::ptrdiff_t>(v) * stride_bytes);
     }
     // last_vertex[D] is not read.
-    void of_face(const Faces<D>& faces, int k, std::uint32_t face, const double** point) const {
+    template <int D> void of_face(const Faces<D>& faces, int k, std::uint32_t face, const double** point) const {
         std::uint32_t vertex[D + 1];
         if (k == D) {
             const std::uint32_t* const facet = faces.facets_of(D, face);
@@ -59,7 +59,7 @@ template <int D> inline bool edge_radius(const double* const* point, Radius* out
 // that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
 // digits than there are; cancelled.
 template <int D>
-Status order_radii(const Faces<D>& faces, const PointRecords<D>& points, const Work& work, double* const* value,
+Status order_radii(const Faces<D>& faces, const PointRecords& points, const Work& work, double* const* value,
                    double* error);
 
 }  // namespace netmesh

@@ -8,75 +8,67 @@
 namespace netmesh {
 namespace {
 
-// Moves rows so that row j is what row from[j] was. Sets and then ignores the top bit of from.
-template <int W> void permute_facets(std::uint32_t* row, std::uint32_t* from, std::uint32_t count, const Arena& arena) {
+// Moves rows of `width` words so that row j is what row from[j] was. Sets and then ignores the top bit of from.
+void permute_facets(std::uint32_t* row, std::uint32_t width, std::uint32_t* from, std::uint32_t count,
+                    const Arena& arena) {
     constexpr std::uint32_t moved = 0x80000000u;
     for (std::uint32_t start = 0; start < count; ++start) {
         arena.step(start, 8);
         if ((from[start] & moved) != 0) continue;
-        std::uint32_t first[W];
-        for (int i = 0; i < W; ++i) first[i] = row[static_cast<std::size_t>(start) * W + i];
+        std::uint32_t first[dimension_most() + 1];
+        for (std::uint32_t i = 0; i < width; ++i) first[i] = row[static_cast<std::size_t>(start) * width + i];
         std::uint32_t at = start;
         for (;;) {
             const std::uint32_t next = from[at];
-            arena.step(at + 1, 10 + 4 * W);
+            arena.step(at + 1, 10 + 4 * width);
             from[at] = next | moved;
-            std::uint32_t* const to = row + static_cast<std::size_t>(at) * W;
-            if (next == start) {
-                for (int i = 0; i < W; ++i) to[i] = first[i];
-                break;
-            }
-            for (int i = 0; i < W; ++i) to[i] = row[static_cast<std::size_t>(next) * W + i];
+            std::uint32_t* const to = row + static_cast<std::size_t>(at) * width;
+            const std::uint32_t* const source = next == start ? first : row + static_cast<std::size_t>(next) * width;
+            for (std::uint32_t i = 0; i < width; ++i) to[i] = source[i];
+            if (next == start) break;
             at = next;
         }
     }
 }
 
-// Puts the K-faces into the order of their values and renames them in the boundaries of the (K+1)-faces.
-template <int K, int D> Status order_faces(Faces<D>& faces, int dimension, double* const* value, Arena& arena) {
+// Puts the k-faces, k >= 1, into the order of their values and renames them in the boundaries of the (k+1)-faces, if
+// there are any.
+Status order_faces(int k, int dimension, const std::uint32_t* face_count, std::uint32_t* const* facets,
+                   double* const* value, Arena& arena) {
     const ArenaScope scope(arena);
-    const std::uint32_t count = faces.count[K];
+    const std::uint32_t count = face_count[k];
     std::uint32_t* const from = arena.take_high<std::uint32_t>(count);
-    if (from == nullptr || !sort_values(value[K], from, count, arena)) return Status::out_of_memory;
-    if constexpr (K < D) {
-        if (K < dimension) {
-            std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
-            if (place == nullptr) return Status::out_of_memory;
-            for (std::uint32_t j = 0; j < count;)
-                for (const std::uint64_t piece = arena.piece(j, count, 5); j < piece; ++j) {
-                    place[from[j]] = j;
-                }
-            const std::size_t words = static_cast<std::size_t>(faces.count[K + 1]) * (K + 2);
-            for (std::size_t i = 0; i < words;)
-                for (const std::uint64_t piece = arena.piece(i, words, 5); i < piece; ++i) {
-                    faces.facets[K + 1][i] = place[faces.facets[K + 1][i]];
-                }
-        }
+    if (from == nullptr || !sort_values(value[k], from, count, arena)) return Status::out_of_memory;
+    if (k < dimension) {
+        std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
+        if (place == nullptr) return Status::out_of_memory;
+        for (std::uint32_t j = 0; j < count;)
+            for (const std::uint64_t piece = arena.piece(j, count, 5); j < piece; ++j) {
+                place[from[j]] = j;
+            }
+        const std::size_t words = std::size_t{face_count[k + 1]} * (static_cast<std::size_t>(k) + 2);
+        std::uint32_t* const face = facets[k + 1];
+        for (std::size_t i = 0; i < words;)
+            for (const std::uint64_t piece = arena.piece(i, words, 5); i < piece; ++i) {
+                face[i] = place[face[i]];
+            }
     }
-    permute_facets<K + 1>(faces.facets[K], from, count, arena);
+    permute_facets(facets[k], static_cast<std::uint32_t>(k) + 1, from, count, arena);
     return Status::ok;
 }
 
-template <int K, int D> Status order_from(Faces<D>& faces, int dimension, double* const* value, Arena& arena) {
-    const Status status = order_faces<K, D>(faces, dimension, value, arena);
-    if constexpr (K < D) {
-        if (status == Status::ok && K < dimension) return order_from<K + 1, D>(faces, dimension, value, arena);
-    }
-    return status;
-}
-
-// Drops the dimensions above `dimension` < D; the values move down to where the facets of the others end. False: out of
-// memory.
-template <int D> bool keep_dimensions(Faces<D>& faces, int dimension, double** value, Arena& arena) {
-    arena.release_low(arena.offset_of(faces.facets[dimension + 1]));
+// Drops the dimensions above `dimension` < dim; the values move down to where the facets of the others end. False: out
+// of memory.
+bool keep_dimensions(int dim, int dimension, std::uint32_t* face_count, std::uint32_t* const* facets, double** value,
+                     Arena& arena) {
+    arena.release_low(arena.offset_of(facets[dimension + 1]));
     for (int k = 0; k <= dimension; ++k) {
-        double* const moved = arena.take_low<double>(faces.count[k]);
+        double* const moved = arena.take_low<double>(face_count[k]);
         if (moved == nullptr) return false;
-        move_bytes(moved, value[k], sizeof(double) * faces.count[k], arena);
+        move_bytes(moved, value[k], sizeof(double) * face_count[k], arena);
         value[k] = moved;
     }
-    for (int k = dimension + 1; k <= D; ++k) faces.count[k] = 0;
-    faces.dimension_max = dimension;
+    for (int k = dimension + 1; k <= dim; ++k) face_count[k] = 0;
     return true;
 }
 
@@ -103,14 +95,14 @@ void exchange_pieces(unsigned char* at, std::size_t a, std::size_t b, const Aren
 
 // The facets of all dimensions stand before the values of all; from here on those of each dimension stand together, the
 // highest last, so that they can be given up in that order. In place.
-template <int D> void stack_dimensions(Faces<D>& faces, int dimension, double** value, Arena& arena) {
+void stack_dimensions(int dimension, std::uint32_t** facets, double** value, Arena& arena) {
     for (int k = 0; k < dimension; ++k) {
-        const std::size_t begin = arena.offset_of(faces.facets[k + 1]), middle = arena.offset_of(value[k]),
+        const std::size_t begin = arena.offset_of(facets[k + 1]), middle = arena.offset_of(value[k]),
                           end = arena.offset_of(value[k + 1]);
         unsigned char* const at = arena.at(begin);
         exchange_pieces(at, (middle - begin) / 8, (end - middle) / 8, arena);
         value[k] = reinterpret_cast<double*>(at);
-        for (int i = k + 1; i <= dimension; ++i) faces.facets[i] += (end - middle) / sizeof(std::uint32_t);
+        for (int i = k + 1; i <= dimension; ++i) facets[i] += (end - middle) / sizeof(std::uint32_t);
     }
 }
 
@@ -140,10 +132,13 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
     work.arena.release_high(high);
 
     const int dimension = static_cast<int>(request.max_degree) + 1;
-    if (dimension < D && !keep_dimensions(faces, dimension, value, work.arena)) return Status::out_of_memory;
-    status = order_from<1, D>(faces, dimension, value, work.arena);
-    if (status != Status::ok) return status;
-    if constexpr (D > 2) stack_dimensions(faces, dimension, value, work.arena);
+    if (dimension < D && !keep_dimensions(D, dimension, faces.count, faces.facets, value, work.arena))
+        return Status::out_of_memory;
+    for (int k = 1; k <= dimension; ++k) {
+        status = order_faces(k, dimension, faces.count, faces.facets, value, work.arena);
+        if (status != Status::ok) return status;
+    }
+    if (D > 2) stack_dimensions(dimension, faces.facets, value, work.arena);
     FilteredComplex filtered = {};
     filtered.stacked = D > 2;
     filtered.dimension = static_cast<std::uint32_t>(dimension);

@@ -48,21 +48,39 @@ public:
     // there (Monitor::pass), so these loops go on to their end and leave nothing half done.
     void watch(Monitor* monitor) { monitor_ = monitor; }
     // Reports work that has been done, in units of roughly 100 ns.
+#ifdef __OPTIMIZE_SIZE__
+    void pass(std::uint32_t work) const;
+#else
     void pass(std::uint32_t work) const {
         if (monitor_ != nullptr) monitor_->pass(work);
     }
+#endif
     // For a loop over [from, to), in pieces: reports the piece that begins at `from`, and returns where it ends. cost:
     // instructions of one step, or so.
     //     for (std::uint32_t i = 0; i < count;)
     //         for (const std::uint64_t piece = arena.piece(i, count, 20); i < piece; ++i) ...
+    // Where size counts a piece is one step, as two loops in one another and three arguments take more code than a call
+    // in each step.
+#ifdef __OPTIMIZE_SIZE__
+    std::uint64_t piece(std::uint64_t from, std::uint64_t, std::uint32_t cost) const {
+        tick(cost);
+        return from + 1;
+    }
+#else
     std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
         const std::uint64_t most = cost < 300 ? 1024 : 64;
         pass(static_cast<std::uint32_t>(most / 64) * cost / 4);
         return to - from < most ? to : from + most;
     }
+#endif
     // For other loops: reports step i, in each 256th for all of them.
     void step(std::uint64_t i, std::uint32_t cost) const {
+#ifdef __OPTIMIZE_SIZE__
+        static_cast<void>(i);
+        tick(cost);
+#else
         if (i % 256 == 0) pass(cost);
+#endif
     }
     // Does step(i) for i in [0, count), with reports between.
     template <class Step> void each(std::uint64_t count, std::uint32_t cost, Step&& take_step) const {
@@ -125,6 +143,9 @@ public:
     }
 
 private:
+#ifdef __OPTIMIZE_SIZE__
+    void tick(std::uint32_t cost) const;
+#endif
     // One piece of code for all types.
     unsigned char* take_items_low(std::size_t count, std::size_t item_bytes) {
         const std::size_t start = (low_ + alignment - 1) & ~(alignment - 1);

@@ -23,7 +23,7 @@ template <int D>
         const Cell<D>& behind = store.cell(cell.neighbour[i].cell());
         if (!(behind.radius2 < infinity) || !is_mixed<D>(store, cage, c, i)) continue;
         double z[2][D];
-        const int crossings = sphere_crossings<D>(ball, cell.centre, behind.centre, z);
+        const int crossings = sphere_crossings(D, ball.centre, ball.radius, cell.centre, behind.centre, {z[0], z[1]});
         for (int j = 0; j < crossings; ++j) corner->offer(z[j], distance2<D>(z[j], centre), c);
     }
     return true;

@@ -399,7 +399,7 @@ Status mesh_by_certificate(Store<D>& store, const InputRows& points, std::size_t
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_by_certificate<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,     \
+    template Status mesh_by_certificate<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,  \
                                            MeshResult<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -218,8 +218,8 @@ void offer_poles(const Store<D>& store, const Domain<D>& ball, const double* u, 
 // A point of v's clipped cell that is farther from u than the root of bound2, when no corner and no crossing of an edge
 // is. distance2 of *found is negative when there is none. Just before, v's star of `count` cells has been visited.
 template <int D>
-void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId v, double bound2,
-                 std::uint32_t count, Corner<D>* found) {
+[[gnu::cold]] void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId v, double bound2,
+                               std::uint32_t count, Corner<D>* found) {
     *found = Corner<D>{};
     const CellId* const star = store.list_top();
     const Cut<D> cut(ball, u, bound2);

@@ -10,8 +10,8 @@
 namespace netmesh {
 
 template <int D>
-Status mesh_points(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request, const Work& work,
-                   MeshResult<D>* result) {
+Status mesh_points(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                   const Work& work, MeshResult<D>* result) {
     if constexpr (built::cages) {
         if (request.method == MeshMethod::hierarchy && request.cages == CageKind::compact)
             return mesh_by_hierarchy<D>(store, points, n, request, work, result);
@@ -28,7 +28,7 @@ Status mesh_points(Store<D>& store, const InputRows& points, std::size_t n, cons
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_points<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,             \
+    template Status mesh_points<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,          \
                                    MeshResult<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -18,7 +18,7 @@ namespace netmesh {
 // certificate or the boundary net of the reference asks for is not resolved, the latter with row_a none), internal (an
 // audit finds an input in other D-balls than it is stored in, or an encroached cage), and what take_input says.
 template <int D>
-Status mesh_points(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request, const Work& work,
-                   MeshResult<D>* result);
+Status mesh_points(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                   const Work& work, MeshResult<D>* result);
 
 }  // namespace netmesh

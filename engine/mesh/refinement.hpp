@@ -280,14 +280,14 @@ template <int D, class Rule> Status Refinement<D, Rule>::yielding_insert(const S
     return status == Status::ok ? finish_step(v, true) : status;
 }
 
-template <int D, class Rule> Status Refinement<D, Rule>::note_size(VertexId v) {
+template <int D, class Rule> [[gnu::cold]] Status Refinement<D, Rule>::note_size(VertexId v) {
     const Status status = sizes_.note(v, rule().finest());
     if (status != Status::ok) result_.input.row_a = store_.vertex(nearest_input(v)).origin;
     return status;
 }
 
 // Over-refinement, when all inputs are in: everything is looked at once more.
-template <int D, class Rule> Status Refinement<D, Rule>::reach_sizes() {
+template <int D, class Rule> [[gnu::cold]] Status Refinement<D, Rule>::reach_sizes() {
     const std::uint32_t count = store_.state.vertex_count;
     observers_.stop_measuring_features();
     sizes_.start();
@@ -303,8 +303,8 @@ template <int D, class Rule> Status Refinement<D, Rule>::reach_sizes() {
 
 // What mesh_points does for one method.
 template <int D, class Rule>
-Status mesh_by_rule(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request, const Work& work,
-                    MeshResult<D>* result) {
+Status mesh_by_rule(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                    const Work& work, MeshResult<D>* result) {
     *result = MeshResult<D>{};
     const std::size_t low = store.arena.low_mark();
     Rule rule(store, request, work, *result);

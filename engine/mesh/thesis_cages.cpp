@@ -22,7 +22,7 @@ Status mesh_by_thesis_cages(Store<D>& store, const InputRows& points, std::size_
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_by_thesis_cages<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,    \
+    template Status mesh_by_thesis_cages<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&, \
                                             MeshResult<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "include/netmesh.h"
-#include "vocabulary/callback.hpp"
 
 namespace netmesh {
 
@@ -33,6 +32,13 @@ public:
     void pass(std::uint32_t work) {
         if (is_due(work)) report();
     }
+    // The same for a short step: cost is in instructions, or so.
+    void tick(std::uint32_t cost) {
+        ticks_ += cost;
+        if (ticks_ < 1u << 16) return;
+        pass(ticks_ >> 8);
+        ticks_ = 0;
+    }
     // Has the caller said that it wants to stop?
     bool has_stopped() const { return stopped_; }
 
@@ -42,11 +48,7 @@ private:
         countdown_ -= work;
         return false;
     }
-    [[gnu::noinline]] bool report() {
-        if (!stopped_ && poll_ != nullptr) stopped_ = never_throwing(poll_)(user_, &progress_) != 0;
-        countdown_ = stopped_ ? 0 : interval;
-        return stopped_;
-    }
+    bool report();  // one piece of code for all sources
 
 #ifdef NETMESH_SWEEP
     static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
@@ -57,6 +59,7 @@ private:
     void* user_ = nullptr;
     netmesh_progress progress_ = {};
     std::uint32_t countdown_ = interval;
+    std::uint32_t ticks_ = 0;
     bool stopped_ = false;
 };
 

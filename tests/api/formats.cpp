@@ -16,8 +16,8 @@ namespace {
 template <class Number> class Rows {
 public:
     Rows(const inputs::Points& points, int dim, std::size_t gap)
-        : count_(points.size() / static_cast<std::size_t>(dim)),
-          row_(static_cast<std::size_t>(dim) * sizeof(Number)), stride_(row_ + gap) {
+        : count_(points.size() / static_cast<std::size_t>(dim)), row_(static_cast<std::size_t>(dim) * sizeof(Number)),
+          stride_(row_ + gap) {
         bytes_.assign((count_ * stride_ - gap) / sizeof(Number), Number());
         std::memset(bytes_.data(), 0xFF, bytes_.size() * sizeof(Number));
         for (std::size_t i = 0; i < count_; ++i)

@@ -317,8 +317,8 @@ template <int D> void try_feet(int trials) {
         }
         const int is_beyond = sgn(norm2(foot) - Rational(ball.radius) * Rational(ball.radius));
         const int is_nearer = sgn(norm2(to_vertex) - norm2(to_w));
-        const EqualFoot<D, double> fast(ball, point, n);
-        const EqualFoot<D, WideFloat> slow(ball, point, n);
+        const EqualFoot<double> fast(ball, point, n);
+        const EqualFoot<WideFloat> slow(ball, point, n);
         beyond[0].count(fast.beyond(), is_beyond);
         beyond[1].count(slow.beyond(), is_beyond);
         nearer[0].count(fast.nearer(w), is_nearer);

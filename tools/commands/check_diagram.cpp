@@ -164,7 +164,7 @@ void add_report(const Session& session, RunReport* run) {
 
 Outcome check_with_points(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
     PointCloud points;
-    Outcome outcome = read_points(open.points_path, &points);
+    Outcome outcome = read_cloud(open, open.points_path, &points);
     if (!outcome.good()) return outcome;
     Options made = settled(open, points.dim);
     const bool by_scales = about(filter_of(made)).source == NETMESH_SOURCE_SCALES;
@@ -278,6 +278,7 @@ Options making_of(const Options& options, const DiagramFile& file) {
     made.points_path = options.points_path;
     made.mesh_path = options.mesh_path;
     made.values_at = options.values_at;
+    made.table = options.table;
     made.json = options.json;
     made.quiet = options.quiet;
     made.representatives.clear();

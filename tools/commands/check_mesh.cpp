@@ -167,7 +167,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     Outcome outcome = settle_mesh(options, &files, &session);
     PointCloud points;
     if (outcome.good() && !options.points_path.empty()) {
-        outcome = read_points(options.points_path, &points);
+        outcome = read_cloud(options, options.points_path, &points);
         if (outcome.good()) outcome = compare_inputs(files, points);
     }
     if (!outcome.good()) return outcome;

@@ -142,7 +142,7 @@ Outcome check_with_mesh(const Options& options, const VineFile& file, const std:
 
 Outcome check_with_points(const Options& options, const VineFile& file, const std::string& name, RunReport* run) {
     PointCloud points;
-    const Outcome outcome = read_points(options.points_path, &points);
+    const Outcome outcome = read_cloud(options, options.points_path, &points);
     if (!outcome.good()) return outcome;
     Session session(options, points.dim);
     session.mesh().purpose = NETMESH_PURPOSE_PERSIST;

@@ -47,8 +47,16 @@ std::string cycle_complaint(const Engine& engine, std::uint64_t index, const net
 
 }  // namespace
 
-void write_cycles(const Engine& engine, TextWriter& out) {
+namespace {
+
+template <class Visit> void for_each_chosen(const Engine& engine, const std::vector<bool>& chosen, Visit visit) {
     engine.for_each_pair([&](std::uint64_t i, const netmesh_pair& pair) {
+        if (chosen.empty() || chosen[i]) visit(i, pair);
+    });
+}
+
+void write_cycles_text(const Engine& engine, const std::vector<bool>& chosen, TextWriter& out) {
+    for_each_chosen(engine, chosen, [&](std::uint64_t i, const netmesh_pair& pair) {
         std::uint64_t count = 0;
         netmesh_get_cycle(engine.context(), i, &count);
         out << "bar " << pair.degree << ' ' << pair.birth << ' ' << pair.death << ' ' << count << '\n';
@@ -57,6 +65,37 @@ void write_cycles(const Engine& engine, TextWriter& out) {
                 out << simplex.vertices[v] << (v < pair.degree ? ' ' : '\n');
         });
     });
+}
+
+}  // namespace
+
+void write_cycles(const Engine& engine, TextWriter& out) { write_cycles_text(engine, {}, out); }
+
+void write_cycles(const Engine& engine, const std::string& path, const std::vector<bool>& chosen,
+                  const CyclePlaces& places, TextWriter& out) {
+    const std::string ending = ending_of(path);
+    if (ending != ".vtu" && ending != ".obj") return write_cycles_text(engine, chosen, out);
+    std::vector<CycleEntry> cycles;
+    for_each_chosen(engine, chosen, [&](std::uint64_t i, const netmesh_pair& pair) {
+        CycleEntry entry{{pair.degree, pair.birth, pair.death}, {}, 0};
+        engine.for_each_in_cycle(i, [&](std::uint64_t, const netmesh_simplex& simplex) {
+            entry.simplices.emplace_back(simplex.vertices, simplex.vertices + pair.degree + 1);
+        });
+        cycles.push_back(std::move(entry));
+    });
+    ending == ".vtu" ? write_cycles_vtu(cycles, places, out) : write_cycles_obj(cycles, places, out);
+}
+
+CyclePlaces places_of(const PointCloud& cloud) {
+    CyclePlaces places;
+    places.dim = cloud.dim;
+    std::set<std::vector<double>> seen;
+    for (std::size_t i = 0; i < cloud.rows(); i++) {
+        const double* const point = &cloud.coordinates[i * cloud.dim];
+        if (!seen.emplace(point, point + cloud.dim).second) continue;
+        places.coordinates.insert(places.coordinates.end(), point, point + cloud.dim);
+    }
+    return places;
 }
 
 std::string cycles_complaint(const Engine& engine, const SimplexList& complex, double slack) {

@@ -13,6 +13,13 @@ namespace netmesh::tool {
 // `bar DEGREE BIRTH DEATH N` and N lines of vertices for each pair that the engine holds.
 void write_cycles(const Engine& engine, TextWriter& out);
 
+// The same by the ending of `path`, of the bars that are chosen: `chosen` may be empty, for all. Places are for .vtu
+// and .obj alone.
+void write_cycles(const Engine& engine, const std::string& path, const std::vector<bool>& chosen,
+                  const CyclePlaces& places, TextWriter& out);
+// The different points in their order, by which cycles of scales and of filters on points go.
+CyclePlaces places_of(const PointCloud& cloud);
+
 // Empty when every cycle has boundary zero (in degree 0: is one vertex, or two of a pair that dies) and enters with its
 // pair; and, by a reduction of the complex if there is one, is no boundary before the pair dies and one from then on.
 // Otherwise what is wrong. `slack` as of FilteredComplex.

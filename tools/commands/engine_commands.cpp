@@ -1,4 +1,7 @@
 // mesh, delaunay and persist: points in, a few calls of the engine, files out.
+#include <cstdio>
+#include <set>
+
 #include "platform/clock.hpp"
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/commands.hpp"
@@ -14,6 +17,11 @@
 namespace netmesh::tool {
 
 namespace {
+
+// Names of outputs, in which {} stands for the input's.
+constexpr std::string Options::*outputs[] = {&Options::out,       &Options::svg,
+                                             &Options::mesh_out,  &Options::representatives,
+                                             &Options::pace_path, &Options::weighted_path};
 
 bool persists(const Options& options) { return options.command == Command::persist; }
 
@@ -47,15 +55,16 @@ Outcome check_error(const Options& options, const Engine& engine) {
 
 // Once before the points are read, with dim 0, and once behind.
 Outcome check_outputs(const Options& options, std::uint32_t dim) {
-    Outcome outcome;
-    if (persists(options)) {
-        outcome = check_ending(options.out, ".pers", "a diagram");
+    Outcome outcome = check_picture_ending(options);
+    if (outcome.good() && persists(options)) {
+        outcome = check_diagram_ending(options.out);
+        if (outcome.good()) outcome = check_cycles_ending(options.representatives, true, dim);
         if (!outcome.good()) return outcome;
         if (source_of(options) == NETMESH_SOURCE_SCALES && !options.mesh_out.empty()) {
             return usage_error("--mesh " + options.mesh_out + ": scales has one mesh after the other and keeps none");
         }
         outcome = check_mesh_ending(options.mesh_out, dim);
-    } else {
+    } else if (outcome.good()) {
         outcome = check_mesh_ending(options.out, dim);
         if (!options.svg.empty() && dim > 2) {
             return usage_error("--svg " + options.svg + ": draws meshes in the plane, these points have " +
@@ -97,7 +106,8 @@ Outcome read_input(Options* asked, Input* input) {
     if (outcome.good() && persists(options)) outcome = check_function(options);
     if (outcome.good()) outcome = check_outputs(options, 0);
     const bool has_values = persists(options) && !options.values_at.empty();
-    if (outcome.good()) outcome = has_values ? read_mesh(asked, input) : read_points(options.positionals[0], cloud);
+    if (outcome.good())
+        outcome = has_values ? read_mesh(asked, input) : read_cloud(options, options.positionals[0], cloud);
     if (outcome.good()) outcome = check_outputs(options, cloud->dim);
     if (outcome.good()) outcome = check_coordinates(options, cloud->dim);
     return outcome;
@@ -228,24 +238,39 @@ struct Result {
     EngineMesh mesh;
     std::vector<Bar> bars;
     Bounds bounds;
+    std::vector<bool> chosen;  // bars of the engine's diagram that these are; empty: all
+    Head head;
+    CyclePlaces places;
 };
+
+// Cycles go by vertices of a mesh, or by points.
+CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const PointCloud& cloud) {
+    const netmesh_source source = source_of(options);
+    if (source != NETMESH_SOURCE_MESH && source != NETMESH_SOURCE_DELAUNAY) return places_of(cloud);
+    CyclePlaces places;
+    places.dim = mesh.dim;
+    for (std::uint64_t i = 0; i < mesh.vertex_count; i++) {
+        const netmesh_vertex vertex = mesh.vertex(i);
+        places.coordinates.insert(places.coordinates.end(), vertex.coordinates, vertex.coordinates + mesh.dim);
+    }
+    return places;
+}
 
 // Files, pictures, data on stdout: what the options ask for. All that is handed over must outlive the jobs.
 std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, const Result& result,
                                   const netmesh_report& report) {
     std::vector<FileJob> jobs;
     if (!options.representatives.empty())
-        jobs.push_back({options.representatives, [&](TextWriter& out) { write_cycles(engine, out); }});
+        jobs.push_back({options.representatives, [&](TextWriter& out) {
+                            write_cycles(engine, options.representatives, result.chosen, result.places, out);
+                        }});
     if (!options.mesh_out.empty()) add_mesh_files(result.mesh, options.mesh_out, &jobs);
     if (!options.svg.empty()) {
         const auto draw = [&](TextWriter& out) { out << diagram_picture(result.bars, report, result.bounds); };
-        jobs.push_back({options.svg, draw});
+        jobs.push_back({picture_path(options.svg), draw});
     }
-    if (!options.out.empty() || !options.json)
-        jobs.push_back({options.out, [&](TextWriter& out) {
-                            write_head(head_of(options, report), out);
-                            write_diagram(result.bars, result.bounds, out);
-                        }});
+    if (writes_data(options))
+        jobs.push_back(diagram_job(options, result.head, result.chosen, result.bars, result.bounds));
     return jobs;
 }
 
@@ -271,8 +296,9 @@ std::vector<FileJob> mesh_jobs(const Options& options, const Measured& measured,
         jobs.push_back({options.pace_path, [&](TextWriter& out) { write_pace(measured, options.pace_theta, out); }});
     if (!options.weighted_path.empty())
         jobs.push_back({options.weighted_path, [&](TextWriter& out) { write_weighted_cells(measured, mesh, out); }});
-    if (!options.svg.empty()) jobs.push_back({options.svg, [&](TextWriter& out) { write_mesh_picture(mesh, out); }});
-    if (!options.out.empty() || !options.json) add_mesh_files(mesh, options.out, &jobs);
+    if (!options.svg.empty())
+        jobs.push_back({picture_path(options.svg), [&](TextWriter& out) { write_mesh_picture(mesh, out); }});
+    if (writes_data(options)) add_mesh_files(mesh, options.out, &jobs);
     return jobs;
 }
 
@@ -286,9 +312,7 @@ void take_focus(const netmesh_certificate_goal& goal, Options* options) {
     options->to = goal.focus_to;
 }
 
-}  // namespace
-
-Outcome run_engine_command(const Options& from) {
+Outcome run_one(const Options& from) {
     const double start = platform::seconds_now();
     Options given = from;
     Input input;
@@ -316,7 +340,7 @@ Outcome run_engine_command(const Options& from) {
     const SimplexList complex = complex_of(options, session.engine(), cloud);
     if (options.check) run.checked = std::vector<std::string>{checked_text(options, complex)};
 
-    Result result{EngineMesh(session.engine(), *run.engine), {}, {}};
+    Result result{EngineMesh(session.engine(), *run.engine), {}, {}, {}, {}, {}};
     result.mesh.cage_kind = session.mesh().cage_kind;
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
     result.mesh.size_at_inputs = session.mesh().size_at_inputs;
@@ -329,9 +353,63 @@ Outcome run_engine_command(const Options& from) {
     result.bounds = bounds_of(session.engine(), *run.engine);
     if (options.check) outcome = check_result(session.engine(), result.bars, complex, cloud);
     if (!outcome.good()) return outcome;
+    result.chosen = chosen_bars(options, result.bars);
+    keep_chosen(result.chosen, &result.bars, &result.bounds);
+    result.head = head_of(options, *run.engine);
+    const std::string cycles_ending = ending_of(options.representatives);
+    if (cycles_ending == ".vtu" || cycles_ending == ".obj") result.places = places_of(options, result.mesh, cloud);
     if (options.bounds) run.bounds = &result.bounds;
     if (options.json && options.out.empty()) run.bars = &result.bars;
     return finish_run(diagram_jobs(options, session.engine(), result, *run.engine), start, &run);
+}
+
+// The options of one of several inputs: {} in names of outputs is its name without folder and ending.
+Options for_input(const Options& options, const std::string& path) {
+    Options one = options;
+    one.positionals = {path};
+    std::string name = path.substr(path.rfind('/') + 1);
+    if (ending_of(name) == ".gz") name.resize(name.size() - 3);
+    name.resize(name.size() - ending_of(name).size());
+    for (std::string Options::*output : outputs) {
+        std::string& text = one.*output;
+        for (std::size_t at = text.find("{}"); at != std::string::npos; at = text.find("{}", at + name.size()))
+            text.replace(at, 2, name);
+    }
+    return one;
+}
+
+// Several inputs need an output each.
+Outcome check_several(const Options& options) {
+    if (!options.values_at.empty()) return usage_error("--values-at goes with one mesh");
+    if (options.out.empty() && !options.json)
+        return usage_error(
+            "several inputs need -o with {} in it, which stands for the name of each: -o 'out/{}.ENDING'");
+    for (std::string Options::*output : outputs) {
+        std::set<std::string> names;
+        const std::string& given = options.*output;
+        if (given == "-") return usage_error("--svg - is for one input");
+        for (const std::string& path : options.positionals) {
+            if (given.empty() || names.insert(for_input(options, path).*output).second) continue;
+            return usage_error(given + ": several inputs would be written to one file; {} stands for the name of each");
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+// Of several inputs each is tried; the first that fails says how it ends.
+Outcome run_engine_command(const Options& options) {
+    if (options.positionals.size() == 1) return run_one(for_input(options, options.positionals[0]));
+    Outcome ended = check_several(options);
+    if (!ended.good()) return ended;
+    for (const std::string& path : options.positionals) {
+        const Outcome outcome = run_one(for_input(options, path));
+        if (outcome.exit == Exit::usage || outcome.exit == Exit::cancelled) return outcome;
+        if (!outcome.message.empty()) std::fprintf(stderr, "%s\n", outcome.message.c_str());
+        if (ended.good()) ended.exit = outcome.exit;
+    }
+    return ended;
 }
 
 }  // namespace netmesh::tool

@@ -15,7 +15,9 @@ namespace netmesh::tool {
 namespace {
 
 Outcome read_input(const Options& options, SimplexFile* file) {
-    Outcome outcome = check_ending(options.out, ".pers", "a diagram");
+    Outcome outcome = check_diagram_ending(options.out);
+    if (outcome.good()) outcome = check_picture_ending(options);
+    if (outcome.good()) outcome = check_cycles_ending(options.representatives, false, 0);
     if (outcome.good()) outcome = check_writable({options.out, options.svg, options.representatives});
     std::string content;
     file->lines.name = shown_name(options.positionals[0]);
@@ -80,23 +82,28 @@ Outcome run_homology(const Options& options) {
     run.engine = engine.report();
     run.clock = session.clock();
 
-    const std::vector<Bar> bars = bars_of(engine);
+    std::vector<Bar> bars = bars_of(engine);
     if (options.check) {
         const SimplexList complex = simplices_of(file);
         const std::string complaint = cycles_complaint(engine, complex, 0);
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: " + complaint};
         run.checked = std::vector<std::string>{cycles_checked(complex)};
     }
+    const std::vector<bool> chosen = chosen_bars(options, bars);
+    Bounds bounds;
+    keep_chosen(chosen, &bars, &bounds);
     outcome = check_picture(options, bars);
     if (!outcome.good()) return outcome;
     if (options.json && options.out.empty()) run.bars = &bars;
     std::vector<FileJob> jobs;
     if (!options.svg.empty())
-        jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, *run.engine); }});
+        jobs.push_back(
+            {picture_path(options.svg), [&](TextWriter& out) { out << diagram_picture(bars, *run.engine); }});
     if (!options.representatives.empty())
-        jobs.push_back({options.representatives, [&](TextWriter& out) { write_cycles(engine, out); }});
-    if (!options.out.empty() || !options.json)
-        jobs.push_back({options.out, [&](TextWriter& out) { write_diagram(bars, {}, out); }});
+        jobs.push_back({options.representatives,
+                        [&](TextWriter& out) { write_cycles(engine, options.representatives, chosen, {}, out); }});
+    const Head head;  // there is none
+    if (writes_data(options)) jobs.push_back(diagram_job(options, head, chosen, bars, bounds));
     return finish_run(jobs, start, &run);
 }
 

@@ -1,5 +1,6 @@
 #include "tools/commands/output.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -45,7 +46,8 @@ Outcome write_files(const std::vector<FileJob>& jobs) {
 Outcome check_writable(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
         std::string why;
-        if (!path.empty() && !platform::can_write(path, &why)) return data_error(path + ": cannot write: " + why);
+        if (!path.empty() && path != "-" && !platform::can_write(path, &why))
+            return data_error(path + ": cannot write: " + why);
     }
     return {};
 }
@@ -131,19 +133,103 @@ Bounds bounds_of(const Engine& engine, const netmesh_report& report) {
     return bounds;
 }
 
+Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud) {
+    const Outcome outcome = read_points(path, options.table, cloud);
+    if (outcome.good() && !cloud->note.empty() && !options.quiet)
+        std::fputs((cloud->name + ": " + cloud->note + "\n").c_str(), stderr);
+    return outcome;
+}
+
 Outcome check_ending(const std::string& path, const char* ending, const char* what) {
     if (path.empty() || ending_of(path) == ending) return {};
     return usage_error(path + ": " + what + " is written to " + ending);
 }
 
+Outcome check_diagram_ending(const std::string& path) {
+    const std::string ending = ending_of(path);
+    for (const char* known : {".pers", ".csv", ".json", ".npy"})
+        if (path.empty() || ending == known) return {};
+    return usage_error(path + ": a diagram is written to .pers, .csv, .json or .npy");
+}
+
+Outcome check_picture_ending(const Options& options) {
+    if (options.svg == "-" && options.json) return usage_error("--svg -: with --json stdout is the report's");
+    if (options.svg == "-") return {};
+    return check_ending(options.svg, ".svg", "a picture");
+}
+
+Outcome check_cycles_ending(const std::string& path, bool has_places, std::uint32_t dim) {
+    const std::string ending = ending_of(path);
+    const bool shown = ending == ".vtu" || ending == ".obj";
+    if (path.empty() || ending.empty() || ending == ".txt" || ending == ".cycles") return {};
+    if (!shown) return usage_error(path + ": cycles are written to .txt, .cycles, .vtu or .obj");
+    if (!has_places) return usage_error(path + ": the vertices of a complex have no places; .txt holds them by number");
+    if (dim <= 3) return {};
+    return usage_error(path + ": " + ending + " holds 2 or 3 dimensions, these points have " + std::to_string(dim) +
+                       "; .txt holds any");
+}
+
+std::vector<bool> chosen_bars(const Options& options, const std::vector<Bar>& bars) {
+    if (options.top == 0 && options.min_persistence == 0) return {};
+    std::vector<std::size_t> order(bars.size());
+    for (std::size_t i = 0; i < bars.size(); i++) order[i] = i;
+    const auto length = [&](std::size_t i) { return bars[i].death - bars[i].birth; };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return bars[a].degree != bars[b].degree ? bars[a].degree < bars[b].degree : length(a) > length(b);
+    });
+    std::vector<bool> chosen(bars.size());
+    std::uint64_t of_degree = 0;
+    for (std::size_t k = 0; k < order.size(); k++) {
+        const std::size_t i = order[k];
+        if (k > 0 && bars[order[k - 1]].degree != bars[i].degree) of_degree = 0;
+        chosen[i] = length(i) >= options.min_persistence && (options.top == 0 || of_degree < options.top);
+        of_degree++;
+    }
+    return chosen;
+}
+
+void keep_chosen(const std::vector<bool>& chosen, std::vector<Bar>* bars, Bounds* bounds) {
+    if (chosen.empty()) return;
+    std::size_t kept = 0;
+    const bool bounded = bounds->bars.size() == bars->size();
+    for (std::size_t i = 0; i < bars->size(); i++) {
+        if (!chosen[i]) continue;
+        if (bounded) bounds->bars[kept] = bounds->bars[i];
+        (*bars)[kept++] = (*bars)[i];
+    }
+    bars->resize(kept);
+    if (bounded) bounds->bars.resize(kept);
+}
+
+FileJob diagram_job(const Options& options, const Head& head, const std::vector<bool>& chosen,
+                    const std::vector<Bar>& bars, const Bounds& bounds) {
+    const std::string ending = ending_of(options.out);
+    if (ending == ".csv") return {options.out, [&](TextWriter& out) { write_diagram_csv(bars, bounds, out); }};
+    if (ending == ".json") return {options.out, [&](TextWriter& out) { write_diagram_json(bars, out); }};
+    if (ending == ".npy") return {options.out, [&](TextWriter& out) { write_diagram_npy(bars, out); }};
+    return {options.out, [&](TextWriter& out) {
+                if (chosen.empty()) {
+                    write_head(head, out);
+                } else {  // what a head says is true of whole diagrams only
+                    out << "# a choice of " << std::uint64_t{bars.size()} << " of " << std::uint64_t{chosen.size()}
+                        << " bars";
+                    if (options.min_persistence > 0) out << ", --min-persistence " << options.min_persistence;
+                    if (options.top > 0) out << ", --top " << options.top;
+                    out << '\n';
+                }
+                write_diagram(bars, bounds, out);
+            }};
+}
+
 Outcome check_mesh_ending(const std::string& path, std::uint32_t dim) {
     if (path.empty()) return {};
     const std::string ending = ending_of(path);
-    if (ending != ".node" && ending != ".vtu" && ending != ".off") {
-        return usage_error(path + ": a mesh is written to .node, .vtu or .off");
-    }
-    if (ending == ".vtu" && dim > 3) {
-        return usage_error(path + ": .vtu holds 2 or 3 dimensions, these points have " + std::to_string(dim) +
+    const bool any_dim = ending == ".node" || ending == ".off";
+    bool known = any_dim;
+    for (const char* flat : {".vtu", ".ply", ".obj", ".msh", ".mesh"}) known = known || ending == flat;
+    if (!known) return usage_error(path + ": a mesh is written to .node, .off, .vtu, .ply, .obj, .msh or .mesh");
+    if (!any_dim && dim > 3) {
+        return usage_error(path + ": " + ending + " holds 2 or 3 dimensions, these points have " + std::to_string(dim) +
                            "; .node and .off hold any");
     }
     return {};
@@ -158,6 +244,16 @@ void add_mesh_files(const MeshSource& mesh, const std::string& path, std::vector
         jobs->push_back({stem_of(path) + ".neigh", [source](TextWriter& out) { write_neigh(*source, out); }});
     } else if (ending == ".vtu") {
         jobs->push_back({path, [source](TextWriter& out) { write_vtu(*source, out); }});
+    } else if (ending == ".ply") {
+        jobs->push_back({path, [source](TextWriter& out) { write_ply(*source, out); }});
+    } else if (ending == ".obj") {
+        jobs->push_back({path, [source](TextWriter& out) { write_obj(*source, out); }});
+    } else if (ending == ".msh") {
+        jobs->push_back({path, [source](TextWriter& out) { write_msh(*source, out); }});
+    } else if (ending == ".mesh") {
+        jobs->push_back({path, [source](TextWriter& out) { write_medit(*source, out); }});
+        if (mesh.has_values)
+            jobs->push_back({stem_of(path) + ".sol", [source](TextWriter& out) { write_medit_values(*source, out); }});
     } else {
         jobs->push_back({path, [source](TextWriter& out) { write_off(*source, out); }});
     }

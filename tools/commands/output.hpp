@@ -7,6 +7,7 @@
 #include "netmesh.hpp"
 #include "tools/io/diagram_file.hpp"
 #include "tools/io/mesh_files.hpp"
+#include "tools/io/provenance.hpp"
 #include "tools/outcome.hpp"
 #include "tools/report/report.hpp"
 
@@ -49,8 +50,30 @@ std::vector<Bar> bars_of(const Engine& engine);
 Bounds bounds_of(const Engine& engine, const netmesh_report& report);
 inline Bounds bounds_of(const Engine& engine) { return bounds_of(engine, engine.report()); }
 
+// read_points, and on stderr its note unless --quiet was given.
+Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud);
+
 // Exit::usage unless `path` is empty or has the ending: "FILE: WHAT is written to ENDING".
 Outcome check_ending(const std::string& path, const char* ending, const char* what);
+
+// The same for those that a diagram, a picture ("-" is stdout) and cycles can be written to; cycles have .vtu and .obj
+// where their vertices have places, in 2 or 3 dimensions (0: not known yet).
+Outcome check_diagram_ending(const std::string& path);
+Outcome check_picture_ending(const Options& options);
+Outcome check_cycles_ending(const std::string& path, bool has_places, std::uint32_t dim);
+
+// Which bars --min-persistence and --top leave, in their order; empty when they leave all.
+std::vector<bool> chosen_bars(const Options& options, const std::vector<Bar>& bars);
+void keep_chosen(const std::vector<bool>& chosen, std::vector<Bar>* bars, Bounds* bounds);
+// The diagram by the ending of options.out; `head` goes in front of a whole one in .pers. All must outlive the job.
+FileJob diagram_job(const Options& options, const Head& head, const std::vector<bool>& chosen,
+                    const std::vector<Bar>& bars, const Bounds& bounds);
+// A picture: its file, stdout for "-".
+inline std::string picture_path(const std::string& svg) { return svg == "-" ? "" : svg; }
+// Whether the data go out: not where only a picture does, or only JSON.
+inline bool writes_data(const Options& options) {
+    return !options.out.empty() || (!options.json && options.svg != "-");
+}
 
 // Exit::usage unless `path` is empty (stdout, OFF) or has an ending that meshes can be written to; with a dimension
 // other than 0 also when the format cannot hold it.

@@ -1,7 +1,6 @@
-#include <cstring>
-
 #include "tools/commands/commands.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/io/npy_writer.hpp"
 #include "tools/report/report.hpp"
 #include "tools/sample/shapes.hpp"
 
@@ -14,22 +13,9 @@ void write_text(const std::vector<double>& coordinates, std::uint32_t dim, char 
         out << coordinates[i] << ((i + 1) % dim == 0 ? '\n' : separator);
 }
 
-// Version 1.0, little-endian doubles, the header padded so that the data starts at a multiple of 64.
 void write_npy(const std::vector<double>& coordinates, std::uint32_t dim, TextWriter& out) {
-    std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
-                         std::to_string(coordinates.size() / dim) + ", " + std::to_string(dim) + "), }";
-    while ((10 + header.size() + 1) % 64 != 0) header += ' ';
-    header += '\n';
-    out << std::string_view("\x93NUMPY\x01\x00", 8) << static_cast<char>(header.size() & 255)
-        << static_cast<char>(header.size() >> 8) << header;
-    for (const double coordinate : coordinates) {
-        const double value = coordinate + 0.0;  // -0.0 becomes 0.0
-        std::uint64_t bits;
-        std::memcpy(&bits, &value, sizeof bits);
-        char bytes[8];
-        for (int i = 0; i < 8; i++) bytes[i] = static_cast<char>(bits >> (8 * i) & 255);
-        out << std::string_view(bytes, 8);
-    }
+    write_npy_head(coordinates.size() / dim, dim, out);
+    for (const double coordinate : coordinates) write_npy_double(coordinate, out);
 }
 
 }  // namespace

@@ -43,8 +43,9 @@ Outcome read_input(const Options& options, PointCloud* cloud) {
     if (!options.k) return usage_error("vineyard needs --k FIRST..LAST");
     Outcome outcome = check_max_degree(options);
     if (outcome.good()) outcome = check_ending(options.out, ".vines", "a vineyard");
+    if (outcome.good()) outcome = check_picture_ending(options);
     if (outcome.good()) outcome = check_writable({options.out, options.svg});
-    return outcome.good() ? read_points(options.positionals[0], cloud) : outcome;
+    return outcome.good() ? read_cloud(options, options.positionals[0], cloud) : outcome;
 }
 
 // The files of a vineyard that was made.
@@ -53,9 +54,10 @@ Outcome finish(double start, const Vines& vines, RunReport* run) {
     run->vines = &vines;
     std::vector<FileJob> jobs;
     if (!options.svg.empty()) {
-        jobs.push_back({options.svg, [&](TextWriter& out) { out << vineyard_picture(vines, *run->engine); }});
+        jobs.push_back(
+            {picture_path(options.svg), [&](TextWriter& out) { out << vineyard_picture(vines, *run->engine); }});
     }
-    if (!options.out.empty() || !options.json) {
+    if (writes_data(options)) {
         jobs.push_back({options.out, [&](TextWriter& out) { write_vines(vines, run->engine->vineyard, out); }});
     }
     return finish_run(jobs, start, run);
@@ -65,6 +67,7 @@ Outcome run_with_values(const Options& options) {
     const double start = platform::seconds_now();
     ValueInput input;
     Outcome outcome = check_ending(options.out, ".vines", "a vineyard");
+    if (outcome.good()) outcome = check_picture_ending(options);
     if (outcome.good()) outcome = check_writable({options.out, options.svg});
     if (outcome.good()) outcome = read_value_input(options, options.positionals[0], &input);
     if (!outcome.good()) return outcome;

@@ -17,6 +17,16 @@ struct CycleEntry {
     std::uint64_t line;                                 // of `bar`
 };
 
+// Where the vertices of cycles are, D = 2 and 3.
+struct CyclePlaces {
+    std::uint32_t dim = 0;
+    std::vector<double> coordinates;  // [vertices][dim]
+};
+// VTK's unstructured grid of vertices, lines, triangles and tetrahedra, with cell data bar, degree, birth and death.
+void write_cycles_vtu(const std::vector<CycleEntry>& cycles, const CyclePlaces& places, TextWriter& out);
+// A group for each bar, of points, lines or triangles.
+void write_cycles_obj(const std::vector<CycleEntry>& cycles, const CyclePlaces& places, TextWriter& out);
+
 // Faults are Exit::data with file and line.
 Outcome parse_cycles(std::string_view content, const std::string& name, std::vector<CycleEntry>* cycles);
 

@@ -35,6 +35,12 @@ struct Bounds {
 // every line ends in a comment: `# birth A B death C D real`, the last word where it is.
 void write_diagram(const std::vector<Bar>& bars, const Bounds& bounds, TextWriter& out);
 
+// For other programs: a header and a bar a line, `inf` for deaths that are none, behind them the bounds if there are
+// some; {"schema": 1, "bars": [[degree, birth, death], ...]}, with null for inf; doubles [bars][3].
+void write_diagram_csv(const std::vector<Bar>& bars, const Bounds& bounds, TextWriter& out);
+void write_diagram_json(const std::vector<Bar>& bars, TextWriter& out);
+void write_diagram_npy(const std::vector<Bar>& bars, TextWriter& out);
+
 // A line that write_diagram makes of bounds.
 struct BoundLine {
     std::uint64_t number;

@@ -1,4 +1,5 @@
-// Meshes in files: TetGen's .node/.ele/.neigh for any dimension (both ways), .off and .vtu (out).
+// Meshes in files: TetGen's .node/.ele/.neigh for any dimension (both ways); .off, .vtu, .ply, .obj, .msh and .mesh
+// (out).
 #pragma once
 #include <cstdint>
 #include <string>
@@ -49,6 +50,16 @@ void write_off(const MeshSource& mesh, TextWriter& out);
 // VTK's unstructured grid, D = 2 and 3, with point data `marker`, `value`, `aspect_ratio` and `domain` (-1: the
 // outermost), as far as they are known.
 void write_vtu(const MeshSource& mesh, TextWriter& out);
+
+// The rest is for D = 2 and 3. Surfaces: the triangles of a mesh in the plane, all triangles of one in space, each
+// once; .ply has value and marker as properties of vertices.
+void write_ply(const MeshSource& mesh, TextWriter& out);
+void write_obj(const MeshSource& mesh, TextWriter& out);
+// Gmsh's format 2.2 in ASCII, with node data marker and value.
+void write_msh(const MeshSource& mesh, TextWriter& out);
+// Medit's .mesh, with markers as references, and the .sol of the values.
+void write_medit(const MeshSource& mesh, TextWriter& out);
+void write_medit_values(const MeshSource& mesh, TextWriter& out);
 
 // A .node file as it stands.
 struct NodeFile {

@@ -1,9 +1,10 @@
-// NumPy arrays: the two-axis, C-order ones with real numbers in them.
+// NumPy arrays of two axes with real numbers in them, one by one (.npy) or in an archive (.npz).
 #include <cmath>
 #include <cstring>
 
 #include "tools/io/lines.hpp"
 #include "tools/io/points.hpp"
+#include "tools/io/unpack.hpp"
 
 namespace netmesh::tool {
 
@@ -12,12 +13,12 @@ namespace {
 struct Array {
     char kind = 0;  // f, i or u
     unsigned item_bytes = 0;
-    bool little = true;
+    bool little = true, fortran = false;
     std::uint64_t rows = 0, columns = 0;
     std::size_t data_offset = 0;
 };
 
-Outcome wrong(const PointCloud& cloud, const std::string& what) { return data_error(cloud.name + ": " + what); }
+Outcome wrong(const Table& table, const std::string& what) { return data_error(table.name + ": " + what); }
 
 // The text of a value in the header's dictionary, from behind `'key':` up to the comma that ends it (brackets count).
 bool find_value(std::string_view header, std::string_view key, std::string_view* value) {
@@ -67,7 +68,8 @@ bool parse_shape(std::string_view text, std::vector<std::uint64_t>* shape) {
 }
 
 std::string parse_descr(std::string_view text, Array* array) {
-    const std::string no = "elements of type " + quoted(text) + "; float32, float64 and integers are read";
+    const std::string no = "elements of type " + quoted(text) +
+                           "; float16, float32, float64 and integers are read: numpy.save(..., a.astype(float))";
     if (text.size() < 5 || (text.front() != '\'' && text.front() != '"') || text.back() != text.front()) return no;
     const std::string_view code = text.substr(1, text.size() - 2);
     const char order = code[0];
@@ -76,7 +78,7 @@ std::string parse_descr(std::string_view text, Array* array) {
     array->item_bytes = digits.size() == 1 ? static_cast<unsigned>(digits[0] - '0') : 0;
     array->little = order != '>';
     const unsigned n = array->item_bytes;
-    const bool size_good = array->kind == 'f' ? (n == 4 || n == 8) : (n == 1 || n == 2 || n == 4 || n == 8);
+    const bool size_good = array->kind == 'f' ? (n == 2 || n == 4 || n == 8) : (n == 1 || n == 2 || n == 4 || n == 8);
     const bool kind_good = array->kind == 'f' || array->kind == 'i' || array->kind == 'u';
     const bool order_good = order == '<' || order == '>' || order == '|' || order == '=';
     return size_good && kind_good && order_good ? std::string() : no;
@@ -107,8 +109,10 @@ std::string parse_header(std::string_view content, Array* array) {
     if (!complaint.empty()) return complaint;
     std::vector<std::uint64_t> shape;
     if (!parse_shape(shape_text, &shape)) return "shape " + quoted(shape_text) + " is not understood";
-    if (shape.size() != 2) return "an array of " + std::to_string(shape.size()) + " axes; points need two";
-    if (order != "False") return "Fortran order; points are read in C order (one point a row)";
+    if (shape.size() != 2)
+        return "an array of " + std::to_string(shape.size()) + " axes; points need two: a.reshape(-1, D)";
+    if (order != "False" && order != "True") return "fortran_order " + quoted(order) + " is not understood";
+    array->fortran = order == "True";
     array->rows = shape[0];
     array->columns = shape[1];
     array->data_offset = start + length;
@@ -121,7 +125,28 @@ template <class T> double item(const unsigned char* bytes) {
     return static_cast<double>(value);
 }
 
-double read_item(const Array& array, const unsigned char* source) {
+double half(const unsigned char* bytes) {
+    std::uint16_t bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    const int exponent = (bits >> 10) & 31;
+    const double fraction = bits & 1023;
+    double value = exponent == 0    ? std::ldexp(fraction, -24)
+                   : exponent == 31 ? (fraction > 0 ? std::nan("") : HUGE_VAL)
+                                    : std::ldexp(1024 + fraction, exponent - 25);
+    return (bits & 0x8000) != 0 ? -value : value;
+}
+
+// Whether an integer of eight bytes is a double.
+bool is_exact(const unsigned char* bytes, bool is_signed) {
+    std::uint64_t size;
+    std::memcpy(&size, bytes, sizeof size);
+    if (is_signed && (size >> 63) != 0) size = 0 - size;
+    constexpr std::uint64_t limit = std::uint64_t{1} << 53;
+    return size <= limit;
+}
+
+// False for an integer that no double is sure to hold.
+bool read_item(const Array& array, const unsigned char* source, double* value) {
     unsigned char bytes[8];
     constexpr std::uint16_t probe = 1;
     const bool host_little = *reinterpret_cast<const unsigned char*>(&probe) == 1;
@@ -129,48 +154,101 @@ double read_item(const Array& array, const unsigned char* source) {
         bytes[i] = source[array.little == host_little ? i : array.item_bytes - 1 - i];
     }
     const bool is_signed = array.kind == 'i';
-    if (array.kind == 'f') return array.item_bytes == 4 ? item<float>(bytes) : item<double>(bytes);
-    switch (array.item_bytes) {
-    case 1: return is_signed ? item<std::int8_t>(bytes) : item<std::uint8_t>(bytes);
-    case 2: return is_signed ? item<std::int16_t>(bytes) : item<std::uint16_t>(bytes);
-    case 4: return is_signed ? item<std::int32_t>(bytes) : item<std::uint32_t>(bytes);
-    default: return is_signed ? item<std::int64_t>(bytes) : item<std::uint64_t>(bytes);
+    if (array.kind == 'f') {
+        *value = array.item_bytes == 2 ? half(bytes) : array.item_bytes == 4 ? item<float>(bytes) : item<double>(bytes);
+        return true;
     }
+    switch (array.item_bytes) {
+    case 1: *value = is_signed ? item<std::int8_t>(bytes) : item<std::uint8_t>(bytes); break;
+    case 2: *value = is_signed ? item<std::int16_t>(bytes) : item<std::uint16_t>(bytes); break;
+    case 4: *value = is_signed ? item<std::int32_t>(bytes) : item<std::uint32_t>(bytes); break;
+    default:
+        *value = is_signed ? item<std::int64_t>(bytes) : item<std::uint64_t>(bytes);
+        return is_exact(bytes, is_signed);
+    }
+    return true;
 }
 
 }  // namespace
 
-Outcome parse_npy_points(std::string_view content, PointCloud* cloud) {
+Outcome parse_npy_table(std::string_view content, const TableOptions& options, Table* table) {
     Array array;
     const std::string complaint = parse_header(content, &array);
-    if (!complaint.empty()) return wrong(*cloud, complaint);
-    if (array.rows == 0) return wrong(*cloud, "the array has no rows: no point");
-    if (array.columns < dim_min || array.columns > dim_max) {
-        return wrong(*cloud, std::to_string(array.columns) + " columns; points have 2 to 6 coordinates");
-    }
-    const std::uint64_t row_bytes = array.columns * array.item_bytes;
+    if (!complaint.empty()) return wrong(*table, complaint);
+    if (array.rows == 0) return wrong(*table, "the array has no rows: no point");
+    if (array.columns == 0) return wrong(*table, "the array has no columns: no point");
     const std::uint64_t available = content.size() - array.data_offset;
-    if (array.rows > available / row_bytes) {
-        return wrong(*cloud, "ends at byte " + std::to_string(content.size()) + ", inside row " +
-                                 std::to_string(available / row_bytes + 1) + " of " + std::to_string(array.rows));
+    if (array.columns > available / array.item_bytes || array.rows > available / (array.columns * array.item_bytes)) {
+        const std::uint64_t whole = array.columns > available ? 0 : available / (array.columns * array.item_bytes);
+        return wrong(*table, "ends at byte " + std::to_string(content.size()) + ", inside row " +
+                                 std::to_string(whole + 1) + " of " + std::to_string(array.rows));
     }
-    if (array.rows * row_bytes != available) {
-        return wrong(*cloud, std::to_string(available - array.rows * row_bytes) + " bytes behind the array (byte " +
-                                 std::to_string(array.data_offset + array.rows * row_bytes) + ")");
+    const std::uint64_t data_bytes = array.rows * array.columns * array.item_bytes;
+    if (data_bytes != available) {
+        return wrong(*table, std::to_string(available - data_bytes) + " bytes behind the array (byte " +
+                                 std::to_string(array.data_offset + data_bytes) + ")");
     }
-    cloud->dim = static_cast<std::uint32_t>(array.columns);
-    cloud->coordinates.resize(array.rows * array.columns);
-    const unsigned char* source = reinterpret_cast<const unsigned char*>(content.data()) + array.data_offset;
-    for (std::size_t i = 0; i < cloud->coordinates.size(); i++, source += array.item_bytes) {
-        const double value = read_item(array, source);
-        if (!std::isfinite(value)) {
-            return data_error(cloud->where(i / cloud->dim) + " (byte " +
-                              std::to_string(array.data_offset + i * array.item_bytes) +
-                              "): " + not_finite(std::isnan(value) ? "nan" : "inf"));
+    std::vector<std::size_t> columns;
+    if (options.columns.empty()) {
+        for (std::size_t k = 0; k < array.columns; k++) columns.push_back(k);
+    } else {
+        const std::string wrong_columns = resolve_columns(options.columns, array.columns, {}, &columns);
+        if (!wrong_columns.empty()) return wrong(*table, wrong_columns);
+    }
+    table->width = columns.size();
+    table->values.resize(array.rows * columns.size());
+    const unsigned char* const data = reinterpret_cast<const unsigned char*>(content.data()) + array.data_offset;
+    std::size_t i = 0;
+    for (std::uint64_t row = 0; row < array.rows; row++) {
+        for (const std::size_t column : columns) {
+            const std::uint64_t at = array.fortran ? column * array.rows + row : row * array.columns + column;
+            double value;
+            const bool exact = read_item(array, data + at * array.item_bytes, &value);
+            const char* const fault = !exact                  ? "an integer beyond 2^53, which a double need not hold; "
+                                                                "write floats, or subtract a common offset"
+                                      : std::isnan(value)     ? "\"nan\" is not a finite double"
+                                      : !std::isfinite(value) ? "\"inf\" is not a finite double"
+                                                              : nullptr;
+            if (fault != nullptr) {
+                return wrong(*table, "row " + std::to_string(row + 1) + " (byte " +
+                                         std::to_string(array.data_offset + at * array.item_bytes) + "): " + fault);
+            }
+            table->values[i++] = value + 0.0;  // -0.0 becomes 0.0
         }
-        cloud->coordinates[i] = value + 0.0;  // -0.0 becomes 0.0
     }
     return {};
+}
+
+Outcome parse_npz_table(std::string_view content, const std::string& array, const TableOptions& options, Table* table) {
+    std::vector<ZipEntry> entries;
+    std::string complaint = list_zip(content, &entries);
+    if (!complaint.empty()) return wrong(*table, complaint);
+    std::string names;
+    const ZipEntry* found = nullptr;
+    for (const ZipEntry& entry : entries) {
+        const bool is_array = ending_of(entry.name) == ".npy";
+        const std::string name = is_array ? entry.name.substr(0, entry.name.size() - 4) : entry.name;
+        names += (names.empty() ? "" : ", ") + quoted(name);
+        if (is_array && (array.empty() ? entries.size() == 1 : name == array)) found = &entry;
+    }
+    if (found == nullptr) {
+        const std::string has = entries.empty() ? "no array" : "arrays " + names;
+        return wrong(*table, "an archive with " + has +
+                                 (array.empty() ? "; name the one that is meant behind a colon: FILE.npz:NAME"
+                                                : ", none of them called " + quoted(array)));
+    }
+    std::string unpacked;
+    complaint = unzip(*found, &unpacked);
+    if (!complaint.empty()) return wrong(*table, complaint);
+    table->note = "read array " + quoted(std::string_view(found->name).substr(0, found->name.size() - 4));
+    return parse_npy_table(unpacked, options, table);
+}
+
+Outcome parse_npy_points(std::string_view content, PointCloud* cloud) {
+    Table table;
+    table.name = cloud->name;
+    const Outcome outcome = parse_npy_table(content, {}, &table);
+    return outcome.good() ? take_table(std::move(table), cloud) : outcome;
 }
 
 }  // namespace netmesh::tool

@@ -1,8 +1,11 @@
 #include "tools/io/points.hpp"
 
+#include <algorithm>
+
 #include "platform/files.hpp"
 #include "platform/interrupt.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/unpack.hpp"
 
 namespace netmesh::tool {
 
@@ -29,65 +32,248 @@ std::string ending_of(const std::string& path) {
 
 std::string shown_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
 
-Outcome read_content(const std::string& path, std::string* content) {
+Outcome read_content(const std::string& path, std::string* content, bool* packed) {
     std::string why;
     const bool good = path == "-" ? platform::read_stdin(content, &why) : platform::read_file(path, content, &why);
+    const bool gzip = good && content->compare(0, 2, "\x1F\x8B") == 0;
+    if (packed != nullptr) *packed = gzip;
+    if (gzip) {
+        std::string unpacked;
+        const std::string complaint = gunzip(*content, &unpacked);
+        *content = std::move(unpacked);
+        return complaint.empty() ? Outcome{} : data_error(shown_name(path) + ": " + complaint);
+    }
     if (good) return {};
     if (platform::interrupted()) return {Exit::cancelled, "netmesh: cancelled while reading " + shown_name(path)};
     return data_error(shown_name(path) + ": " + why);
-}
-
-Outcome read_points(const std::string& path, PointCloud* cloud) {
-    *cloud = {};
-    cloud->name = shown_name(path);
-    std::string content;
-    const Outcome read = read_content(path, &content);
-    if (!read.good()) return read;
-    const std::string ending = path == "-" ? std::string() : ending_of(path);
-    if (ending == ".npy") return parse_npy_points(content, cloud);
-    if (ending == ".off") return parse_off_points(content, cloud);
-    if (ending == ".ply") return parse_ply_points(content, cloud);
-    if (ending == ".node") return parse_node_points(content, cloud);
-    return parse_text_points(content, cloud);
 }
 
 namespace {
 
 std::string columns_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " column" : " columns"); }
 
+bool starts(std::string_view text, std::string_view piece) { return text.substr(0, piece.size()) == piece; }
+
+// A format by what it is called, and the first ending it has.
+struct Format {
+    const char* ending;
+    const char* called;
+};
+
+// Formats that are read and have a mark of their own.
+Format format_of(std::string_view content) {
+    if (starts(content, "\x93NUMPY")) return {".npy", "a NumPy array"};
+    if (starts(content, "PK\x03\x04") && content.substr(4, 320).find(".npy") != std::string_view::npos)
+        return {".npz", "an archive of NumPy arrays"};
+    if (starts(content, "ply\n") || starts(content, "ply\r")) return {".ply", "a PLY file"};
+    const std::string_view first = content.substr(0, content.find_first_of(" \r\n\t"));
+    if (first.size() <= 8 && first.size() >= 3 && first.substr(first.size() - 3) == "OFF")
+        return {".off", "an OFF file"};
+    if (is_binary_stl(content) && content.size() > 84) return {".stl", "an STL file"};
+    if (starts(content, "solid") && content.substr(0, 1000).find("facet") != std::string_view::npos)
+        return {".stl", "an STL file"};
+    if (starts(content, "HEADER   ") || starts(content, "ATOM  ") || starts(content, "HETATM"))
+        return {".pdb", "a PDB file"};
+    return {"", ""};
+}
+
+// Formats that are not read, and what to do.
+std::string foreign(std::string_view content) {
+    static constexpr struct {
+        std::string_view start;
+        const char* what;
+    } marks[] = {
+        {std::string_view("PK\x03\x04", 4), "a workbook or zip archive, not text; save the table as CSV"},
+        {std::string_view("\xD0\xCF\x11\xE0", 4), "an old Excel workbook, not text; save the table as CSV"},
+        {"BZh", "compressed by bzip2; unpack it: bunzip2 FILE"},
+        {std::string_view("\xFD"
+                          "7zXZ",
+                          5),
+         "compressed by xz; unpack it: unxz FILE"},
+        {std::string_view("\x28\xB5\x2F\xFD", 4), "compressed by zstd; unpack it: unzstd FILE"},
+        {std::string_view("\x04\x22\x4D\x18", 4), "compressed by lz4; unpack it: unlz4 FILE"},
+        {std::string_view("7z\xBC\xAF", 4), "a 7z archive; unpack it"},
+        {"Rar!", "a RAR archive; unpack it"},
+        {"\x89HDF", "an HDF5 file; write the data set as .npy or .csv"},
+        {"MATLAB 5.0", "a MATLAB file; write the matrix by writematrix(A, 'a.csv')"},
+        {"CDF\x01", "a NetCDF file; write the variable as .npy or .csv"},
+        {"CDF\x02", "a NetCDF file; write the variable as .npy or .csv"},
+        {"PAR1", "a Parquet file; write it as CSV: DataFrame.to_csv(..., index=False)"},
+        {"ARROW1", "an Arrow file; write it as CSV"},
+        {"FEA1", "a Feather file; write it as CSV"},
+        {"SQLite format 3", "an SQLite database; write the table as CSV"},
+        {"LASF", "a LAS or LAZ file; write its points as text: las2txt, or pdal translate to .csv"},
+        {"\x80\x02", "a pickle of Python; write the array by numpy.save"},
+        {"\x80\x03", "a pickle of Python; write the array by numpy.save"},
+        {"\x80\x04", "a pickle of Python; write the array by numpy.save"},
+        {"\x80\x05", "a pickle of Python; write the array by numpy.save"},
+        {"\x89PNG", "a picture (PNG), not points"},
+        {"\xFF\xD8\xFF", "a picture (JPEG), not points"},
+        {"GIF8", "a picture (GIF), not points"},
+        {"II*", "a picture (TIFF), not points"},
+        {"%PDF", "a PDF document, not points"},
+        {"%!PS", "a PostScript document, not points"},
+        {"\x7F"
+         "ELF",
+         "a program, not points"},
+        {"RDX", "data of R; write them by write.csv(x, row.names = FALSE)"},
+        {"<!DOCTYPE", "a page of HTML, not a table; was a log-in page saved in its place?"},
+        {"<!doctype", "a page of HTML, not a table; was a log-in page saved in its place?"},
+        {"<html", "a page of HTML, not a table; was a log-in page saved in its place?"},
+        {"<?xml", "an XML file; write its points as a table in text"},
+        {"<VTKFile", "a VTK file; write its points as .ply or as a table in text"},
+        {"# vtk DataFile", "a VTK file; write its points as .ply or as a table in text"},
+        {"$MeshFormat", "a mesh of Gmsh; write its vertices as a table in text"},
+        {"MeshVersionFormatted", "a mesh of Medit; write its vertices as a table in text"},
+        {"# .PCD", "a point cloud of PCL; write it as .ply: pcl_pcd2ply"},
+        {"VERSION .7", "a point cloud of PCL; write it as .ply: pcl_pcd2ply"},
+        {"{\\rtf", "a document (RTF), not text; save it as plain text"},
+        {"{", "JSON, not a table; write rows of numbers"},
+        {"[[", "brackets around rows; write plain rows of numbers, as numpy.savetxt does, without brackets"},
+        {"data_", "an mmCIF file; write its atoms as .pdb or .xyz"},
+        {"version https://git-lfs", "a pointer of git-lfs, not the file itself: git lfs pull"},
+    };
+    if (starts(content, "\xEF\xBB\xBF")) content.remove_prefix(3);
+    for (const auto& mark : marks)
+        if (starts(content, mark.start)) return mark.what;
+    return {};
+}
+
+bool is_table_ending(const std::string& ending) {
+    for (const char* known : {".npy", ".npz", ".off", ".ply", ".node", ".obj", ".stl", ".pdb", ".ent", ".pqr"})
+        if (ending == known) return false;
+    return true;
+}
+
+// A file on its way to points: what it is called, what it holds and how that is read.
+struct Source {
+    std::string name;    // for messages
+    std::string ending;  // behind it no .gz
+    std::string array;   // of FILE.npz:NAME
+    std::string content;
+};
+
+Outcome line_of_byte(const Source& source, std::size_t at, const std::string& complaint) {
+    const auto stop = source.content.begin() + static_cast<std::ptrdiff_t>(at);
+    return line_error(source.name, 1 + static_cast<std::uint64_t>(std::count(source.content.begin(), stop, '\n')),
+                      complaint);
+}
+
+// Settles the ending of *source by what it holds.
+Outcome settle(bool packed, Source* source) {
+    const std::string& content = source->content;
+    std::string& ending = source->ending;
+    if (ending == ".gz" && !packed)
+        return data_error(source->name + ": not compressed by gzip (bytes 0 and 1): take .gz off its name");
+    if (ending == ".gz") ending = ending_of(source->name.substr(0, source->name.size() - 3));
+    const Format found = format_of(content);
+    if (*found.ending != 0 && (ending.empty() || ending == ".dat")) ending = found.ending;
+    const bool pdb = std::string(found.ending) == ".pdb" && (ending == ".ent" || ending == ".pqr");
+    if (*found.ending != 0 && ending != found.ending && !pdb)
+        return data_error(source->name + ": holds " + found.called + ", which its ending " + ending +
+                          " does not say: name it " + found.ending);
+    if (*found.ending != 0 || content.empty()) return {};
+    const std::string other = foreign(content);
+    if (!other.empty()) return line_error(source->name, 1, other);
+    if (ending == ".npy" || ending == ".npz")
+        return data_error(source->name + ": not a NumPy " + (ending == ".npy" ? "array" : "archive") +
+                          " (bytes 0 to 5); if it is text, name it .txt or .csv");
+    if (!is_table_ending(ending)) return {};
+    const bool wide = starts(content, "\xFF\xFE") || starts(content, "\xFE\xFF");
+    const std::size_t zero = wide ? std::string::npos : content.find('\0');
+    if (zero == std::string::npos) return {};
+    return line_of_byte(*source, zero,
+                        "byte " + std::to_string(zero) +
+                            " is 0, so this is no text; numbers in binary are read from .npy, wide characters from "
+                            "UTF-16 with its byte-order mark");
+}
+
+Outcome read_source(const std::string& path, Source* source) {
+    std::string file = path;
+    const std::size_t colon = path.rfind(".npz:");
+    if (colon != std::string::npos) {
+        file = path.substr(0, colon + 4);
+        source->array = path.substr(colon + 5);
+    }
+    source->name = shown_name(file);
+    bool packed = false;
+    const Outcome outcome = read_content(file, &source->content, &packed);
+    if (!outcome.good()) return outcome;
+    source->ending = file == "-" ? std::string() : ending_of(file);
+    return settle(packed, source);
+}
+
+Outcome parse_surface(const Source& source, PointCloud* cloud) {
+    if (source.ending == ".off") return parse_off_points(source.content, cloud);
+    if (source.ending == ".ply") return parse_ply_points(source.content, cloud);
+    if (source.ending == ".node") return parse_node_points(source.content, cloud);
+    if (source.ending == ".obj") return parse_obj_points(source.content, cloud);
+    if (source.ending == ".stl") return parse_stl_points(source.content, cloud);
+    if (source.ending == ".pqr") return parse_pqr_atoms(source.content, cloud);
+    if (source.ending == ".pdb" || source.ending == ".ent") return parse_pdb_atoms(source.content, cloud);
+    return parse_xyz_atoms(source.content, cloud);
+}
+
+// Tables, whatever their width; everything else becomes one.
+Outcome parse_source(const Source& source, const TableOptions& options, Table* table) {
+    const bool in_text = options.delimiter != 0 || options.skip != 0;
+    table->name = source.name;
+    const bool array = source.ending == ".npy" || source.ending == ".npz";
+    const bool atoms = is_table_ending(source.ending) && (source.ending == ".xyz" || source.ending.empty()) &&
+                       !in_text && options.columns.empty() && is_chemical_xyz(source.content);
+    const bool text = is_table_ending(source.ending) && !atoms;
+    if (in_text && !text) return usage_error("--delimiter and --skip are for tables in text, not for " + source.name);
+    if (text) return parse_table(source.content, options, table);
+    if (source.ending == ".npy") return parse_npy_table(source.content, options, table);
+    if (array) return parse_npz_table(source.content, source.array, options, table);
+    if (!options.columns.empty()) return usage_error("--columns is for tables and arrays, not for " + source.name);
+    PointCloud cloud;
+    cloud.name = source.name;
+    const Outcome outcome = parse_surface(source, &cloud);
+    table->width = cloud.dim;
+    table->values = std::move(cloud.coordinates);
+    table->lines = std::move(cloud.lines);
+    table->note = std::move(cloud.note);
+    return outcome;
+}
+
 }  // namespace
 
-Outcome parse_text_points(std::string_view content, PointCloud* cloud) {
-    LineReader reader(content);
-    std::string_view line;
-    std::vector<double> row;
-    bool first_content = true;
-    while (reader.next_content(&line)) {
-        const bool may_be_header = first_content;
-        first_content = false;
-        const Complaint complaint = parse_numbers(line, &row);
-        if (!complaint.empty()) {
-            if (may_be_header && is_header(line)) continue;
-            return line_error(cloud->name, reader.number(), complaint);
-        }
-        if (cloud->dim == 0) {
-            if (row.size() < dim_min || row.size() > dim_max) {
-                return line_error(cloud->name, reader.number(),
-                                  columns_text(row.size()) + "; points have 2 to 6 coordinates");
-            }
-            cloud->dim = static_cast<std::uint32_t>(row.size());
-        } else if (row.size() != cloud->dim) {
-            return line_error(cloud->name, reader.number(),
-                              columns_text(row.size()) + " where line " + std::to_string(cloud->lines[0]) + " has " +
-                                  std::to_string(cloud->dim));
-        }
-        cloud->coordinates.insert(cloud->coordinates.end(), row.begin(), row.end());
-        cloud->lines.push_back(reader.number());
+Outcome read_table(const std::string& path, const TableOptions& options, Table* table) {
+    *table = {};
+    Source source;
+    const Outcome outcome = read_source(path, &source);
+    return outcome.good() ? parse_source(source, options, table) : outcome;
+}
+
+Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud) {
+    *cloud = {};
+    Table table;
+    const Outcome outcome = read_table(path, options, &table);
+    return outcome.good() ? take_table(std::move(table), cloud) : outcome;
+}
+
+Outcome take_table(Table table, PointCloud* cloud) {
+    cloud->name = table.name;
+    if (table.width < dim_min || table.width > dim_max) {
+        const std::string complaint = columns_text(table.width) + "; points have 2 to 6 coordinates";
+        if (table.lines.empty()) return data_error(table.name + ": " + complaint);
+        return line_error(table.name, table.lines[0],
+                          complaint + (table.width < dim_min ? "; --delimiter says what stands between them"
+                                                             : "; --columns chooses some"));
     }
-    if (cloud->dim == 0) {
-        return line_error(cloud->name, reader.number() == 0 ? 1 : reader.number(), "the input ends without a point");
-    }
+    cloud->dim = static_cast<std::uint32_t>(table.width);
+    cloud->coordinates = std::move(table.values);
+    cloud->lines = std::move(table.lines);
+    cloud->note = std::move(table.note);
     return {};
+}
+
+Outcome parse_text_points(std::string_view content, const TableOptions& options, PointCloud* cloud) {
+    Table table;
+    table.name = cloud->name;
+    const Outcome outcome = parse_table(content, options, &table);
+    return outcome.good() ? take_table(std::move(table), cloud) : outcome;
 }
 
 }  // namespace netmesh::tool

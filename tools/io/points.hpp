@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "netmesh.h"
+#include "tools/io/table.hpp"
 #include "tools/outcome.hpp"
 
 namespace netmesh::tool {
@@ -18,6 +19,7 @@ struct PointCloud {
     std::uint32_t dim = 0;             // 2..6
     std::vector<double> coordinates;   // [rows][dim], finite, no -0.0
     std::vector<std::uint64_t> lines;  // physical line of each row, counted from 1; empty for binary formats
+    std::string note;                  // what was left out or understood; empty when nothing
 
     std::size_t rows() const { return dim == 0 ? 0 : coordinates.size() / dim; }
     // FILE:LINE of a row, or "FILE: row N" (counted from 1) where rows are not lines.
@@ -26,22 +28,47 @@ struct PointCloud {
     std::string place(std::uint64_t row) const;
 };
 
-// Reads `path` ("-" is stdin, always text) by its ending: .npy .off .ply .node, anything else is text. Every fault is
-// Exit::data with file and line; an interrupt while reading is Exit::cancelled.
-Outcome read_points(const std::string& path, PointCloud* cloud);
+// Reads `path` ("-" is stdin). Its ending says what it holds: .npy .npz .off .ply .node .obj .stl .pdb .ent .pqr, of
+// FILE.npz:NAME one array; .xyz with a number of atoms in front is a list of these; anything else is a table in text.
+// .gz around any of them is unpacked. Content that gives itself away as another format is read as that where there is
+// no ending, and refused where the ending says something else. Every fault is Exit::data with file and line and, where
+// there is one, what to do; options of tables for something else are Exit::usage; an interrupt while reading is
+// Exit::cancelled.
+Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud);
+inline Outcome read_points(const std::string& path, PointCloud* cloud) { return read_points(path, {}, cloud); }
+// The same with any number of columns.
+Outcome read_table(const std::string& path, const TableOptions& options, Table* table);
+// A table as points: Exit::data unless it has 2 to 6 columns.
+Outcome take_table(Table table, PointCloud* cloud);
 
 // The formats one by one, on content that is already in memory. cloud->name is used for messages only.
-Outcome parse_text_points(std::string_view content, PointCloud* cloud);
+Outcome parse_text_points(std::string_view content, const TableOptions& options, PointCloud* cloud);
+inline Outcome parse_text_points(std::string_view content, PointCloud* cloud) {
+    return parse_text_points(content, {}, cloud);
+}
 Outcome parse_npy_points(std::string_view content, PointCloud* cloud);
 Outcome parse_off_points(std::string_view content, PointCloud* cloud);
 Outcome parse_ply_points(std::string_view content, PointCloud* cloud);
 Outcome parse_node_points(std::string_view content, PointCloud* cloud);
+Outcome parse_obj_points(std::string_view content, PointCloud* cloud);
+Outcome parse_stl_points(std::string_view content, PointCloud* cloud);
+Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud);
+Outcome parse_pdb_atoms(std::string_view content, PointCloud* cloud);
+Outcome parse_pqr_atoms(std::string_view content, PointCloud* cloud);
+Outcome parse_npy_table(std::string_view content, const TableOptions& options, Table* table);
+// The array of that name, or the only one.
+Outcome parse_npz_table(std::string_view content, const std::string& array, const TableOptions& options, Table* table);
+
+// What gives itself away: a number of atoms and their lines; a size that fits the number of triangles.
+bool is_chemical_xyz(std::string_view content);
+bool is_binary_stl(std::string_view content);
 
 // The ending of a file name in lower case, dot included; empty when there is none.
 std::string ending_of(const std::string& path);
 
-// Content of a file, stdin for "-"; Exit::data "FILE: why" or Exit::cancelled otherwise.
-Outcome read_content(const std::string& path, std::string* content);
+// Content of a file, stdin for "-", unpacked where it is gzip (*packed, when asked for); Exit::data "FILE: why" or
+// Exit::cancelled otherwise.
+Outcome read_content(const std::string& path, std::string* content, bool* packed = nullptr);
 // How messages call the file: <stdin> for "-".
 std::string shown_name(const std::string& path);
 

@@ -281,7 +281,7 @@ template <int D> void Sweep<D>::add_outer_facet(std::uint32_t i) {
 }
 
 // Adds the facets noted to column c, whose entries have N ranks.
-template <int D> template <std::uint32_t N> bool Sweep<D>::add_outer_facets(std::uint32_t c) {
+template <int D> template <std::uint32_t N> [[gnu::cold]] bool Sweep<D>::add_outer_facets(std::uint32_t c) {
     FacetRanks<N>* const outer = reinterpret_cast<FacetRanks<N>*>(outer_);
     sort(outer, outer_count_, LaterRanks{});
     Run run = no_run;
@@ -336,7 +336,7 @@ template <int D> bool Sweep<D>::reduce(std::uint32_t c, VertexId v) {
     return true;
 }
 
-template <int D> bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, VertexId v) {
+template <int D> [[gnu::cold]] bool Sweep<D>::take_pivot(std::uint32_t c, std::uint32_t i, VertexId v) {
     if (!flush(c) || !front_.unite_runs(c)) return false;
     star_.owner(i) = c;
     front_.next(c) = done_columns_;

@@ -108,9 +108,9 @@ typedef struct netmesh_mesh_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const void* points;   /* [point_count][D]. Not read by the plan */
-    size_t point_count;   /* 1 .. NETMESH_POINTS_MAX */
-    uint64_t seed;        /* of every random choice; init: 1 */
+    const void* points; /* [point_count][D]. Not read by the plan */
+    size_t point_count; /* 1 .. NETMESH_POINTS_MAX */
+    uint64_t seed;      /* of every random choice; init: 1 */
     netmesh_purpose purpose;
     netmesh_method method;
     double tau;           /* bound on the aspect ratio R/r of Voronoi cells, finite, > 2; 0: netmesh_tau says */

@@ -1,7 +1,7 @@
 // No fault: every check passes. Calls memcpy, polls through the monitor, keeps a constant table.
 #include <cstddef>
 
-#include "vocabulary/monitor.hpp"
+#include "vocabulary/monitor.cpp"  // the poll is called there
 
 extern "C" void* memcpy(void*, const void*, std::size_t);
 

@@ -83,15 +83,41 @@ TEST_CASE("npy: every type and byte order gives the same points") {
     CHECK(good(parse_npy_points, npy("<f8", "(1, 2)", raw<double>({7, 8}), "False", 2)).coordinates == Numbers{7, 8});
 }
 
-TEST_CASE("npy: what is not two axes of real numbers in C order is refused") {
+TEST_CASE("npy: Fortran order, half precision and integers up to 2^53") {
+    const Numbers points = {1, 2, 3, 4, 5, 100};
+    const std::string by_columns = raw<double>({1, 3, 5, 2, 4, 100});
+    CHECK(good(parse_npy_points, npy("<f8", "(3, 2)", by_columns, "True")).coordinates == points);
+    const std::string halves = raw<std::uint16_t>({0x3C00, 0xC000, 0x0001, 0x7BFF, 0x8000, 0x3555});
+    const PointCloud half = good(parse_npy_points, npy("<f2", "(3, 2)", halves));
+    CHECK(half.coordinates == Numbers{1, -2, 0x1p-24, 65504, 0, 0.333251953125});
+    CHECK(!std::signbit(half.coordinates[4]));
+    CHECK(fault(parse_npy_points, npy("<f2", "(1, 2)", raw<std::uint16_t>({0x3C00, 0x7C00}))) ==
+          "p: row 1 (byte 130): \"inf\" is not a finite double");
+    CHECK(fault(parse_npy_points, npy("<f2", "(1, 2)", raw<std::uint16_t>({0x7E00, 0x3C00}))) ==
+          "p: row 1 (byte 128): \"nan\" is not a finite double");
+    const std::int64_t most = std::int64_t{1} << 53;
+    CHECK(good(parse_npy_points, npy("<i8", "(1, 2)", raw<std::int64_t>({most, -most}))).coordinates ==
+          Numbers{0x1p53, -0x1p53});
+    const std::string beyond = "an integer beyond 2^53, which a double need not hold; write floats, or subtract a "
+                               "common offset";
+    CHECK(fault(parse_npy_points, npy("<i8", "(1, 2)", raw<std::int64_t>({1, most + 1}))) ==
+          "p: row 1 (byte 136): " + beyond);
+    CHECK(fault(parse_npy_points, npy("<i8", "(2, 1)", raw<std::int64_t>({1, -most - 1}))) ==
+          "p: row 2 (byte 136): " + beyond);
+    CHECK(fault(parse_npy_points, npy(">u8", "(1, 2)", raw<std::uint64_t>({1, UINT64_MAX}, true))) ==
+          "p: row 1 (byte 136): " + beyond);
+}
+
+TEST_CASE("npy: what is not two axes of real numbers is refused") {
     const std::string two = raw<double>({1, 2});
-    CHECK(fault(parse_npy_points, npy("<f8", "(2,)", two)) == "p: an array of 1 axes; points need two");
-    CHECK(fault(parse_npy_points, npy("<f8", "(1, 1, 2)", two)) == "p: an array of 3 axes; points need two");
-    CHECK(fault(parse_npy_points, npy("<f8", "(1, 2)", two, "True")).find("Fortran") != std::string::npos);
+    CHECK(fault(parse_npy_points, npy("<f8", "(2,)", two)) ==
+          "p: an array of 1 axes; points need two: a.reshape(-1, D)");
+    CHECK(fault(parse_npy_points, npy("<f8", "(1, 1, 2)", two)) ==
+          "p: an array of 3 axes; points need two: a.reshape(-1, D)");
     CHECK(fault(parse_npy_points, npy("<c16", "(1, 2)", two)).find("type") != std::string::npos);
     CHECK(fault(parse_npy_points, npy("|b1", "(1, 2)", "ab")).find("type") != std::string::npos);
-    CHECK(fault(parse_npy_points, npy("<f2", "(1, 2)", "abcd")).find("type") != std::string::npos);
-    CHECK(fault(parse_npy_points, npy("<f8", "(2, 1)", two)) == "p: 1 columns; points have 2 to 6 coordinates");
+    CHECK(fault(parse_npy_points, npy("<f16", "(1, 1)", two)).find("type") != std::string::npos);
+    CHECK(fault(parse_npy_points, npy("<f8", "(2, 1)", two)) == "p: 1 column; points have 2 to 6 coordinates");
     CHECK(fault(parse_npy_points, npy("<f8", "(0, 2)", "")) == "p: the array has no rows: no point");
     CHECK(fault(parse_npy_points, npy("<f8", "(2, 2)", raw<double>({1, 2, 3}))) ==
           "p: ends at byte 152, inside row 2 of 2");

@@ -209,7 +209,10 @@ TEST_CASE("commands, options and arguments that are not") {
     CHECK(names(fault({"--frob"}), "--frob"));
     CHECK(names(fault({"mesh"}), "POINTS"));
     CHECK(names(fault({"mesh", ""}), "POINTS"));
-    CHECK(names(fault({"mesh", "p", "q"}), "q"));
+    CHECK(names(fault({"homology", "p", "q"}), "q"));
+    CHECK(names(fault({"vineyard", "p", "q", "--k", "1..2"}), "q"));
+    CHECK(names(fault({"mesh", "p", ""}), "empty name"));
+    CHECK(good({"mesh", "p", "q"}).positionals.size() == 2);
     CHECK(names(fault({"mesh", "p", "--frob"}), "--frob"));
     CHECK(names(fault({"mesh", "p", "-x"}), "-x"));
     CHECK(names(fault({"mesh", "p", "--tau"}), "--tau needs a value"));

@@ -63,8 +63,9 @@ TEST_CASE("numbers of every shape") {
 TEST_CASE("two to six columns") {
     CHECK(good("1 2").dim == 2);
     CHECK(good("1 2 3 4 5 6").dim == 6);
-    CHECK(fault("1\n2\n") == "p.txt:1: 1 column; points have 2 to 6 coordinates");
-    CHECK(fault("\n\n1 2 3 4 5 6 7\n") == "p.txt:3: 7 columns; points have 2 to 6 coordinates");
+    CHECK(fault("1\n2\n") ==
+          "p.txt:1: 1 column; points have 2 to 6 coordinates; --delimiter says what stands between them");
+    CHECK(fault("\n\n1 2 3 4 5 6 7\n") == "p.txt:3: 7 columns; points have 2 to 6 coordinates; --columns chooses some");
 }
 
 TEST_CASE("ragged rows") {
@@ -82,7 +83,7 @@ TEST_CASE("nothing between two commas, before the first or behind the last") {
 TEST_CASE("what is not a number, with its physical line") {
     CHECK(fault("1 2\r\n\r\n# c\r\n3 x\r\n") == "p.txt:4: \"x\" is not a number");
     CHECK(fault("1 2\n0x10 3\n") == "p.txt:2: \"0x10\" is not a number");
-    CHECK(fault("1 2\n1d5 3\n") == "p.txt:2: \"1d5\" is not a number");
+    CHECK(fault("1 2\n1d5 3\n") == "p.txt:2: \"1d5\" is not a number; write e in place of Fortran's d");
     CHECK(fault("1 2\n1e 3\n") == "p.txt:2: \"1e\" is not a number");
     CHECK(fault("1 2\n+-1 3\n") == "p.txt:2: \"+-1\" is not a number");
     CHECK(fault("1 2\n3 1.2.3\n") == "p.txt:2: \"1.2.3\" is not a number");
@@ -90,21 +91,23 @@ TEST_CASE("what is not a number, with its physical line") {
 }
 
 TEST_CASE("NaN and infinities, spelled or by overflow, are data even where a header could stand") {
-    CHECK(fault("nan 1\n2 3\n") == "p.txt:1: \"nan\" is not a finite double");
-    CHECK(fault("1 2\n3 -INF\n") == "p.txt:2: \"-INF\" is not a finite double");
-    CHECK(fault("inf inf\n1 2\n") == "p.txt:1: \"inf\" is not a finite double");
-    CHECK(fault("Infinity x\n1 2\n") == "p.txt:1: \"Infinity\" is not a finite double");
-    CHECK(fault("1 1e400\n") == "p.txt:1: \"1e400\" is not a finite double");
-    CHECK(fault("1 2\n-1e999 2\n") == "p.txt:2: \"-1e999\" is not a finite double");
+    CHECK(fault("nan 1\n2 3\n") ==
+          "p.txt:1: \"nan\" is not a finite double; a row with a missing value has to be left out or filled in");
+    CHECK(fault("1 2\n3 -INF\n") == "p.txt:2: \"-INF\" is not a finite double; such a row has to be left out");
+    CHECK(fault("inf inf\n1 2\n") == "p.txt:1: \"inf\" is not a finite double; such a row has to be left out");
+    CHECK(fault("Infinity x\n1 2\n") == "p.txt:1: \"Infinity\" is not a finite double; such a row has to be left out");
+    CHECK(fault("1 1e400\n") == "p.txt:1: \"1e400\" is not a finite double; such a row has to be left out");
+    CHECK(fault("1 2\n-1e999 2\n") == "p.txt:2: \"-1e999\" is not a finite double; such a row has to be left out");
 }
 
 TEST_CASE("a header is words only, and only the first content line can be one") {
     CHECK(good("x y\n1 2\n").lines == Lines{2});
     CHECK(good("info,nanosecond\n1,2\n").lines == Lines{2});
-    CHECK(fault("x y\nu v\n1 2\n") == "p.txt:2: \"u\" is not a number");
+    CHECK(fault("x y\nu v\n1 2\n") == "p.txt:2: \"u\" is not a number; --skip 2 leaves the lines down to this one out");
     CHECK(fault("1 2\nx y\n") == "p.txt:2: \"x\" is not a number");
-    CHECK(fault("x 1\n1 2\n") == "p.txt:1: \"x\" is not a number");
-    CHECK(fault("1.2.3 4.5.6\n1 2\n") == "p.txt:1: \"1.2.3\" is not a number");
+    CHECK(fault("x 1\n1 2\n") == "p.txt:1: \"x\" is not a number; --skip 1 leaves the lines down to this one out");
+    CHECK(fault("1.2.3 4.5.6\n1 2\n") ==
+          "p.txt:1: \"1.2.3\" is not a number; --skip 1 leaves the lines down to this one out");
 }
 
 TEST_CASE("input without a point") {

@@ -1,0 +1,137 @@
+// What goes in and out of the binary by its options: notes, columns, endings, choices of bars, several inputs.
+#include "run.hpp"
+
+#include <doctest/doctest.h>
+
+using Names = std::vector<std::string>;
+
+namespace {
+
+const std::string pandas = ",x,y,label\n0,0,0,a\n1,1,0,b\n2,0,1.5,c\n";
+
+std::size_t lines_in(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_CASE("what is left out is said once, and not with --quiet") {
+    const Folder folder;
+    folder.write("p.csv", "x,y\n0,0\n1,0\n0,1.5\n");
+    Result result = folder.run("delaunay p.csv -o m.node");
+    CHECK(result.exit == 0);
+    CHECK(result.says("p.csv: skipped header \"x,y\"\n"));
+    CHECK(folder.run("delaunay p.csv -o m.node --quiet").err == "");
+    result = folder.run("delaunay - -o m.node", "x;y\n0,5;0\n1;0\n0;1,5\n");
+    CHECK(result.says("<stdin>: commas read as decimal; skipped header \"x;y\"\n"));
+}
+
+TEST_CASE("--columns, --delimiter and --skip, and what they do not go with") {
+    const Folder folder;
+    folder.write("p.csv", pandas);
+    Result result = folder.run("delaunay p.csv -o m.node");
+    CHECK(result.exit == 3);
+    CHECK(result.says("p.csv:2: \"a\" is not a number; --columns 1,2,3 leaves such columns out"));
+    REQUIRE(folder.run("delaunay p.csv -o m.node --columns x,y").exit == 0);
+    CHECK(folder.read("m.node") == "3 2 0 1\n0 0 0 0\n1 1 0 0\n2 0 1.5 0\n");
+    REQUIRE(folder.run("delaunay p.csv -o n.node --columns 2-3").exit == 0);
+    CHECK(folder.read("n.node") == folder.read("m.node"));
+    folder.write("colon.txt", "a title, of 2024\n0:0\n1:0\n0:1,5\n");
+    REQUIRE(folder.run("delaunay colon.txt -o n.node --delimiter : --skip 1").exit == 0);
+    CHECK(folder.read("n.node") == folder.read("m.node"));
+    CHECK(folder.run("delaunay p.csv --columns x,q").exit == 3);
+    CHECK(folder.run("delaunay p.csv --columns ,").exit == 2);
+    CHECK(folder.run("delaunay p.csv --delimiter 5").exit == 2);
+    CHECK(folder.run("delaunay p.csv --skip x").exit == 2);
+    folder.write("s.off", "OFF\n1 0 0\n1 2 3\n");
+    CHECK(folder.run("mesh s.off --columns 1,2").exit == 2);
+    CHECK(folder.run("mesh s.off --skip 1").exit == 2);
+    REQUIRE(folder.run("persist p.csv --columns x,y -o d.pers").exit == 0);
+    CHECK(folder.run("check d.pers --points p.csv --columns x,y").exit == 0);
+    CHECK(folder.run("check d.pers --points p.csv --columns 1,2").exit == 7);
+}
+
+TEST_CASE("endings that are not written are refused before any work, of the input too") {
+    const Folder folder;
+    for (const char* arguments :
+         {"persist none.txt -o d.txt", "persist none.txt --svg d.png", "persist none.txt --mesh m.stl",
+          "persist none.txt --representatives c.vtp", "mesh none.txt -o m.stl", "delaunay none.txt -o m",
+          "delaunay none.txt --svg m.pdf", "homology none.txt -o d.dat", "homology none.txt --representatives c.vtu",
+          "vineyard none.txt --k 1..2 --svg v.jpg", "persist none.txt --svg - --json"}) {
+        CAPTURE(arguments);
+        CHECK(folder.run(arguments).exit == 2);
+    }
+    folder.write("p.txt", "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
+    for (const char* ending : {"vtu", "ply", "obj", "msh", "mesh"}) {
+        const Result result = folder.run(std::string("delaunay p.txt -o m.") + ending);
+        CHECK(result.exit == 2);
+        CHECK(result.says("holds 2 or 3 dimensions"));
+    }
+    CHECK(folder.names() == Names{"p.txt"});
+}
+
+TEST_CASE("--svg - is the picture alone on stdout") {
+    const Folder folder;
+    REQUIRE(folder.run("sample circle -n 20 -o p.txt").exit == 0);
+    Result result = folder.run("persist p.txt --svg - --quiet");
+    CHECK(result.exit == 0);
+    CHECK(result.out.rfind("<svg ", 0) == 0);
+    CHECK(result.out.find("inf\n") == std::string::npos);
+    result = folder.run("mesh p.txt --svg - -o m.node --quiet");
+    CHECK(result.out.rfind("<svg ", 0) == 0);
+    CHECK(folder.has("m.ele"));
+    CHECK(!folder.has("-"));
+}
+
+TEST_CASE("--top and --min-persistence choose bars, cycles with them, and leave no certificate") {
+    const Folder folder;
+    REQUIRE(folder.run("sample circle -n 20 -o p.txt").exit == 0);
+    REQUIRE(folder.run("persist p.txt --filter alpha -o all.pers").exit == 0);
+    REQUIRE(folder.run("persist p.txt --filter alpha --top 2 -o d.pers --representatives c.txt").exit == 0);
+    const std::string two = folder.read("d.pers");
+    CHECK(two.rfind("# a choice of 3 of 21 bars, --top 2\n", 0) == 0);
+    CHECK(lines_in(bars_of(two)) == 3);
+    CHECK(two.find("0 0 inf\n") != std::string::npos);
+    const std::string cycles = folder.read("c.txt");
+    std::size_t count = 0;
+    for (std::size_t at = cycles.find("bar"); at != std::string::npos; at = cycles.find("bar", at + 1)) count++;
+    CHECK(count == 3);
+    Result result = folder.run("persist p.txt --filter alpha --min-persistence 0.5 --quiet");
+    CHECK(lines_in(bars_of(result.out)) == 2);
+    result = folder.run("check d.pers --points p.txt");
+    CHECK(result.exit == 0);
+    CHECK(result.out.find("carries no certificate") != std::string::npos);
+    CHECK(folder.run("persist p.txt --top 0").exit == 2);
+    CHECK(folder.run("persist p.txt --min-persistence -1").exit == 2);
+    result = folder.run("persist p.txt --bounds --top 1 -o b.csv");
+    CHECK(result.exit == 0);
+    CHECK(folder.read("b.csv").rfind("degree,birth,death,birth_low,birth_high,death_low,death_high,real\n", 0) == 0);
+    CHECK(lines_in(folder.read("b.csv")) == 3);
+    folder.write("k.txt", "0 0\n1 0\n2 0\n0 1 1\n1 2 3\n");
+    CHECK(bars_of(folder.run("homology k.txt --top 2 --quiet").out) == "0 0 3\n0 0 inf\n");
+}
+
+TEST_CASE("several inputs write several outputs") {
+    const Folder folder;
+    for (const char* name : {"a", "b"})
+        REQUIRE(folder
+                    .run(std::string("sample circle -n 12 --noise .1 --seed ") + (*name == 'a' ? "1" : "2") + " -o " +
+                         name + ".csv")
+                    .exit == 0);
+    Result result = folder.run("persist a.csv b.csv -o '{}.pers' --svg '{}.svg' --quiet");
+    CHECK(result.exit == 0);
+    CHECK(folder.names() == Names{"a.csv", "a.pers", "a.svg", "b.csv", "b.pers", "b.svg"});
+    CHECK(folder.run("check b.pers --points b.csv").exit == 0);
+    CHECK(folder.run("check b.pers --points a.csv").exit == 7);
+    for (const char* wrong : {"persist a.csv b.csv", "persist a.csv b.csv -o d.pers",
+                              "persist a.csv a.csv -o '{}.pers'", "mesh a.csv b.csv -o '{}.node' --svg m.svg",
+                              "persist a.csv b.csv -o '{}.pers' --svg -", "homology a.csv b.csv"}) {
+        CAPTURE(wrong);
+        CHECK(folder.run(wrong).exit == 2);
+    }
+    result = folder.run("mesh a.csv none.csv b.csv -o '{}.off' --quiet");
+    CHECK(result.exit == 3);
+    CHECK(result.err == "none.csv: no such file or folder\n");
+    CHECK(folder.has("a.off"));
+    CHECK(folder.has("b.off"));
+}

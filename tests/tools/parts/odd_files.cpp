@@ -1,0 +1,392 @@
+// Files as exporters, spreadsheets and people leave them, good and bad: each gives the right points, or is refused with
+// its line and what to do, and none is read as something else.
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "tools/io/points.hpp"
+
+using namespace netmesh::tool;
+
+namespace {
+
+using Numbers = std::vector<double>;
+using namespace std::string_literals;
+
+struct OddFile {
+    std::string name, content;
+    Numbers points;          // none: it is refused
+    std::uint64_t line = 0;  // of the refusal; 0: it has no lines
+    std::string says;        // a piece of the refusal that tells what to do, or of the note
+    std::string columns, delimiter;
+    std::uint64_t skip = 0;
+};
+
+const Numbers three = {1.5, -2.25, 3.125, 4, -0.5, 6.75};  // points of the plane
+const Numbers space = {1.5, -2.25, 7, 3.125, 4, 8, -0.5, 6.75, 9};
+
+OddFile good(std::string name, std::string content, std::string note = "", Numbers points = three) {
+    return {std::move(name), std::move(content), std::move(points), 0, std::move(note), "", "", 0};
+}
+OddFile bad(std::string name, std::string content, std::uint64_t line, std::string says) {
+    return {std::move(name), std::move(content), {}, line, std::move(says), "", "", 0};
+}
+OddFile with(OddFile file, std::string columns, std::string delimiter = "", std::uint64_t skip = 0) {
+    file.columns = std::move(columns);
+    file.delimiter = std::move(delimiter);
+    file.skip = skip;
+    return file;
+}
+
+std::string utf16(const std::string& text, bool big) {
+    std::string wide = big ? "\xFE\xFF" : "\xFF\xFE";
+    for (const char c : text) wide += big ? "\0"s + c : c + "\0"s;
+    return wide;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+const std::string plain = "1.5,-2.25\n3.125,4\n-0.5,6.75\n";
+const std::string decimal_commas = "1,5;-2,25\n3,125;4\n-0,5;6,75\n";
+
+std::string triangle(const std::string& a, const std::string& b, const std::string& c) {
+    return "facet normal 0 0 1\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " + c +
+           "\n endloop\nendfacet\n";
+}
+
+std::string binary_stl(std::uint32_t count, std::uint32_t triangles) {
+    std::string bytes = "solid of a binary exporter";
+    bytes.resize(80, ' ');
+    bytes.append(reinterpret_cast<const char*>(&count), 4);
+    for (std::uint32_t i = 0; i < triangles; i++) {
+        const float numbers[12] = {0, 0, 1, 1.5f, -2.25f, 7, 3.125f, 4, 8, -0.5f, 6.75f, 9};
+        bytes.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
+        bytes.append(2, '\0');
+    }
+    return bytes;
+}
+
+const char* const atom_1 = "ATOM      1  N   ALA A   1       1.500  -2.250   7.000  1.00  0.00           N\n";
+const char* const atom_2 = "HETATM    2  CA  ALA A   1       3.125   4.000   8.000  1.00  0.00           C\n";
+const char* const atom_3 = "ATOM      3  C   ALA A   1      -0.500   6.750   9.000  1.00  0.00           C\n";
+const char* const other_3 = "ATOM      4  C  BALA A   1      -0.600   6.850   9.100  0.40  0.00           C\n";
+const std::string first_3 = replaced(atom_3, "C   ALA", "C  AALA");
+
+std::vector<OddFile> tables() {
+    const std::string tabs = replaced(plain, ",", "\t"), blanks = replaced(plain, ",", " ");
+    const std::string semicolons = replaced(plain, ",", ";");
+    return {
+        // delimiters
+        good("comma.csv", plain),
+        good("semicolon.csv", semicolons),
+        good("tab.tsv", tabs),
+        good("blank.txt", blanks),
+        good("bar.txt", replaced(plain, ",", "|")),
+        good("bar_and_blanks.txt", replaced(plain, ",", " | ")),
+        good("comma_and_blank.csv", replaced(plain, ",", ", ")),
+        good("whole_comma_and_blank.csv", "1, 2\n3, 4\n5, 7\n", "", {1, 2, 3, 4, 5, 7}),
+        good("aligned.dat", "   1.5    -2.25\n   3.125   4.00\n  -0.5     6.75\n"),
+        good("aligned_by_tabs.txt", "1.5\t\t-2.25\n3.125\t4\n-0.5\t\t6.75\n"),
+        good("indented_by_tabs.txt", "\t1.5\t-2.25\n\t3.125\t4\n\t-0.5\t6.75\n"),
+        with(good("colon.txt", replaced(plain, ",", ":")), "", ":"),
+        bad("colon_untold.txt", replaced(plain, ",", ":"), 1, "--delimiter ':'"),
+        good("mixed.txt", "1.5, -2.25\n3.125 4\n-0.5\t6.75\n"),
+        good("excel_sep.csv", "sep=;\r\n" + replaced(decimal_commas, "\n", "\r\n"), "skipped line \"sep=;\""),
+        good("excel_sep_comma.csv", "sep=,\n" + plain, "skipped line \"sep=,\""),
+        // decimal commas
+        good("european.csv", decimal_commas, "commas read as decimal"),
+        good("european_tabs.txt", replaced(decimal_commas, ";", "\t"), "commas read as decimal"),
+        good("european_bars.txt", replaced(decimal_commas, ";", " | "), "commas read as decimal"),
+        good("european_header.csv", "x;y\n" + decimal_commas, "skipped header \"x;y\""),
+        good("european_long.csv", "1,002515;-0,002642\n0,998;0,01\n", "decimal", {1.002515, -0.002642, 0.998, 0.01}),
+        good("european_quoted.csv", "\"1,5\";\"-2,25\"\n\"3,125\";\"4\"\n\"-0,5\";\"6,75\"\n", "decimal"),
+        good("quoted_in_commas.csv", "\"1,5\",\"-2,25\"\n\"3,125\",\"4\"\n\"-0,5\",\"6,75\"\n", "decimal"),
+        good("european_exponent.csv", "1,5E0;-2,25E+00\n3,125e0;4,0\n-5,0E-1;6,75\n", "decimal"),
+        bad("european_blanks.txt", replaced(decimal_commas, ";", " "), 1, "--delimiter blank"),
+        with(good("european_blanks_told.txt", replaced(decimal_commas, ";", " ")), "", "blank"),
+        bad("european_comma_blank.csv", "0,5, 1,5\n2,5, 3,5\n", 1, "write points in place of decimal commas"),
+        bad("european_commas_alone.csv", "1,002515,-0,002642\n0,998,0,01\n", 1, "decimal"),
+        bad("thousands_or_decimal.csv", "1,234;5,678\n2,345;6,789\n", 1, "--delimiter ';' reads them as decimal"),
+        with(good("thousands_told.csv", "1,234;5,678\n", "", {1.234, 5.678}), "", ";"),
+        bad("thousands_of_excel.txt", "1,234\t5,678\n12,345\t6,789\n", 1, "--delimiter tab"),
+        bad("thousands_quoted.csv", "\"1,234\",\"5,678\"\n\"12,345\",\"6,789\"\n", 1, "group thousands"),
+        bad("thousands_and_points.csv", "\"1,234.5\",\"2.5\"\n3.5,4.5\n", 1, "without signs between thousands"),
+        bad("thousands_european.csv", "1.234,56;7.890,12\n3,5;4,5\n", 1, "without signs between thousands"),
+        bad("thousands_twice.csv", "1,234,567;2,5\n1,5;2,5\n", 1, "without signs between thousands"),
+        bad("thousands_by_blanks.csv", "1 234,5;2 345,6\n1 234,7;2 345,8\n", 1, "write them without"),
+        bad("thousands_by_blanks.tsv", "1 234.5\t2 345.6\n1 234.7\t2 345.8\n", 1, "write them without"),
+        bad("thousands_swiss.csv", "1'234.5,2.5\n3.5,4.5\n", 1, "without signs between thousands"),
+        bad("thousands_hard_blank.csv",
+            "1\xC2\xA0"
+            "234.5,2.5\n3.5,4.5\n",
+            1, "a blank that does not break"),
+        bad("both_decimal.csv", "1,5;2.5\n3,25;4.5\n", 1, "write numbers in one way"),
+        // headers, index columns
+        good("header.csv", "x,y\n" + plain, "skipped header \"x,y\""),
+        good("header_quoted.csv", "\"x\",\"y\"\n" + plain, "skipped header"),
+        good("header_blanks.txt", "x y\n" + blanks, "skipped header \"x y\""),
+        good("header_units.csv", "x [mm],y [mm]\n" + plain, "skipped header \"x [mm],y [mm]\""),
+        good("header_latin1.csv", "Abst\xE4nde,H\xF6he\n" + plain, "skipped header"),
+        good("header_other_mark.csv", "x y\n" + plain, "skipped header \"x y\""),
+        good("header_hash.txt", "# x y\n" + blanks),
+        good("header_percent.txt", "% x y\n" + blanks),
+        good("header_slashes.txt", "// x y\n" + blanks),
+        good("pandas.csv", ",x,y\n0,1.5,-2.25\n1,3.125,4\n2,-0.5,6.75\n", "skipped index column 1"),
+        good("pandas_numbers.csv", ",0,1\n0,1.5,-2.25\n1,3.125,4.0\n2,-0.5,6.75\n", "skipped header \",0,1\""),
+        good("pandas_filtered.csv", ",x,y\n3,1.5,-2.25\n7,3.125,4\n12,-0.5,6.75\n", "skipped index column 1"),
+        good("pandas_tabs.tsv", "\tx\ty\n0\t1.5\t-2.25\n1\t3.125\t4\n2\t-0.5\t6.75\n", "skipped index column 1"),
+        good("pandas_european.csv", ";x;y\n0;1,5;-2,25\n1;3,125;4\n2;-0,5;6,75\n", "skipped index column 1"),
+        good("pandas_saved_twice.csv", "Unnamed: 0,x,y\n0,1.5,-2.25\n1,3.125,4\n2,-0.5,6.75\n", "index column 1"),
+        good("pandas_words.csv", ",x,y\na,1.5,-2.25\nb,3.125,4\nc,-0.5,6.75\n", "skipped index column 1"),
+        bad("pandas_shuffled.csv", ",x,y\n5,1.5,-2.25\n1,3.125,4\n", 2, "--columns 2-3 leaves it out"),
+        bad("pandas_no_index.csv", "0,1\n1.5,-2.25\n3.125,4.0\n-0.5,6.75\n", 1, "--skip 1 leaves it out"),
+        with(good("pandas_no_index_told.csv", "0,1\n1.5,-2.25\n3.125,4.0\n-0.5,6.75\n"), "", "", 1),
+        good("r_csv.csv", "\"\",\"V1\",\"V2\"\n\"1\",1.5,-2.25\n\"2\",3.125,4\n\"3\",-0.5,6.75\n", "index column 1"),
+        good("r_table.txt", "\"V1\" \"V2\"\n\"1\" 1.5 -2.25\n\"2\" 3.125 4\n\"3\" -0.5 6.75\n", "index column 1"),
+        good("r_csv2.csv", "\"\";\"V1\";\"V2\"\n\"1\";1,5;-2,25\n\"2\";3,125;4\n\"3\";-0,5;6,75\n", "index column 1"),
+        good("r_names.csv", "\"\",\"x\",\"y\"\n\"a\",1.5,-2.25\n\"b\",3.125,4\n\"c\",-0.5,6.75\n", "index column 1"),
+        good("id.csv", "id,x,y\n1,1.5,-2.25\n2,3.125,4\n3,-0.5,6.75\n", "skipped index column 1"),
+        good("fid_of_gis.csv", "FID,X,Y\n10,1.5,-2.25\n20,3.125,4\n30,-0.5,6.75\n", "skipped index column 1"),
+        bad("id_shuffled.csv", "id,x,y\n9,1.5,-2.25\n2,3.125,4\n", 2, "--columns 2-3 leaves it out"),
+        bad("header_years.csv", "place,2019,2020\n1.5,-2.25,7\n3.125,4,8\n", 1, "--skip 1"),
+        bad("two_headers.csv", "x,y\nmm,mm\n" + plain, 2, "--skip 2"),
+        with(good("two_headers_told.csv", "x,y\nmm,mm\n" + plain), "", "", 2),
+        bad("title.csv", "Run 5 of 2024-01-02\n" + plain, 1, "--skip 1"),
+        with(good("title_told.csv", "Run 5 of 2024-01-02\n" + plain), "", "", 1),
+        bad("count_above.txt", "3\n" + blanks, 2, "--skip 1 leaves that line out"),
+        with(good("count_above_told.txt", "3\n" + blanks), "", "", 1),
+        bad("qhull.txt", "2\n3\n" + blanks, 3, "2 columns where line 1 has 1"),
+        // columns
+        bad("labels_first.csv", "a,1.5,-2.25\nb,3.125,4\n", 1, "--columns 2,3"),
+        bad("labels_last.csv", "1.5,-2.25,setosa\n3.125,4,setosa\n", 1, "--columns 1,2"),
+        with(good("labels_told.csv", "1.5,-2.25,setosa\n3.125,4,setosa\n-0.5,6.75,virginica\n"), "1,2"),
+        with(good("labels_european.csv", "setosa;1,5;-2,25\nsetosa;3,125;4\nsetosa;-0,5;6,75\n"), "2-3"),
+        with(good("by_name.csv", "t,x,name,y\n0,1.5,a,-2.25\n1,3.125,b,4\n2,-0.5,c,6.75\n"), "x,y"),
+        with(good("swapped.csv", "-2.25,1.5\n4,3.125\n6.75,-0.5\n"), "2,1"),
+        with(bad("no_such_column.csv", "x,y\n" + plain, 2, "no column \"z\""), "x,z"),
+        with(bad("beyond.csv", plain, 1, "there are columns 1 to 2"), "1-3"),
+        bad("dates.csv", "2024-01-02,1.5,-2.25\n2024-01-03,3.125,4\n", 1, "--columns 2,3"),
+        bad("times.csv", "12:30:00,1.5,-2.25\n12:31:00,3.125,4\n", 1, "--columns 2,3"),
+        bad("seven.csv", "1,2,3,4,5,6,7\n1,2,3,4,5,6,8\n", 1, "--columns chooses some"),
+        bad("one.csv", "1.5\n2.5\n", 1, "--delimiter says"),
+        // ends of lines, marks, encodings
+        good("dos.csv", replaced(plain, "\n", "\r\n")),
+        good("old_mac.csv", replaced(plain, "\n", "\r")),
+        good("doubled_returns.csv", replaced(plain, "\n", "\r\r\n")),
+        bad("returns_within.csv", "1.5,-2.25\r3.125,4\n-0.5,6.75\n", 1, "one kind of line ends"),
+        good("no_last_end.csv", plain.substr(0, plain.size() - 1)),
+        good("byte_order_mark.csv", "\xEF\xBB\xBF" + plain),
+        good("byte_order_mark_header.csv", "\xEF\xBB\xBFx,y\n" + plain, "skipped header \"x,y\""),
+        good("utf16.txt", utf16(tabs, false)),
+        good("utf16_big.csv", utf16("x;y\n" + decimal_commas, true), "commas read as decimal"),
+        bad("utf16_without_mark.txt", utf16(tabs, false).substr(2), 1, "UTF-16 with its byte-order mark"),
+        good("end_of_dos.csv", plain + "\x1A"),
+        good("blank_lines.csv", "\n\n" + replaced(plain, "\n", "\n\n")),
+        good("comments_behind.txt", replaced(blanks, "\n", " # a\n")),
+        good("comments_behind_tabs.txt", replaced(tabs, "\n", "\t# a\n")),
+        good("numpy_savetxt.txt", "1.500000000000000000e+00 -2.250000000000000000e+00\n"
+                                  "3.125000000000000000e+00 4.000000000000000000e+00\n"
+                                  "-5.000000000000000000e-01 6.750000000000000000e+00\n"),
+        good("matlab.txt", "   1.5000000e+00  -2.2500000e+00\n   3.1250000e+00   4.0000000e+00\n"
+                           "  -5.0000000e-01   6.7500000e+00\n"),
+        good("octave.txt", "# Created by Octave\n# name: a\n# type: matrix\n# rows: 3\n# columns: 2\n" + blanks),
+        good("gnuplot.dat", "# x y\n1.5 -2.25\n\n\n3.125 4\n-0.5 6.75\n"),
+        good("plus_signs.csv", "+1.5,-2.25\n+3.125,+4\n-0.5,+6.75\n"),
+        good("short_decimals.csv", "1.5,-2.25\n3.125,4.\n-.5,6.75\n"),
+        good("all_quoted.csv", "\"1.5\",\"-2.25\"\n\"3.125\",\"4\"\n\"-0.5\",\"6.75\"\n"),
+        good("some_quoted.csv", "1.5,\"-2.25\"\n3.125,\"4\"\n-0.5,6.75\n"),
+        good("quoted_header_comma.csv", "\"x, in mm\",\"y, in mm\"\n" + plain, "skipped header"),
+        // empty fields
+        good("trailing_comma.csv", replaced(plain, "\n", ",\n"), "skipped an empty last column"),
+        good("trailing_comma_header.csv", "x,y,\n" + replaced(plain, "\n", ",\n"), "skipped an empty last column"),
+        good("trailing_semicolon.csv", replaced(decimal_commas, "\n", ";\n"), "skipped an empty last column"),
+        good("trailing_tab.tsv", replaced(tabs, "\n", "\t\n"), "skipped an empty last column"),
+        good("empty_rows.csv", plain + ",\n,\n", "skipped 2 rows of nothing at the end"),
+        bad("trailing_comma_once.csv", "1.5,-2.25\n3.125,4,\n", 2, "nothing after the last ','"),
+        bad("missing.csv", "1.5,-2.25,7\n3.125,,8\n", 2, "nothing before a ','"),
+        bad("missing_first.csv", "1.5,-2.25,7\n,4,8\n", 2, "nothing before a ','"),
+        bad("missing.tsv", "1.5\t-2.25\t7\n3.125\t\t8\n-0.5\t6.75\t9\n", 2, "nothing in column 2"),
+        bad("missing_here_and_there.tsv", "1.5\t\t7\n\t4\t8\n-0.5\t6.75\t\n", 1, "left out or filled in"),
+        bad("missing_quoted.csv", "1.5,\"\"\n3.125,4\n", 1, "left out or filled in"),
+        bad("na.csv", "1.5,NA\n3.125,4\n", 1, "left out or filled in"),
+        bad("nan.csv", "1.5,nan\n3.125,4\n", 1, "left out or filled in"),
+        bad("null.csv", "1.5,4\n3.125,NULL\n", 2, "left out or filled in"),
+        bad("dash.csv", "1.5,4\n3.125,-\n", 2, "left out or filled in"),
+        bad("question.csv", "1.5,4\n3.125,?\n", 2, "left out or filled in"),
+        bad("excel_na.csv", "1.5,4\n3.125,\"#N/A\"\n", 2, "left out or filled in"),
+        bad("infinite.csv", "1.5,inf\n3.125,4\n", 1, "left out"),
+        bad("too_large.csv", "1.5,1e999\n3.125,4\n", 1, "left out"),
+        // what is no number
+        bad("fortran.txt", "1.5D+00 -2.25D+00\n3.1D0 4D0\n", 1, "write e in place of Fortran's d"),
+        bad("unicode_minus.csv",
+            "1.5,\xE2\x88\x92"
+            "2.25\n3.125,4\n",
+            1, "its minus is not the sign"),
+        bad("brackets.txt", "[1.5, -2.25]\n[3.125, 4]\n", 1, "without brackets"),
+        bad("brackets_twice.txt", "[[1.5 -2.25]\n [3.125 4]]\n", 1, "without brackets"),
+        bad("tuples.txt", "(1.5, -2.25)\n(3.125, 4)\n", 1, "without brackets"),
+        bad("json.json", "{\"points\": [[1.5, -2.25]]}\n", 1, "JSON"),
+        bad("units.csv", "1.5mm,-2.25mm\n3.125mm,4mm\n", 1, "is not a number"),
+        bad("per_cent.csv", "1.5%,2.25%\n3.125%,4%\n", 1, "is not a number"),
+        bad("hexadecimal.txt", "0x1p3 0x2\n1 2\n", 1, "--skip 1"),
+        bad("underscores.txt", "1 2\n1_000 2\n", 2, "is not a number"),
+        bad("truth.csv", "TRUE,FALSE,1\nTRUE,TRUE,2\n", 1, "is not a number"),
+        bad("footer.csv", plain + "sum,4.1\n", 4, "is not a number"),
+        bad("merge_conflict.csv", "1.5,-2.25\n<<<<<<< HEAD\n3.125,4\n", 2, "is not a number"),
+        bad("two_dots.csv", "1.5,2.2.5\n3.125,4\n", 1, "--skip 1"),
+        bad("ellipsis.txt", "1.5 -2.25\n...\n3.125 4\n", 2, "is not a number"),
+        bad("open_quote.csv", "1.5,\"-2.25\n3.125,4\n", 1, "quotation that does not end"),
+        // rows of other lengths
+        bad("ragged.csv", "1.5,-2.25\n3.125,4,8\n-0.5,6.75\n", 2, "3 columns where line 1 has 2"),
+        bad("cut_off.csv", "1.5,-2.25\n3.125,4\n-0.5", 3, "1 column where line 1 has 2"),
+        bad("empty.csv", "", 1, "ends without a point"),
+        bad("comments_only.txt", "# nothing\n#\n", 2, "ends without a point"),
+        bad("header_only.csv", "x,y\n", 1, "ends without a point"),
+    };
+}
+
+std::vector<OddFile> formats() {
+    const std::string ascii_stl = "solid a\n" + triangle("1.5 -2.25 7", "3.125 4 8", "-0.5 6.75 9") +
+                                  triangle("1.5 -2.25 7", "-0.5 6.75 9", "3.125 4 8") + "endsolid a\n";
+    const std::string obj = "# Blender\nmtllib a.mtl\no a\nv 1.5 -2.25 7\nv 3.125 4 8\nv -0.5 6.75 9\nvn 0 0 1\n"
+                            "vt 0 0\nf 1//1 2//1 3//1\n";
+    const std::string xyz = "3\nmade by hand\nC 1.5 -2.25 7\nH 3.125 4 8\nO -0.5 6.75 9\n";
+    const std::string pqr = "REMARK   1\nATOM 1 N ALA 1 1.5 -2.25 7 -0.3 1.85\nATOM 2 CA ALA 1 3.125 4 8 0.2 2.0\n"
+                            "HETATM 3 C ALA A 1 -0.5 6.75 9 0.1 2.0\nTER\nEND\n";
+    return {
+        good("atoms.xyz", xyz, "atoms", space),
+        good("atoms_by_number.xyz", replaced(replaced(replaced(xyz, "C ", "6 "), "H ", "1 "), "O ", "8 "), "atoms",
+             space),
+        good("atoms_extended.xyz", replaced(xyz, "9\n", "9 0.1 0.2\n"), "atoms", space),
+        good("atoms_without_comment.xyz", replaced(xyz, "made by hand", ""), "atoms", space),
+        good("points.xyz", "1.5 -2.25 7\n3.125 4 8\n-0.5 6.75 9\n", "", space),
+        bad("frames.xyz", xyz + xyz, 6, "head -n 5"),
+        bad("atoms_cut.xyz", replaced(xyz, "3\n", "4\n"), 5, "line 1 has to say how many"),
+        bad("atoms_bad.xyz", replaced(xyz, "3.125", "3,125"), 4, "is not a number"),
+        good("protein.pdb", std::string("HEADER    A\nREMARK 1\n") + atom_1 + atom_2 + atom_3 + "TER\nEND\n", "atoms",
+             space),
+        good("models.pdb",
+             std::string("MODEL 1\n") + atom_1 + atom_2 + atom_3 + "ENDMDL\nMODEL 2\n" + atom_1 + "ENDMDL\nEND\n",
+             "first of its 2 models", space),
+        good("alternates.ent", std::string(atom_1) + atom_2 + first_3 + other_3, "without 1 at alternate places",
+             space),
+        bad("short.pdb", "ATOM 1 N ALA 1 1.5 -2.25 7\n", 1, ".pqr"),
+        bad("no_atom.pdb", "REMARK nothing\n", 1, "a table is named"),
+        bad("bad_number.pdb", replaced(atom_1, "-2.250", "-2.2x0"), 1, "is not a number"),
+        good("charges.pqr", pqr, "atoms", space),
+        bad("charges_short.pqr", "ATOM 1 N 1.5\n", 1, "charge and radius"),
+        good("blender.obj", obj, "vertices", space),
+        good("colours.obj", replaced(replaced(obj, " 7\n", " 7 1 0 0\n"), " 8\n", " 8 1\n"), "vertices", space),
+        bad("weights.obj", replaced(obj, " 8\n", " 8 0.5\n"), 5, "write x y z alone"),
+        bad("flat.obj", replaced(obj, " 8\n", "\n"), 5, "2 numbers where 3 are due"),
+        bad("no_vertex.obj", "# nothing\n", 1, "a table is named"),
+        good("ascii.stl", ascii_stl, "3 different corners of 2 triangles", space),
+        good("binary.stl", binary_stl(2, 2), "3 different corners of 2 triangles", space),
+        bad("cut_off.stl", replaced(ascii_stl, "endsolid a\n", ""), 15, "copy it again"),
+        bad("cut_off_within.stl", ascii_stl.substr(0, 200), 13, "was the file cut off?"),
+        bad("binary_cut_off.stl", binary_stl(3, 2), 0, "was it cut off?"),
+        bad("binary_nan.stl", replaced(binary_stl(1, 1), "\0\0\xC0\x3F"s, "\0\0\xC0\x7F"s), 0, "finite double"),
+        // names that say something else
+        bad("array.txt", "\x93NUMPY\x01\0v\0{"s, 0, "name it .npy"),
+        bad("surface.txt", "OFF\n1 0 0\n1 2 3\n", 0, "name it .off"),
+        bad("surface.csv", "ply\nformat ascii 1.0\n", 0, "name it .ply"),
+        bad("triangles.txt", ascii_stl, 0, "name it .stl"),
+        bad("triangles_binary.dat.txt", binary_stl(1, 1), 0, "name it .stl"),
+        bad("protein.txt", std::string(atom_1) + atom_2, 0, "name it .pdb"),
+        bad("text.npy", plain, 0, "if it is text"),
+        bad("text.npz", plain, 0, "if it is text"),
+        bad("text.off", plain, 1, "an OFF file starts with"),
+        bad("text.ply", plain, 1, "a PLY file starts with"),
+        bad("text.stl", plain, 0, "starts with solid"),
+        bad("text.csv.gz", plain, 0, "take .gz off its name"),
+        good("triangles_without_ending", ascii_stl, "corners", space),
+        good("surface.dat", "OFF\n3 0 0\n1.5 -2.25 7\n3.125 4 8\n-0.5 6.75 9\n", "", space),
+        // what is no list of points at all
+        bad("workbook.csv", "PK\x03\x04\x14\0\x06\0 xl/worksheets"s, 1, "save the table as CSV"),
+        bad("workbook.xls", "\xD0\xCF\x11\xE0\xA1\xB1"s, 1, "save the table as CSV"),
+        bad("page.csv", "<!DOCTYPE html>\n<html>\n", 1, "HTML"),
+        bad("page_2.csv", "<html><body>404</body></html>\n", 1, "HTML"),
+        bad("document.txt", "%PDF-1.4\n", 1, "PDF"),
+        bad("letter.txt", "{\\rtf1 1 2}\n", 1, "plain text"),
+        bad("picture.txt", "\x89PNG\r\n\x1A\n"s, 1, "not points"),
+        bad("packed.csv", "BZh91AY"s, 1, "bunzip2"),
+        bad("packed_2.csv",
+            "\xFD"
+            "7zXZ\0"s,
+            1, "unxz"),
+        bad("packed_3.csv", "\x28\xB5\x2F\xFD"s, 1, "unzstd"),
+        bad("hdf.h5", "\x89HDF\r\n\x1A\n"s, 1, ".npy or .csv"),
+        bad("matrix.mat", "MATLAB 5.0 MAT-file, Platform"s, 1, "writematrix"),
+        bad("pickle.pkl", "\x80\x04\x95"s, 1, "numpy.save"),
+        bad("frame.parquet", "PAR1\x15"s, 1, "to_csv"),
+        bad("lidar.las", "LASF\0\0"s, 1, "las2txt"),
+        bad("cloud.pcd", "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\n", 1, "pcl_pcd2ply"),
+        bad("grid.vtu", "<?xml version=\"1.0\"?>\n<VTKFile>\n", 1, "as a table in text"),
+        bad("grid.vtk", "# vtk DataFile Version 3.0\n", 1, "as a table in text"),
+        bad("gmsh.msh", "$MeshFormat\n2.2 0 8\n", 1, "as a table in text"),
+        bad("protein.cif", "data_1ABC\n_atom_site.id\n", 1, ".pdb or .xyz"),
+        bad("pointer.csv", "version https://git-lfs.github.com/spec/v1\noid sha256:1\n", 1, "git lfs pull"),
+        bad("database.csv", "SQLite format 3\0"s, 1, "as CSV"),
+        bad("raw.bin", "\x01\0\0\0\x02\0\0\0"s, 1, "numbers in binary are read from .npy"),
+        bad("zeros_behind.csv", plain + "\0\0"s, 4, "so this is no text"),
+    };
+}
+
+TableOptions options_of(const OddFile& file) {
+    TableOptions options;
+    if (!file.columns.empty()) CHECK(parse_columns(file.columns, &options.columns) == "");
+    if (!file.delimiter.empty()) options.delimiter = file.delimiter == "blank" ? ' ' : file.delimiter[0];
+    options.skip = file.skip;
+    return options;
+}
+
+void check(const OddFile& file, const std::string& folder) {
+    CAPTURE(file.name);
+    CAPTURE(file.content);
+    std::ofstream(folder + file.name, std::ios::binary) << file.content;
+    PointCloud cloud;
+    const Outcome outcome = read_points(folder + file.name, options_of(file), &cloud);
+    CAPTURE(outcome.message);
+    if (!file.points.empty()) {
+        CHECK(outcome.good());
+        CHECK(cloud.coordinates == file.points);
+        CHECK(cloud.dim == (file.points == space ? 3 : 2));
+        CAPTURE(cloud.note);
+        if (file.says.empty() && file.columns.empty() && file.skip == 0 && file.delimiter.empty())
+            CHECK(cloud.note == "");
+        CHECK(cloud.note.find(file.says) != std::string::npos);
+        return;
+    }
+    CHECK(outcome.exit == Exit::data);
+    const std::string place = file.line == 0 ? ": " : ":" + std::to_string(file.line) + ": ";
+    CHECK(outcome.message.rfind(folder + file.name + place, 0) == 0);
+    CHECK(outcome.message.find(file.says) != std::string::npos);
+    for (const char c : outcome.message) CHECK(static_cast<unsigned char>(c) >= 0x20);
+}
+
+}  // namespace
+
+TEST_CASE("odd files: the right points, or a refusal with line and remedy") {
+    char name[] = "/tmp/netmesh-odd-XXXXXX";
+    REQUIRE(mkdtemp(name) != nullptr);
+    const std::string folder = std::string(name) + "/";
+    std::vector<OddFile> files = tables();
+    for (OddFile& file : formats()) files.push_back(std::move(file));
+    std::set<std::string> names;
+    for (const OddFile& file : files) {
+        CHECK(names.insert(file.name).second);
+        check(file, folder);
+    }
+    CHECK(files.size() >= 150);
+    std::filesystem::remove_all(folder);
+}

@@ -1,0 +1,153 @@
+// Places of atoms: chemical .xyz, .pdb and .pqr.
+#include <array>
+
+#include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
+#include "tools/io/points.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+bool starts(std::string_view text, std::string_view piece) { return text.substr(0, piece.size()) == piece; }
+
+bool is_number(std::string_view word) {
+    double ignored;
+    return parse_finite(std::string(word), &ignored);
+}
+
+// An element's symbol or name (C, Fe1), or its number.
+bool is_element(std::string_view word) {
+    std::uint64_t number;
+    if (parse_unsigned(std::string(word), &number)) return number <= 118;
+    return !word.empty() && word.size() <= 8 &&
+           ((word[0] >= 'A' && word[0] <= 'Z') || (word[0] >= 'a' && word[0] <= 'z'));
+}
+
+Outcome add_atom(const std::array<std::string_view, 3>& words, std::uint64_t line, PointCloud* cloud) {
+    for (const std::string_view word : words) {
+        double value;
+        if (word.empty()) return line_error(cloud->name, line, "an atom without three coordinates");
+        if (!parse_finite(std::string(word), &value)) return line_error(cloud->name, line, not_a_number(word));
+        cloud->coordinates.push_back(value);
+    }
+    cloud->lines.push_back(line);
+    return {};
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::vector<std::string_view> words = split_blanks(text);
+    return words.empty() ? std::string_view() : words.size() == 1 ? words[0] : text;
+}
+
+void note_atoms(const char* format, std::uint64_t left_out, std::uint64_t models, PointCloud* cloud) {
+    cloud->note = std::string("read as atoms of ") + format;
+    if (left_out > 0) cloud->note += ", without " + std::to_string(left_out) + " at alternate places";
+    if (models > 1) cloud->note += ", those of the first of its " + std::to_string(models) + " models";
+}
+
+}  // namespace
+
+bool is_chemical_xyz(std::string_view content) {
+    LineReader reader(content, false);
+    std::string_view line;
+    std::uint64_t count = 0;
+    if (!reader.next(&line) || !parse_unsigned(std::string(line), &count) || count == 0) return false;
+    if (!reader.next(&line)) return false;
+    bool named = false, numbered = true;
+    for (std::uint64_t i = 0; i < count && i < 1000; i++) {
+        if (!reader.next(&line)) return named;
+        const std::vector<std::string_view> words = split_blanks(line);
+        std::uint64_t ignored;
+        if (words.size() < 4 || !is_element(words[0]) || !is_number(words[1])) return named;
+        named = named || !is_number(words[0]);
+        numbered = numbered && parse_unsigned(std::string(words[0]), &ignored);
+    }
+    return named || numbered;
+}
+
+Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
+    LineReader reader(content, false);
+    std::string_view line;
+    std::uint64_t count = 0;
+    reader.next(&line);
+    if (!parse_unsigned(std::string(line), &count) || count == 0)
+        return line_error(cloud->name, 1, quoted(line) + " is not a number of atoms");
+    reader.next(&line);
+    cloud->dim = 3;
+    for (std::uint64_t i = 0; i < count; i++) {
+        if (!reader.next(&line))
+            return line_error(cloud->name, reader.number(),
+                              "the file ends after " + std::to_string(i) + " of " + std::to_string(count) +
+                                  " atoms; line 1 has to say how many there are");
+        const std::vector<std::string_view> words = split_blanks(line);
+        if (words.size() < 4 || !is_element(words[0]))
+            return line_error(cloud->name, reader.number(),
+                              "not an atom, `C 1.0 2.0 3.0`; line 1 says that there are " + std::to_string(count));
+        const Outcome outcome = add_atom({words[1], words[2], words[3]}, reader.number(), cloud);
+        if (!outcome.good()) return outcome;
+    }
+    if (reader.next_content(&line))
+        return line_error(cloud->name, reader.number(),
+                          "more than the " + std::to_string(count) +
+                              " atoms that line 1 speaks of; of several frames cut one out: head -n " +
+                              std::to_string(count + 2));
+    note_atoms(".xyz", 0, 1, cloud);
+    return {};
+}
+
+Outcome parse_pdb_atoms(std::string_view content, PointCloud* cloud) {
+    LineReader reader(content, false);
+    std::string_view line;
+    std::uint64_t models = 0, left_out = 0;
+    char place = ' ';  // the alternate places that are taken: those of the first letter
+    cloud->dim = 3;
+    while (reader.next(&line)) {
+        if (starts(line, "MODEL")) models++;
+        if (models > 1 || (!starts(line, "ATOM") && !starts(line, "HETATM"))) continue;
+        if (line.size() < 54)
+            return line_error(cloud->name, reader.number(),
+                              "an atom whose coordinates do not stand in columns 31 to 54; a file with blanks between "
+                              "is named .pqr");
+        const char here = line[16];
+        if (here != ' ' && place == ' ') place = here;
+        if (here != ' ' && here != place) {
+            left_out++;
+            continue;
+        }
+        const Outcome outcome =
+            add_atom({trimmed(line.substr(30, 8)), trimmed(line.substr(38, 8)), trimmed(line.substr(46, 8))},
+                     reader.number(), cloud);
+        if (!outcome.good()) return outcome;
+    }
+    if (cloud->rows() == 0)
+        return line_error(cloud->name, reader.number() == 0 ? 1 : reader.number(),
+                          "no line ATOM or HETATM: no atom; a table is named .txt or .csv");
+    note_atoms(".pdb", left_out, models, cloud);
+    return {};
+}
+
+Outcome parse_pqr_atoms(std::string_view content, PointCloud* cloud) {
+    LineReader reader(content, false);
+    std::string_view line;
+    cloud->dim = 3;
+    while (reader.next(&line)) {
+        if (!starts(line, "ATOM") && !starts(line, "HETATM")) continue;
+        const std::vector<std::string_view> words = split_blanks(line);
+        // ATOM number name residue [chain] number x y z charge radius, and perhaps the element
+        std::size_t end = words.size();
+        if (end > 0 && !is_number(words[end - 1])) end--;
+        if (end < 9)
+            return line_error(cloud->name, reader.number(),
+                              "an atom that does not end in x, y, z, charge and radius; with fixed columns it is .pdb");
+        const Outcome outcome = add_atom({words[end - 5], words[end - 4], words[end - 3]}, reader.number(), cloud);
+        if (!outcome.good()) return outcome;
+    }
+    if (cloud->rows() == 0)
+        return line_error(cloud->name, reader.number() == 0 ? 1 : reader.number(),
+                          "no line ATOM or HETATM: no atom; a table is named .txt or .csv");
+    note_atoms(".pqr", 0, 1, cloud);
+    return {};
+}
+
+}  // namespace netmesh::tool

@@ -1,0 +1,377 @@
+#include "tools/io/table.hpp"
+
+#include <algorithm>
+
+#include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
+#include "tools/io/table_lines.hpp"
+
+namespace netmesh::tool {
+
+std::string parse_columns(const std::string& text, std::vector<std::string>* columns) {
+    columns->clear();
+    std::size_t at = 0;
+    while (at <= text.size()) {
+        const std::size_t stop = std::min(text.find(',', at), text.size());
+        const std::string item(without_blanks(std::string_view(text).substr(at, stop - at)));
+        if (item.empty()) return "must be numbers from 1, ranges or names of the header: 1,3-4,z";
+        columns->push_back(item);
+        at = stop + 1;
+    }
+    return {};
+}
+
+std::string resolve_columns(const std::vector<std::string>& wanted, std::size_t width,
+                            const std::vector<std::string>& names, std::vector<std::size_t>* columns) {
+    columns->clear();
+    for (const std::string& item : wanted) {
+        const auto named = std::find(names.begin(), names.end(), item);
+        if (named != names.end()) {
+            columns->push_back(static_cast<std::size_t>(named - names.begin()));
+            continue;
+        }
+        const std::size_t dash = item.find('-');
+        std::uint64_t from = 0, to = 0;
+        const bool good = parse_unsigned(item.substr(0, dash), &from) &&
+                          (dash == std::string::npos ? (to = from, true) : parse_unsigned(item.substr(dash + 1), &to));
+        if (!good) return "--columns: there is no column " + quoted(item) + (names.empty() ? ", nor a header" : "");
+        if (from == 0 || to < from || to > width)
+            return "--columns " + item + ": there are columns 1 to " + std::to_string(width);
+        for (std::uint64_t k = from; k <= to; k++) columns->push_back(static_cast<std::size_t>(k - 1));
+    }
+    for (std::size_t i = 0; i < columns->size(); i++)
+        for (std::size_t j = 0; j < i; j++)
+            if ((*columns)[i] == (*columns)[j])
+                return "--columns: column " + std::to_string((*columns)[i] + 1) + " stands there twice";
+    return {};
+}
+
+namespace {
+
+std::string columns_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " column" : " columns"); }
+
+bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> pieces) {
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [&](std::string_view piece) { return text.substr(0, piece.size()) == piece; });
+}
+
+// What to do about a field that is no number.
+std::string remedy_for(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    for (const char* missing : {"na", "n/a", "null", "none", "-", "--", ".", "?", "missing", "#n/a", "nan", "-nan"})
+        if (lower == missing) return "; a row with a missing value has to be left out or filled in";
+    if (starts_with_any(lower, {"[", "(", "{", "array("}))
+        return "; write plain rows of numbers, as numpy.savetxt does, without brackets";
+    if (lower.find("\xE2\x88\x92") != std::string::npos || lower.find("\xE2\x80\x93") != std::string::npos)
+        return "; its minus is not the sign - of numbers";
+    if (lower.find("\xC2\xA0") != std::string::npos || lower.find("\xE2\x80\xAF") != std::string::npos)
+        return "; it holds a blank that does not break: replace it";
+    if (std::count(text.begin(), text.end(), ',') + std::count(text.begin(), text.end(), '\'') > 0)
+        return "; write numbers with a point and without signs between thousands";
+    const std::size_t other = lower.find_first_not_of("0123456789.+-e");
+    if (other != std::string::npos && other > 0 &&
+        (lower[other] == ':' || lower[other] == '/' || lower[other] == '&') &&
+        lower.find_first_not_of("0123456789.+-e:/&") == std::string::npos)
+        return "; " + delimiter_option(lower[other]) + " where that stands between columns";
+    const std::size_t d = lower.find('d');
+    if (d != std::string::npos && d > 0 && lower.find_first_not_of("0123456789.+-d") == std::string::npos)
+        return "; write e in place of Fortran's d";
+    return {};
+}
+
+// A table on its way from lines to numbers.
+class TableParser {
+public:
+    TableParser(const TableOptions& options, Table* table) : options_(options), table_(table) {}
+    Outcome parse(std::string_view content);
+
+private:
+    Outcome fault(std::uint64_t line, const std::string& complaint) const {
+        return line_error(table_->name, line, complaint);
+    }
+    void take_separator_line();
+    Outcome find_header();
+    Outcome drop_ends();
+    Outcome find_columns();
+    Outcome find_index();
+    Outcome check_column_numbers() const;
+    Outcome parse_rows();
+    Outcome explain_field(const TableLine& line, std::size_t column) const;
+    Outcome explain_width(const TableLine& line) const;
+    bool is_word_column(std::size_t column) const;
+    // Whether the first column counts: 0, 1, 2, ... or from another number on, or only ascends.
+    bool counts(bool by_one) const;
+    void add_note(const std::string& sentence) { table_->note += (table_->note.empty() ? "" : "; ") + sentence; }
+    bool cut(const TableLine& line, std::vector<Field>* fields) const {
+        return cut_line(line.text, dialect_.delimiter, fields);
+    }
+
+    TableOptions options_;
+    Table* const table_;
+    std::string remade_;
+    std::vector<TableLine> lines_;  // of rows, once the header is out
+    Dialect dialect_;
+    TableLine header_ = {};
+    std::vector<std::string> names_;  // of the header
+    std::size_t width_ = 0;           // fields of a row
+    std::size_t dropped_ = 0;         // empty fields at the end of every row
+    std::vector<std::size_t> columns_;
+};
+
+// Excel's `sep=;`.
+void TableParser::take_separator_line() {
+    if (lines_.empty()) return;
+    std::string_view text = without_blanks(lines_[0].text);
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    if (text.size() != 5 || !starts_with_any(text, {"sep=", "SEP=", "Sep="})) return;
+    if (options_.delimiter == 0) options_.delimiter = text[4];
+    add_note("skipped line " + quoted(text));
+    lines_.erase(lines_.begin());
+}
+
+Outcome TableParser::find_header() {
+    std::vector<Field> fields;
+    std::string sentence;
+    std::uint64_t line = 0;
+    const auto are_words = [&](char delimiter) {
+        return !lines_.empty() && cut_line(lines_[0].text, delimiter, &fields) && is_header_line(fields);
+    };
+    const bool bars = !lines_.empty() && lines_[0].text.find('|') != std::string_view::npos;
+    const bool first_is_words = are_words(0) || are_words(options_.delimiter) || (bars && are_words('|'));
+    const bool quoted_alone = !lines_.empty() && lines_.size() > 1 && lines_[0].text.find('"') != std::string::npos &&
+                              lines_[1].text.find('"') == std::string::npos;
+    const bool apart = first_is_words || quoted_alone;
+    std::string complaint = find_dialect(lines_, apart ? 1 : 0, options_, &dialect_, &sentence, &line);
+    if (!complaint.empty()) return fault(line, complaint);
+    if (!sentence.empty()) add_note(sentence);
+    if (lines_.empty()) return {};
+    // Names may hold blanks where these are no delimiters, and be numbers where only they are in quotes.
+    if (!cut(lines_[0], &fields)) return fault(lines_[0].number, "a quotation that does not end");
+    bool header = is_header_line(fields);
+    for (std::size_t k = 0; k < fields.size() && !header && quoted_alone; k++) {
+        const bool counts = fields[k].text == std::to_string(k) || fields[k].text == std::to_string(k + 1);
+        if (!fields[k].quoted || !counts) break;
+        header = k + 1 == fields.size();
+    }
+    if (!header && first_is_words) header = true;
+    if (!header) return {};
+    header_ = lines_[0];
+    for (const Field& field : fields) names_.emplace_back(field.text);
+    add_note("skipped header " + quoted(without_blanks(lines_[0].text)));
+    lines_.erase(lines_.begin());
+    return {};
+}
+
+// Rows without a value at the end of the file, and a last column without one.
+Outcome TableParser::drop_ends() {
+    std::vector<Field> fields;
+    const auto nothing = [](const Field& field) { return field.text.empty(); };
+    std::size_t rows = 0;
+    while (!lines_.empty()) {
+        if (!cut(lines_.back(), &fields)) return fault(lines_.back().number, "a quotation that does not end");
+        if (!std::all_of(fields.begin(), fields.end(), nothing)) break;
+        if (lines_.size() == 1) break;
+        lines_.pop_back();
+        rows++;
+    }
+    if (rows > 0)
+        add_note("skipped " + std::to_string(rows) + (rows == 1 ? " row" : " rows") + " of nothing at the end");
+    bool trailing = lines_.size() > 1 && dialect_.delimiter != ' ';
+    for (std::size_t i = 0; i < lines_.size() && trailing; i++)
+        trailing = cut(lines_[i], &fields) && fields.size() > 1 && fields.back().text.empty();
+    if (lines_.empty()) return {};
+    if (!cut(lines_[0], &fields)) return fault(lines_[0].number, "a quotation that does not end");
+    if (trailing) {
+        dropped_ = 1;
+        add_note("skipped an empty last column");
+    }
+    width_ = fields.size() - dropped_;
+    if (trailing && names_.size() == width_ + 1 && names_.back().empty()) names_.pop_back();
+    if (names_.empty() || names_.size() == width_) return {};
+    // A header may have another delimiter than the rows.
+    if (!cut_line(header_.text, 0, &fields) || fields.size() != width_ || !is_header_line(fields)) return {};
+    names_.clear();
+    for (const Field& field : fields) names_.emplace_back(field.text);
+    return {};
+}
+
+bool TableParser::counts(bool by_one) const {
+    std::vector<Field> fields;
+    double last = 0;
+    for (std::size_t i = 0; i < lines_.size(); i++) {
+        double value;
+        if (!cut(lines_[i], &fields) || fields.empty()) return false;
+        if (read_field(fields[0], false, &value) != FieldKind::number || value < 0 || !is_count(value)) return false;
+        if (i > 0 && (by_one ? value != last + 1 : value <= last)) return false;
+        last = value;
+    }
+    return !lines_.empty();
+}
+
+// A first column that the header says is no coordinate.
+Outcome TableParser::find_index() {
+    if (names_.empty() || width_ < 2) return {};
+    std::string first = names_[0];
+    for (char& c : first) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const bool unnamed = names_.size() == width_ && (first.empty() || first == "unnamed: 0");
+    const bool one_short = names_.size() + 1 == width_;
+    bool called = false;
+    for (const char* name : {"index", "id", "idx", "row", "rowid", "row_id", "no", "no.", "nr", "nr.", "rownames",
+                             "row.names", "#", "point_id", "pointid", "fid", "objectid"})
+        called = called || (first == name && names_.size() == width_);
+    if (!unnamed && !one_short && !called) return {};
+    const bool good = counts(true) || (!one_short && counts(false)) || is_word_column(0);
+    if (!good) {
+        const std::string others = "--columns 2-" + std::to_string(width_) + " leaves it out, --columns 1-" +
+                                   std::to_string(width_) + " takes it for coordinates";
+        return fault(lines_[0].number, "the header gives the first column " +
+                                           (first.empty() || one_short ? "no name" : "the name " + quoted(names_[0])) +
+                                           ", but it does not count rows: " + others);
+    }
+    columns_.erase(columns_.begin());
+    add_note("skipped index column 1");
+    return {};
+}
+
+// 0,1,2 above numbers that are all no whole ones: column numbers (pandas) or a point?
+Outcome TableParser::check_column_numbers() const {
+    if (!names_.empty() || lines_.size() < 3 || dialect_.delimiter == ' ' || dialect_.delimiter == 0 || width_ < 2 ||
+        options_.delimiter != 0)
+        return {};
+    std::vector<Field> fields;
+    for (std::size_t i = 0; i < lines_.size(); i++) {
+        if (!cut(lines_[i], &fields) || fields.size() < width_) return {};
+        for (std::size_t k = 0; k < width_; k++) {
+            const bool whole = fields[k].text.find_first_of(".,eE") == std::string_view::npos;
+            if (i == 0 ? fields[k].text != std::to_string(k) : whole) return {};
+        }
+    }
+    return fault(lines_[0].number, quoted(lines_[0].text) +
+                                       " may be column numbers, as pandas writes them, or a point: --skip " +
+                                       std::to_string(lines_[0].number) + " leaves it out, " +
+                                       delimiter_option(dialect_.delimiter) + " reads it as a point");
+}
+
+Outcome TableParser::find_columns() {
+    for (std::size_t k = 0; k < width_; k++) columns_.push_back(k);
+    if (options_.columns.empty()) {
+        const Outcome outcome = check_column_numbers();
+        return outcome.good() ? find_index() : outcome;
+    }
+    std::vector<std::string> names = names_;
+    if (names.size() + 1 == width_) names.insert(names.begin(), "");
+    const std::string complaint = resolve_columns(options_.columns, width_, names, &columns_);
+    return complaint.empty() ? Outcome{} : fault(lines_[0].number, complaint);
+}
+
+bool TableParser::is_word_column(std::size_t column) const {
+    std::vector<Field> fields;
+    double ignored;
+    for (const TableLine& line : lines_) {
+        if (!cut(line, &fields) || fields.size() <= column) return false;
+        const FieldKind kind = read_field(fields[column], dialect_.decimal_comma, &ignored);
+        if (kind != FieldKind::word && !(kind == FieldKind::number && fields[column].quoted)) return false;
+    }
+    return true;
+}
+
+Outcome TableParser::explain_width(const TableLine& line) const {
+    std::vector<Field> fields;
+    cut(line, &fields);
+    for (std::size_t i = 0; i < fields.size(); i++) {
+        if (!fields[i].text.empty() || dialect_.delimiter == ' ') continue;
+        const std::string delimiter = dialect_.delimiter == '\t'
+                                          ? "tab"
+                                          : std::string("'") +
+                                                (dialect_.delimiter != 0 ? dialect_.delimiter
+                                                 : i + 1 < fields.size() ? *fields[i].text.data()
+                                                                         : without_blanks(line.text).back()) +
+                                                "'";
+        return fault(line.number,
+                     i + 1 < fields.size() ? "nothing before a " + delimiter : "nothing after the last " + delimiter);
+    }
+    const std::uint64_t first = lines_[0].number;
+    std::string remedy;
+    if (lines_.size() > 2) {  // a count or a title above the rows?
+        const auto same = [&](std::size_t i) {
+            std::vector<Field> of_line;
+            return cut(lines_[i], &of_line) && of_line.size() == fields.size();
+        };
+        bool others = line.number == lines_[1].number;
+        for (std::size_t i = 1; i < lines_.size() && others; i++) others = same(i);
+        if (others) remedy = "; --skip " + std::to_string(first) + " leaves that line out";
+    }
+    return fault(line.number, columns_text(fields.size()) + " where line " + std::to_string(first) + " has " +
+                                  std::to_string(width_ + dropped_) + remedy);
+}
+
+Outcome TableParser::explain_field(const TableLine& line, std::size_t column) const {
+    std::vector<Field> fields;
+    cut(line, &fields);
+    double ignored;
+    const Field& field = fields[column];
+    const FieldKind kind = read_field(field, dialect_.decimal_comma, &ignored);
+    if (kind == FieldKind::empty && !field.quoted && options_.columns.empty() && dialect_.delimiter != '\t')
+        return explain_width(line);
+    if (kind == FieldKind::empty)
+        return fault(line.number, "nothing in column " + std::to_string(column + 1) +
+                                      "; a row with a missing value has to be left out or filled in");
+    std::string remedy;
+    if (lines_.size() > 1 && kind == FieldKind::word && is_word_column(column)) {
+        std::string others;
+        for (std::size_t k = 0; k < width_; k++)
+            if (!is_word_column(k)) others += (others.empty() ? "" : ",") + std::to_string(k + 1);
+        if (!others.empty()) remedy = "; --columns " + others + " leaves such columns out";
+    }
+    if (remedy.empty()) remedy = remedy_for(field.text);
+    const bool above = &line == &lines_[0] || line.number == lines_[0].number;
+    if (kind == FieldKind::not_finite && remedy.empty()) remedy = "; such a row has to be left out";
+    if (remedy.empty() && above && lines_.size() > 1)
+        remedy = "; --skip " + std::to_string(line.number) + " leaves the lines down to this one out";
+    return fault(line.number,
+                 (kind == FieldKind::not_finite ? not_finite(field.text) : not_a_number(field.text)) + remedy);
+}
+
+Outcome TableParser::parse_rows() {
+    std::vector<Field> fields;
+    table_->width = columns_.size();
+    table_->values.reserve(lines_.size() * columns_.size());
+    table_->lines.reserve(lines_.size());
+    for (const TableLine& line : lines_) {
+        if (!cut(line, &fields)) return fault(line.number, "a quotation that does not end");
+        const bool ragged = fields.size() != width_ + dropped_;
+        // What is no number explains more than a count of fields that it has changed.
+        for (const std::size_t column : columns_) {
+            if (column >= fields.size()) break;
+            double value;
+            const FieldKind kind = read_field(fields[column], dialect_.decimal_comma, &value);
+            if (kind != FieldKind::number && !(ragged && kind == FieldKind::empty)) return explain_field(line, column);
+            if (kind == FieldKind::number) table_->values.push_back(value);
+        }
+        if (ragged) return explain_width(line);
+        table_->lines.push_back(line.number);
+    }
+    return {};
+}
+
+Outcome TableParser::parse(std::string_view content) {
+    std::uint64_t line = 0;
+    const std::string complaint = collect_lines(content, options_.skip, &remade_, &lines_, &line);
+    if (!complaint.empty()) return fault(line, complaint);
+    take_separator_line();
+    Outcome outcome = find_header();
+    if (outcome.good()) outcome = drop_ends();
+    if (!outcome.good()) return outcome;
+    if (lines_.empty()) return fault(line == 0 ? 1 : line, "the input ends without a point");
+    outcome = find_columns();
+    return outcome.good() ? parse_rows() : outcome;
+}
+
+}  // namespace
+
+Outcome parse_table(std::string_view content, const TableOptions& options, Table* table) {
+    return TableParser(options, table).parse(content);
+}
+
+}  // namespace netmesh::tool

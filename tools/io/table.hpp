@@ -1,0 +1,43 @@
+// Tables of numbers in text, as spreadsheets, pandas, R, MATLAB and hand-made programs write them.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/outcome.hpp"
+
+namespace netmesh::tool {
+
+// How a table is read where the file does not say it or says it wrongly.
+struct TableOptions {
+    char delimiter = 0;                // 0: told by the file; ' ': blanks; with one given, commas in fields are decimal
+    std::uint64_t skip = 0;            // physical lines left out at the top
+    std::vector<std::string> columns;  // numbers from 1, ranges 2-4, names of the header; none: all
+};
+
+struct Table {
+    std::string name;  // for messages
+    std::size_t width = 0;
+    std::vector<double> values;        // [rows][width], finite, no -0.0
+    std::vector<std::uint64_t> lines;  // physical line of each row; empty for binary formats
+    std::string note;                  // what was left out or understood: `skipped header "x,y"`; empty when nothing
+
+    std::size_t rows() const { return width == 0 ? 0 : values.size() / width; }
+};
+
+// One row a line; # outside of quotes starts a comment, as % and // do at the start of a line. The delimiter is the one
+// that fits all lines: semicolons, tabs, bars, commas or blanks, and only where none fits alone are commas, semicolons
+// and blanks taken together. Numbers with decimal commas are read where nothing else can be meant. A header of words,
+// an index column that the header tells of, an empty last column and empty rows at the end are left out, and
+// table->note says so. What can be read in two ways is an error that names the option which decides.
+// Every fault is Exit::data with file, line and remedy.
+Outcome parse_table(std::string_view content, const TableOptions& options, Table* table);
+
+// What --columns holds, cut at commas: a complaint, or empty.
+std::string parse_columns(const std::string& text, std::vector<std::string>* columns);
+// Columns counted from 0 out of numbers from 1, ranges and names: a complaint, or empty.
+std::string resolve_columns(const std::vector<std::string>& wanted, std::size_t width,
+                            const std::vector<std::string>& names, std::vector<std::size_t>* columns);
+
+}  // namespace netmesh::tool

@@ -1,0 +1,211 @@
+#include "tools/io/table_lines.hpp"
+
+#include <cstring>
+
+#include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
+
+namespace netmesh::tool {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) >= 0x80);
+}
+
+// The line without a comment: # outside of quotes, % and // at its start.
+std::string_view without_comment(std::string_view line) {
+    const std::string_view content = without_blanks(line);
+    if (content.substr(0, 1) == "%" || content.substr(0, 2) == "//") return {};
+    if (std::memchr(line.data(), '#', line.size()) == nullptr) return line;
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); i++) {
+        if (line[i] == '"') quoted = !quoted;
+        if (line[i] == '#' && !quoted) return line.substr(0, i);
+    }
+    return quoted ? line.substr(0, line.find('#')) : line;
+}
+
+// UTF-16 as spreadsheets save it, to UTF-8.
+std::string from_utf16(std::string_view content, bool big) {
+    std::string text;
+    const auto unit = [&](std::size_t at) {
+        const auto low = static_cast<unsigned char>(content[at + (big ? 1 : 0)]);
+        const auto high = static_cast<unsigned char>(content[at + (big ? 0 : 1)]);
+        return static_cast<unsigned>(low | (high << 8));
+    };
+    for (std::size_t at = 2; at + 1 < content.size(); at += 2) {
+        const unsigned code = unit(at);
+        if (code < 0x80) {
+            text += static_cast<char>(code);
+        } else if (code < 0x800) {
+            text += static_cast<char>(0xC0 | (code >> 6));
+            text += static_cast<char>(0x80 | (code & 63));
+        } else {  // halves of pairs only ever stand in words
+            text += static_cast<char>(0xE0 | (code >> 12));
+            text += static_cast<char>(0x80 | ((code >> 6) & 63));
+            text += static_cast<char>(0x80 | (code & 63));
+        }
+    }
+    return text;
+}
+
+// One field at *at, up to a delimiter or blank that `ends` tells. False where a quotation does not end.
+template <class Ends> bool take_field(std::string_view line, std::size_t* at, Ends ends, Field* field) {
+    if (line[*at] == '"') {
+        std::size_t stop = *at + 1;
+        while (stop < line.size() && (line[stop] != '"' || (stop + 1 < line.size() && line[stop + 1] == '"')))
+            stop += line[stop] == '"' ? 2 : 1;
+        if (stop >= line.size()) return false;
+        std::size_t behind = stop + 1;
+        while (behind < line.size() && !ends(line[behind])) behind++;
+        const bool nothing_else = without_blanks(line.substr(stop + 1, behind - stop - 1)).empty();
+        field->quoted = nothing_else;
+        field->text = nothing_else ? without_blanks(line.substr(*at + 1, stop - *at - 1))
+                                   : without_blanks(line.substr(*at, behind - *at));
+        *at = behind;
+        return true;
+    }
+    std::size_t stop = *at;
+    while (stop < line.size() && !ends(line[stop])) stop++;
+    field->quoted = false;
+    field->text = without_blanks(line.substr(*at, stop - *at));
+    *at = stop;
+    return true;
+}
+
+}  // namespace
+
+std::string_view without_blanks(std::string_view text) {
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    return text;
+}
+
+std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
+                          std::vector<TableLine>* lines, std::uint64_t* line) {
+    const std::string_view mark = content.substr(0, 2);
+    if (mark == "\xFF\xFE" || mark == "\xFE\xFF") {
+        *remade = from_utf16(content, mark[0] == '\xFE');
+        content = *remade;
+    }
+    if (content.substr(0, 3) == "\xEF\xBB\xBF") content.remove_prefix(3);
+    if (content.find('\n') == std::string_view::npos && content.find('\r') != std::string_view::npos) {
+        std::string text(content);  // of a Macintosh of old
+        for (char& c : text) c = c == '\r' ? '\n' : c;
+        *remade = std::move(text);
+        content = *remade;
+    }
+    if (!content.empty() && content.back() == '\x1A') content.remove_suffix(1);  // DOS's end of file
+    for (std::uint64_t number = 1; !content.empty(); number++) {
+        const std::size_t end = content.find('\n');
+        std::string_view text = content.substr(0, end);
+        content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
+        *line = number;
+        if (number <= skip) continue;
+        while (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+        if (text.find('\r') != std::string_view::npos)
+            return "a carriage return within the line; save the file with one kind of line ends";
+        const std::string_view kept = without_comment(text);
+        const bool commented = kept.size() != text.size();  // tabs in front of a comment are no columns
+        text = kept;
+        while (!text.empty() && (text.back() == ' ' || (commented && is_blank(text.back())))) text.remove_suffix(1);
+        if (without_blanks(text).empty()) continue;
+        lines->push_back({text, number});
+    }
+    return {};
+}
+
+bool cut_line(std::string_view line, char delimiter, std::vector<Field>* fields) {
+    fields->clear();
+    std::size_t at = 0;
+    Field field{};
+    if (delimiter == ' ') {
+        for (;;) {
+            while (at < line.size() && is_blank(line[at])) at++;
+            if (at == line.size()) return true;
+            if (!take_field(line, &at, is_blank, &field)) return false;
+            fields->push_back(field);
+        }
+    }
+    if (delimiter == 0) {
+        const auto ends = [](char c) { return is_blank(c) || c == ',' || c == ';'; };
+        line = without_blanks(line);
+        bool due = false;  // a field, behind a comma
+        for (;;) {
+            while (at < line.size() && is_blank(line[at])) at++;
+            if (at == line.size()) break;
+            if (line[at] == ',' || line[at] == ';') {
+                fields->push_back({line.substr(at, 0), false});
+            } else {
+                if (!take_field(line, &at, ends, &field)) return false;
+                fields->push_back(field);
+                while (at < line.size() && is_blank(line[at])) at++;
+            }
+            due = at < line.size() && (line[at] == ',' || line[at] == ';');
+            if (due) at++;
+        }
+        if (due) fields->push_back({line.substr(at, 0), false});
+        return true;
+    }
+    for (;;) {
+        while (at < line.size() && is_blank(line[at]) && line[at] != delimiter) at++;
+        if (at == line.size()) {
+            fields->push_back({line.substr(at, 0), false});
+            return true;
+        }
+        if (!take_field(
+                line, &at, [&](char c) { return c == delimiter; }, &field))
+            return false;
+        if (field.text.empty() && !field.quoted) field.text = line.substr(at, 0);
+        fields->push_back(field);
+        if (at == line.size()) return true;
+        at++;
+    }
+}
+
+FieldKind read_field(const Field& field, bool decimal_comma, double* value) {
+    if (field.text.empty()) return FieldKind::empty;
+    char replaced[64];
+    std::string_view text = field.text;
+    const std::size_t comma = decimal_comma ? text.find(',') : std::string_view::npos;
+    if (comma != std::string_view::npos) {
+        const bool between =
+            comma > 0 && comma + 1 < text.size() && is_digit(text[comma - 1]) && is_digit(text[comma + 1]);
+        if (!between || text.size() > sizeof replaced || text.find('.') != std::string_view::npos)
+            return FieldKind::word;
+        std::memcpy(replaced, text.data(), text.size());
+        replaced[comma] = '.';
+        text = std::string_view(replaced, text.size());
+    }
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    const NumberKind kind = parse_double(at, end, value);
+    if (kind == NumberKind::not_a_number || at != end) return FieldKind::word;
+    return kind == NumberKind::finite ? FieldKind::number : FieldKind::not_finite;
+}
+
+bool is_header_line(const std::vector<Field>& fields) {
+    bool word = false;
+    double ignored;
+    bool of_pandas = fields.size() > 2 && fields[0].text.empty();  // ,0,1,2
+    for (std::size_t i = 1; i < fields.size() && of_pandas; i++) of_pandas = fields[i].text == std::to_string(i - 1);
+    if (of_pandas) return true;
+    for (const Field& field : fields) {
+        if (field.text.empty()) continue;
+        const FieldKind kind = read_field(field, true, &ignored);
+        if (kind == FieldKind::number || kind == FieldKind::not_finite) return false;
+        const char first = field.text.front();
+        if (is_digit(first) || first == '.' || first == '+' || first == '-') return false;
+        bool letter = false;
+        for (const char c : field.text) letter = letter || is_letter(c);
+        if (!letter) return false;
+        word = true;
+    }
+    return word;
+}
+
+}  // namespace netmesh::tool
