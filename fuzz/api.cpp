@@ -227,6 +227,35 @@ private:
         request = on_points(request, c, x);
         ended(netmesh_persist_points(context_, maybe(request, c)));
     }
+    // Of few points; numbers are anything now and then.
+    void persist_distances() {
+        const Choices c = choose();
+        const std::uint32_t n = tape_.below(9), layout = tape_.rarely() ? tape_.byte() : tape_.below(3);
+        std::vector<double> full(std::size_t{n} * n, 0.0), lower;
+        std::vector<netmesh_distance_entry> entries;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            for (std::uint32_t j = 0; j < i; ++j) {
+                const double d = tape_.rarely() ? tape_.number() : tape_.below(16);
+                full[i * std::size_t{n} + j] = d;
+                full[j * std::size_t{n} + i] = tape_.rarely() ? tape_.number() : d;
+                lower.push_back(d);
+                if ((tape_.byte() & 3) != 0) entries.push_back({tape_.rarely() ? tape_.byte() : i, j, d});
+            }
+        }
+        netmesh::requests::Distances request;
+        request.monitor = c.monitor;
+        std::memcpy(&request.layout, &layout, sizeof layout);
+        request.numbers = layout == NETMESH_DISTANCES_FULL ? full.data() : lower.data();
+        request.entries = entries.data();
+        request.entry_count = entries.size();
+        request.point_count = n;
+        if ((tape_.byte() & 1) != 0) request.threshold = tape_.number();
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        request.representatives = tape_.byte() & 1;
+        ended(netmesh_persist_distances(context_, maybe<netmesh_distances_request>(request, c)));
+        netmesh_plan_distances(&request);
+    }
     void points_vineyard() {
         const Choices c = choose();
         const auto filter = static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 11 + tape_.below(2));
@@ -607,7 +636,11 @@ private:
         case 3: return make_mesh();
         case 4:
         case 5: return persist();
-        case 6: return tape_.byte() % 4 == 0 ? persist_alpha() : persist_points();
+        case 6: {
+            const std::uint32_t which = tape_.byte();
+            if (which % 4 == 0) return persist_alpha();
+            return which >= 192 ? persist_distances() : persist_points();
+        }
         case 7: return homology();
         case 8: return vineyard();
         case 9:

@@ -24,7 +24,7 @@ Outcome run(const Options& options) {
     case Command::size: return run_size(options);
     case Command::check: return run_check(options);
     case Command::sample: return run_sample(options);
-    default: return run_engine_command(options);
+    default: return options.distances ? run_distances(options) : run_engine_command(options);
     }
 }
 

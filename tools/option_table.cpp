@@ -12,7 +12,8 @@ const std::vector<CommandEntry>& command_entries() {
          "Every vertex but the boundary's gets a Voronoi cell whose aspect ratio, clipped to the domain, is at most "
          "tau.\n"},
         {Command::delaunay, "delaunay", "POINTS...", 1, "Delaunay triangulation", ""},
-        {Command::persist, "persist", "POINTS... | MESH.node --values-at FILE", 1, "persistence diagram",
+        {Command::persist, "persist", "POINTS... | MESH.node --values-at FILE | FILE --distances", 1,
+         "persistence diagram",
          "Prints lines `degree birth death`, radii, inf for the essential class, behind comments `# name value` that "
          "say how\n"
          "the diagram was made, by the names of these options, of what points, and what is certified of it.\n"
@@ -126,6 +127,12 @@ std::string apply_longer_than(Options& options, const std::string& text) {
 }
 std::string apply_from(Options& options, const std::string& text) {
     return parse_finite(text, &options.from) && options.from > 0 ? "" : "must be a finite radius above 0";
+}
+std::string apply_threshold(Options& options, const std::string& text) {
+    double threshold;
+    if (!parse_finite(text, &threshold) || threshold < 0) return "must be a finite radius, 0 or more";
+    options.threshold = threshold;
+    return {};
 }
 std::string apply_to(Options& options, const std::string& text) {
     return parse_finite(text, &options.to) && options.to > 0 ? "" : "must be a finite radius above 0";
@@ -423,6 +430,13 @@ const std::vector<OptionEntry>& option_entries() {
          "                    ratios, degrees and invariants after each insertion; or all. Figures go to the report"},
         {"--filter", vineyard, "F", apply_filter, vineyard_filter_help()},
         {"--filter", persist | size | check, "F", apply_filter, filter_help()},
+        {"--distances", persist, nullptr, apply_switch<&Options::distances>,
+         "POINTS is a file of distances, for --filter rips: a symmetric matrix, or a lower triangle as ripser has it"},
+        {"--sparse", persist, nullptr, apply_switch<&Options::sparse>,
+         "with --distances: lines `i j distance` of points from 0 on; pairs that are not listed are never joined"},
+        {"--threshold", persist, "R", apply_threshold,
+         "with --distances: points are joined to radius R, which is half of their distance; ripser's are diameters, "
+         "2 R"},
         {"--k", persist | size | check, "K", apply_k,
          "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points "
          "in\n"

@@ -143,6 +143,8 @@ Outcome check_together(const Options& options) {
     if (options.order > 0 && options.log) return usage_error("--log goes with the bottleneck distance alone");
     if (options.command == Command::distance && options.error > 0 && options.order == 0)
         return usage_error("--error goes with --wasserstein; the bottleneck distance is exact");
+    if (!options.distances && (options.sparse || options.threshold))
+        return usage_error(options.sparse ? "--sparse goes with --distances" : "--threshold goes with --distances");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

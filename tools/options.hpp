@@ -71,9 +71,11 @@ struct Options {
     std::size_t memory_bytes = 0;                           // 0: reserved lazily
     std::uint64_t seed = 1;
 
-    std::uint32_t dim = 0;               // size, sample
-    std::uint64_t point_count = 0;       // size: --points, sample: -n
-    std::string points_path, mesh_path;  // check
+    std::uint32_t dim = 0;                   // size, sample
+    std::uint64_t point_count = 0;           // size: --points, sample: -n
+    std::string points_path, mesh_path;      // check
+    bool distances = false, sparse = false;  // persist: the file has distances and no points
+    std::optional<double> threshold;         // of distances, a radius
     double noise = 0;
     std::uint64_t turns[2] = {1, 10};
 };

@@ -28,6 +28,11 @@ Complaint complaint_about_complex(const netmesh_points_request& request) {
     return {};
 }
 
+// Rips complexes need nothing but distances.
+std::uint32_t dim_max_of(const netmesh_points_request& request) {
+    return in_range(request.filter, NETMESH_FILTER_RIPS, NETMESH_FILTER_RIPS) ? NETMESH_RIPS_DIM_MAX : NETMESH_DIM_MAX;
+}
+
 PointsFilter points_filter_of(const netmesh_points_request& request) {
     return {request.filter, values_of(request.values), request.k, request.max_degree};
 }
@@ -43,7 +48,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
     netmesh_points_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    Complaint complaint = complaint_about_points(request);
+    Complaint complaint = complaint_about_points(request, dim_max_of(request));
     if (complaint.text == nullptr) complaint = complaint_about_complex(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
@@ -73,7 +78,9 @@ size_t netmesh_plan_points(const netmesh_points_request* from) {
     netmesh_points_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (request.point_count == 0 || request.point_count > NETMESH_POINTS_MAX) return 0;
-    if (complaint_about_dim(request.dim).text != nullptr || complaint_about_complex(request).text != nullptr) return 0;
+    const bool is_large = request.dim > NETMESH_DIM_MAX && request.dim <= dim_max_of(request);
+    if (!is_large && complaint_about_dim(request.dim).text != nullptr) return 0;
+    if (complaint_about_complex(request).text != nullptr) return 0;
     return whole_bytes(points_bytes(points_filter_of(request), request.point_count, request.dim) +
                        sizeof(netmesh_context) + complex_overhead);
 }

@@ -62,7 +62,7 @@ DistancesRequest wanted_of(const netmesh_distances_request& request) {
     return wanted;
 }
 
-const char* text_of(DistanceFlaw flaw) {
+const char* text_of_flaw(DistanceFlaw flaw) {
     switch (flaw) {
     case DistanceFlaw::none: return "more simplices than can be numbered";
     case DistanceFlaw::negative: return "a distance is negative";
@@ -80,7 +80,7 @@ netmesh_status fail_at_distance(netmesh_context* context, Status status, const D
     const bool has_place = fault.flaw != DistanceFlaw::none;
     const netmesh_field field = sparse ? NETMESH_FIELD_ENTRIES : NETMESH_FIELD_NUMBERS;
     const netmesh_status result =
-        refuse(context, {has_place ? field : NETMESH_FIELD_MAX_DEGREE, text_of(fault.flaw)}, fault.a);
+        refuse(context, {has_place ? field : NETMESH_FIELD_MAX_DEGREE, text_of_flaw(fault.flaw)}, fault.a);
     context->detail.said.index_b = fault.b;
     return result;
 }

@@ -35,7 +35,7 @@ Complaint complaint_about_dim(std::uint32_t dim) {
     return {NETMESH_FIELD_DIM, "left out of this build: the dimension, by NETMESH_EACH_DIMENSION", true};
 }
 
-Complaint complaint_about_rows(const GivenRows& given) {
+Complaint complaint_about_rows(const GivenRows& given, std::uint32_t dim_max) {
     // What the platform aligns a double to inside of a struct: 4 bytes in 32 bits on x86, 8 elsewhere.
     struct AlignedDouble {
         char before;
@@ -44,8 +44,11 @@ Complaint complaint_about_rows(const GivenRows& given) {
     if (given.points == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
     if (given.count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
     if (given.count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
-    const Complaint complaint = complaint_about_dim(given.dim);
+    const bool is_large = given.dim > NETMESH_DIM_MAX && given.dim <= dim_max;
+    const Complaint complaint = is_large ? Complaint() : complaint_about_dim(given.dim);
     if (complaint.text != nullptr) return complaint;
+    if (given.dim > SIZE_MAX / 32 / given.count)
+        return {NETMESH_FIELD_POINT_COUNT, "so many coordinates do not fit an address space"};
     if (!in_range(*given.format, NETMESH_POINTS_FLOAT64, NETMESH_POINTS_FLOAT32))
         return {NETMESH_FIELD_POINT_FORMAT, "unknown format of points"};
     const bool are_floats = *given.format == NETMESH_POINTS_FLOAT32;
@@ -242,7 +245,8 @@ void netmesh_scales_request_init(netmesh_scales_request* request, size_t request
 void netmesh_points_request_init(netmesh_points_request* request, size_t request_bytes, uint32_t dim,
                                  netmesh_filter filter) {
     netmesh_points_request defaults = {};
-    defaults.dim = clamped(dim);
+    const bool is_large = in_range(filter, NETMESH_FILTER_RIPS, NETMESH_FILTER_RIPS) && dim > NETMESH_DIM_MAX;
+    defaults.dim = !is_large ? clamped(dim) : dim < NETMESH_RIPS_DIM_MAX ? dim : NETMESH_RIPS_DIM_MAX;
     keep(filter, &defaults.filter);
     defaults.k = 1;
     defaults.max_degree = 1;

@@ -45,10 +45,12 @@ struct GivenRows {
     const netmesh_point_format* format;  // may be none of the enumeration's
     std::size_t stride_bytes;
 };
-Complaint complaint_about_rows(const GivenRows& given);
-template <class Request> Complaint complaint_about_points(const Request& request) {
+// dim_max: more than NETMESH_DIM_MAX where any dimension from there on is served.
+Complaint complaint_about_rows(const GivenRows& given, std::uint32_t dim_max = NETMESH_DIM_MAX);
+template <class Request>
+Complaint complaint_about_points(const Request& request, std::uint32_t dim_max = NETMESH_DIM_MAX) {
     return complaint_about_rows(
-        {request.points, request.point_count, request.dim, &request.point_format, request.point_stride_bytes});
+        {request.points, request.point_count, request.dim, &request.point_format, request.point_stride_bytes}, dim_max);
 }
 // Of a request that nothing is wrong with.
 template <class Request> InputRows rows_of(const Request& request) {

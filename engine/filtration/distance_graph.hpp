@@ -10,7 +10,7 @@
 namespace netmesh {
 
 struct DistanceLimits {
-    double limit;               // edges up to this one are wanted: where the complex is a cone, or the threshold; finite
+    double limit;  // edges up to this one are wanted: where the complex is a cone, or the threshold; finite
     std::uint64_t fingerprint;  // of all distances
 };
 

@@ -31,7 +31,9 @@ struct DistanceSource {
         }
         return half_distance(static_cast<int>(dim), numbers + i * std::size_t{dim}, numbers + j * std::size_t{dim});
     }
-    static std::size_t triangle(std::uint32_t i) { return i % 2 == 0 ? i / 2 * (i - std::size_t{1}) : (i - 1) / 2 * std::size_t{i}; }
+    static std::size_t triangle(std::uint32_t i) {
+        return i % 2 == 0 ? i / 2 * (i - std::size_t{1}) : (i - 1) / 2 * std::size_t{i};
+    }
     // What half() costs, in nanoseconds or so.
     std::uint32_t cost() const { return kind == Kind::points ? 5 + dim : kind == Kind::function ? 50 : 5; }
 };

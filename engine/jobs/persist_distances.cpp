@@ -1,15 +1,11 @@
 #include "jobs/persist_distances.hpp"
 
 #include "filtration/point_complexes.hpp"
-#include "homology/rips/tree.hpp"
 #include "jobs/point_set.hpp"
+#include "jobs/rips_tree.hpp"
 
 namespace netmesh {
 namespace {
-
-std::uint32_t points_of(const DistancesRequest& request) {
-    return request.entries.count > 0 ? request.entries.count : request.source.count;
-}
 
 // Half of all distances that edges tell, infinity of the others.
 Status spread_edges(const RipsGraph& graph, const Work& work, DistanceSource* out) {
@@ -36,34 +32,12 @@ Status persist_listed_graph(const DistancesRequest& request, const RipsGraph& gr
     return persist_complex(out->complex, counted, work, &out->diagram);
 }
 
-// Degree 0, of which no edge is stored.
-Status persist_tree(const DistancesRequest& request, const Work& work, DistancesDiagram* out) {
-    const DistanceSource& source = request.source;
-    DistanceLimits limits;
-    const Status status = measure_distances(source, request.threshold, work, &limits, &out->fault);
-    if (status != Status::ok) return status;
-    out->input_fingerprint = limits.fingerprint;
-    work.monitor.begin(NETMESH_STAGE_REDUCE, 0);
-    PairPolls polls(work.monitor, source.cost() + 3);
-    const auto half = [&source](std::uint32_t i, std::uint32_t j) {
-        const double h = source.half(i, j);
-        return h >= 0 ? h : infinity;  // what is no distance the second time
-    };
-    const auto stop = [&polls](std::uint32_t v) { return polls.stop(v); };
-    RipsTree<decltype(half), decltype(stop)> tree(source.count, limits.limit, half, stop, request.keep_zero,
-                                                  work.arena);
-    const Status made = write_diagram(tree, work.arena, &out->diagram.pairs);
-    out->diagram.simplices = tree.simplices();
-    return made;
-}
-
 Status persist_graph(const DistancesRequest& request, const Work& work, DistancesDiagram* out) {
     RipsGraph graph;
     DistanceLimits limits;
-    const Status status =
-        request.entries.count > 0
-            ? sparse_graph(request.entries, request.threshold, work, &graph, &limits, &out->fault)
-            : distance_graph(request.source, request.threshold, work, &graph, &limits, &out->fault);
+    const Status status = request.entries.count > 0
+                              ? sparse_graph(request.entries, request.threshold, work, &graph, &limits, &out->fault)
+                              : distance_graph(request.source, request.threshold, work, &graph, &limits, &out->fault);
     if (status != Status::ok) return status;
     out->input_fingerprint = limits.fingerprint;
     if (request.representatives) return persist_listed_graph(request, graph, limits.limit, work, out);
@@ -88,7 +62,11 @@ Status persist_distances(const DistancesRequest& request, const Work& work, Dist
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *out = DistancesDiagram{};
     const bool is_tree = request.max_degree == 0 && request.entries.count == 0 && !request.representatives;
-    const Status status = is_tree ? persist_tree(request, work, out) : persist_graph(request, work, out);
+    DistanceLimits limits = {};
+    const Status status = is_tree ? persist_tree(request.source, request.threshold, request.keep_zero, work,
+                                                 &out->diagram, &limits, &out->fault)
+                                  : persist_graph(request, work, out);
+    if (is_tree) out->input_fingerprint = limits.fingerprint;
     if (status == Status::ok) {
         note_halving_error(work.arena, out);
         return request.representatives ? status : move_pairs_down(low, work.arena, &out->diagram.pairs);
@@ -112,7 +90,8 @@ double distances_bytes(const DistancesRequest& request, std::uint64_t n) {
     double columns = 0;
     for (std::uint32_t p = 1; p <= request.max_degree; ++p) columns += skeleton_count(n, p) - skeleton_count(n, p - 1);
     bytes += 4 * points * points + 8 * points * (request.max_degree + 2) + 72 * columns;
-    if (request.representatives) bytes = 12 * points * points + skeleton_count(n, dimension) * (8.0 * (dimension + 1) + 32);
+    if (request.representatives)
+        bytes = 12 * points * points + skeleton_count(n, dimension) * (8.0 * (dimension + 1) + 32);
     return 1.1 * bytes;
 }
 

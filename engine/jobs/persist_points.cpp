@@ -1,7 +1,9 @@
 #include "jobs/persist_points.hpp"
 
+#include "filtration/distance_graph.hpp"
 #include "filtration/point_complexes.hpp"
 #include "filtration/rips_graph.hpp"
+#include "jobs/rips_tree.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -51,16 +53,33 @@ void note_edge_error(const PointsRequest& request, const Arena& arena, PointsDia
     out->value_error = edge_error(range, factor_of(request.filter), request.dim);
 }
 
+Status graph_in_any_dimension(const DistanceSource& source, const Work& work, RipsGraph* graph) {
+    DistanceLimits limits;
+    DistanceFault fault;
+    if (source.count > RipsGraph::vertices_max) return Status::invalid_argument;
+    return distance_graph(source, infinity, work, graph, &limits, &fault);
+}
+
 // The diagram of a Rips complex from its edges alone, as far as there are numbers for its simplices.
 Status persist_edges(const PointsRequest& request, const PointSet& set, const Work& work, PointsDiagram* out,
                      bool* done) {
     const std::uint32_t max_degree = request.filter.max_degree;
+    const DistanceSource source = {DistanceSource::Kind::points, set.count, set.coordinates, set.dim, nullptr, nullptr};
+    DistanceLimits limits;
+    DistanceFault fault;
+    if (max_degree == 0) {
+        *done = true;
+        return persist_tree(source, infinity, request.keep_zero, work, &out->diagram, &limits, &fault);
+    }
     *done = false;
     RipsGraph graph;
     const std::size_t low = work.arena.low_mark();
-    const Status status = with_dimension(request.dim, [&](auto dimension) {
-        return rips_graph<decltype(dimension)::value>(set.coordinates, set.count, work, &graph);
-    });
+    const Status status =
+        set.dim > NETMESH_DIM_MAX
+            ? graph_in_any_dimension(source, work, &graph)
+            : with_dimension(request.dim, [&](auto dimension) {
+                  return rips_graph<decltype(dimension)::value>(set.coordinates, set.count, work, &graph);
+              });
     if (status == Status::invalid_argument || (status == Status::ok && !rips_has_numbers(graph, max_degree))) {
         work.arena.release_low(low);
         return Status::ok;

@@ -6,7 +6,6 @@
 #include "numerics/fingerprint.hpp"
 #include "numerics/real.hpp"
 #include "numerics/sort.hpp"
-#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -32,6 +31,7 @@ Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::u
         for (const std::uint64_t piece = arena.piece(i, n, 20 * dim); i < piece; ++i) {
             const unsigned char* const row = points.row(i, static_cast<int>(dim));
             *culprit = i;
+            arena.pass(dim / 64);
             for (std::uint32_t d = 0; d < dim; ++d) {
                 const std::size_t at = std::size_t{i} * dim + d;
                 x[at] = points.coordinate(row, static_cast<int>(d)) + 0.0;
@@ -85,13 +85,11 @@ double ratio_of(const PointsFilter& filter) {
 
 Status list_sets(const PointSet& set, netmesh_filter filter, std::uint32_t dimension, const Work& work,
                  ListedComplex* out, double* error) {
-    return with_dimension(set.dim, [&](auto d) {
-        constexpr int D = decltype(d)::value;
-        const double* const x = set.coordinates;
-        if (!has_edges(filter)) return cech_complex(D, x, set.count, dimension, work, out, error);
-        return is_barycentric(filter) ? full_rips_complex(D, x, set.count, dimension, work, out)
-                                      : rips_complex(D, x, set.count, dimension, work, out);
-    });
+    const int dim = static_cast<int>(set.dim);
+    const double* const x = set.coordinates;
+    if (!has_edges(filter)) return cech_complex(dim, x, set.count, dimension, work, out, error);
+    return is_barycentric(filter) ? full_rips_complex(dim, x, set.count, dimension, work, out)
+                                  : rips_complex(dim, x, set.count, dimension, work, out);
 }
 
 void ValueRange::add(double birth, double death) {
@@ -102,11 +100,8 @@ void ValueRange::add(double birth, double death) {
 }
 
 double edge_error(const ValueRange& range, double factor, std::uint32_t dim) {
-    return with_dimension(dim, [&](auto d) {
-        constexpr int D = decltype(d)::value;
-        const double error = half_distance_error(D, range.least / factor, range.most / factor);
-        return factor > 1 ? error + 1.01 * unit_roundoff : error;
-    });
+    const double error = half_distance_error(static_cast<int>(dim), range.least / factor, range.most / factor);
+    return factor > 1 ? error + 1.01 * unit_roundoff : error;
 }
 
 }  // namespace netmesh

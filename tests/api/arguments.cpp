@@ -302,7 +302,7 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
             return bad;
         };
         const auto barycentric = [](auto& r) { r.filter = NETMESH_FILTER_BARYCENTRIC_CECH; };
-        f.needs_points(netmesh_persist_points, rips);
+        f.needs_points(netmesh_persist_points, f.session.points_request(f.points, NETMESH_FILTER_CECH));
         for (const netmesh_filter filter : {NETMESH_FILTER_NONE, NETMESH_FILTER_ALPHA, no_filter})
             no_points([=](auto& r) { r.filter = filter; }, NETMESH_FIELD_FILTER);
         no_points([](auto& r) { r.values = static_cast<netmesh_values>(7); }, NETMESH_FIELD_VALUES);

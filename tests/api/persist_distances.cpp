@@ -129,9 +129,8 @@ TEST_CASE("distances that are no metric, thresholds and points that are never jo
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         Matrix m = random_matrix(7, seed, seed % 2 == 0 ? 5 : 1000);
         if (seed % 3 == 0)
-            m = matrix_of(7, [&](std::uint32_t i, std::uint32_t j) {
-                return (i * j + seed) % 4 == 1 ? HUGE_VAL : m.at(i, j);
-            });
+            m = matrix_of(
+                7, [&](std::uint32_t i, std::uint32_t j) { return (i * j + seed) % 4 == 1 ? HUGE_VAL : m.at(i, j); });
         for (const double threshold : {HUGE_VAL, 400.0, 1.5, 0.0}) {
             for (const std::uint32_t degree : {0u, 1u, 2u, 3u}) {
                 CAPTURE(seed);
@@ -218,19 +217,30 @@ TEST_CASE("requests on distances name the field at fault") {
         CHECK(netmesh_persist_distances(s.context, &r) == NETMESH_INVALID_ARGUMENT);
         CHECK(s.detail().field == field);
     };
-    refused(NETMESH_DISTANCES_FULL, [](auto& r) { r.numbers = nullptr; }, NETMESH_FIELD_NUMBERS);
-    refused(NETMESH_DISTANCES_SPARSE, [](auto& r) { r.entries = nullptr; }, NETMESH_FIELD_ENTRIES);
-    refused(NETMESH_DISTANCES_SPARSE, [](auto& r) { r.entry_count = 1u << 31; }, NETMESH_FIELD_ENTRY_COUNT);
-    refused(NETMESH_DISTANCES_FUNCTION, [](auto& r) { r.evaluate = nullptr; }, NETMESH_FIELD_EVALUATE);
+    refused(
+        NETMESH_DISTANCES_FULL, [](auto& r) { r.numbers = nullptr; }, NETMESH_FIELD_NUMBERS);
+    refused(
+        NETMESH_DISTANCES_SPARSE, [](auto& r) { r.entries = nullptr; }, NETMESH_FIELD_ENTRIES);
+    refused(
+        NETMESH_DISTANCES_SPARSE, [](auto& r) { r.entry_count = 1u << 31; }, NETMESH_FIELD_ENTRY_COUNT);
+    refused(
+        NETMESH_DISTANCES_FUNCTION, [](auto& r) { r.evaluate = nullptr; }, NETMESH_FIELD_EVALUATE);
     for (const netmesh_distance_layout layout : layouts) {
-        refused(layout, [](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
-        refused(layout, [](auto& r) { r.point_count = 0; }, NETMESH_FIELD_POINT_COUNT);
-        refused(layout, [](auto& r) { r.point_count = 65537; }, NETMESH_FIELD_POINT_COUNT);
-        refused(layout, [](auto& r) { r.threshold = -1; }, NETMESH_FIELD_THRESHOLD);
-        refused(layout, [](auto& r) { r.threshold = not_a_number; }, NETMESH_FIELD_THRESHOLD);
-        refused(layout, [](auto& r) { r.max_degree = 31; }, NETMESH_FIELD_MAX_DEGREE);
+        refused(
+            layout, [](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
+        refused(
+            layout, [](auto& r) { r.point_count = 0; }, NETMESH_FIELD_POINT_COUNT);
+        refused(
+            layout, [](auto& r) { r.point_count = 65537; }, NETMESH_FIELD_POINT_COUNT);
+        refused(
+            layout, [](auto& r) { r.threshold = -1; }, NETMESH_FIELD_THRESHOLD);
+        refused(
+            layout, [](auto& r) { r.threshold = not_a_number; }, NETMESH_FIELD_THRESHOLD);
+        refused(
+            layout, [](auto& r) { r.max_degree = 31; }, NETMESH_FIELD_MAX_DEGREE);
         const int unknown = 9;
-        refused(layout, [&](auto& r) { std::memcpy(&r.layout, &unknown, sizeof unknown); }, NETMESH_FIELD_LAYOUT);
+        refused(
+            layout, [&](auto& r) { std::memcpy(&r.layout, &unknown, sizeof unknown); }, NETMESH_FIELD_LAYOUT);
     }
     netmesh_distances_request r = request_of(m, NETMESH_DISTANCES_LOWER, 1);
     r.point_count = 1;
@@ -250,6 +260,8 @@ TEST_CASE("distances stop at every poll") {
         netmesh_distances_request r = request_of(m, layout, 1);
         Count count = {1 << 30};
         r.monitor = {Count::poll, &count};
+        REQUIRE(run(s, r) == NETMESH_OK);  // in a block that is large enough from now on
+        count.left = 1 << 30;
         REQUIRE(run(s, r) == NETMESH_OK);
         const int polls = (1 << 30) - count.left;
         const std::uint64_t print = s.report().fingerprint;
@@ -263,4 +275,90 @@ TEST_CASE("distances stop at every poll") {
         REQUIRE(run(s, r) == NETMESH_OK);
         CHECK(s.report().fingerprint == print);
     }
+}
+
+TEST_CASE(
+    "points of many coordinates have the Rips diagram of their distances, and that of the plane that holds them") {
+    const std::uint32_t n = 40;
+    const inputs::Points plane = inputs::uniform(2, n);
+    Session small(2), large(2), by_distances(2);
+    for (const std::uint32_t dim : {7u, 64u}) {
+        inputs::Points points(std::size_t{n} * dim, 0.0), mixed(std::size_t{n} * dim);
+        for (std::size_t i = 0; i < points.size(); ++i) mixed[i] = std::sin(static_cast<double>(i * i % 1009));
+        for (std::uint32_t i = 0; i < n; ++i) {
+            points[i * std::size_t{dim} + 3] = plane[2 * i];
+            points[i * std::size_t{dim} + dim - 1] = plane[2 * i + 1];
+        }
+        for (const std::uint32_t degree : {0u, 1u, 2u}) {
+            CAPTURE(dim);
+            CAPTURE(degree);
+            REQUIRE(small.points(small.points_request(plane, NETMESH_FILTER_RIPS, 1, degree)) == NETMESH_OK);
+            netmesh_points_request r = netmesh::requests::Points(dim, NETMESH_FILTER_RIPS);
+            CHECK(r.dim == dim);
+            r.points = points.data();
+            r.point_count = n;
+            r.max_degree = degree;
+            REQUIRE(large.points(r) == NETMESH_OK);
+            CHECK(same(large.pairs(), small.pairs()));
+            CHECK(large.report().input.dim == dim);
+            CHECK(large.report().diagram.value_error > small.report().diagram.value_error);
+            r.points = mixed.data();
+            const Matrix m = matrix_of(n, [&](std::uint32_t i, std::uint32_t j) {
+                double sum = 0;
+                for (std::uint32_t k = 0; k < dim; ++k) {
+                    const double d = mixed[i * std::size_t{dim} + k] - mixed[j * std::size_t{dim} + k];
+                    sum += d * d;
+                }
+                return std::sqrt(sum);
+            });
+            REQUIRE(run(by_distances, request_of(m, NETMESH_DISTANCES_LOWER, degree)) == NETMESH_OK);
+            for (const std::uint32_t representatives : {0u, 1u}) {
+                r.representatives = representatives;
+                REQUIRE(large.points(r) == NETMESH_OK);
+                CHECK(same(large.pairs(), by_distances.pairs()));
+            }
+        }
+    }
+}
+
+TEST_CASE("distances in many dimensions where squares are out of range") {
+    Session s(2);
+    const std::uint32_t dim = 16;
+    const auto half = [&](double unit) {  // of two points that are 4 units apart in each coordinate
+        inputs::Points points(2 * dim, -2 * unit);
+        for (std::uint32_t k = 0; k < dim; ++k) points[dim + k] = 2 * unit;
+        netmesh_points_request r = netmesh::requests::Points(dim, NETMESH_FILTER_RIPS);
+        r.points = points.data();
+        r.point_count = 2;
+        REQUIRE(s.points(r) == NETMESH_OK);
+        REQUIRE(s.pairs().size() == 2);
+        return std::min(s.pairs()[0].death, s.pairs()[1].death);
+    };
+    for (const int exponent : {-1070, -900, -512, -400, 0, 400, 512, 900, 1018}) {
+        CAPTURE(exponent);
+        CHECK(half(std::ldexp(1, exponent)) == std::ldexp(8, exponent));
+    }
+    CHECK(half(std::ldexp(1, 1022)) == std::numeric_limits<double>::max());
+    CHECK(s.report().diagram.value_error == HUGE_VAL);
+}
+
+TEST_CASE("only Rips complexes take points of more than six coordinates") {
+    Session s(2);
+    const inputs::Points points(14, 0.5);
+    netmesh_points_request r = netmesh::requests::Points(7, NETMESH_FILTER_CECH);
+    CHECK(r.dim == NETMESH_DIM_MAX);
+    r.dim = 7;
+    r.points = points.data();
+    r.point_count = 2;
+    CHECK(netmesh_persist_points(s.context, &r) == NETMESH_INVALID_ARGUMENT);
+    CHECK(s.detail().field == NETMESH_FIELD_DIM);
+    CHECK(netmesh_plan_points(&r) == 0);
+    r.filter = NETMESH_FILTER_RIPS;
+    CHECK(netmesh_plan_points(&r) > 0);
+    CHECK(netmesh_persist_points(s.context, &r) == NETMESH_OK);
+    CHECK(s.report().input.duplicates == 1);
+    r.dim = NETMESH_RIPS_DIM_MAX + 1;
+    CHECK(netmesh_persist_points(s.context, &r) == NETMESH_INVALID_ARGUMENT);
+    CHECK(s.detail().field == NETMESH_FIELD_DIM);
+    CHECK(netmesh::requests::Points(1u << 30, NETMESH_FILTER_RIPS).dim == NETMESH_RIPS_DIM_MAX);
 }

@@ -69,6 +69,7 @@ GUARDED(netmesh_vineyard_request, vineyard);
 GUARDED(netmesh_scales_request, scales);
 GUARDED(netmesh_alpha_request, alpha);
 GUARDED(netmesh_points_request, rips);
+GUARDED(netmesh_distances_request, distances);
 GUARDED(netmesh_points_vineyard_request, nested);
 GUARDED(netmesh_homology_request, homology);
 GUARDED(netmesh_value_vineyard_request, values);
@@ -103,8 +104,8 @@ static void fill_results(void) {
 
 static void fill_requests(void) {
     FILL(delaunay), FILL(mesh), FILL(load), FILL(cages), FILL(check), FILL(function), FILL(persist), FILL(bounds);
-    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(nested), FILL(homology), FILL(values),
-        FILL(bottleneck), FILL(wasserstein), FILL(analyse);
+    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(distances), FILL(nested), FILL(homology),
+        FILL(values), FILL(bottleneck), FILL(wasserstein), FILL(analyse);
     netmesh_delaunay_request_init(&delaunay.it, sizeof delaunay.it, 2);
     netmesh_mesh_request_init(&mesh.it, sizeof mesh.it, 2);
     netmesh_load_request_init(&load.it, sizeof load.it, 2);
@@ -119,6 +120,7 @@ static void fill_requests(void) {
     netmesh_scales_request_init(&scales.it, sizeof scales.it, 2);
     netmesh_alpha_request_init(&alpha.it, sizeof alpha.it, 2);
     netmesh_points_request_init(&rips.it, sizeof rips.it, 2, NETMESH_FILTER_RIPS);
+    netmesh_distances_request_init(&distances.it, sizeof distances.it);
     netmesh_points_vineyard_request_init(&nested.it, sizeof nested.it, 2, NETMESH_FILTER_BARYCENTRIC_CECH);
     netmesh_homology_request_init(&homology.it, sizeof homology.it);
     netmesh_value_vineyard_request_init(&values.it, sizeof values.it);
@@ -197,6 +199,12 @@ static void run_others(void) {
     DID(netmesh_persist_alpha(context, &alpha.it));
     print_report();
     DID(netmesh_persist_points(context, &rips.it));
+    print_report();
+    static const double lower[3] = {3, 5, 4};
+    distances.it.layout = NETMESH_DISTANCES_LOWER;
+    distances.it.numbers = lower;
+    distances.it.point_count = 3;
+    DID(netmesh_persist_distances(context, &distances.it));
     print_report();
     DID(netmesh_points_vineyard(context, &nested.it));
     print_report();

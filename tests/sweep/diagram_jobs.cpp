@@ -138,6 +138,31 @@ std::function<netmesh_status(Run&)> of_points(netmesh_filter filter, bool repres
     };
 }
 
+// Of as many points as the job has, no metric.
+std::function<netmesh_status(Run&)> of_distances(netmesh_distance_layout layout, std::uint32_t degree, bool cycles) {
+    return [=](Run& run) {
+        const std::uint32_t n = static_cast<std::uint32_t>(run.points().size()) / 2;
+        std::vector<double> lower;
+        std::vector<netmesh_distance_entry> entries;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            for (std::uint32_t j = 0; j < i; ++j) {
+                lower.push_back(1 + (i * 7 + j * 13) % 11);
+                if ((i + j) % 5 != 0) entries.push_back({i, j, lower.back()});
+            }
+        }
+        netmesh_distances_request request = netmesh::requests::Distances();
+        request.monitor = run.request.monitor;
+        request.layout = layout;
+        request.numbers = lower.data();
+        request.entries = entries.data();
+        request.entry_count = entries.size();
+        request.point_count = n;
+        request.max_degree = degree;
+        request.representatives = cycles ? 1 : 0;
+        return netmesh_persist_distances(run.context, &request);
+    };
+}
+
 // Without a triangulation.
 netmesh_status alpha_of_points(Run& run) {
     netmesh_alpha_request request = run.alpha_request(run.points());
@@ -303,6 +328,10 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back({"bary-rips", dim, 5, of_points(NETMESH_FILTER_BARYCENTRIC_RIPS, false)});
         jobs->push_back(Job{"vines-of-sets", dim, 5, nested_sets(NETMESH_FILTER_BARYCENTRIC_CECH)}.large(dim > 3));
     }
+    jobs->push_back({"distances", 2, 9, of_distances(NETMESH_DISTANCES_LOWER, 1, false)});
+    jobs->push_back({"distances-tree", 2, 9, of_distances(NETMESH_DISTANCES_LOWER, 0, false)});
+    jobs->push_back({"distances-cycles", 2, 8, of_distances(NETMESH_DISTANCES_LOWER, 1, true)});
+    jobs->push_back({"distances-sparse", 2, 9, of_distances(NETMESH_DISTANCES_SPARSE, 1, false)});
     jobs->push_back({"homology", 2, 12, homology});
     jobs->push_back({"homology-cycles", 2, 12, homology_cycles});
     jobs->push_back({"vines-of-simplices", 2, 8, vines_of_simplices});

@@ -6,6 +6,7 @@
 namespace netmesh::tool {
 
 Outcome run_engine_command(const Options& options);  // mesh, delaunay, persist
+Outcome run_distances(const Options& options);       // persist --distances
 Outcome run_vineyard(const Options& options);
 Outcome run_size(const Options& options);
 Outcome run_homology(const Options& options);

@@ -86,6 +86,9 @@ size_t netmesh_plan_alpha(const netmesh_alpha_request* request);
  * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, FLAT, OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_persist_alpha(netmesh_context* context, const netmesh_alpha_request* request);
 
+/* Coordinates that points of a RIPS request have at most. */
+#define NETMESH_RIPS_DIM_MAX 65536
+
 /* Filtrations on points themselves (6.4, 8.5):
  *   RIPS, CECH          all simplices of up to max_degree + 2 points; of RIPS nothing but the edges is stored unless
  *                       representatives are asked for or there are more than 65,536 points, or more simplices than
@@ -97,7 +100,7 @@ netmesh_status netmesh_persist_alpha(netmesh_context* context, const netmesh_alp
  * sqrt(2)-approximation */
 typedef struct netmesh_points_request {
     uint32_t struct_bytes;
-    uint32_t dim; /* D, 2..6 */
+    uint32_t dim; /* D, 2..6; of RIPS to NETMESH_RIPS_DIM_MAX */
     netmesh_monitor monitor;
     const void* points; /* [point_count][D]. Not read by the plan */
     size_t point_count; /* 1 .. NETMESH_POINTS_MAX */

@@ -35,7 +35,7 @@ typedef struct netmesh_distances_request {
     uint32_t struct_bytes;
     netmesh_distance_layout layout;
     netmesh_monitor monitor;
-    const double* numbers; /* of FULL and LOWER. Neither these nor entries are read by the plan */
+    const double* numbers;                 /* of FULL and LOWER. Neither these nor entries are read by the plan */
     const netmesh_distance_entry* entries; /* of SPARSE */
     uint64_t entry_count;                  /* of SPARSE, below 2^31 */
     netmesh_distance_function evaluate;    /* of FUNCTION */
@@ -58,8 +58,8 @@ size_t netmesh_plan_distances(const netmesh_distances_request* request);
  * threshold, where what lives on is essential, or where one point is joined to all others: it is a cone from there on,
  * and nothing is born any more. With max_degree 0 nothing is built but a tree. Points at distance 0 stay two points.
  * The report's filter is RIPS, and its dimension 0. Replaces what the context held, also on failure.
- * INVALID_ARGUMENT, of field NUMBERS at row index_a and column index_b, of field ENTRIES at entry index_a: a distance is
- * negative or NaN, differs from the one the other way round, or is not 0 for a point and itself; MAX_DEGREE: more
+ * INVALID_ARGUMENT, of field NUMBERS at row index_a and column index_b, of field ENTRIES at entry index_a: a distance
+ * is negative or NaN, differs from the one the other way round, or is not 0 for a point and itself; MAX_DEGREE: more
  * simplices than 62 bits can number. OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_persist_distances(netmesh_context* context, const netmesh_distances_request* request);
 

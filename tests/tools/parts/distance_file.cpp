@@ -1,0 +1,74 @@
+#include "tools/io/distance_file.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace netmesh::tool;
+
+namespace {
+
+DistanceFile good(const std::string& text, bool sparse = false) {
+    DistanceFile file;
+    file.place.name = "d.csv";
+    CAPTURE(text);
+    CHECK(parse_distances(text, sparse, &file).message == "");
+    return file;
+}
+
+std::string fault(const std::string& text, bool sparse = false) {
+    DistanceFile file;
+    file.place.name = "d.csv";
+    const Outcome outcome = parse_distances(text, sparse, &file);
+    CAPTURE(text);
+    CHECK(outcome.exit == Exit::data);
+    return outcome.message;
+}
+
+using Numbers = std::vector<double>;
+
+}  // namespace
+
+TEST_CASE("distances as a matrix") {
+    const DistanceFile file = good("a,b,c\n0,3,5\n3,0,4\n# so far\n5,4,0\n");
+    CHECK(file.layout == NETMESH_DISTANCES_FULL);
+    CHECK(file.points == 3);
+    CHECK(file.numbers == Numbers{0, 3, 5, 3, 0, 4, 5, 4, 0});
+    CHECK(file.where(2, 1) == "d.csv:5, field 2");
+    CHECK(good("0\n").points == 1);
+}
+
+TEST_CASE("distances as a lower triangle, with and without its diagonal") {
+    for (const char* const text : {"3\n5 4\n", "\n3\n5,4\n", "0\n3,0\n5,4,0\n"}) {
+        const DistanceFile file = good(text);
+        CHECK(file.layout == NETMESH_DISTANCES_LOWER);
+        CHECK(file.points == 3);
+        CHECK(file.numbers == Numbers{3, 5, 4});
+    }
+    CHECK(good("3\n").points == 2);
+    CHECK(good("3\n5 0\n").points == 3);  // two points in one place
+    CHECK(good("3\n5 4\n").where(2, 1) == "d.csv:2, field 2");
+    CHECK(good("0\n3 0\n5 4 0\n").where(2, 1) == "d.csv:3, field 2");
+}
+
+TEST_CASE("distances as entries") {
+    const DistanceFile file = good("0 2 1.5\n3,1,2\n", true);
+    CHECK(file.layout == NETMESH_DISTANCES_SPARSE);
+    CHECK(file.points == 4);
+    REQUIRE(file.entries.size() == 2);
+    CHECK(file.entries[1].i == 3);
+    CHECK(file.entries[1].j == 1);
+    CHECK(file.entries[1].distance == 2);
+    CHECK(file.where(1, 1) == "d.csv:2");
+}
+
+TEST_CASE("faults in files of distances name line and field") {
+    CHECK(fault("") == "d.csv:1: the input ends without a distance");
+    CHECK(fault("0 1\n1 0\n2 2\n") == "d.csv:3: a matrix of 3 rows and 2 columns; one of distances is square");
+    CHECK(fault("0 1 2\n1 0\n") == "d.csv:2: 2 numbers where the first row of the matrix has 3");
+    CHECK(fault("3\n5 4\n1 2\n") == "d.csv:3: 2 numbers where a lower triangle has 3");
+    CHECK(fault("0 1\n-1 0\n") == "d.csv:2: field 1: a distance is negative: -1");
+    CHECK(fault("0 1 2\n0 1\n", true) == "d.csv:2: 2 numbers where an entry, `i j d`, has 3");
+    CHECK(fault("0 1.5 2\n", true) == "d.csv:1: field 2: 1.5; points are numbered from 0, to 65535");
+    CHECK(fault("0 70000 2\n", true) == "d.csv:1: field 2: 70000; points are numbered from 0, to 65535");
+    CHECK(fault("-1 0 2\n", true) == "d.csv:1: field 1: -1; points are numbered from 0, to 65535");
+    CHECK(fault("0 1 -2\n", true) == "d.csv:1: field 3: a distance is negative: -2");
+}

@@ -1,0 +1,30 @@
+// Distances from files.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "netmesh.h"
+#include "tools/io/points.hpp"
+#include "tools/outcome.hpp"
+
+namespace netmesh::tool {
+
+struct DistanceFile {
+    netmesh_distance_layout layout = NETMESH_DISTANCES_FULL;
+    std::uint64_t points = 0;
+    std::vector<double> numbers;
+    std::vector<netmesh_distance_entry> entries;  // of SPARSE
+    PointCloud place;                             // the file's name, and the line of each row or entry; no coordinates
+
+    // FILE:LINE, field N of row a and column b; of SPARSE of entry a.
+    std::string where(std::uint64_t a, std::uint64_t b) const;
+};
+
+// Text: a full square matrix, or a lower triangle as ripser takes it: a line for each point but the first (or
+// an empty one for that), with as many numbers as there are points before it, 0 behind them or not. sparse: lines
+// `i j d`, points numbered from 0. A header is skipped. Every fault is Exit::data with file, line and field.
+Outcome read_distances(const std::string& path, bool sparse, DistanceFile* file);
+Outcome parse_distances(std::string_view content, bool sparse, DistanceFile* file);
+
+}  // namespace netmesh::tool
