@@ -73,10 +73,9 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
 set(fast api/report api/structs delaunay/spatial_order delaunay/triangulate diagram/bottleneck
   diagram/wasserstein filtration/mesh_filter filtration/rips_graph homology/lower_star/surface
-  homology/matrix/cohomology
-  homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips
-  homology/rips/rips_simplices homology/vineyard/vineyard jobs/persist_alpha
-  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/quality_rule
+  homology/matrix/cohomology homology/matrix/homology homology/matrix/image homology/pair_writer
+  homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard jobs/persist_alpha
+  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality_rule
   numerics/residues predicates/predicates)
 list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set(unaligned "")

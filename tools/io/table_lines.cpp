@@ -199,6 +199,7 @@ bool is_header_line(const std::vector<Field>& fields) {
         const FieldKind kind = read_field(field, true, &ignored);
         if (kind == FieldKind::number || kind == FieldKind::not_finite) return false;
         const char first = field.text.front();
+        if (first == '"') return false;  // fields in quotes that another delimiter parts
         if (is_digit(first) || first == '.' || first == '+' || first == '-') return false;
         bool letter = false;
         for (const char c : field.text) letter = letter || is_letter(c);
