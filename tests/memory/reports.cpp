@@ -27,7 +27,7 @@ TEST_CASE("pieces of a loop cover its range, and are reported as the work of all
                     for (const std::uint64_t piece = block.arena.piece(i, from + count, cost); i < piece; ++i)
                         REQUIRE(i == next++);
                 CHECK(next == from + count);
-                const double expected = static_cast<double>(count) * cost / 256 / 3000;
+                const double expected = static_cast<double>(count) * cost / 256 / 1000;
                 CHECK(static_cast<double>(polls.made) <= 1.2 * expected + 1);
                 CHECK(static_cast<double>(polls.made) >= 0.8 * expected - 1);
                 block.arena.watch(nullptr);
@@ -42,7 +42,7 @@ TEST_CASE("steps of a loop and moves of many bytes are reported, and nobody is t
     for (const bool watched : {true, false}) {
         polls = {};
         block.arena.watch(watched ? &monitor : nullptr);
-        for (std::uint64_t i = 0; i < 256 * 3000; ++i) block.arena.step(i, 10);
+        for (std::uint64_t i = 0; i < 256 * 1000; ++i) block.arena.step(i, 10);
         CHECK(polls.made == (watched ? 10 : 0));
         for (std::size_t i = 0; i < bytes.size(); i += 101) bytes[i] = static_cast<unsigned char>(i / 101);
         netmesh::move_bytes(bytes.data() + 5, bytes.data(), bytes.size() - 5, block.arena);
