@@ -94,6 +94,7 @@ TEST_CASE("integer points of one norm: all of them cospherical") {
         const inputs::Points points = inputs::cospherical(dim, norm_squared);
         REQUIRE(points.size() / static_cast<std::size_t>(dim) >= 64);
         Session session(dim);
+        session.reserve(std::size_t{64} << 20);  // with room for the checks
         REQUIRE(session.delaunay(points) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
         // With the centre added every cell has it as a vertex: same hull, same volume.
@@ -156,6 +157,7 @@ TEST_CASE("points at every scale from 1 down to 2^-1000") {
 TEST_CASE("flat inputs are refused") {
     for (const int dim : dimensions()) {
         Session session(dim);
+        session.reserve(std::size_t{64} << 20);  // with room for the checks
         for (int flat = 0; flat < dim; ++flat) {
             INFO("D = " << dim << ", points of a flat of dimension " << flat);
             CHECK(session.delaunay(flat_points(dim, flat, 50)) == NETMESH_FLAT);

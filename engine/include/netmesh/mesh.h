@@ -34,8 +34,8 @@ typedef struct netmesh_delaunay_request {
 /* Defaults for dimension dim. Writes request_bytes = sizeof *request. */
 void netmesh_delaunay_request_init(netmesh_delaunay_request* request, size_t request_bytes, uint32_t dim);
 
-/* Bytes of block to plan for: enough for uniform points, an estimate for others. For a hundred uniform points and more
- * at most 1.1 times what they take. SIZE_MAX when it does not fit a size_t, 0 on an invalid request. */
+/* Bytes of block to plan for: enough for uniform points, an estimate for others; of 100 uniform points and more at most
+ * 1.1 times what the call takes, but checks take more. SIZE_MAX when it does not fit, 0 on an invalid request. */
 size_t netmesh_plan_delaunay(const netmesh_delaunay_request* request);
 
 /* Delaunay triangulation of points. Exact duplicates are merged into the first occurrence and counted. Ties of
