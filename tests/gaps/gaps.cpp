@@ -338,7 +338,7 @@ void refine(int dim) {
     room.request.audit = NETMESH_AUDIT_LOCATION;
     measure("audit location", dim, few, [&] { return room.mesh_in_block(fewer); });
     room.request.audit = NETMESH_AUDIT_QUALITY;
-    const std::size_t fewest = few / 4;
+    const std::size_t fewest = std::max<std::size_t>(few / 4, 12);
     const inputs::Points small = inputs::uniform(dim, fewest);
     measure("audit quality", dim, fewest, [&] { return room.mesh_in_block(small); });
     room.request.method = NETMESH_METHOD_HIERARCHY;
