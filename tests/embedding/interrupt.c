@@ -18,7 +18,7 @@ static void on_signal(int number) {
 
 static int poll(void* user, const netmesh_progress* progress) {
     int* polls = user;
-    if (++*polls == 200) raise(SIGINT); /* so that this program needs no one at the keyboard */
+    if (++*polls == 600) raise(SIGINT); /* so that this program needs no one at the keyboard */
     (void)progress;
     return stop_wanted;
 }
@@ -42,7 +42,7 @@ int main(void) {
     request.monitor.poll = poll;
     request.monitor.user = &polls;
     if (netmesh_mesh(context, &request) != NETMESH_CANCELLED) return 2;
-    if (polls != 200) return 3;
+    if (polls != 600) return 3;
     stop_wanted = 0;
     netmesh_check_request_init(&check, sizeof check);
     check.what = NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY;

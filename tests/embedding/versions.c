@@ -135,7 +135,7 @@ static void fill_requests(void) {
     nested.it.point_count = 8;
     nested.it.k_last = 2;
 #ifndef NETMESH_SHORTER
-    vineyard.it.max_degree = nested.it.max_degree = 0; /* what an older program cannot say counts as 0 */
+    vineyard.it.max_degree = 0; /* what an older program cannot say counts as 0 */
 #endif
 }
 
