@@ -58,11 +58,8 @@ Complaint complaint_about_rows(const GivenRows& given, std::uint32_t dim_max) {
     const std::size_t stride = given.stride_bytes;
     if (stride == 0) return {};
     const std::size_t row_bytes = given.dim * (are_floats ? sizeof(float) : sizeof(double));
-    if (stride < row_bytes) return {NETMESH_FIELD_POINT_STRIDE_BYTES, "point_stride_bytes is less than a row"};
-    if (stride % alignment != 0)
-        return {NETMESH_FIELD_POINT_STRIDE_BYTES, "point_stride_bytes is not a multiple of what points are aligned to"};
-    if (stride > SIZE_MAX / 2 / given.count)
-        return {NETMESH_FIELD_POINT_STRIDE_BYTES, "so many rows so far apart do not fit an address space"};
+    if (stride < row_bytes || stride % alignment != 0 || stride > SIZE_MAX / 2 / given.count)
+        return {NETMESH_FIELD_POINT_STRIDE_BYTES, "less than a row, not aligned as points are, or too large"};
     return {};
 }
 

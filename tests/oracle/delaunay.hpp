@@ -20,6 +20,7 @@ template <int D, class Cgal> void compare_with_cgal(std::size_t n, Cgal cgal) {
     for (const auto& [name, points] : cases) {
         INFO("D = " << D << ", " << name << ", " << n << " points");
         Session session(D);
+        session.reserve(std::size_t{64} << 20);  // with room for the checks
         REQUIRE(session.delaunay(points) == NETMESH_OK);
         const Cells<D> ours = session.cells<D + 1>(), theirs = cgal(points);
         REQUIRE(theirs.size() > n);

@@ -25,6 +25,7 @@ Outcome check_given(const Options& options) {
     }
     if (options.filter && *options.filter != NETMESH_FILTER_RIPS)
         return usage_error("--distances are for --filter rips: others need points");
+    if (options.positionals.size() > 1) return usage_error("--distances takes one FILE");
     return check_max_degree(options);
 }
 

@@ -74,6 +74,10 @@ Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
     if (!parse_unsigned(std::string(line), &count) || count == 0)
         return line_error(cloud->name, 1, quoted(line) + " is not a number of atoms");
     reader.next(&line);
+    const std::size_t properties = line.find("Properties=");
+    if (properties != std::string_view::npos && !starts(line.substr(properties + 11), "species:S:1:pos:R:3"))
+        return line_error(cloud->name, reader.number(),
+                          "Properties do not begin with species:S:1:pos:R:3; places are read from columns 2 to 4");
     cloud->dim = 3;
     for (std::uint64_t i = 0; i < count; i++) {
         if (!reader.next(&line))
@@ -137,7 +141,8 @@ Outcome parse_pqr_atoms(std::string_view content, PointCloud* cloud) {
         // ATOM number name residue [chain] number x y z charge radius, and perhaps the element
         std::size_t end = words.size();
         if (end > 0 && !is_number(words[end - 1])) end--;
-        if (end < 9)
+        const bool has_chain = end > 4 && words[4].find_first_of("0123456789") == std::string_view::npos;
+        if (end < (has_chain ? 11 : 10) || !is_number(words[end - 1]) || !is_number(words[end - 2]))
             return line_error(cloud->name, reader.number(),
                               "an atom that does not end in x, y, z, charge and radius; with fixed columns it is .pdb");
         const Outcome outcome = add_atom({words[end - 5], words[end - 4], words[end - 3]}, reader.number(), cloud);

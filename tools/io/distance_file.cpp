@@ -1,6 +1,7 @@
 #include "tools/io/distance_file.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
@@ -25,6 +26,7 @@ Outcome read_rows(std::string_view content, bool sparse, DistanceFile* file, std
     std::string_view line;
     std::vector<double> row;
     bool may_be_header = true;
+    std::optional<bool> parted_by_commas;  // or by blanks alone, in all rows of two numbers and more
     while (reader.next_content(&line)) {
         const Complaint complaint = parse_numbers(line, &row);
         if (!complaint.empty()) {
@@ -35,6 +37,14 @@ Outcome read_rows(std::string_view content, bool sparse, DistanceFile* file, std
             return line_error(file->place.name, reader.number(), complaint);
         }
         may_be_header = false;
+        const auto commas = static_cast<std::size_t>(
+            std::count_if(line.begin(), line.end(), [](char c) { return c == ',' || c == ';'; }));
+        const bool in_one_way = (commas == 0 || commas + 1 == row.size()) &&
+                                (row.size() == 1 || parted_by_commas.value_or(commas > 0) == (commas > 0));
+        if (!in_one_way)
+            return line_error(file->place.name, reader.number(),
+                              "commas part some numbers and blanks others; write decimals with a point");
+        if (row.size() > 1) parted_by_commas = commas > 0;
         for (std::size_t f = sparse ? 2 : 0; f < row.size(); f++) {
             const std::string flaw = flaw_of(row[f]);
             if (!flaw.empty())

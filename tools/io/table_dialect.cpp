@@ -77,6 +77,24 @@ Look look_at(const std::vector<TableLine>& lines, std::size_t first, char delimi
     return look;
 }
 
+// Where some lines are parted by blanks alone, the first one with a comma between digits: a decimal comma, it may be, of
+// a line that lacks a field. SIZE_MAX for none.
+std::size_t line_of_odd_comma(const std::vector<TableLine>& lines, std::size_t first) {
+    bool blanks_alone = false;
+    std::size_t odd = SIZE_MAX;
+    for (std::size_t i = first; i < lines.size(); i++) {
+        const std::string_view text = without_blanks(lines[i].text);
+        if (text.find_first_of(",;") == std::string_view::npos) {
+            blanks_alone = blanks_alone || (text.find_first_of(" \t") != std::string_view::npos &&
+                                            text.find_first_not_of("0123456789.+-eE \t") == std::string_view::npos);
+            continue;
+        }
+        for (std::size_t at = text.find(','); at != std::string_view::npos && odd == SIZE_MAX; at = text.find(',', at + 1))
+            if (at > 0 && at + 1 < text.size() && is_digit(text[at - 1]) && is_digit(text[at + 1])) odd = i;
+    }
+    return blanks_alone ? odd : SIZE_MAX;
+}
+
 // In how many lines each separator stands, outside of quotes.
 struct Marks {
     std::size_t semicolon = 0, tab = 0, bar = 0, comma = 0, blank = 0;
@@ -249,7 +267,14 @@ std::string DialectFinder::by_blanks() {
         return {};
     }
     dialect = {};
-    if (!blanks.consistent || !blanks.decimal_commas) return {};
+    if (!blanks.consistent) {
+        const std::size_t odd = line_of_odd_comma(lines_, first_);
+        if (odd == SIZE_MAX) return {};
+        line = lines_[odd].number;
+        return "a comma between digits where other lines are parted by blanks: a decimal one, or a delimiter? Write "
+               "numbers with a point, or say what parts them: --delimiter";
+    }
+    if (!blanks.decimal_commas) return {};
     const Look mixed = look(0, false);
     if (mixed.consistent) return two_ways(blanks.width, ' ', mixed.width);
     if (blanks.points) return {};

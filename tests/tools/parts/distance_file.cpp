@@ -50,7 +50,7 @@ TEST_CASE("distances as a lower triangle, with and without its diagonal") {
 }
 
 TEST_CASE("distances as entries") {
-    const DistanceFile file = good("0 2 1.5\n3,1,2\n", true);
+    const DistanceFile file = good("0 2 1.5\n3 1 2\n", true);
     CHECK(file.layout == NETMESH_DISTANCES_SPARSE);
     CHECK(file.points == 4);
     REQUIRE(file.entries.size() == 2);
@@ -61,6 +61,12 @@ TEST_CASE("distances as entries") {
 }
 
 TEST_CASE("faults in files of distances name line and field") {
+    // A decimal comma in a row that lacks a field must not become a field of its own.
+    const std::string mixed = "commas part some numbers and blanks others; write decimals with a point";
+    CHECK(fault("0 2 1.5\n3,1,2\n", true) == "d.csv:2: " + mixed);
+    CHECK(fault("0 1,5\n", true) == "d.csv:1: " + mixed);
+    CHECK(fault("1\n2,5\n1 2 3\n") == "d.csv:3: " + mixed);
+    CHECK(fault("0 1 0\n1 0,3\n0 3 0\n") == "d.csv:2: " + mixed);
     CHECK(fault("") == "d.csv:1: the input ends without a distance");
     CHECK(fault("0 1\n1 0\n2 2\n") == "d.csv:3: a matrix of 3 rows and 2 columns; one of distances is square");
     CHECK(fault("0 1 2\n1 0\n") == "d.csv:2: 2 numbers where the first row of the matrix has 3");
