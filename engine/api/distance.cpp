@@ -43,10 +43,25 @@ Complaint complaint_about_pairs(const PairView& a, const PairView& b, bool log_s
     return {};
 }
 
-// A call from request to result. measure(a, b, monitor, found) is the job, bytes_for(counts) the scratch that it needs.
-template <class Request, class Result, class Measure>
-netmesh_status compare(const Request* from, Result* result, netmesh_detail* detail, bool (*is_log)(const Request&),
-                       std::size_t (*bytes_for)(std::uint64_t, std::uint64_t), Measure measure) {
+bool is_log(const netmesh_bottleneck_request& request) { return request.scale == NETMESH_SCALE_LOG; }
+bool is_log(const netmesh_wasserstein_request&) { return false; }
+std::size_t scratch_of(const netmesh_bottleneck_request& r) { return bottleneck_bytes(r.count_a, r.count_b); }
+std::size_t scratch_of(const netmesh_wasserstein_request& r) { return wasserstein_bytes(r.count_a, r.count_b); }
+
+Status measure_distance(const netmesh_bottleneck_request& r, const PairView& a, const PairView& b, Monitor& monitor,
+                        netmesh_distance* found) {
+    return bottleneck({a, b, r.degree, is_log(r), r.scratch, r.scratch_bytes}, monitor, found);
+}
+Status measure_distance(const netmesh_wasserstein_request& r, const PairView& a, const PairView& b, Monitor& monitor,
+                        netmesh_wasserstein_distance* found) {
+    return wasserstein({a, b, r.degree, r.order, r.relative_error, r.scratch, r.scratch_bytes, r.mates_a,
+                        r.potentials_a, r.potentials_b},
+                       monitor, found);
+}
+
+// A call from request to result.
+template <class Request, class Result>
+netmesh_status compare(const Request* from, Result* result, netmesh_detail* detail) {
     Request request;
     Result found = {};
     Complaint complaint = read_request(from, &request);
@@ -57,13 +72,13 @@ netmesh_status compare(const Request* from, Result* result, netmesh_detail* deta
         const PairView a = {request.pairs_a, request.pair_bytes, request.count_a};
         const PairView b = {request.pairs_b, request.pair_bytes, request.count_b};
         Monitor monitor = monitor_of(request.monitor);
-        status = measure(request, a, b, monitor, &found);
+        status = measure_distance(request, a, b, monitor, &found);
         if (status == Status::invalid_argument) complaint = complaint_about_pairs(a, b, is_log(request));
     }
     if (status == Status::ok) give_result(found, result);
     netmesh_detail said = detail_of(status, complaint.text);
     said.field = complaint.field;
-    if (status == Status::out_of_memory) said.bytes_wanted = bytes_for(request.count_a, request.count_b);
+    if (status == Status::out_of_memory) said.bytes_wanted = scratch_of(request);
     give_result(said, detail);
     return said.status;
 }
@@ -78,46 +93,23 @@ extern "C" {
 size_t netmesh_bottleneck_bytes(const netmesh_bottleneck_request* from) {
     netmesh_bottleneck_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
-    return bottleneck_bytes(request.count_a, request.count_b);
+    return scratch_of(request);
 }
 
 netmesh_status netmesh_bottleneck(const netmesh_bottleneck_request* from, netmesh_distance* distance,
                                   netmesh_detail* detail) {
-    const auto is_log = [](const netmesh_bottleneck_request& r) { return r.scale == NETMESH_SCALE_LOG; };
-    return compare<netmesh_bottleneck_request>(
-        from, distance, detail, is_log, bottleneck_bytes,
-        [](const netmesh_bottleneck_request& r, const PairView& a, const PairView& b, Monitor& monitor,
-           netmesh_distance* found) {
-            const DistanceRequest asked = {a, b, r.degree, r.scale == NETMESH_SCALE_LOG, r.scratch, r.scratch_bytes};
-            return bottleneck(asked, monitor, found);
-        });
+    return compare(from, distance, detail);
 }
 
 size_t netmesh_wasserstein_bytes(const netmesh_wasserstein_request* from) {
     netmesh_wasserstein_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
-    return wasserstein_bytes(request.count_a, request.count_b);
+    return scratch_of(request);
 }
 
 netmesh_status netmesh_wasserstein(const netmesh_wasserstein_request* from, netmesh_wasserstein_distance* distance,
                                    netmesh_detail* detail) {
-    const auto is_log = [](const netmesh_wasserstein_request&) { return false; };
-    return compare<netmesh_wasserstein_request>(from, distance, detail, is_log, wasserstein_bytes,
-                                                [](const netmesh_wasserstein_request& r, const PairView& a,
-                                                   const PairView& b, Monitor& monitor,
-                                                   netmesh_wasserstein_distance* found) {
-                                                    const WassersteinRequest asked = {a,
-                                                                                      b,
-                                                                                      r.degree,
-                                                                                      r.order,
-                                                                                      r.relative_error,
-                                                                                      r.scratch,
-                                                                                      r.scratch_bytes,
-                                                                                      r.mates_a,
-                                                                                      r.potentials_a,
-                                                                                      r.potentials_b};
-                                                    return wasserstein(asked, monitor, found);
-                                                });
+    return compare(from, distance, detail);
 }
 
 }  // extern "C"
