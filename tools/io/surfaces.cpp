@@ -113,7 +113,7 @@ Outcome parse_obj_points(std::string_view content, PointCloud* cloud) {
     while (reader.next_content(&line)) {
         if (!starts(line, "v ") && !starts(line, "v\t")) continue;
         if (line.find_first_of(",;") != std::string_view::npos)
-            return line_error(cloud->name, reader.number(), "numbers are parted by blanks here, and written with a point");
+            return line_error(cloud->name, reader.number(), "numbers are parted by blanks and written with a point");
         const Complaint complaint = parse_numbers(line.substr(2), &numbers);
         if (!complaint.empty()) return line_error(cloud->name, reader.number(), complaint);
         // x y z, then a weight, or a colour of three, or both

@@ -77,8 +77,8 @@ Look look_at(const std::vector<TableLine>& lines, std::size_t first, char delimi
     return look;
 }
 
-// Where some lines are parted by blanks alone, the first one with a comma between digits: a decimal comma, it may be, of
-// a line that lacks a field. SIZE_MAX for none.
+// Where some lines are parted by blanks alone, the first one with a comma between digits: a decimal comma, it may be,
+// of a line that lacks a field. SIZE_MAX for none.
 std::size_t line_of_odd_comma(const std::vector<TableLine>& lines, std::size_t first) {
     bool blanks_alone = false;
     std::size_t odd = SIZE_MAX;
@@ -89,7 +89,8 @@ std::size_t line_of_odd_comma(const std::vector<TableLine>& lines, std::size_t f
                                             text.find_first_not_of("0123456789.+-eE \t") == std::string_view::npos);
             continue;
         }
-        for (std::size_t at = text.find(','); at != std::string_view::npos && odd == SIZE_MAX; at = text.find(',', at + 1))
+        for (std::size_t at = text.find(','); at != std::string_view::npos && odd == SIZE_MAX;
+             at = text.find(',', at + 1))
             if (at > 0 && at + 1 < text.size() && is_digit(text[at - 1]) && is_digit(text[at + 1])) odd = i;
     }
     return blanks_alone ? odd : SIZE_MAX;
@@ -269,7 +270,7 @@ std::string DialectFinder::by_blanks() {
     dialect = {};
     if (!blanks.consistent) {
         const std::size_t odd = line_of_odd_comma(lines_, first_);
-        if (odd == SIZE_MAX) return {};
+        if (odd == SIZE_MAX || blanks.points) return {};  // numbers with a point have no decimal commas
         line = lines_[odd].number;
         return "a comma between digits where other lines are parted by blanks: a decimal one, or a delimiter? Write "
                "numbers with a point, or say what parts them: --delimiter";
