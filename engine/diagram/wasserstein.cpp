@@ -43,18 +43,19 @@ class Bidders {
 public:
     Bidders(std::uint32_t* ring, std::uint32_t size) : ring_(ring), size_(size) {}
     bool empty() const { return first_ == end_; }
-    void push(std::uint32_t i) { put(&end_, i); }
+    void push(std::uint32_t i) {
+        ring_[end_] = i;
+        end_ = behind(end_);
+    }
     std::uint32_t pop() {
         const std::uint32_t i = ring_[first_];
-        first_ = first_ + 1 == size_ ? 0 : first_ + 1;
+        first_ = behind(first_);
         return i;
     }
 
 private:
-    void put(std::uint32_t* at, std::uint32_t i) {
-        ring_[*at] = i;
-        *at = *at + 1 == size_ ? 0 : *at + 1;
-    }
+    std::uint32_t behind(std::uint32_t place) const { return place + 1 == size_ ? 0 : place + 1; }
+
     std::uint32_t* ring_;
     std::uint32_t size_, first_ = 0, end_ = 0;
 };

@@ -10,103 +10,99 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace
+// Each kind of distance by its own names.
+struct BottleneckCalls {
+    using Request = netmesh::requests::Bottleneck;
+    using Result = netmesh_distance;
+    static netmesh_status call(const netmesh_bottleneck_request* r, netmesh_distance* d, netmesh_detail* detail) {
+        return netmesh_bottleneck(r, d, detail);
+    }
+    static std::size_t bytes(const netmesh_bottleneck_request* r) { return netmesh_bottleneck_bytes(r); }
+};
+struct WassersteinCalls {
+    using Request = netmesh::requests::Wasserstein;
+    using Result = netmesh_wasserstein_distance;
+    static netmesh_status call(const netmesh_wasserstein_request* r, netmesh_wasserstein_distance* d,
+                               netmesh_detail* detail) {
+        return netmesh_wasserstein(r, d, detail);
+    }
+    static std::size_t bytes(const netmesh_wasserstein_request* r) { return netmesh_wasserstein_bytes(r); }
+};
 
-TEST_CASE("distances") {
-    const netmesh_pair a = bar(0, 0, 1);
-    alignas(16) static unsigned char scratch[4096];
-    netmesh::requests::Bottleneck good;
-    good.pairs_a = good.pairs_b = &a;
-    good.count_a = good.count_b = 1;
-    good.scratch = scratch;
-    good.scratch_bytes = sizeof scratch;
-    auto d = netmesh::sized<netmesh_distance>();
-    auto detail = netmesh::sized<netmesh_detail>();
-    const auto refused = [&](auto change, netmesh_field field) {
-        netmesh_bottleneck_request bad = good;
+// A request that is good, and changes of it that are not.
+template <class Calls> struct Refusals {
+    Refusals() {
+        good.pairs_a = good.pairs_b = &a;
+        good.count_a = good.count_b = 1;
+        good.scratch = scratch;
+        good.scratch_bytes = sizeof scratch;
+    }
+    template <class Change> void refused(Change change, netmesh_field field) {
+        auto bad = good;
         change(bad);
-        CHECK(netmesh_bottleneck(&bad, &d, &detail) == NETMESH_INVALID_ARGUMENT);
+        CHECK(Calls::call(&bad, &d, &detail) == NETMESH_INVALID_ARGUMENT);
         CHECK(detail.status == NETMESH_INVALID_ARGUMENT);
         CHECK(detail.field == field);
         CHECK(detail.message[0] != 0);
-        CHECK(netmesh_bottleneck(&bad, &d, nullptr) == NETMESH_INVALID_ARGUMENT);
-    };
-    CHECK(netmesh_bottleneck(&good, &d, &detail) == NETMESH_OK);
-    CHECK(detail.status == NETMESH_OK);
-    CHECK(d.value == 0);
-    refused([](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
-    refused([](auto& r) { r.pairs_a = nullptr; }, NETMESH_FIELD_PAIRS_A);
-    refused([](auto& r) { r.pairs_b = nullptr; }, NETMESH_FIELD_PAIRS_B);
-    refused([](auto& r) { r.pair_bytes = 8; }, NETMESH_FIELD_PAIR_BYTES);
-    refused([](auto& r) { r.scale = static_cast<netmesh_scale>(2); }, NETMESH_FIELD_SCALE);
-    refused([](auto& r) { r.scratch = nullptr; }, NETMESH_FIELD_SCRATCH);
-    refused([](auto& r) { r.scratch = scratch + 8; }, NETMESH_FIELD_SCRATCH);
-    const netmesh_pair late = bar(0, 2, 1), nowhere = bar(0, not_a_number, 1);
-    refused([&](auto& r) { r.pairs_a = &late; }, NETMESH_FIELD_PAIRS_A);
-    refused([&](auto& r) { r.pairs_b = &nowhere; }, NETMESH_FIELD_PAIRS_B);
-    CHECK(netmesh_bottleneck(nullptr, &d, &detail) == NETMESH_INVALID_ARGUMENT);
-    CHECK(detail.field == NETMESH_FIELD_REQUEST);
-    CHECK(netmesh_bottleneck(&good, nullptr, &detail) == NETMESH_INVALID_ARGUMENT);
-    CHECK(detail.field == NETMESH_FIELD_RESULT);
-    good.scratch = nullptr;
-    good.scratch_bytes = 0;
-    CHECK(netmesh_bottleneck(&good, &d, &detail) == NETMESH_OUT_OF_MEMORY);
-    CHECK(detail.bytes_wanted == netmesh_bottleneck_bytes(&good));
-    CHECK(netmesh_bottleneck_bytes(nullptr) == 0);
+        CHECK(Calls::call(&bad, &d, nullptr) == NETMESH_INVALID_ARGUMENT);
+    }
+    // What both kinds take and refuse.
+    void check_common() {
+        CHECK(Calls::call(&good, &d, &detail) == NETMESH_OK);
+        CHECK(detail.status == NETMESH_OK);
+        CHECK(d.value == 0);
+        refused([](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
+        refused([](auto& r) { r.pairs_a = nullptr; }, NETMESH_FIELD_PAIRS_A);
+        refused([](auto& r) { r.pairs_b = nullptr; }, NETMESH_FIELD_PAIRS_B);
+        refused([](auto& r) { r.pair_bytes = 8; }, NETMESH_FIELD_PAIR_BYTES);
+        refused([](auto& r) { r.scratch = nullptr; }, NETMESH_FIELD_SCRATCH);
+        refused([this](auto& r) { r.scratch = scratch + 8; }, NETMESH_FIELD_SCRATCH);
+        const netmesh_pair late = bar(0, 2, 1), nowhere = bar(0, not_a_number, 1);
+        refused([&](auto& r) { r.pairs_a = &late; }, NETMESH_FIELD_PAIRS_A);
+        refused([&](auto& r) { r.pairs_b = &nowhere; }, NETMESH_FIELD_PAIRS_B);
+        CHECK(Calls::call(nullptr, &d, &detail) == NETMESH_INVALID_ARGUMENT);
+        CHECK(detail.field == NETMESH_FIELD_REQUEST);
+        CHECK(Calls::call(&good, nullptr, &detail) == NETMESH_INVALID_ARGUMENT);
+        CHECK(detail.field == NETMESH_FIELD_RESULT);
+        auto without = good;
+        without.scratch = nullptr;
+        without.scratch_bytes = 0;
+        CHECK(Calls::call(&without, &d, &detail) == NETMESH_OUT_OF_MEMORY);
+        CHECK(detail.bytes_wanted == Calls::bytes(&without));
+        CHECK(Calls::bytes(&without) > 0);
+        CHECK(Calls::bytes(nullptr) == 0);
+    }
+
+    const netmesh_pair a = bar(0, 0, 1);
+    alignas(16) unsigned char scratch[4096];
+    typename Calls::Request good;
+    typename Calls::Result d = netmesh::sized<typename Calls::Result>();
+    netmesh_detail detail = netmesh::sized<netmesh_detail>();
+};
+
+}  // namespace
+
+TEST_CASE("bottleneck distances") {
+    Refusals<BottleneckCalls> of;
+    of.check_common();
+    of.refused([](auto& r) { r.scale = static_cast<netmesh_scale>(2); }, NETMESH_FIELD_SCALE);
+    CHECK(netmesh::bottleneck_bytes(of.good) > 0);
 }
 
 TEST_CASE("Wasserstein distances") {
-    const netmesh_pair a = bar(0, 0, 1);
-    alignas(16) static unsigned char scratch[4096];
-    netmesh::requests::Wasserstein good;
-    good.pairs_a = good.pairs_b = &a;
-    good.count_a = good.count_b = 1;
-    good.scratch = scratch;
-    good.scratch_bytes = sizeof scratch;
-    auto d = netmesh::sized<netmesh_wasserstein_distance>();
-    auto detail = netmesh::sized<netmesh_detail>();
+    Refusals<WassersteinCalls> of;
+    CHECK(of.good.order == 1);
+    CHECK(of.good.relative_error == 0.001);
+    of.check_common();
     std::uint32_t mate = 7;
     double potential = 7;
-    const auto refused = [&](auto change, netmesh_field field) {
-        netmesh_wasserstein_request bad = good;
-        change(bad);
-        CHECK(netmesh_wasserstein(&bad, &d, &detail) == NETMESH_INVALID_ARGUMENT);
-        CHECK(detail.status == NETMESH_INVALID_ARGUMENT);
-        CHECK(detail.field == field);
-        CHECK(detail.message[0] != 0);
-        CHECK(netmesh_wasserstein(&bad, &d, nullptr) == NETMESH_INVALID_ARGUMENT);
-    };
-    CHECK(good.order == 1);
-    CHECK(good.relative_error == 0.001);
-    CHECK(netmesh_wasserstein(&good, &d, &detail) == NETMESH_OK);
-    CHECK(detail.status == NETMESH_OK);
-    CHECK(d.value == 0);
-    refused([](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
-    refused([](auto& r) { r.pairs_a = nullptr; }, NETMESH_FIELD_PAIRS_A);
-    refused([](auto& r) { r.pairs_b = nullptr; }, NETMESH_FIELD_PAIRS_B);
-    refused([](auto& r) { r.pair_bytes = 8; }, NETMESH_FIELD_PAIR_BYTES);
-    refused([](auto& r) { r.order = 0; }, NETMESH_FIELD_ORDER);
-    refused([](auto& r) { r.order = NETMESH_ORDER_MAX + 1; }, NETMESH_FIELD_ORDER);
-    refused([](auto& r) { r.relative_error = 0; }, NETMESH_FIELD_RELATIVE_ERROR);
-    refused([](auto& r) { r.relative_error = not_a_number; }, NETMESH_FIELD_RELATIVE_ERROR);
-    refused([](auto& r) { r.relative_error = HUGE_VAL; }, NETMESH_FIELD_RELATIVE_ERROR);
-    refused([&](auto& r) { r.mates_a = &mate; }, NETMESH_FIELD_MATES);
-    refused([&](auto& r) { r.potentials_a = &potential; }, NETMESH_FIELD_POTENTIALS);
-    refused([&](auto& r) { r.potentials_b = &potential; }, NETMESH_FIELD_POTENTIALS);
-    refused([](auto& r) { r.scratch = nullptr; }, NETMESH_FIELD_SCRATCH);
-    refused([](auto& r) { r.scratch = scratch + 8; }, NETMESH_FIELD_SCRATCH);
-    const netmesh_pair late = bar(0, 2, 1), nowhere = bar(0, not_a_number, 1);
-    refused([&](auto& r) { r.pairs_a = &late; }, NETMESH_FIELD_PAIRS_A);
-    refused([&](auto& r) { r.pairs_b = &nowhere; }, NETMESH_FIELD_PAIRS_B);
+    of.refused([](auto& r) { r.order = 0; }, NETMESH_FIELD_ORDER);
+    of.refused([](auto& r) { r.order = NETMESH_ORDER_MAX + 1; }, NETMESH_FIELD_ORDER);
+    for (const double error : {0.0, -1.0, not_a_number, HUGE_VAL})
+        of.refused([error](auto& r) { r.relative_error = error; }, NETMESH_FIELD_RELATIVE_ERROR);
+    of.refused([&](auto& r) { r.mates_a = &mate; }, NETMESH_FIELD_MATES);
+    of.refused([&](auto& r) { r.potentials_a = &potential; }, NETMESH_FIELD_POTENTIALS);
+    of.refused([&](auto& r) { r.potentials_b = &potential; }, NETMESH_FIELD_POTENTIALS);
     CHECK((mate == 7 && potential == 7));
-    CHECK(netmesh_wasserstein(nullptr, &d, &detail) == NETMESH_INVALID_ARGUMENT);
-    CHECK(detail.field == NETMESH_FIELD_REQUEST);
-    CHECK(netmesh_wasserstein(&good, nullptr, &detail) == NETMESH_INVALID_ARGUMENT);
-    CHECK(detail.field == NETMESH_FIELD_RESULT);
-    good.scratch = nullptr;
-    good.scratch_bytes = 0;
-    CHECK(netmesh_wasserstein(&good, &d, &detail) == NETMESH_OUT_OF_MEMORY);
-    CHECK(detail.bytes_wanted == netmesh_wasserstein_bytes(&good));
-    CHECK(netmesh_wasserstein_bytes(nullptr) == 0);
-    CHECK(netmesh::wasserstein_bytes(good) > 0);
+    CHECK(netmesh::wasserstein_bytes(of.good) > 0);
 }

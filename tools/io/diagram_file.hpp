@@ -11,6 +11,8 @@
 
 namespace netmesh::tool {
 
+class Json;
+
 // A point of a diagram. Radii; death is infinite for an essential class.
 struct Bar {
     std::uint32_t degree;
@@ -38,6 +40,8 @@ void write_diagram(const std::vector<Bar>& bars, const Bounds& bounds, TextWrite
 // For other programs: a header and a bar a line, `inf` for deaths that are none, behind them the bounds if there are
 // some; {"schema": 1, "bars": [[degree, birth, death], ...]}, with null for inf; doubles [bars][3].
 void write_diagram_csv(const std::vector<Bar>& bars, const Bounds& bounds, TextWriter& out);
+// An entry `bars`, [degree, birth, death] each; infinity is null.
+void write_json_bars(Json& json, const std::vector<Bar>& bars);
 void write_diagram_json(const std::vector<Bar>& bars, TextWriter& out);
 void write_diagram_npy(const std::vector<Bar>& bars, TextWriter& out);
 

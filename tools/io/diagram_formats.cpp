@@ -21,20 +21,24 @@ void write_diagram_csv(const std::vector<Bar>& bars, const Bounds& known, TextWr
     }
 }
 
-void write_diagram_json(const std::vector<Bar>& bars, TextWriter& out) {
-    Json json;
-    json.open('{');
-    json.entry("schema", std::uint64_t{1});
+void write_json_bars(Json& json, const std::vector<Bar>& bars) {
     json.key("bars");
     json.open('[');
     for (const Bar& bar : bars) {
         json.open('[');
         json.value(bar.degree);
         json.value(bar.birth);
-        json.value(bar.death);  // infinity is null
+        json.value(bar.death);
         json.close(']');
     }
     json.close(']');
+}
+
+void write_diagram_json(const std::vector<Bar>& bars, TextWriter& out) {
+    Json json;
+    json.open('{');
+    json.entry("schema", std::uint64_t{1});
+    write_json_bars(json, bars);
     json.close('}');
     out << json.text();
 }

@@ -77,19 +77,6 @@ void write_bounds(Json& json, const RunReport& run) {
     json.close(']');
 }
 
-void write_bars(Json& json, const std::vector<Bar>& bars) {
-    json.key("bars");
-    json.open('[');
-    for (const Bar& bar : bars) {
-        json.open('[');
-        json.value(bar.degree);
-        json.value(bar.birth);
-        json.value(bar.death);  // infinity is null
-        json.close(']');
-    }
-    json.close(']');
-}
-
 // What JSON says of a diagram besides the library's figures. `extended_ball`: the least radius of a ball that belongs
 // to a scale alone, in radii of the scale (7.6: at least (1 - theta) / (2 theta)); the joined diagram needs 2.
 void add_to_diagram(Json& json, const RunReport& run, std::string_view path) {
@@ -102,7 +89,7 @@ void add_to_diagram(Json& json, const RunReport& run, std::string_view path) {
         json.entry("extended_ball_needed", 2.0);
     } else if (path == "diagram.certain") {
         if (run.bounds != nullptr) write_bounds(json, run);
-        if (run.bars != nullptr) write_bars(json, *run.bars);
+        if (run.bars != nullptr) write_json_bars(json, *run.bars);
     }
 }
 
