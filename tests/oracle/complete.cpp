@@ -45,6 +45,7 @@ template <int D> void reaches_ratio(const std::string& name, const inputs::Point
     REQUIRE(exact.alpha(points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
     session.request.certificate.ratio = ratio;
+    session.bounds = true;
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
     const netmesh_report r = session.report();
     CHECK(r.diagram.certified_ratio <= ratio);
