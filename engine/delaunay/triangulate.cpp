@@ -92,12 +92,11 @@ Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::
     monitor.begin(NETMESH_STAGE_SORT, n);
     for (std::size_t i = 0; i < n;)
         for (const std::uint64_t piece = store.arena.piece(i, n, 5 * D); i < piece; ++i) {
-            const unsigned char* const row = points.row(i, D);
-            for (int k = 0; k < D; ++k)
-                if (!is_finite(points.coordinate(row, k))) {
-                    input->row_a = i;
-                    return Status::not_finite;
-                }
+            double x[D];
+            if (!points.read(i, D, x)) {
+                input->row_a = i;
+                return Status::not_finite;
+            }
         }
     const std::uint32_t count = static_cast<std::uint32_t>(n);
     if (store.open_vertices(count) != Status::ok) return Status::out_of_memory;
@@ -106,11 +105,8 @@ Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::
     for (std::uint32_t i = 0; i < count;)
         for (const std::uint64_t piece = store.arena.piece(i, count, 20 + 10 * D); i < piece; ++i) {
             Vertex<D>& v = store.vertex(i);
-            const unsigned char* const row = points.row(i, D);
-            for (int k = 0; k < D; ++k) {
-                v.x[k] = points.coordinate(row, k) + 0.0;
-                fingerprint.add(v.x[k]);
-            }
+            points.read(i, D, v.x);
+            for (int k = 0; k < D; ++k) fingerprint.add(v.x[k]);
             v.nearest2 = infinity;
             v.cell = none;
             v.next = none;

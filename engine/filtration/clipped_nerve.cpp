@@ -157,19 +157,20 @@ template <int D> void NerveFinder<D>::find_absent() {
 }
 
 template <int D> Status NerveFinder<D>::settle_open_cells() {
-    for (CellId c(0); c < cells_ && certain_; ++c) {
-        if (!is_open(c)) continue;
-        int beyond = 1;
-        if (present_in(c) == (2u << D) - 1) {
-            const double* point[D + 1];
-            for (int i = 0; i <= D; ++i) point[i] = store_.point(store_.cell(c).vertex[i]);
-            beyond = EqualFoot<double>(ball_, point, D + 1).beyond();
-            if (beyond == 0) beyond = beyond_precisely(point);
-            if (beyond == 0) certain_ = false;
+    for (CellId c(0); c < cells_ && certain_;)
+        for (const std::uint64_t piece = work_.arena.piece(c, cells_, 6); c < piece && certain_; ++c) {
+            if (!is_open(c)) continue;
+            int beyond = 1;
+            if (present_in(c) == (2u << D) - 1) {
+                const double* point[D + 1];
+                for (int i = 0; i <= D; ++i) point[i] = store_.point(store_.cell(c).vertex[i]);
+                beyond = EqualFoot<double>(ball_, point, D + 1).beyond();
+                if (beyond == 0) beyond = beyond_precisely(point);
+                if (beyond == 0) certain_ = false;
+            }
+            cell_[c] = static_cast<std::uint8_t>(beyond < 0 ? CellPart::in : CellPart::out);
+            if (work_.monitor.advance(done_, 10)) return Status::cancelled;
         }
-        cell_[c] = static_cast<std::uint8_t>(beyond < 0 ? CellPart::in : CellPart::out);
-        if (work_.monitor.advance(done_, 10)) return Status::cancelled;
-    }
     return Status::ok;
 }
 

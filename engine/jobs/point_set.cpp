@@ -29,15 +29,11 @@ Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::u
     f.add(static_cast<std::uint64_t>(dim));
     for (std::uint32_t i = 0; i < n;)
         for (const std::uint64_t piece = arena.piece(i, n, 20 * dim); i < piece; ++i) {
-            const unsigned char* const row = points.row(i, static_cast<int>(dim));
+            double* const row = x + std::size_t{i} * dim;
             *culprit = i;
             arena.pass(dim / 64);
-            for (std::uint32_t d = 0; d < dim; ++d) {
-                const std::size_t at = std::size_t{i} * dim + d;
-                x[at] = points.coordinate(row, static_cast<int>(d)) + 0.0;
-                if (!is_finite(x[at])) return Status::not_finite;
-                f.add(x[at]);
-            }
+            if (!points.read(i, static_cast<int>(dim), row)) return Status::not_finite;
+            for (std::uint32_t d = 0; d < dim; ++d) f.add(row[d]);
             order[i] = i;
             repeated[i] = 0;
         }

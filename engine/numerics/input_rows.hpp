@@ -2,6 +2,8 @@
 #pragma once
 #include <cstddef>
 
+#include "numerics/real.hpp"
+
 namespace netmesh {
 
 struct InputRows {
@@ -14,22 +16,25 @@ struct InputRows {
         : first(static_cast<const unsigned char*>(points)), stride_bytes(stride_bytes), are_floats(are_floats) {}
     InputRows(const double* packed) : InputRows(packed, 0, false) {}  // NOLINT: as good as rows
 
-    std::size_t coordinate_bytes() const { return are_floats ? sizeof(float) : sizeof(double); }
-    // Row i of points in `dim` dimensions; its coordinates are read by `coordinate`.
-    const unsigned char* row(std::size_t i, int dim) const {
-        return first + i * (stride_bytes != 0 ? stride_bytes : static_cast<std::size_t>(dim) * coordinate_bytes());
-    }
-    // Exactly the number that stands there.
-    double coordinate(const unsigned char* row, int k) const {
-        const unsigned char* const at = row + static_cast<std::size_t>(k) * coordinate_bytes();
-        if (are_floats) {
-            float x;
-            __builtin_memcpy(&x, __builtin_assume_aligned(at, 4), sizeof x);
-            return static_cast<double>(x);
+    // Reads row i of points in `dim` dimensions, exactly the numbers that stand there; -0 becomes 0. False: one of them
+    // is not finite.
+    bool read(std::size_t i, int dim, double* x) const {
+        const std::size_t bytes = are_floats ? sizeof(float) : sizeof(double);
+        const unsigned char* at =
+            first + i * (stride_bytes != 0 ? stride_bytes : static_cast<std::size_t>(dim) * bytes);
+        bool finite = true;
+        for (int k = 0; k < dim; ++k, at += bytes) {
+            if (are_floats) {
+                float single;
+                __builtin_memcpy(&single, __builtin_assume_aligned(at, 4), sizeof single);
+                x[k] = static_cast<double>(single);
+            } else {
+                __builtin_memcpy(&x[k], __builtin_assume_aligned(at, 4), sizeof x[k]);
+            }
+            x[k] += 0.0;
+            finite &= is_finite(x[k]);
         }
-        double x;
-        __builtin_memcpy(&x, __builtin_assume_aligned(at, 4), sizeof x);
-        return x;
+        return finite;
     }
 };
 
