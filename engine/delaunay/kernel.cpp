@@ -2,6 +2,7 @@
 
 #include "delaunay/check.hpp"
 #include "delaunay/planar.hpp"
+#include "delaunay/spatial.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -12,16 +13,6 @@ template <int D> std::uint32_t position_in(const Cell<D>& cell, VertexId v) {
     std::uint32_t position = 0;
     for (std::uint32_t j = 1; j <= D; ++j) position += cell.vertex[j] == v ? j : 0;
     return position;
-}
-
-// This and link() are most of what filling costs; inlined they would spill its registers.
-template <int D>
-[[gnu::noinline]] void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside,
-                                   const double* q, double error_max, Cell<D>& cell) {
-    if (pencil_sphere<D>(inside, outside, q, error_max, cell)) return;
-    const double* p[D + 1];
-    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
-    solve_sphere<D>(p, error_max, cell);
 }
 
 // Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for.
@@ -233,42 +224,67 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
     }
 }
 
+// This and link() are most of what filling costs; inlined they would spill its registers.
+template <int D>
+[[gnu::noinline]] void GeneralCavity<D>::make_sphere(const Kernel<D>& kernel, const Cell<D>& inside,
+                                                     const Cell<D>& outside, const double* q, Cell<D>& cell) {
+    if (pencil_sphere<D>(inside, outside, q, kernel.error_max_, cell)) return;
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = kernel.store_.point(cell.vertex[i]);
+    solve_sphere<D>(p, kernel.error_max_, cell);
+}
+
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
 // keeps the orientation. The old cell's neighbour across the facet becomes the new cell.
+template <int D>
+void GeneralCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply) {
+    Cell<D>* const cells = &kernel.store_.cell(0);
+    const double* const q = kernel.store_.point(id);
+    CavityLine* const end = kernel.list_end();
+    const std::ptrdiff_t facets = cavity.facets;
+    for (std::ptrdiff_t k = 0; k < facets; ++k) {
+        const CellId n = end[-k].made = supply.take();
+        const std::uint32_t i = end[-k].facet.position();
+        Cell<D>& old = cells[end[-k].facet.cell()];
+        Cell<D>& fresh = cells[n];
+        bool ghost = false;
+        for (std::uint32_t j = 0; j <= D; ++j) {
+            const VertexId v = j == i ? id : old.vertex[j];
+            ghost |= v == none;
+            fresh.vertex[j] = v;
+            fresh.neighbour[j] = none;
+        }
+        const FacetId outer = old.neighbour[i];
+        Cell<D>& beyond = cells[outer.cell()];
+        fresh.neighbour[i] = outer;
+        fresh.mark = 0;
+        if (ghost)
+            make_ghost<D>(fresh);
+        else
+            make_sphere(kernel, old, beyond, q, fresh);
+        old.neighbour[i] = FacetId(n, i);
+        beyond.neighbour[outer.position()] = FacetId(n, i);
+    }
+    for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
+}
+
 template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
     NETMESH_ASSERT(cavity.cells > 0 && cavity.facets > D);
     if constexpr (D == 2) {
         PlanarCavity<D>::fill(*this, cavity, id);
     } else {
         Cell<D>* const cells = &store_.cell(0);
-        const double* const q = store_.point(id);
         Line* const end = list_end();
         const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
         CellSupply<D> supply(store_);
-        for (std::ptrdiff_t k = 0; k < facets; ++k) {
-            const CellId n = end[-k].made = supply.take();
-            const std::uint32_t i = end[-k].facet.position();
-            Cell<D>& old = cells[end[-k].facet.cell()];
-            Cell<D>& fresh = cells[n];
-            bool ghost = false;
-            for (std::uint32_t j = 0; j <= D; ++j) {
-                const VertexId v = j == i ? id : old.vertex[j];
-                ghost |= v == none;
-                fresh.vertex[j] = v;
-                fresh.neighbour[j] = none;
-            }
-            const FacetId outer = old.neighbour[i];
-            Cell<D>& beyond = cells[outer.cell()];
-            fresh.neighbour[i] = outer;
-            fresh.mark = 0;
-            if (ghost)
-                make_ghost<D>(fresh);
-            else
-                make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
-            old.neighbour[i] = FacetId(n, i);
-            beyond.neighbour[outer.position()] = FacetId(n, i);
+        bool made = false;
+#ifndef __OPTIMIZE_SIZE__
+        if constexpr (D == 3) {
+            made = cavity.facets <= boundary_facets_max;
+            if (made) SpatialCavity<D>::make_cells(*this, cavity, id, supply);
         }
-        for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
+#endif
+        if (!made) GeneralCavity<D>::make_cells(*this, cavity, id, supply);
         for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
         if (vertex_cells_ == VertexCells::kept)
             for (std::ptrdiff_t k = 0; k < facets; ++k)
