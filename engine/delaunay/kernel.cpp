@@ -195,30 +195,40 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
         Line* const end = list_end();
         if (capacity < 1) return refuse_list(1);
         Cell<D>* const cells = &store_.cell(0);
-        end[0].cell = first;
+        end[0].entry = FacetId(first, D + 1);
         cells[first].mark = stamp;
         std::ptrdiff_t count = 1, facets = 0;
+        std::uint64_t decided = 0;
         for (std::ptrdiff_t k = 0; k < count; ++k) {
             // Each facet of this cell leads to one more cell or bounds the cavity.
             const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
             if (lines > capacity) return refuse_list(lines);
-            const CellId c = end[-k].cell;
-            for (std::uint32_t i = 0; i <= D; ++i) {
-                const CellId n = cells[c].neighbour[i].cell();
-                Cell<D>& other = cells[n];
-                if (other.mark == stamp) continue;
-                if (other.mark != stamp + 1) {
-                    if (in_conflict(n, q, id)) {
-                        other.mark = stamp;
-                        end[-count++].cell = n;
-                        ask_for_neighbours(cells, other);
-                        continue;
-                    }
-                    other.mark = stamp + 1;
+            const CellId c = end[-k].entry.cell();
+            const std::uint32_t entry = end[-k].entry.position(), others = k == 0 ? D + 1 : D;
+            // Without branches, as none of this can be predicted: lines are written, and overwritten when not meant.
+            for (std::uint32_t j = 0; j < others; ++j) {
+                const std::uint32_t i = j + (j >= entry);
+                const FacetId facet = cells[c].neighbour[i];
+                Cell<D>& other = cells[facet.cell()];
+                const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else unknown
+                double bound;
+                const double value = power<D>(other, q, &bound);
+                std::uint32_t inside = value < 0;
+                const std::uint32_t fresh = known > 1;
+                if (__builtin_expect(fresh & !(__builtin_fabs(value) > bound), 0)) {
+                    inside = undecided_conflict(facet.cell(), q, id);
+                    --decided;
                 }
-                end[-facets++].facet = FacetId(c, i);
+                decided += fresh;
+                inside = (inside & fresh) | (known == 0);
+                other.mark = stamp + 1 - inside;
+                end[-count].entry = facet;
+                count += inside & fresh;
+                end[-facets].facet = FacetId(c, i);
+                facets += 1 - inside;
             }
         }
+        store_.state.in_ball_counts.calls[0] += decided;
         *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
         return true;
     }
@@ -285,7 +295,7 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
         }
 #endif
         if (!made) GeneralCavity<D>::make_cells(*this, cavity, id, supply);
-        for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
+        for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].entry.cell());
         if (vertex_cells_ == VertexCells::kept)
             for (std::ptrdiff_t k = 0; k < facets; ++k)
                 for (const VertexId v : cells[end[-k].made].vertex)

@@ -19,7 +19,7 @@ struct Cavity {
 
 // Line k of the list, line 0 highest in memory: columns of different lengths.
 struct CavityLine {
-    CellId cell;    // a cell in conflict
+    FacetId entry;  // a cell in conflict and the facet by which the search came to it; of the first cell none
     FacetId facet;  // a bounding facet, of the cell in conflict
     CellId made;    // the cell that fill puts behind this facet
 };
@@ -91,7 +91,7 @@ public:
         if constexpr (D == 2)
             return line(k).made;
         else
-            return line(k).cell;
+            return line(k).entry.cell();
     }
     // Is there room to fill this cavity (and for `vertices` new vertices)?
     bool can_fill(const Cavity& cavity, std::uint32_t vertices) {

@@ -16,36 +16,33 @@ struct SpatialEdge {
     double x[3], half_square;
 };
 
-// The vertices of a cavity's boundary with numbers of their own, in the order in which they are met. A hash table with
-// four slots for each, as a vertex is looked for three times as often as there are facets.
+// The vertices of a cavity's boundary with numbers of their own, in the order in which they are met: a hash table with
+// four slots for each. Whether a vertex was there already cannot be predicted and is not asked.
 class BoundaryVertices {
 public:
     BoundaryVertices() {
-        for (std::uint32_t& v : vertex_) v = vacant;
+        for (std::uint32_t& v : key_) v = vacant;
+        for (std::uint32_t& n : number_) n = 0;
     }
-    // The number of vertex v; calls meet(number) when it is a new one.
-    template <class Meet> std::uint32_t number_of(std::uint32_t v, Meet&& meet) {
+    std::uint32_t number_of(std::uint32_t v) {
         std::uint32_t slot = v * 0x9E3779B1u >> (32 - slot_bits);
-        while (vertex_[slot] != v) {
-            if (vertex_[slot] == vacant) {
-                vertex_[slot] = v;
-                number_[slot] = static_cast<std::uint8_t>(count_);
-                meet(count_);
-                ++count_;
-                break;
-            }
-            slot = (slot + 1) & (slots - 1);
-        }
-        return number_[slot];
+        while (least(key_[slot] ^ v, key_[slot] ^ vacant) != 0) slot = (slot + 1) & (slots - 1);
+        const std::uint32_t is_new = key_[slot] != v;
+        const std::uint32_t number = number_[slot] + (count_ & (0u - is_new));  // of a vacant slot it is 0
+        key_[slot] = v;
+        number_[slot] = number;
+        count_ += is_new;
+        return number;
     }
 
 private:
+    static std::uint32_t least(std::uint32_t a, std::uint32_t b) { return a < b ? a : b; }
     static constexpr int slot_bits = 7;
     static constexpr std::uint32_t slots = 1u << slot_bits, vacant = Store<3>::freed;
     static_assert(slots >= 4 * boundary_vertices_max);
-    std::uint32_t vertex_[slots];
+    std::uint32_t key_[slots];
+    std::uint32_t number_[slots];
     std::uint32_t count_ = 0;
-    std::uint8_t number_[slots];
 };
 
 // What solve_sphere does, for q and the ends of three edges from it that neither underflow nor overflow. False when it
@@ -91,54 +88,47 @@ template <int D> void SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavi
     const double* const q = store.point(id);
     const std::uint32_t facets = cavity.facets;
     BoundaryVertices vertices;
-    SpatialEdge edge[boundary_vertices_max];
-    std::uint8_t number[boundary_facets_max][3];
-    std::uint8_t behind[boundary_vertices_max * boundary_vertices_max];  // 4 * new cell + position of its facet
-    bool plain = kernel.balls_ == Balls::from_points;
+    struct {
+        std::uint8_t position;
+        std::uint16_t edge[3];
+    } triangle[boundary_facets_max];
+    constexpr std::uint32_t most = boundary_vertices_max;
+    std::uint8_t behind[most * most];  // 4 * new cell + position of its facet
     for (std::uint32_t k = 0; k < facets; ++k) {
         CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
         const CellId n = line.made = supply.take();
         const std::uint32_t i = line.facet.position();
-        const Cell<D>& old = cells[line.facet.cell()];
+        Cell<D>& old = cells[line.facet.cell()];
         Cell<D>& fresh = cells[n];
         const FacetId outer = old.neighbour[i];
-        for (std::uint32_t j = 0; j <= D; ++j) fresh.vertex[j] = old.vertex[j];
+        const std::uint32_t number[3] = {vertices.number_of(old.vertex[turn[i][0]]),
+                                         vertices.number_of(old.vertex[turn[i][1]]),
+                                         vertices.number_of(old.vertex[turn[i][2]])};
+        __builtin_memcpy(fresh.vertex, old.vertex, sizeof fresh.vertex);
         fresh.vertex[i] = id;
         fresh.neighbour[i] = outer;
         fresh.mark = 0;
         cells[outer.cell()].neighbour[outer.position()] = FacetId(n, i);
-        for (int r = 0; r < 3; ++r) {
-            const VertexId v = old.vertex[turn[i][r]];
-            number[k][r] = static_cast<std::uint8_t>(vertices.number_of(v, [&](std::uint32_t at) {
-                if (v == none) return;
-                const double* const p = store.point(v);
-                double square = 0;
-                for (int j = 0; j < D; ++j) {
-                    edge[at].x[j] = p[j] - q[j];
-                    square += edge[at].x[j] * edge[at].x[j];
-                }
-                edge[at].half_square = 0.5 * square;
-                plain = plain && edge[at].half_square > edge_square_min && edge[at].half_square < edge_square_max;
-            }));
+        triangle[k].position = static_cast<std::uint8_t>(i);
+        for (std::uint32_t r = 0; r < 3; ++r) {
+            const std::uint32_t from = number[(r + 1) % 3], to = number[(r + 2) % 3];
+            triangle[k].edge[r] = static_cast<std::uint16_t>(to * most + from);
+            behind[from * most + to] = static_cast<std::uint8_t>(k << 2 | turn[i][r]);
         }
-        for (std::uint32_t r = 0; r < 3; ++r)
-            behind[number[k][(r + 1) % 3] * boundary_vertices_max + number[k][(r + 2) % 3]] =
-                static_cast<std::uint8_t>(k << 2 | turn[i][r]);
     }
     for (std::uint32_t k = 0; k < facets; ++k) {
         const CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
-        const std::uint32_t i = line.facet.position();
+        const std::uint32_t i = triangle[k].position;
         Cell<D>& fresh = cells[line.made];
-        for (std::uint32_t r = 0; r < 3; ++r) {
-            const std::uint32_t other = behind[number[k][(r + 2) % 3] * boundary_vertices_max + number[k][(r + 1) % 3]];
-            fresh.neighbour[turn[i][r]] = FacetId(end[-static_cast<std::ptrdiff_t>(other >> 2)].made, other & 3u);
-        }
         bool infinite = false;
-        for (std::uint32_t r = 0; r < 3; ++r) infinite |= fresh.vertex[turn[i][r]] == none;
+        for (std::uint32_t r = 0; r < 3; ++r) {
+            const std::uint32_t other = behind[triangle[k].edge[r]];
+            fresh.neighbour[turn[i][r]] = FacetId(end[-static_cast<std::ptrdiff_t>(other >> 2)].made, other & 3u);
+            infinite |= fresh.vertex[turn[i][r]] == none;
+        }
         if (infinite)
             make_ghost<D>(fresh);
-        else if (!plain || !circumscribe(q, edge[number[k][0]], edge[number[k][1]], edge[number[k][2]],
-                                         kernel.error_max_, fresh))
+        else
             GeneralCavity<D>::make_sphere(kernel, cells[line.facet.cell()], cells[fresh.neighbour[i].cell()], q, fresh);
     }
 }
