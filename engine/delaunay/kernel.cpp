@@ -238,7 +238,10 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
 template <int D>
 [[gnu::noinline]] void GeneralCavity<D>::make_sphere(const Kernel<D>& kernel, const Cell<D>& inside,
                                                      const Cell<D>& outside, const double* q, Cell<D>& cell) {
-    if (pencil_sphere<D>(inside, outside, q, kernel.error_max_, cell)) return;
+    if (!pencil_sphere<D>(inside, outside, q, kernel.error_max_, cell)) solve(kernel, cell);
+}
+
+template <int D> [[gnu::noinline]] void GeneralCavity<D>::solve(const Kernel<D>& kernel, Cell<D>& cell) {
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = kernel.store_.point(cell.vertex[i]);
     solve_sphere<D>(p, kernel.error_max_, cell);

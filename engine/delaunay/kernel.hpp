@@ -51,6 +51,7 @@ template <int D> struct GeneralCavity {
     static void make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
     static void make_sphere(const Kernel<D>& kernel, const Cell<D>& inside, const Cell<D>& outside, const double* q,
                             Cell<D>& cell);
+    static void solve(const Kernel<D>& kernel, Cell<D>& cell);
 };
 // In space, see spatial.hpp: cavities of at most boundary_facets_max facets. For D = 3.
 template <int D> struct SpatialCavity {

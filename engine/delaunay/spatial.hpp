@@ -16,33 +16,35 @@ struct SpatialEdge {
     double x[3], half_square;
 };
 
-// The vertices of a cavity's boundary with numbers of their own, in the order in which they are met: a hash table with
-// four slots for each. Whether a vertex was there already cannot be predicted and is not asked.
+// The vertices of a cavity's boundary with numbers from 1 on, in the order in which they are met. A hash table of many
+// more slots than vertices, as whether a vertex is there already cannot be predicted and must not be asked.
 class BoundaryVertices {
 public:
-    BoundaryVertices() {
-        for (std::uint32_t& v : key_) v = vacant;
-        for (std::uint32_t& n : number_) n = 0;
-    }
-    std::uint32_t number_of(std::uint32_t v) {
-        std::uint32_t slot = v * 0x9E3779B1u >> (32 - slot_bits);
-        while (least(key_[slot] ^ v, key_[slot] ^ vacant) != 0) slot = (slot + 1) & (slots - 1);
-        const std::uint32_t is_new = key_[slot] != v;
-        const std::uint32_t number = number_[slot] + (count_ & (0u - is_new));  // of a vacant slot it is 0
-        key_[slot] = v;
-        number_[slot] = number;
-        count_ += is_new;
+    std::uint32_t number_of(VertexId v) {
+        vertex_[next_] = v;
+        std::uint32_t slot = v * 0x9E3779B1u >> (32 - slot_bits), number = number_in(slot);
+        while (vertex_[number] != v) number = number_in(slot = (slot + 1) & (slots - 1));
+        number_[slot] = static_cast<std::uint8_t>(number);
+        next_ += number == next_;
         return number;
+    }
+    bool has_infinity() const {
+        bool has = false;
+        for (std::uint32_t number = 1; number < next_; ++number) has |= vertex_[number] == none;
+        return has;
     }
 
 private:
-    static std::uint32_t least(std::uint32_t a, std::uint32_t b) { return a < b ? a : b; }
-    static constexpr int slot_bits = 7;
-    static constexpr std::uint32_t slots = 1u << slot_bits, vacant = Store<3>::freed;
-    static_assert(slots >= 4 * boundary_vertices_max);
-    std::uint32_t key_[slots];
-    std::uint32_t number_[slots];
-    std::uint32_t count_ = 0;
+    // Of a vacant slot the number that comes next.
+    std::uint32_t number_in(std::uint32_t slot) const {
+        const std::uint32_t number = number_[slot];
+        return number | (next_ & (0u - static_cast<std::uint32_t>(number == 0)));
+    }
+    static constexpr int slot_bits = 8;
+    static constexpr std::uint32_t slots = 1u << slot_bits;
+    std::uint32_t next_ = 1;
+    std::uint8_t number_[slots] = {};  // 0: vacant
+    VertexId vertex_[boundary_vertices_max + 2];
 };
 
 // What solve_sphere does, for q and the ends of three edges from it that neither underflow nor overflow. False when it
@@ -89,16 +91,16 @@ template <int D> void SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavi
     const std::uint32_t facets = cavity.facets;
     BoundaryVertices vertices;
     struct {
-        std::uint8_t position;
         std::uint16_t edge[3];
+        std::uint16_t position;
     } triangle[boundary_facets_max];
-    constexpr std::uint32_t most = boundary_vertices_max;
-    std::uint8_t behind[most * most];  // 4 * new cell + position of its facet
+    constexpr std::uint32_t most = boundary_vertices_max + 1;
+    FacetId behind[most * most];
     for (std::uint32_t k = 0; k < facets; ++k) {
         CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
         const CellId n = line.made = supply.take();
         const std::uint32_t i = line.facet.position();
-        Cell<D>& old = cells[line.facet.cell()];
+        const Cell<D>& old = cells[line.facet.cell()];
         Cell<D>& fresh = cells[n];
         const FacetId outer = old.neighbour[i];
         const std::uint32_t number[3] = {vertices.number_of(old.vertex[turn[i][0]]),
@@ -109,27 +111,25 @@ template <int D> void SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavi
         fresh.neighbour[i] = outer;
         fresh.mark = 0;
         cells[outer.cell()].neighbour[outer.position()] = FacetId(n, i);
-        triangle[k].position = static_cast<std::uint8_t>(i);
+        triangle[k].position = static_cast<std::uint16_t>(i);
         for (std::uint32_t r = 0; r < 3; ++r) {
             const std::uint32_t from = number[(r + 1) % 3], to = number[(r + 2) % 3];
             triangle[k].edge[r] = static_cast<std::uint16_t>(to * most + from);
-            behind[from * most + to] = static_cast<std::uint8_t>(k << 2 | turn[i][r]);
+            behind[from * most + to] = FacetId(n, turn[i][r]);
         }
     }
+    const bool at_hull = vertices.has_infinity();
     for (std::uint32_t k = 0; k < facets; ++k) {
         const CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
         const std::uint32_t i = triangle[k].position;
         Cell<D>& fresh = cells[line.made];
-        bool infinite = false;
-        for (std::uint32_t r = 0; r < 3; ++r) {
-            const std::uint32_t other = behind[triangle[k].edge[r]];
-            fresh.neighbour[turn[i][r]] = FacetId(end[-static_cast<std::ptrdiff_t>(other >> 2)].made, other & 3u);
-            infinite |= fresh.vertex[turn[i][r]] == none;
-        }
-        if (infinite)
+        const Cell<D>& inside = cells[line.facet.cell()];
+        const Cell<D>& outside = cells[fresh.neighbour[i].cell()];
+        for (std::uint32_t r = 0; r < 3; ++r) fresh.neighbour[turn[i][r]] = behind[triangle[k].edge[r]];
+        if (at_hull && store.is_ghost(line.made))
             make_ghost<D>(fresh);
-        else
-            GeneralCavity<D>::make_sphere(kernel, cells[line.facet.cell()], cells[fresh.neighbour[i].cell()], q, fresh);
+        else if (!pencil_sphere<D>(inside, outside, q, kernel.error_max_, fresh))
+            GeneralCavity<D>::solve(kernel, fresh);
     }
 }
 
