@@ -15,6 +15,16 @@ template <int D> std::uint32_t position_in(const Cell<D>& cell, VertexId v) {
     return position;
 }
 
+// This and link() are most of what filling costs; inlined they would spill its registers.
+template <int D>
+[[gnu::noinline]] void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside,
+                                   const double* q, double error_max, Cell<D>& cell) {
+    if (pencil_sphere<D>(inside, outside, q, error_max, cell)) return;
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
+    solve_sphere<D>(p, error_max, cell);
+}
+
 // Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for.
 // Turns around each ridge of the facet through old cells until the next facet of the cavity's boundary.
 template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp, CellId made, FacetId origin) {
@@ -198,106 +208,105 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
         end[0].entry = FacetId(first, D + 1);
         cells[first].mark = stamp;
         std::ptrdiff_t count = 1, facets = 0;
-        std::uint64_t decided = 0;
         for (std::ptrdiff_t k = 0; k < count; ++k) {
             // Each facet of this cell leads to one more cell or bounds the cavity.
             const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
             if (lines > capacity) return refuse_list(lines);
             const CellId c = end[-k].entry.cell();
+#ifdef __OPTIMIZE_SIZE__
+            for (std::uint32_t i = 0; i <= D; ++i) {
+                const FacetId facet = cells[c].neighbour[i];
+                Cell<D>& other = cells[facet.cell()];
+                if (other.mark == stamp) continue;
+                if (other.mark != stamp + 1) {
+                    if (in_conflict(facet.cell(), q, id)) {
+                        other.mark = stamp;
+                        end[-count++].entry = facet;
+                        continue;
+                    }
+                    other.mark = stamp + 1;
+                }
+                end[-facets++].facet = FacetId(c, i);
+            }
+#else
+            // Without branches, as nothing here can be predicted: every cell is asked, known or not, and lines are
+            // overwritten when they were not meant. The cell that the search came from need not be looked at.
             const std::uint32_t entry = end[-k].entry.position(), others = k == 0 ? D + 1 : D;
-            // Without branches, as none of this can be predicted: lines are written, and overwritten when not meant.
+            std::uint64_t decided = 0;
+            ask_for_neighbours(cells, cells[end[-(k + 1 < count ? k + 1 : k)].entry.cell()]);
             for (std::uint32_t j = 0; j < others; ++j) {
                 const std::uint32_t i = j + (j >= entry);
                 const FacetId facet = cells[c].neighbour[i];
                 Cell<D>& other = cells[facet.cell()];
-                const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else unknown
+                const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else not met yet
+                const std::uint32_t fresh = known > 1;
                 double bound;
                 const double value = power<D>(other, q, &bound);
                 std::uint32_t inside = value < 0;
-                const std::uint32_t fresh = known > 1;
-                if (__builtin_expect(fresh & !(__builtin_fabs(value) > bound), 0)) {
+                decided += fresh;
+                if (__builtin_expect(fresh & static_cast<std::uint32_t>(!(__builtin_fabs(value) > bound)), 0)) {
                     inside = undecided_conflict(facet.cell(), q, id);
                     --decided;
                 }
-                decided += fresh;
-                inside = (inside & fresh) | (known == 0);
+                inside = (inside & fresh) | static_cast<std::uint32_t>(known == 0);
                 other.mark = stamp + 1 - inside;
                 end[-count].entry = facet;
                 count += inside & fresh;
                 end[-facets].facet = FacetId(c, i);
                 facets += 1 - inside;
             }
+            store_.state.in_ball_counts.calls[0] += decided;
+#endif
         }
-        store_.state.in_ball_counts.calls[0] += decided;
         *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
         return true;
     }
 }
 
-// This and link() are most of what filling costs; inlined they would spill its registers.
-template <int D>
-[[gnu::noinline]] void GeneralCavity<D>::make_sphere(const Kernel<D>& kernel, const Cell<D>& inside,
-                                                     const Cell<D>& outside, const double* q, Cell<D>& cell) {
-    if (!pencil_sphere<D>(inside, outside, q, kernel.error_max_, cell)) solve(kernel, cell);
-}
-
-template <int D> [[gnu::noinline]] void GeneralCavity<D>::solve(const Kernel<D>& kernel, Cell<D>& cell) {
-    const double* p[D + 1];
-    for (int i = 0; i <= D; ++i) p[i] = kernel.store_.point(cell.vertex[i]);
-    solve_sphere<D>(p, kernel.error_max_, cell);
-}
-
 // Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
 // keeps the orientation. The old cell's neighbour across the facet becomes the new cell.
-template <int D>
-void GeneralCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply) {
-    Cell<D>* const cells = &kernel.store_.cell(0);
-    const double* const q = kernel.store_.point(id);
-    CavityLine* const end = kernel.list_end();
-    const std::ptrdiff_t facets = cavity.facets;
-    for (std::ptrdiff_t k = 0; k < facets; ++k) {
-        const CellId n = end[-k].made = supply.take();
-        const std::uint32_t i = end[-k].facet.position();
-        Cell<D>& old = cells[end[-k].facet.cell()];
-        Cell<D>& fresh = cells[n];
-        bool ghost = false;
-        for (std::uint32_t j = 0; j <= D; ++j) {
-            const VertexId v = j == i ? id : old.vertex[j];
-            ghost |= v == none;
-            fresh.vertex[j] = v;
-            fresh.neighbour[j] = none;
-        }
-        const FacetId outer = old.neighbour[i];
-        Cell<D>& beyond = cells[outer.cell()];
-        fresh.neighbour[i] = outer;
-        fresh.mark = 0;
-        if (ghost)
-            make_ghost<D>(fresh);
-        else
-            make_sphere(kernel, old, beyond, q, fresh);
-        old.neighbour[i] = FacetId(n, i);
-        beyond.neighbour[outer.position()] = FacetId(n, i);
-    }
-    for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
-}
-
 template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
     NETMESH_ASSERT(cavity.cells > 0 && cavity.facets > D);
     if constexpr (D == 2) {
         PlanarCavity<D>::fill(*this, cavity, id);
     } else {
         Cell<D>* const cells = &store_.cell(0);
+        const double* const q = store_.point(id);
         Line* const end = list_end();
         const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
         CellSupply<D> supply(store_);
+#ifdef __OPTIMIZE_SIZE__
+        constexpr bool made = false;
+#else
         bool made = false;
-#ifndef __OPTIMIZE_SIZE__
-        if constexpr (D == 3) {
-            made = cavity.facets <= boundary_facets_max;
-            if (made) SpatialCavity<D>::make_cells(*this, cavity, id, supply);
-        }
+        if constexpr (D == 3) made = SpatialCavity<D>::make_cells(*this, cavity, id, supply);
 #endif
-        if (!made) GeneralCavity<D>::make_cells(*this, cavity, id, supply);
+        if (!made) {
+            for (std::ptrdiff_t k = 0; k < facets; ++k) {
+                const CellId n = end[-k].made = supply.take();
+                const std::uint32_t i = end[-k].facet.position();
+                Cell<D>& old = cells[end[-k].facet.cell()];
+                Cell<D>& fresh = cells[n];
+                bool ghost = false;
+                for (std::uint32_t j = 0; j <= D; ++j) {
+                    const VertexId v = j == i ? id : old.vertex[j];
+                    ghost |= v == none;
+                    fresh.vertex[j] = v;
+                    fresh.neighbour[j] = none;
+                }
+                const FacetId outer = old.neighbour[i];
+                Cell<D>& beyond = cells[outer.cell()];
+                fresh.neighbour[i] = outer;
+                fresh.mark = 0;
+                if (ghost)
+                    make_ghost<D>(fresh);
+                else
+                    make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
+                old.neighbour[i] = FacetId(n, i);
+                beyond.neighbour[outer.position()] = FacetId(n, i);
+            }
+            for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
+        }
         for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].entry.cell());
         if (vertex_cells_ == VertexCells::kept)
             for (std::ptrdiff_t k = 0; k < facets; ++k)

@@ -34,36 +34,24 @@ struct PlanarLine {
 // Whether insertions keep Vertex::cell up to date, which visit_star and visit_neighbours need.
 enum class VertexCells : bool { ignored, kept };
 
-// Where the ball of a new cell comes from. Results of a mesh depend on its last bits, so a mesh keeps to one of them.
-enum class Balls : bool {
-    from_balls,  // those on either side of the facet, and only when their errors are too large its points
-    from_points  // in space; elsewhere as above
-};
-
 // What the kernel does in the plane, see planar.hpp. For D = 2.
 template <int D> class Kernel;
 template <int D> struct PlanarCavity {
     static bool find(Kernel<D>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity);
     static void fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id);
 };
-// How it makes the new cells elsewhere.
-template <int D> struct GeneralCavity {
-    static void make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
-    static void make_sphere(const Kernel<D>& kernel, const Cell<D>& inside, const Cell<D>& outside, const double* q,
-                            Cell<D>& cell);
-    static void solve(const Kernel<D>& kernel, Cell<D>& cell);
-};
-// In space, see spatial.hpp: cavities of at most boundary_facets_max facets. For D = 3.
+// How it makes the new cells in space, see spatial.hpp; false, and nothing is done, where the cavity is too large for
+// its tables. For D = 3.
 template <int D> struct SpatialCavity {
-    static void make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
+    static bool make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
 };
 
 template <int D> class Kernel {
 public:
     // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts
     // are decided exactly whatever it is; corners that results depend on want it small.
-    Kernel(Store<D>& store, double error_max, VertexCells vertex_cells, Balls balls = Balls::from_balls)
-        : store_(store), error_max_(error_max), vertex_cells_(vertex_cells), balls_(balls) {}
+    Kernel(Store<D>& store, double error_max, VertexCells vertex_cells)
+        : store_(store), error_max_(error_max), vertex_cells_(vertex_cells) {}
 
     // Makes the D+1 points with these indices, affinely independent, the first cell with its ghosts. out_of_memory.
     Status start(const VertexId* ids);
@@ -118,7 +106,6 @@ public:
 
 private:
     friend struct PlanarCavity<D>;
-    friend struct GeneralCavity<D>;
     friend struct SpatialCavity<D>;
 
     CellId walk(const double* q, CellId from);
@@ -139,7 +126,6 @@ private:
     double error_max_;
     std::uint64_t steps_ = 0;
     VertexCells vertex_cells_;
-    Balls balls_;
 };
 
 }  // namespace netmesh

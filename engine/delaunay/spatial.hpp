@@ -11,13 +11,8 @@ namespace netmesh {
 constexpr std::uint32_t boundary_vertices_max = 32;
 constexpr std::uint32_t boundary_facets_max = 2 * boundary_vertices_max - 4;
 
-// An edge from the new point to a vertex of the boundary, used by some six new cells.
-struct SpatialEdge {
-    double x[3], half_square;
-};
-
 // The vertices of a cavity's boundary with numbers from 1 on, in the order in which they are met. A hash table of many
-// more slots than vertices, as whether a vertex is there already cannot be predicted and must not be asked.
+// more slots than vertices. Whether a vertex is there already cannot be predicted; so there is no branch on it.
 class BoundaryVertices {
 public:
     std::uint32_t number_of(VertexId v) {
@@ -28,11 +23,8 @@ public:
         next_ += number == next_;
         return number;
     }
-    bool has_infinity() const {
-        bool has = false;
-        for (std::uint32_t number = 1; number < next_; ++number) has |= vertex_[number] == none;
-        return has;
-    }
+    std::uint32_t count() const { return next_ - 1; }
+    VertexId operator[](std::uint32_t number) const { return vertex_[number]; }
 
 private:
     // Of a vacant slot the number that comes next.
@@ -47,43 +39,19 @@ private:
     VertexId vertex_[boundary_vertices_max + 2];
 };
 
-// What solve_sphere does, for q and the ends of three edges from it that neither underflow nor overflow. False when it
-// has to be asked.
-inline bool circumscribe(const double* q, const SpatialEdge& a, const SpatialEdge& b, const SpatialEdge& c,
-                         double error_max, Cell<3>& cell) {
-    constexpr double shape = shape_factor<3>();
-    double bc[3], ca[3], ab[3];
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        bc[i] = b.x[j] * c.x[k] - b.x[k] * c.x[j];
-        ca[i] = c.x[j] * a.x[k] - c.x[k] * a.x[j];
-        ab[i] = a.x[j] * b.x[k] - a.x[k] * b.x[j];
-    }
-    const double inverse = 1 / (a.x[0] * bc[0] + a.x[1] * bc[1] + a.x[2] * bc[2]);
-    double centre[3], radius2 = 0, size2 = 0;
-    for (int i = 0; i < 3; ++i) {
-        centre[i] = q[i] + (a.half_square * bc[i] + b.half_square * ca[i] + c.half_square * ab[i]) * inverse;
-        const double d = q[i] - centre[i];
-        radius2 += d * d;
-        size2 += centre[i] * centre[i];
-    }
-    const double lengths2 = 8 * a.half_square * b.half_square * c.half_square;
-    const double error2 =
-        2.1 * (shape * shape * lengths2 * (inverse * inverse) + 8 * unit_roundoff * unit_roundoff * (size2 / radius2));
-    if (!(error2 < error_max * error_max)) return false;
-    for (int i = 0; i < 3; ++i) cell.centre[i] = centre[i];
-    cell.radius2 = radius2;
-    cell.error = static_cast<float>(1.01 * square_root(error2));
-    return true;
+template <int D> [[gnu::noinline]] void solve_cell(const Store<D>& store, double error_max, Cell<D>& cell) {
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
+    solve_sphere<D>(p, error_max, cell);
 }
 
 // Seen from the new point all triangles of the sphere turn the same way, so each edge is met once in either direction:
-// what stands behind it is written down under one of them and read under the other. As the edges to the new point are
-// at hand, balls are solved from points, which costs no more than from other balls and leaves smaller errors.
-template <int D> void SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id,
-                                                   CellSupply<D>& supply) {
+// what stands behind it is written down under one of them and read under the other.
+template <int D>
+bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply) {
     // turn[i]: the positions other than i, so that i and they are an even permutation.
     constexpr std::uint8_t turn[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
+    if (cavity.facets > boundary_facets_max) return false;
     Store<D>& store = kernel.store_;
     Cell<D>* const cells = &store.cell(0);
     CavityLine* const end = kernel.list_end();
@@ -118,7 +86,11 @@ template <int D> void SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavi
             behind[from * most + to] = FacetId(n, turn[i][r]);
         }
     }
-    const bool at_hull = vertices.has_infinity();
+    bool at_hull = false;
+    for (std::uint32_t number = 1; number <= vertices.count(); ++number) {
+        at_hull |= vertices[number] == none;
+        if (vertices[number] != none) __builtin_prefetch(store.point(vertices[number]));
+    }
     for (std::uint32_t k = 0; k < facets; ++k) {
         const CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
         const std::uint32_t i = triangle[k].position;
@@ -129,8 +101,9 @@ template <int D> void SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavi
         if (at_hull && store.is_ghost(line.made))
             make_ghost<D>(fresh);
         else if (!pencil_sphere<D>(inside, outside, q, kernel.error_max_, fresh))
-            GeneralCavity<D>::solve(kernel, fresh);
+            solve_cell<D>(store, kernel.error_max_, fresh);
     }
+    return true;
 }
 
 #endif
