@@ -205,7 +205,7 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
         Line* const end = list_end();
         if (capacity < 1) return refuse_list(1);
         Cell<D>* const cells = &store_.cell(0);
-        end[0].entry = FacetId(first, D + 1);
+        end[0].entry = FacetId(first, 0);
         cells[first].mark = stamp;
         std::ptrdiff_t count = 1, facets = 0;
         for (std::ptrdiff_t k = 0; k < count; ++k) {
@@ -217,8 +217,9 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
             for (std::uint32_t i = 0; i <= D; ++i) {
                 const FacetId facet = cells[c].neighbour[i];
                 Cell<D>& other = cells[facet.cell()];
-                if (other.mark == stamp) continue;
-                if (other.mark != stamp + 1) {
+                const std::uint32_t known = other.mark - stamp;  // as below
+                if (known == 0) continue;
+                if (known > 1) {
                     if (in_conflict(facet.cell(), q, id)) {
                         other.mark = stamp;
                         end[-count++].entry = facet;
@@ -231,7 +232,7 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
 #else
             // Without branches, as nothing here can be predicted: every cell is asked, known or not, and lines are
             // overwritten when they were not meant. The cell that the search came from need not be looked at.
-            const std::uint32_t entry = end[-k].entry.position(), others = k == 0 ? D + 1 : D;
+            const std::uint32_t entry = k == 0 ? D + 1 : end[-k].entry.position(), others = k == 0 ? D + 1 : D;
             std::uint64_t decided = 0;
             ask_for_neighbours(cells, cells[end[-(k + 1 < count ? k + 1 : k)].entry.cell()]);
             for (std::uint32_t j = 0; j < others; ++j) {

@@ -19,7 +19,7 @@ struct Cavity {
 
 // Line k of the list, line 0 highest in memory: columns of different lengths.
 struct CavityLine {
-    FacetId entry;  // a cell in conflict and the facet by which the search came to it; of the first cell none
+    FacetId entry;  // a cell in conflict and, but of the first, the facet by which the search came to it
     FacetId facet;  // a bounding facet, of the cell in conflict
     CellId made;    // the cell that fill puts behind this facet
 };
