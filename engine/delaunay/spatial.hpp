@@ -63,7 +63,8 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
         std::uint16_t position;
     } triangle[boundary_facets_max];
     constexpr std::uint32_t most = boundary_vertices_max + 1;
-    FacetId behind[most * most];
+    std::uint8_t behind[most * most];  // 4 * triangle + position in its cell
+    static_assert(4 * boundary_facets_max < 256);
     for (std::uint32_t k = 0; k < facets; ++k) {
         CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
         const CellId n = line.made = supply.take();
@@ -83,7 +84,7 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
         for (std::uint32_t r = 0; r < 3; ++r) {
             const std::uint32_t from = number[(r + 1) % 3], to = number[(r + 2) % 3];
             triangle[k].edge[r] = static_cast<std::uint16_t>(to * most + from);
-            behind[from * most + to] = FacetId(n, turn[i][r]);
+            behind[from * most + to] = static_cast<std::uint8_t>(4 * k + turn[i][r]);
         }
     }
     bool at_hull = false;
@@ -97,7 +98,10 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
         Cell<D>& fresh = cells[line.made];
         const Cell<D>& inside = cells[line.facet.cell()];
         const Cell<D>& outside = cells[fresh.neighbour[i].cell()];
-        for (std::uint32_t r = 0; r < 3; ++r) fresh.neighbour[turn[i][r]] = behind[triangle[k].edge[r]];
+        for (std::uint32_t r = 0; r < 3; ++r) {
+            const std::uint32_t other = behind[triangle[k].edge[r]];
+            fresh.neighbour[turn[i][r]] = FacetId(end[-static_cast<std::ptrdiff_t>(other / 4)].made, other % 4);
+        }
         if (at_hull && store.is_ghost(line.made))
             make_ghost<D>(fresh);
         else if (!pencil_sphere<D>(inside, outside, q, kernel.error_max_, fresh))
