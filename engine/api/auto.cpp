@@ -14,7 +14,8 @@ constexpr double hard_work = 5;
 // simplices a cell at least, each of 3 D + 14 bytes (persist_alpha.hpp).
 template <int D> Allowance allowance_of(const Arena& arena, std::size_t points) {
     constexpr std::size_t cell_bytes = sizeof(Cell<D>) + (D + 1) * (3 * D + 14);
-    const std::size_t vertices = points < arena.bytes() / sizeof(Vertex<D>) ? points * sizeof(Vertex<D>) : arena.bytes();
+    const std::size_t vertices =
+        points < arena.bytes() / sizeof(Vertex<D>) ? points * sizeof(Vertex<D>) : arena.bytes();
     Allowance allowance = {};
     allowance.work_each = figures<D>.affordable_work;
     allowance.by_hard = hard_work;

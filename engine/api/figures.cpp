@@ -109,7 +109,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("mesh.audit.quality.input_ratio", real, mesh.audit.input_ratio, quality, on_request, 0),
 
         ONE("diagram.filter", filter, diagram.filter, diagram, 0, 0),
-        ONE("diagram.why", why, diagram.why, diagram, on_request | positive, 0),
+        ONE("diagram.why", why, diagram.why, diagram, 0, 0),
         ONE("diagram.tried_points", uint64, diagram.tried_points, diagram, on_request | positive, 0),
         ONE("diagram.tried_cells", uint64, diagram.tried_cells, diagram, on_request | positive, 0),
         ONE("diagram.values", values, diagram.values, diagram, 0, 0),

@@ -94,8 +94,8 @@ netmesh_status triangulate_points(netmesh_context* context, const netmesh_delaun
         constexpr int D = decltype(dimension)::value;
         InputReport input;
         Store<D> store(context->arena, context->mesh.store);
-        const Status status = watch.heed(triangulate<D>(store, rows_of(request), request.point_count, request.seed,
-                                                        monitor, &input, allowance));
+        const Status status = watch.heed(
+            triangulate<D>(store, rows_of(request), request.point_count, request.seed, monitor, &input, allowance));
         if (allowance != nullptr && allowance->is_spent) {
             allowance->is_spent = !monitor.has_stopped();
             return finish(context, Status::cancelled);

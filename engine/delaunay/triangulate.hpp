@@ -27,12 +27,12 @@ Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::
 // What a triangulation may cost before it is given up. Work is cells made; a conflict that the cached ball does not
 // decide counts for several of them, and so does a tie.
 struct Allowance {
-    double work_each;              // for each point inserted
-    double by_hard, by_tie;        // what a conflict counts for
-    std::uint64_t cells_max;       // at one time
-    bool is_spent;                 // set by triangulate, as all below: it was given up
-    bool is_dear;                  // for its work, not for its cells at one time
-    std::uint64_t points_tried;    // inserted until then, or all
+    double work_each;            // for each point inserted
+    double by_hard, by_tie;      // what a conflict counts for
+    std::uint64_t cells_max;     // at one time
+    bool is_spent;               // set by triangulate, as all below: it was given up
+    bool is_dear;                // for its work, not for its cells at one time
+    std::uint64_t points_tried;  // inserted until then, or all
     std::uint64_t cells_made;
 };
 

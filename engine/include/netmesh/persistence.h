@@ -142,11 +142,11 @@ typedef struct netmesh_auto_request {
     uint32_t struct_bytes;
     uint32_t dim; /* D, 2..6 */
     netmesh_monitor monitor;
-    const void* points;       /* [point_count][D]. Not read by the plan */
-    size_t point_count;       /* 1 .. NETMESH_POINTS_MAX */
-    uint64_t seed;            /* of every random choice; init: 1 */
-    uint32_t max_degree;      /* as of netmesh_persist_request; init: NETMESH_DIM_MAX */
-    uint32_t keep_zero_pairs; /* likewise */
+    const void* points;                /* [point_count][D]. Not read by the plan */
+    size_t point_count;                /* 1 .. NETMESH_POINTS_MAX */
+    uint64_t seed;                     /* of every random choice; init: 1 */
+    uint32_t max_degree;               /* as of netmesh_persist_request; init: NETMESH_DIM_MAX */
+    uint32_t keep_zero_pairs;          /* likewise */
     netmesh_point_format point_format; /* of points; see there */
     size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_auto_request;
@@ -164,12 +164,12 @@ size_t netmesh_plan_auto(const netmesh_auto_request* request);
  *
  * The triangulation is begun and given up as soon as it has made more than 40 / 150 / 250 / 1500 / 8000 cells (D =
  * 2..6) for each point inserted: uniform points take 6 / 28 / 158 / 898 / 4264, curves in space as many as there are
- * points. A conflict that takes more than a cached ball counts for 5 of them, a tie for 40 / 40 / 5 / 5 / 5: on lattices
- * and curves, where many radii are nearly equal, an exact order of them is dear, and meshes of lattices are small. It is
- * given up as well when the alpha complex would not fit in the block. The choice depends on points, seed and the
- * block's size, on nothing else. What is given up is below a quarter of the whole, and the filter taken at most twice as
- * dear as the other one, on all kinds of points that were measured (tests/bench/auto.cpp); DESIGN.md says where not.
- * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (the mesh does not fit either), CANCELLED. */
+ * points. A conflict that takes more than a cached ball counts for 5 of them, a tie for 40 / 40 / 5 / 5 / 5: on
+ * lattices and curves, where many radii are nearly equal, an exact order of them is dear, and meshes of lattices are
+ * small. It is given up as well when the alpha complex would not fit in the block. The choice depends on points, seed
+ * and the block's size, on nothing else. What is given up is below a quarter of the whole, and the filter taken at most
+ * twice as dear as the other one, on all kinds of points that were measured (tests/bench/auto.cpp); DESIGN.md says
+ * where not. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (the mesh does not fit either), CANCELLED. */
 netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto_request* request);
 
 /* Pairs sorted by degree, birth, death; death is +infinity for an essential class. O(1). */
