@@ -60,13 +60,13 @@ netmesh_status persist_by(netmesh_context* context, netmesh_filter filter, const
     return netmesh_persist(context, &persist);
 }
 
-netmesh_status persist_alpha(netmesh_context* context, const netmesh_auto_request& request, Allowance* allowance) {
+netmesh_status take_alpha(netmesh_context* context, const netmesh_auto_request& request, Allowance* allowance) {
     clear(context);
     const netmesh_status status = triangulate_points(context, triangulation_of(request), allowance);
     return status == NETMESH_OK ? persist_by(context, NETMESH_FILTER_ALPHA, request) : status;
 }
 
-netmesh_status persist_mesh(netmesh_context* context, const netmesh_auto_request& request) {
+netmesh_status take_mesh(netmesh_context* context, const netmesh_auto_request& request) {
     const netmesh_mesh_request mesh = mesh_of(request);
     const netmesh_status status = netmesh_mesh(context, &mesh);
     return status == NETMESH_OK ? persist_by(context, NETMESH_FILTER_COMPLETE, request) : status;
@@ -113,14 +113,14 @@ netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto
     netmesh_status status = NETMESH_OK;
     std::size_t peak = 0;
     if (built::alpha) {
-        status = persist_alpha(context, request, &allowance);
+        status = take_alpha(context, request, &allowance);
         peak = context->arena.bytes_peak();
         why = status == NETMESH_OK ? NETMESH_WHY_AFFORDABLE : why_not_alpha(status, allowance);
     }
     if (why != NETMESH_WHY_AFFORDABLE && why != NETMESH_WHY_ASKED) {
-        status = persist_mesh(context, request);
+        status = take_mesh(context, request);
         if (why == NETMESH_WHY_CELLS && (status == NETMESH_TOO_CLOSE || status == NETMESH_OUT_OF_RANGE)) {
-            status = persist_alpha(context, request, nullptr);
+            status = take_alpha(context, request, nullptr);
             why = NETMESH_WHY_NO_MESH;
         }
     }

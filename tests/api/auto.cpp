@@ -122,7 +122,7 @@ TEST_CASE("where the alpha complex does not fit and the mesh does it is the mesh
         const std::size_t mesh_bytes = s.report().memory.peak_bytes;
         INFO("D = " << dim << ", alpha takes " << alpha_bytes << " bytes, a mesh " << mesh_bytes);
         REQUIRE(mesh_bytes < alpha_bytes);
-        s.reserve(alpha_bytes);
+        s.reserve(alpha_bytes + alpha_bytes / 16);
         REQUIRE(persist_auto(s, points) == NETMESH_OK);
         CHECK(s.report().diagram.why == NETMESH_WHY_AFFORDABLE);
         s.reserve((alpha_bytes + mesh_bytes) / 2);
@@ -144,7 +144,7 @@ TEST_CASE("a triangulation that would leave no room for its alpha complex is giv
     s.reserve(std::size_t{1} << 26);
     REQUIRE(persist_by_filter(s, points, meshed) == NETMESH_OK);
     const std::size_t mesh_bytes = s.report().memory.peak_bytes;
-    s.reserve(mesh_bytes);
+    s.reserve(mesh_bytes + mesh_bytes / 16);
     REQUIRE(persist_auto(s, points) == NETMESH_OK);
     CHECK(s.report().diagram.why == NETMESH_WHY_MEMORY);
     CHECK(s.report().diagram.tried_points < s.report().input.distinct);
@@ -164,19 +164,15 @@ TEST_CASE("what has no Delaunay triangulation has a mesh") {
     }
 }
 
-TEST_CASE("what is out of an alpha complex's range has a mesh") {
-    for (const int dim : dimensions({6})) {
+TEST_CASE("what is out of both filters' ranges is refused as that") {
+    for (const int dim : dimensions({5, 6})) {
         Session s(dim);
         s.reserve(std::size_t{1} << 28);
-        inputs::Points points(static_cast<std::size_t>(dim), 0.0);
-        for (int k = 0; k < dim; ++k) {
-            inputs::Points corner(static_cast<std::size_t>(dim), 0.0);
-            corner[static_cast<std::size_t>(k)] = k == 0 ? 0x1p-400 / 3 : 0x1p200 + k;
-            points.insert(points.end(), corner.begin(), corner.end());
-        }
-        REQUIRE(persist_auto(s, points) == NETMESH_OK);
-        CHECK(s.report().diagram.why == NETMESH_WHY_RANGE);
-        CHECK(s.report().diagram.filter == meshed);
+        inputs::Points points = inputs::uniform(dim, static_cast<std::size_t>(dim) + 2, 3);
+        for (std::size_t i = 0; i < points.size(); ++i) points[i] *= i < points.size() / 2 ? 0x1p-900 : 0x1p900;
+        REQUIRE(persist_by_filter(s, points, exact) == NETMESH_OUT_OF_RANGE);
+        CHECK(persist_auto(s, points) == NETMESH_OUT_OF_RANGE);
+        CHECK(s.report().input.present == 0);
     }
 }
 
