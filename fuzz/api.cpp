@@ -214,6 +214,20 @@ private:
         request = on_points(request, c, x);
         ended(netmesh_persist_alpha(context_, maybe(request, c)));
     }
+    void persist_auto() {
+        const Choices c = choose();
+        netmesh_auto_request request = netmesh::requests::Auto(c.dim);
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        const std::vector<double> x = make_points(c.dim);
+        request = on_points(request, c, x);
+        if (ended(netmesh_persist_auto(context_, maybe(request, c))) != NETMESH_OK) return;
+        const netmesh_report r = report();
+        const bool is_alpha = r.diagram.filter == NETMESH_FILTER_ALPHA;
+        const bool alpha_why = r.diagram.why == NETMESH_WHY_AFFORDABLE || r.diagram.why == NETMESH_WHY_NO_MESH;
+        require(r.diagram.why != NETMESH_WHY_ASKED && is_alpha == alpha_why && is_alpha == (r.mesh.is_mesh == 0));
+        netmesh_plan_auto(&request);
+    }
     void persist_points() {
         const Choices c = choose();
         const auto filter = static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 9 + tape_.below(4));
@@ -638,7 +652,8 @@ private:
         case 5: return persist();
         case 6: {
             const std::uint32_t which = tape_.byte();
-            if (which % 4 == 0) return persist_alpha();
+            if (which % 8 == 0) return persist_alpha();
+            if (which % 8 == 4) return persist_auto();
             return which >= 192 ? persist_distances() : persist_points();
         }
         case 7: return homology();

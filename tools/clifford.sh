@@ -25,5 +25,6 @@ build=$root/build
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DNETMESH_BUILD_TESTS=OFF >&2
 cmake --build "$build" --target netmesh_tool -- -j2 >&2
 
-"$build/netmesh" sample clifford -n 2000 | "$build/netmesh" persist - --tau 3.08 -o clifford.pers --svg clifford.svg
+"$build/netmesh" sample clifford -n 2000 | "$build/netmesh" persist - --filter complete --tau 3.08 \
+    -o clifford.pers --svg clifford.svg
 echo "wrote clifford.pers and clifford.svg"

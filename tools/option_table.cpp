@@ -154,12 +154,18 @@ std::string apply_cages(Options& options, const std::string& text) {
 }
 
 std::string apply_filter(Options& options, const std::string& text) {
+    const bool has_auto = options.command == Command::persist || options.command == Command::size;
+    if (has_auto && text == "auto") {
+        options.filter.reset();
+        return {};
+    }
     for (const netmesh_filter_info& info : filters()) {
         if (text != info.name) continue;
         options.filter = info.filter;
         return {};
     }
-    return "the filters are " + list_filters([](const netmesh_filter_info&) { return true; }, "and");
+    return std::string("the filters are ") + (has_auto ? "auto, " : "") +
+           list_filters([](const netmesh_filter_info&) { return true; }, "and");
 }
 
 std::string apply_values(Options& options, const std::string& text) {
@@ -340,8 +346,13 @@ std::string with_default(std::string list, netmesh_filter filter) {
 
 std::string filter_help() {
     const auto others = [](const netmesh_filter_info& info) { return !on_points(info); };
-    return with_default(list_filters(others, "or"), default_filter(Command::persist)) + "; of few points" + next_line +
-           list_filters(on_points, "or");
+    return list_filters(others, "or") + "; of few points" + next_line + list_filters(on_points, "or");
+}
+
+std::string auto_filter_help() {
+    const std::string first =
+        "auto (default): exact alpha where it is affordable, else complete; a line on stderr says ";
+    return first + "which; or" + next_line + filter_help();
 }
 
 std::string vineyard_filter_help() {
@@ -429,7 +440,8 @@ const std::vector<OptionEntry>& option_entries() {
          "location: points stored in all D-balls, inserted in rounds of range nets (not for persist); quality: aspect\n"
          "                    ratios, degrees and invariants after each insertion; or all. Figures go to the report"},
         {"--filter", vineyard, "F", apply_filter, vineyard_filter_help()},
-        {"--filter", persist | size | check, "F", apply_filter, filter_help()},
+        {"--filter", persist | size, "F", apply_filter, auto_filter_help()},
+        {"--filter", check, "F", apply_filter, with_default(filter_help(), default_filter(Command::check))},
         {"--distances", persist, nullptr, apply_switch<&Options::distances>,
          "POINTS is a file of distances, for --filter rips: a symmetric matrix, or a lower triangle as ripser has it"},
         {"--sparse", persist, nullptr, apply_switch<&Options::sparse>,

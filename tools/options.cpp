@@ -170,6 +170,7 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
             if (!outcome.good()) return outcome;
         }
     }
+    settle_auto(options);
     outcome = check_together(*options);
     return outcome.good() ? check_positionals(*options) : outcome;
 }
@@ -180,6 +181,20 @@ std::string option_of(const Options& options, netmesh_field field) {
     const auto is_it = [&](const auto& given) { return given.first == name; };
     const auto last = std::find_if(options.given.rbegin(), options.given.rend(), is_it);
     return last == options.given.rend() ? name : last->first + " " + last->second;
+}
+
+void settle_auto(Options* options) {
+    static constexpr const char* of_a_mesh[] = {
+        "--tau",       "--ratio",     "--whole-cells", "--focus", "--longer-than", "--from", "--to",
+        "--fit",       "--method",    "--finish",      "--audit", "--values",      "--mesh", "--eps",
+        "--cell-size", "--domain",    "--net",         "--cages", "--theta",       "--k",    "--function",
+        "--values-at", "--lipschitz", "--cut",         "--error"};
+    const bool is_open = options->command == Command::persist || options->command == Command::size;
+    if (!is_open || options->filter || options->distances) return;
+    for (const auto& given : options->given)
+        for (const char* const name : of_a_mesh)
+            if (given.first == name) options->implies_mesh = name;
+    options->auto_filter = options->implies_mesh.empty();
 }
 
 netmesh_filter default_filter(Command command) {

@@ -55,6 +55,8 @@ struct Options {
     bool whole_cells = false;                    // of refinement by the certificate
     double pace_theta = 0;                       // of --pace; 0: not given
     std::optional<netmesh_filter> filter;
+    bool auto_filter = false;  // persist, size: alpha where it is affordable, else complete; until that is known
+    std::string implies_mesh;  // persist, size: the option that takes auto's choice away
     std::optional<netmesh_values> values;
     std::string values_path;   // vineyard, check: vectors of values, of the simplices of a complex
     std::string complex_path;  // check
@@ -93,7 +95,10 @@ Outcome check_together(const Options& options);
 // was not given, nothing when the field comes from no option.
 std::string option_of(const Options& options, netmesh_field field);
 
-// What a diagram is of, with the defaults of the command.
+// Without --filter, or with --filter auto: leaves the choice to the engine, or to the option that implies a mesh.
+void settle_auto(Options* options);
+
+// What a diagram is of, with the defaults of the command. COMPLETE where the choice is still open.
 netmesh_filter default_filter(Command command);
 FilterChoice choice_of(const Options& options);
 inline netmesh_filter filter_of(const Options& options) { return choice_of(options).filter; }

@@ -62,6 +62,14 @@ requests::Delaunay delaunay_request(const Options& options, std::uint32_t dim) {
     return delaunay;
 }
 
+requests::Auto auto_request(const Options& options, std::uint32_t dim) {
+    requests::Auto request(dim);
+    request.seed = options.seed;
+    request.max_degree = max_degree_of(options, dim);
+    request.keep_zero_pairs = options.all ? 1 : 0;
+    return request;
+}
+
 requests::Persist persist_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
     requests::Persist persist(diagram.choice.filter);
     set_diagram(options, diagram, dim, &persist);
@@ -141,6 +149,7 @@ template <class Request> std::size_t plan_for(Request request, std::size_t point
 }  // namespace
 
 std::size_t plan_diagram(const Options& given, netmesh_filter filter, std::uint32_t dim, std::size_t point_count) {
+    if (given.auto_filter) return plan_for(auto_request(given, dim), point_count);
     const Options options = suited(given, dim);
     DiagramRequest diagram;
     diagram.choice.filter = filter;

@@ -35,6 +35,7 @@ netmesh_certificate_goal goal_of(const Options& options, double ratio);
 
 requests::Mesh mesh_request(const Options& options, std::uint32_t dim);
 requests::Delaunay delaunay_request(const Options& options, std::uint32_t dim);
+requests::Auto auto_request(const Options& options, std::uint32_t dim);
 requests::Persist persist_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);
 requests::Fit fit_request(const Options& options, std::uint32_t dim);
 requests::Scales scales_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);

@@ -77,6 +77,8 @@ struct KeptDiagram {
     std::uint64_t simplices = 0;
     double certified_ratio = 0, certified_ratio_best = 0, certified_from = 0, certified_focus = 0;
     double certified_error = 0, value_error = 0, fitted_error = 0;
+    netmesh_why why = NETMESH_WHY_ASKED;
+    std::uint64_t tried_points = 0, tried_cells = 0;
 };
 
 struct KeptBounds {

@@ -8,7 +8,7 @@
 namespace netmesh {
 namespace {
 
-enum class Kind : std::uint8_t { flag, uint32, uint64, real, fingerprint, method, filter, values };
+enum class Kind : std::uint8_t { flag, uint32, uint64, real, fingerprint, method, filter, values, why };
 
 // Marks of a figure.
 constexpr std::uint8_t array = 1, on_request = 2, positive = 4;  // positive: says nothing when it is 0
@@ -109,6 +109,9 @@ template <> struct Figures_of<netmesh_report> {
         ONE("mesh.audit.quality.input_ratio", real, mesh.audit.input_ratio, quality, on_request, 0),
 
         ONE("diagram.filter", filter, diagram.filter, diagram, 0, 0),
+        ONE("diagram.why", why, diagram.why, diagram, 0, 0),
+        ONE("diagram.tried_points", uint64, diagram.tried_points, diagram, on_request | positive, 0),
+        ONE("diagram.tried_cells", uint64, diagram.tried_cells, diagram, on_request | positive, 0),
         ONE("diagram.values", values, diagram.values, diagram, 0, 0),
         ONE("diagram.max_degree", uint32, diagram.max_degree, diagram, 0, 0),
         ONE("diagram.k", uint32, diagram.k, diagram, positive, 0),
@@ -261,11 +264,26 @@ netmesh_figure_type type_of(Kind kind) {
     }
 }
 
+const char* why_name(std::uint32_t why) {
+    switch (why) {
+    case NETMESH_WHY_ASKED: return "asked";
+    case NETMESH_WHY_AFFORDABLE: return "affordable";
+    case NETMESH_WHY_NO_MESH: return "no-mesh";
+    case NETMESH_WHY_CELLS: return "cells";
+    case NETMESH_WHY_MEMORY: return "memory";
+    case NETMESH_WHY_FLAT: return "flat";
+    case NETMESH_WHY_RANGE: return "range";
+    case NETMESH_WHY_NOT_BUILT: return "not-built";
+    default: return "unknown";
+    }
+}
+
 const char* text_of(Kind kind, std::uint32_t value) {
     switch (kind) {
     case Kind::method:
         return value == NETMESH_METHOD_HIERARCHY ? "netmesh" : value == NETMESH_METHOD_REFINE ? "refine" : "svr";
     case Kind::values: return value == NETMESH_VALUES_THESIS ? "thesis" : "certified";
+    case Kind::why: return why_name(value);
     case Kind::filter: {
         const Filter* const row = find_filter(static_cast<netmesh_filter>(value));
         return row != nullptr ? row->name : "none";

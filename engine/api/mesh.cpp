@@ -1,7 +1,7 @@
 // Delaunay triangulations and meshes from points.
 #include "api/measure.hpp"
 #include "api/mesh_rules.hpp"
-#include "delaunay/triangulate.hpp"
+#include "api/triangulation.hpp"
 #include "mesh/mesh_points.hpp"
 #include "mesh/sizing.hpp"
 
@@ -85,6 +85,26 @@ netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_reque
 }
 
 }  // namespace
+
+netmesh_status triangulate_points(netmesh_context* context, const netmesh_delaunay_request& request,
+                                  Allowance* allowance) {
+    Monitor monitor = monitor_of(request.monitor);
+    const Watch watch(context->arena, monitor);
+    return with_dimension(request.dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        InputReport input;
+        Store<D> store(context->arena, context->mesh.store);
+        const Status status = watch.heed(
+            triangulate<D>(store, rows_of(request), request.point_count, request.seed, monitor, &input, allowance));
+        if (allowance != nullptr && allowance->is_spent) {
+            allowance->is_spent = !monitor.has_stopped();
+            return finish(context, Status::cancelled);
+        }
+        keep_input(context, D, input, status);
+        return finish_points(context, status, input);
+    });
+}
+
 }  // namespace netmesh
 
 using namespace netmesh;
@@ -98,17 +118,7 @@ netmesh_status netmesh_delaunay(netmesh_context* context, const netmesh_delaunay
     const Complaint complaint = complaint_about_points(request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     clear(context);
-    Monitor monitor = monitor_of(request.monitor);
-    const Watch watch(context->arena, monitor);
-    return with_dimension(request.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        InputReport input;
-        Store<D> store(context->arena, context->mesh.store);
-        const Status status =
-            watch.heed(triangulate<D>(store, rows_of(request), request.point_count, request.seed, monitor, &input));
-        keep_input(context, D, input, status);
-        return finish_points(context, status, input);
-    });
+    return triangulate_points(context, request, nullptr);
 }
 
 netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request* from) {

@@ -144,6 +144,9 @@ void report_diagram(const netmesh_context* context, netmesh_diagram_report* to) 
     to->value_error = diagram.value_error;
     to->certified_error = diagram.certified_error;
     to->fitted_error = diagram.fitted_error;
+    to->why = diagram.why;
+    to->tried_points = diagram.tried_points;
+    to->tried_cells = diagram.tried_cells;
 }
 
 void report_bounds(const netmesh_context* context, netmesh_bounds_report* to) {

@@ -165,6 +165,12 @@ void netmesh_alpha_request_init(netmesh_alpha_request* request, size_t request_b
     start(defaults, request, request_bytes);
 }
 
+void netmesh_auto_request_init(netmesh_auto_request* request, size_t request_bytes, uint32_t dim) {
+    netmesh_auto_request defaults = points_defaults<netmesh_auto_request>(dim);
+    defaults.max_degree = NETMESH_DIM_MAX;
+    start(defaults, request, request_bytes);
+}
+
 void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_bytes, uint32_t dim) {
     start(points_defaults<netmesh_mesh_request>(dim), request, request_bytes);
 }

@@ -36,6 +36,21 @@ const char* netmesh_status_text(netmesh_status status) {
     return "unknown status";
 }
 
+const char* netmesh_why_text(netmesh_why why) {
+    if (!netmesh::in_range(why, NETMESH_WHY_ASKED, NETMESH_WHY_NOT_BUILT)) return "unknown reason";
+    switch (why) {
+    case NETMESH_WHY_ASKED: return "it was asked for";
+    case NETMESH_WHY_AFFORDABLE: return "the Delaunay triangulation of the points is small";
+    case NETMESH_WHY_NO_MESH: return "the points are too close or too far apart for a mesh";
+    case NETMESH_WHY_CELLS: return "the Delaunay triangulation of the points is large";
+    case NETMESH_WHY_MEMORY: return "the exact alpha complex does not fit in the memory";
+    case NETMESH_WHY_FLAT: return "the points lie in a hyperplane and have no Delaunay triangulation";
+    case NETMESH_WHY_RANGE: return "coordinates are too far apart in size for an exact alpha complex";
+    case NETMESH_WHY_NOT_BUILT: return "alpha is left out of this build";
+    }
+    return "unknown reason";
+}
+
 const char* netmesh_field_text(netmesh_field field) {
     if (!netmesh::in_range(field, NETMESH_FIELD_NONE, NETMESH_FIELD_COUNT)) return "unknown field";
     switch (field) {

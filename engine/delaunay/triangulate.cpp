@@ -55,6 +55,23 @@ template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t*
     return kept;
 }
 
+// Before so many points nothing is given up: what they share is chance.
+constexpr std::uint64_t sample_least = 16;
+
+// Notes what `points` inserted points have cost. Is it more than is allowed?
+bool is_spent(const StoreState& state, std::uint64_t points, Allowance* allowance) {
+    const std::uint64_t* const calls = state.in_ball_counts.calls;
+    const std::uint64_t hard =
+        calls[NETMESH_PREDICATE_FLOAT] + calls[NETMESH_PREDICATE_INTEGER] + calls[NETMESH_PREDICATE_EXACT];
+    const double work = static_cast<double>(state.cells_created) + allowance->by_hard * static_cast<double>(hard) +
+                        allowance->by_tie * static_cast<double>(calls[NETMESH_PREDICATE_TIE]);
+    allowance->is_dear = points >= sample_least && work > allowance->work_each * static_cast<double>(points);
+    allowance->points_tried = points;
+    allowance->cells_made = state.cells_created;
+    allowance->is_spent = allowance->is_dear || state.cell_slots - state.cells_free > allowance->cells_max;
+    return allowance->is_spent;
+}
+
 }  // namespace
 
 // K+1 points span a K-flat exactly when K of the coordinates have a non-zero minor; a set of coordinates that works for
@@ -131,7 +148,7 @@ Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::
 
 template <int D>
 Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
-                   InputReport* input) {
+                   InputReport* input, Allowance* allowance) {
     const std::size_t low = store.arena.low_mark();
     std::uint32_t* order;
     Status status = take_input<D>(store, points, n, seed, monitor, input, &order);
@@ -157,6 +174,7 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
             break;
         }
         kernel.fill(cavity, v);
+        if (allowance != nullptr && is_spent(store.state, std::uint64_t{k} + 1, allowance)) return Status::cancelled;
         monitor.mesh_size(k, store.live_cells());
         if (monitor.advance(k, 2 + cavity.facets * (D - 1))) {
             status = Status::cancelled;
@@ -170,7 +188,8 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status take_input<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,     \
                                   std::uint32_t**);                                                                    \
-    template Status triangulate<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*);   \
+    template Status triangulate<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,    \
+                                   Allowance*);                                                                        \
     template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, VertexId*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -24,12 +24,25 @@ template <int D>
 Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                   InputReport* input, std::uint32_t** order);
 
+// What a triangulation may cost before it is given up. Work is cells made; a conflict that the cached ball does not
+// decide counts for several of them, and so does a tie.
+struct Allowance {
+    double work_each;            // for each point inserted
+    double by_hard, by_tie;      // what a conflict counts for
+    std::uint64_t cells_max;     // at one time
+    bool is_spent;               // set by triangulate, as all below: it was given up
+    bool is_dear;                // for its work, not for its cells at one time
+    std::uint64_t points_tried;  // inserted until then, or all
+    std::uint64_t cells_made;
+};
+
 // Triangulates points[n][D]. ok, flat (fewer than D+1 affinely independent points), out_of_memory, cancelled, and what
 // take_input says. Unless there is no first cell yet, the store is left compact and a Delaunay triangulation of what
-// was inserted; vertices not inserted have cell `none`.
+// was inserted; vertices not inserted have cell `none`. With an allowance that is spent: cancelled, and the store is of
+// no use.
 template <int D>
 Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
-                   InputReport* input);
+                   InputReport* input, Allowance* allowance = nullptr);
 
 // The first D+1 affinely independent points along order[0..count), exactly. False when there are none.
 template <int D>

@@ -63,6 +63,9 @@ struct Scales : netmesh_scales_request {
 struct Alpha : netmesh_alpha_request {
     explicit Alpha(std::uint32_t d) { netmesh_alpha_request_init(this, sizeof(netmesh_alpha_request), d); }
 };
+struct Auto : netmesh_auto_request {
+    explicit Auto(std::uint32_t d) { netmesh_auto_request_init(this, sizeof(netmesh_auto_request), d); }
+};
 struct Points : netmesh_points_request {
     Points(std::uint32_t d, netmesh_filter f) {
         netmesh_points_request_init(this, sizeof(netmesh_points_request), d, f);
@@ -105,6 +108,7 @@ template <class Struct> Struct sized() {
 inline std::uint32_t version() { return netmesh_version(); }
 inline const char* version_text() { return netmesh_version_text(); }
 inline const char* status_text(netmesh_status status) { return netmesh_status_text(status); }
+inline const char* why_text(netmesh_why why) { return netmesh_why_text(why); }
 inline const char* field_text(netmesh_field field) { return netmesh_field_text(field); }
 inline double tau(const netmesh_mesh_request& request) { return netmesh_tau(&request); }
 
@@ -113,6 +117,7 @@ inline std::size_t plan(const netmesh_delaunay_request& request) { return netmes
 inline std::size_t plan(const netmesh_mesh_request& request) { return netmesh_plan_mesh(&request); }
 inline std::size_t plan(const netmesh_scales_request& request) { return netmesh_plan_scales(&request); }
 inline std::size_t plan(const netmesh_alpha_request& request) { return netmesh_plan_alpha(&request); }
+inline std::size_t plan(const netmesh_auto_request& request) { return netmesh_plan_auto(&request); }
 inline std::size_t plan(const netmesh_points_request& request) { return netmesh_plan_points(&request); }
 inline std::size_t plan(const netmesh_distances_request& request) { return netmesh_plan_distances(&request); }
 inline std::size_t plan(const netmesh_points_vineyard_request& request) {
@@ -220,6 +225,7 @@ public:
     netmesh_status persist_alpha(const netmesh_alpha_request& r) {
         return status_ = netmesh_persist_alpha(context_, &r);
     }
+    netmesh_status persist_auto(const netmesh_auto_request& r) { return status_ = netmesh_persist_auto(context_, &r); }
     netmesh_status persist_points(const netmesh_points_request& r) {
         return status_ = netmesh_persist_points(context_, &r);
     }

@@ -120,6 +120,10 @@ public:
         note_peak();
         return true;
     }
+    // Counts what the same call used before the arena was adopted anew.
+    void raise_peak(std::size_t bytes) {
+        if (bytes > peak_) peak_ = bytes;
+    }
     // Remembers a request that was found not to fit without being made.
     void refuse(std::size_t bytes) {
         const std::size_t total = bytes_used() + bytes;

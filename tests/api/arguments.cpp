@@ -84,6 +84,7 @@ TEST_CASE("blocks and contexts that are none") {
         no_context<netmesh_load_request>(c, netmesh_load, load);
         no_context<netmesh_cages_request>(c, netmesh_load_cages, netmesh::requests::Cages());
         no_context(c, netmesh_persist, persist_by(NETMESH_FILTER_ALPHA));
+        no_context(c, netmesh_persist_auto, calls.auto_request(x));
         no_context(c, netmesh_persist_scales, calls.scales_request(x));
         no_context(c, netmesh_persist_points, calls.points_request(x, NETMESH_FILTER_RIPS));
         no_context(c, netmesh_points_vineyard, calls.nested_request(x, NETMESH_FILTER_BARYCENTRIC_CECH, 2));
@@ -268,6 +269,9 @@ TEST_CASE("points scale by scale, to fit, and by themselves") {
         no_scales([](auto& r) { r.values = static_cast<netmesh_values>(2); }, NETMESH_FIELD_VALUES);
         for (const double c : {-1.0, 1.88, infinite}) no_scales([=](auto& r) { r.ratio = c; }, NETMESH_FIELD_RATIO);
         no_scales([](auto& r) { r.ratio = 2, r.eps = 0.5; }, NETMESH_FIELD_EPS);
+
+        const netmesh_auto_request either = on(f.points, netmesh::requests::Auto(static_cast<std::uint32_t>(dim)));
+        f.needs_points(netmesh_persist_auto, either);
 
         const netmesh_fit_request fit = on(f.points, netmesh::requests::Fit(static_cast<std::uint32_t>(dim)));
         f.needs_points(netmesh_fit, fit);

@@ -99,6 +99,7 @@ TEST_CASE("points as floats and by stride give the bytes of packed doubles") {
         const inputs::Points none;
         expect_same("delaunay", dim, netmesh_delaunay, points, calls.delaunay_request(none));
         expect_same("alpha", dim, netmesh_persist_alpha, points, calls.alpha_request(none));
+        expect_same("auto", dim, netmesh_persist_auto, points, calls.auto_request(none));
         netmesh_mesh_request mesh = calls.mesh_request(none, NETMESH_PURPOSE_PERSIST);
         expect_same("mesh", dim, netmesh_mesh, points, mesh);
         mesh.certificate.ratio = 2.5;

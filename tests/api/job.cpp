@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/bottleneck.hpp"
+#include "common/kinds.hpp"
 #include "common/session.hpp"
 
 namespace {
@@ -199,6 +200,13 @@ const std::vector<Named>& larger_jobs() {
              const netmesh_alpha_request r = s.alpha_request(points);
              return result(
                  s, s.until_it_fits(netmesh_plan_alpha(&r), [&] { return netmesh_persist_alpha(s.context, &r); }));
+         }},
+        {"auto, given up", 3,
+         [](Session& s) {
+             const inputs::Points points = kinds::skew_lines(1000);
+             const netmesh_auto_request r = s.auto_request(points);
+             return result(s,
+                           s.until_it_fits(netmesh_plan_auto(&r), [&] { return netmesh_persist_auto(s.context, &r); }));
          }},
         {"svr, complete, bounds", 3,
          [](Session& s) {

@@ -40,6 +40,14 @@ TEST_CASE("the C++ layer") {
     CHECK(netmesh::tau(mesh) == 2.5);
     CHECK(netmesh::plan(mesh) == netmesh_plan_mesh(&mesh));
 
+    netmesh::requests::Auto either(2);
+    either.points = points.data();
+    either.point_count = 30;
+    CHECK(netmesh::plan(either) == netmesh_plan_auto(&either));
+    REQUIRE(engine.persist_auto(either) == NETMESH_OK);
+    CHECK(std::strcmp(netmesh::why_text(engine.report().diagram.why),
+                      "the Delaunay triangulation of the points is small") == 0);
+
     REQUIRE(engine.mesh(mesh) == NETMESH_OK);
     REQUIRE(engine.persist() == NETMESH_OK);
     REQUIRE(engine.bound_bars() == NETMESH_OK);

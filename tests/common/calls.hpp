@@ -113,6 +113,12 @@ public:
         r.seed = request.seed;
         return r;
     }
+    netmesh_auto_request auto_request(inputs::Points&&) const = delete;
+    netmesh_auto_request auto_request(const inputs::Points& points) const {
+        netmesh_auto_request r = on(points, watched(netmesh::requests::Auto(request.dim)));
+        r.seed = request.seed;
+        return r;
+    }
     netmesh_points_request points_request(inputs::Points&&, netmesh_filter, std::uint32_t = 1,
                                           std::uint32_t = 1) const = delete;
     netmesh_points_request points_request(const inputs::Points& points, netmesh_filter filter, std::uint32_t k = 1,

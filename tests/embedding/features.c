@@ -43,6 +43,22 @@ static void ended(const char* job, netmesh_status status, const char* switches, 
     }
 }
 
+/* Of a job that takes what is there: a line for the full build's result, or the reason of another one. */
+static void taken(const char* job, netmesh_status status) {
+    netmesh_report report;
+    if (NETMESH_WITH_ALPHA) {
+        ended(job, status, "", 1);
+        return;
+    }
+    report.struct_bytes = sizeof report;
+    netmesh_get_report(context, &report);
+    if (status == NETMESH_OK && report.diagram.filter == NETMESH_FILTER_COMPLETE &&
+        report.diagram.why == NETMESH_WHY_NOT_BUILT)
+        return;
+    fprintf(stderr, "D = %u, %s: status %d, filter %d\n", (unsigned)dim, job, (int)status, (int)report.diagram.filter);
+    ++faults;
+}
+
 static void fresh(void) { netmesh_init(block, BLOCK_BYTES, &context); }
 
 static netmesh_mesh_request mesh_request(void) {
@@ -165,6 +181,7 @@ static void others(void) {
     const netmesh_function function = function_of_height();
     netmesh_delaunay_request delaunay;
     netmesh_alpha_request alpha;
+    netmesh_auto_request either;
     netmesh_fit_request fit;
     netmesh_scales_request scales;
     netmesh_delaunay_request_init(&delaunay, sizeof delaunay, dim);
@@ -178,6 +195,14 @@ static void others(void) {
     alpha.point_count = POINTS;
     fresh();
     ended("alpha-of-points", netmesh_persist_alpha(context, &alpha), "", 1);
+    /* takes whichever filter is there */
+    netmesh_auto_request_init(&either, sizeof either, dim);
+    either.points = points;
+    either.point_count = POINTS;
+    if (dim < 4) {
+        fresh();
+        taken("auto", netmesh_persist_auto(context, &either));
+    }
 
     netmesh_fit_request_init(&fit, sizeof fit, dim);
     fit.points = points;

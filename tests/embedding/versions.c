@@ -68,6 +68,7 @@ GUARDED(netmesh_fit_request, fit);
 GUARDED(netmesh_vineyard_request, vineyard);
 GUARDED(netmesh_scales_request, scales);
 GUARDED(netmesh_alpha_request, alpha);
+GUARDED(netmesh_auto_request, either);
 GUARDED(netmesh_points_request, rips);
 GUARDED(netmesh_distances_request, distances);
 GUARDED(netmesh_points_vineyard_request, nested);
@@ -104,8 +105,8 @@ static void fill_results(void) {
 
 static void fill_requests(void) {
     FILL(delaunay), FILL(mesh), FILL(load), FILL(cages), FILL(check), FILL(function), FILL(persist), FILL(bounds);
-    FILL(represent), FILL(fit), FILL(vineyard), FILL(scales), FILL(rips), FILL(distances), FILL(nested), FILL(homology),
-        FILL(values), FILL(bottleneck), FILL(wasserstein), FILL(analyse);
+    FILL(represent), FILL(fit), FILL(either), FILL(vineyard), FILL(scales), FILL(rips), FILL(distances), FILL(nested),
+        FILL(homology), FILL(values), FILL(bottleneck), FILL(wasserstein), FILL(analyse);
     netmesh_delaunay_request_init(&delaunay.it, sizeof delaunay.it, 2);
     netmesh_mesh_request_init(&mesh.it, sizeof mesh.it, 2);
     netmesh_load_request_init(&load.it, sizeof load.it, 2);
@@ -119,6 +120,7 @@ static void fill_requests(void) {
     netmesh_vineyard_request_init(&vineyard.it, sizeof vineyard.it, NETMESH_FILTER_KNN);
     netmesh_scales_request_init(&scales.it, sizeof scales.it, 2);
     netmesh_alpha_request_init(&alpha.it, sizeof alpha.it, 2);
+    netmesh_auto_request_init(&either.it, sizeof either.it, 2);
     netmesh_points_request_init(&rips.it, sizeof rips.it, 2, NETMESH_FILTER_RIPS);
     netmesh_distances_request_init(&distances.it, sizeof distances.it);
     netmesh_points_vineyard_request_init(&nested.it, sizeof nested.it, 2, NETMESH_FILTER_BARYCENTRIC_CECH);
@@ -128,8 +130,8 @@ static void fill_requests(void) {
     netmesh_wasserstein_request_init(&wasserstein.it, sizeof wasserstein.it, sizeof(netmesh_pair));
     netmesh_analyse_request_init(&analyse.it, sizeof analyse.it);
     look_at_guards("an init call");
-    POINTS_OF(delaunay), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(alpha), POINTS_OF(rips),
-        POINTS_OF(nested);
+    POINTS_OF(delaunay), POINTS_OF(either), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(alpha),
+        POINTS_OF(rips), POINTS_OF(nested);
     mesh.it.purpose = NETMESH_PURPOSE_PERSIST;
     vineyard.it.k_last = 3;
     nested.it.point_count = 8;
@@ -197,6 +199,8 @@ static void run_others(void) {
     DID(netmesh_persist_scales(context, &scales.it));
     print_report();
     DID(netmesh_persist_alpha(context, &alpha.it));
+    print_report();
+    DID(netmesh_persist_auto(context, &either.it));
     print_report();
     DID(netmesh_persist_points(context, &rips.it));
     print_report();

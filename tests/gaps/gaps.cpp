@@ -229,6 +229,8 @@ void delaunay(int dim) {
     measure("load delaunay", dim, n, [&] { return arrays.load(room); });
     const netmesh_alpha_request request = room.alpha_request(points);
     measure("persist_alpha", dim, n, [&] { return netmesh_persist_alpha(room.context, &request); });
+    const netmesh_auto_request either = room.auto_request(points);
+    measure("persist_auto", dim, n, [&] { return netmesh_persist_auto(room.context, &either); });
 }
 
 void grids(int dim) {
@@ -236,6 +238,8 @@ void grids(int dim) {
     const inputs::Points points = inputs::grid(dim, is_short ? (dim == 2 ? 50 : dim == 3 ? 12 : 4) : side);
     const std::size_t n = points.size() / static_cast<std::size_t>(dim);
     Room room(dim);
+    const netmesh_auto_request either = room.auto_request(points);
+    measure("persist_auto grid", dim, n, [&] { return netmesh_persist_auto(room.context, &either); });
     measure("delaunay grid", dim, n, [&] { return room.delaunay_in_block(points); });
     measure("persist alpha grid", dim, n, [&] { return room.persist(NETMESH_FILTER_ALPHA); });
 }

@@ -79,6 +79,13 @@ Run alpha() {
         return netmesh_persist_alpha(calls.context, &request);
     };
 }
+Run either() {
+    return [](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+        const netmesh_auto_request request = calls.auto_request(points);
+        *planned = netmesh_plan_auto(&request);
+        return netmesh_persist_auto(calls.context, &request);
+    };
+}
 Run scales(const std::function<void(netmesh_scales_request&)>& change) {
     return [change](Calls& calls, const inputs::Points& points, std::size_t* planned) {
         netmesh_scales_request request = calls.scales_request(points);
@@ -95,6 +102,7 @@ const std::vector<Job> jobs = {
     {"delaunay", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 1000, 100}, triangulation(NETMESH_PURPOSE_MESH)},
     {"delaunay-alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, triangulation(NETMESH_PURPOSE_PERSIST)},
     {"alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha()},
+    {"auto", {never, never, never}, 2.4, {100000, 30000, 1000}, either()},  // a mesh takes more than alpha
     {"mesh", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto&) {})},
     {"mesh-tau3.5", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.tau = 3.5; })},
     {"mesh-tau6", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.tau = 6; })},

@@ -5,6 +5,7 @@
 
 #include "common/arrays.hpp"
 #include "common/dimensions.hpp"
+#include "common/kinds.hpp"
 #include "common/session.hpp"
 #include "sweep/harness.hpp"
 
@@ -93,6 +94,23 @@ netmesh_status decide(Run& run) {
     netmesh_fit_request request = run.fit_request(run.points());
     request.longer_than = 1.05;
     return netmesh_fit(run.context, &request);
+}
+
+// Alpha, or a mesh where a request is refused; a mesh of points in a line; one after a triangulation is given up.
+netmesh_status persist_auto(Run& run) {
+    const netmesh_auto_request request = run.auto_request(run.points());
+    return netmesh_persist_auto(run.context, &request);
+}
+netmesh_status auto_of_flat(Run& run) {
+    inputs::Points points = run.points();
+    for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(run.job.dim)) points[i] = 0.5;
+    const netmesh_auto_request request = run.auto_request(points);
+    return netmesh_persist_auto(run.context, &request);
+}
+netmesh_status auto_given_up(Run& run) {
+    const inputs::Points points = kinds::moment_curve(run.job.dim, run.job.points);
+    const netmesh_auto_request request = run.auto_request(points);
+    return netmesh_persist_auto(run.context, &request);
 }
 
 netmesh_status check(Run& run) {
@@ -254,6 +272,10 @@ const Job low_dimensions[] = {
     Job{"fit focused", 2, 5, fit_focused}.keeping_diagram().tries(40).using_up(64 << 10),
     Job{"fit", 3, 3, fit}.keeping_diagram().tries(40).using_up(64 << 10).large(),
     Job{"fit", 4, 2, fit}.keeping_diagram().tries(40).using_up(80 << 10).large(),
+    Job{"auto", 2, 12, persist_auto}.tries(60).using_up(64 << 10),
+    Job{"auto", 3, 8, persist_auto}.tries(40).using_up(96 << 10),
+    Job{"auto-flat", 2, 6, auto_of_flat}.tries(40).using_up(64 << 10),
+    Job{"auto-given-up", 3, 80, auto_given_up}.large().tries(20).using_up(1 << 20),
     Job{"decide", 2, 25, decide}.keeping_diagram().tries(40).using_up(128 << 10),
     Job{"decide", 3, 12, decide}.keeping_diagram().tries(40).using_up(256 << 10).large(),
     Job{"released", 2, 8, released}.large().tries(100),

@@ -312,6 +312,19 @@ void take_focus(const netmesh_certificate_goal& goal, Options* options) {
     options->to = goal.focus_to;
 }
 
+// The filter that the engine has taken, as if it had been asked for; and one line about it where none was asked for.
+void take_filter(const netmesh_diagram_report& diagram, Options* options) {
+    if (options->filter || !persists(*options)) return;
+    if (!options->quiet) {
+        const std::string reason =
+            options->auto_filter ? netmesh_why_text(diagram.why) : options->implies_mesh + " asks for a mesh";
+        const std::string text = std::string("filter ") + filter_name(diagram.filter) + ": " + reason + "\n";
+        std::fputs(text.c_str(), stderr);
+    }
+    options->filter = diagram.filter;
+    options->auto_filter = false;
+}
+
 Outcome run_one(const Options& from) {
     const double start = platform::seconds_now();
     Options given = from;
@@ -335,6 +348,7 @@ Outcome run_one(const Options& from) {
     if (!outcome.good()) return outcome;
     run.engine = session.engine().report();
     if (options.focus_auto) take_focus(run.engine->mesh.certificate, &options);
+    take_filter(run.engine->diagram, &options);
     run.clock = session.clock();
     if (options.analyse) run.analysis = measured.analysis;
     const SimplexList complex = complex_of(options, session.engine(), cloud);

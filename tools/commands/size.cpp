@@ -9,14 +9,18 @@ namespace netmesh::tool {
 
 namespace {
 
-// Enough for each of triangulation, mesh and the diagram of the complete filter.
+// Enough for each of triangulation, mesh and the diagrams of the complete filter and of the one that persist takes.
 std::size_t plan_all(const Options& options) {
     requests::Delaunay delaunay(options.dim);
     requests::Mesh mesh = mesh_request(options, options.dim);
     delaunay.point_count = mesh.point_count = options.point_count;
     mesh.purpose = NETMESH_PURPOSE_MESH;
-    const std::size_t diagram = plan_diagram(options, filter_of(options), options.dim, options.point_count);
-    return std::max({plan(delaunay), plan(mesh), diagram});
+    Options of_complete = options;
+    of_complete.auto_filter = false;
+    const auto diagram = [&](const Options& of) {
+        return plan_diagram(of, filter_of(of), options.dim, options.point_count);
+    };
+    return std::max({plan(delaunay), plan(mesh), diagram(options), diagram(of_complete)});
 }
 
 }  // namespace

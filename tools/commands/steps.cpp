@@ -62,6 +62,15 @@ netmesh_status fit(Session& session, const Options& options, const PointCloud& c
     return status;
 }
 
+// Mesh or triangulation and diagram of the filter that the engine takes. What a mesh was made to is what is checked.
+netmesh_status persist_auto(Session& session, const Options& options, const PointCloud& cloud) {
+    const netmesh_status status = session.call(NETMESH_STAGE_REDUCE, [&] {
+        return session.engine().persist_auto(session.watched(auto_request(options, cloud.dim), cloud));
+    });
+    if (status == NETMESH_OK) session.mesh().certificate = session.engine().report().mesh.certificate;
+    return status;
+}
+
 // What a filter needs of a mesh that is read: that it is a Delaunay triangulation.
 netmesh_status take_mesh(Session& session, const MeshFiles& mesh) {
     const netmesh_status status = load_mesh(session, mesh);
@@ -85,9 +94,10 @@ netmesh_status persist_as_asked(Session& session, const Options& options, const 
     const bool cycles =
         filter.has_representatives != 0 && (!options.representatives.empty() || (at_once && options.check));
     diagram.cycles = at_once && cycles;
-    netmesh_status status =
-        mesh != nullptr ? take_mesh(session, *mesh) : prepare_for(session, options, filter.filter, cloud);
-    if (status == NETMESH_OK) status = make_diagram(session, options, diagram, cloud);
+    netmesh_status status = options.auto_filter ? persist_auto(session, options, cloud)
+                            : mesh != nullptr   ? take_mesh(session, *mesh)
+                                                : prepare_for(session, options, filter.filter, cloud);
+    if (status == NETMESH_OK && !options.auto_filter) status = make_diagram(session, options, diagram, cloud);
     const bool has_function = session.function().get() != nullptr;
     if (status == NETMESH_OK && has_function && session.function().has_missed(session.engine().report())) {
         status = make_mesh(session, cloud);

@@ -31,6 +31,23 @@ typedef enum netmesh_filter {
     NETMESH_FILTER_BARYCENTRIC_RIPS = 12  /* 8.5: the same within 2^(1/4), from distances alone */
 } NETMESH_AN_INT netmesh_filter;
 
+/* Why a diagram is of its filter. */
+typedef enum netmesh_why {
+    NETMESH_WHY_ASKED = 0, /* it was asked for; the others are what netmesh_persist_auto has found */
+    /* ALPHA */
+    NETMESH_WHY_AFFORDABLE = 1, /* the Delaunay triangulation of the points is small */
+    NETMESH_WHY_NO_MESH = 2,    /* it is not, but these points have no mesh */
+    /* COMPLETE */
+    NETMESH_WHY_CELLS = 3,    /* the Delaunay triangulation of the points is large */
+    NETMESH_WHY_MEMORY = 4,   /* the alpha complex does not fit in the block */
+    NETMESH_WHY_FLAT = 5,     /* the points have no Delaunay triangulation, as they lie in a hyperplane */
+    NETMESH_WHY_RANGE = 6,    /* coordinates are too far apart in size for an exact alpha complex */
+    NETMESH_WHY_NOT_BUILT = 7 /* ALPHA is left out of this build */
+} NETMESH_AN_INT netmesh_why;
+
+/* "its Delaunay triangulation is small": a static string. */
+const char* netmesh_why_text(netmesh_why why);
+
 typedef enum netmesh_values {
     NETMESH_VALUES_CERTIFIED = 0, /* the filter's values, clamped so that the certified ratio is the best possible */
     NETMESH_VALUES_THESIS = 1     /* the filter's own values */
@@ -119,6 +136,41 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * and deaths have exactly the order of the true ones: where many different ones share one double, each is the next
  * double to the one before, within value_error of the report. */
 netmesh_status netmesh_persist(netmesh_context* context, const netmesh_persist_request* request);
+
+/* The diagram of the offsets of points by whichever filter costs less. */
+typedef struct netmesh_auto_request {
+    uint32_t struct_bytes;
+    uint32_t dim; /* D, 2..6 */
+    netmesh_monitor monitor;
+    const void* points;                /* [point_count][D]. Not read by the plan */
+    size_t point_count;                /* 1 .. NETMESH_POINTS_MAX */
+    uint64_t seed;                     /* of every random choice; init: 1 */
+    uint32_t max_degree;               /* as of netmesh_persist_request; init: NETMESH_DIM_MAX */
+    uint32_t keep_zero_pairs;          /* likewise */
+    netmesh_point_format point_format; /* of points; see there */
+    size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
+} netmesh_auto_request;
+
+void netmesh_auto_request_init(netmesh_auto_request* request, size_t request_bytes, uint32_t dim);
+
+/* Bytes of block to plan for: enough for either filter of uniform points, an estimate for others. SIZE_MAX when it does
+ * not fit, 0 on an invalid request. */
+size_t netmesh_plan_auto(const netmesh_auto_request* request);
+
+/* ALPHA, which is exact, where it is affordable: netmesh_delaunay and netmesh_persist. Else COMPLETE with certified
+ * values and its certificate: netmesh_mesh for a certificate.ratio of sqrt(2 + tau) with the dimension's tau (of that
+ * tau itself in a build without NETMESH_WITH_CERTIFICATE) and netmesh_persist. Leaves what those calls leave, with the
+ * same fingerprint. The report's diagram.filter says which, diagram.why the reason. Without OK the context is empty.
+ *
+ * The triangulation is begun and given up as soon as it has made more than 40 / 150 / 250 / 1500 / 8000 cells (D =
+ * 2..6) for each point inserted: uniform points take 6 / 28 / 158 / 898 / 4264, curves in space as many as there are
+ * points. A conflict that takes more than a cached ball counts for 5 of them, a tie for 40 / 40 / 5 / 5 / 5: on
+ * lattices and curves, where many radii are nearly equal, an exact order of them is dear, and meshes of lattices are
+ * small. It is given up as well when the alpha complex would not fit in the block. The choice depends on points, seed
+ * and the block's size, on nothing else. What is given up is below a quarter of the whole, and the filter taken at most
+ * twice as dear as the other one, on all kinds of points that were measured (tests/bench/auto.cpp); DESIGN.md says
+ * where not. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (the mesh does not fit either), CANCELLED. */
+netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto_request* request);
 
 /* Pairs sorted by degree, birth, death; death is +infinity for an essential class. O(1). */
 typedef struct netmesh_pair {

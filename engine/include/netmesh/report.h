@@ -106,6 +106,10 @@ typedef struct netmesh_diagram_report {
                                     bottleneck distance to the diagram of its sublevel sets; other filters: 0, none */
     double fitted_error;         /* of netmesh_fit with by_error: the error that sizes of the mesh were asked for; 0:
                                     none were, or no such fit */
+    netmesh_why why;             /* why this filter */
+    uint32_t reserved_word;
+    uint64_t tried_points, tried_cells; /* of netmesh_persist_auto: points that its Delaunay triangulation had, and
+                                           cells that were made for it, when it was whole or given up */
 } netmesh_diagram_report;
 
 /* Of netmesh_bound_bars. */

@@ -373,7 +373,7 @@ TEST_CASE("persist: bounds of single bars") {
         CHECK(json.out.find("\"bounds\": [[") != std::string::npos);
         CHECK(json.out.find("\"scale_steps\": [") != std::string::npos);
     }
-    CHECK(folder.run("persist p.csv --bounds --quiet -o d.pers --svg d.svg").exit == 0);
+    CHECK(folder.run("persist p.csv --filter complete --bounds --quiet -o d.pers --svg d.svg").exit == 0);
     CHECK(folder.read("d.svg").find("certified ratio at radius r") != std::string::npos);
 }
 
@@ -408,10 +408,48 @@ TEST_CASE("persist: d_k and the k-distance") {
     }
 }
 
+TEST_CASE("persist: without --filter the engine chooses, and one line says so") {
+    const Folder folder;
+    CHECK(folder.run("sample torus -n 300 -o t.csv").exit == 0);
+    CHECK(folder.run("sample helix -n 400 -o h.csv").exit == 0);
+    const std::string small = "filter alpha: the Delaunay triangulation of the points is small\n",
+                      large = "filter complete: the Delaunay triangulation of the points is large\n",
+                      of_a_mesh = "filter complete: --tau asks for a mesh\n";
+    struct Call {
+        std::string options, said, filter, why;
+    };
+    const Call calls[] = {{"t.csv", small, "alpha", "affordable"},
+                          {"t.csv --filter auto", small, "alpha", "affordable"},
+                          {"t.csv --filter complete --filter auto", small, "alpha", "affordable"},
+                          {"h.csv", large, "complete", "cells"},
+                          {"t.csv --tau 3", of_a_mesh, "complete", "asked"},
+                          {"t.csv --tau 3 --filter auto", of_a_mesh, "complete", "asked"},
+                          {"t.csv --filter complete", "", "complete", "asked"}};
+    for (const Call& call : calls) {
+        CAPTURE(call.options);
+        const Result result = folder.run("persist " + call.options + " --json --check -o d.pers");
+        CHECK(result.exit == 0);
+        CHECK(result.err == call.said);
+        const std::string diagram = result.out.substr(result.out.find("\"diagram\": {"));
+        CHECK(text_in(diagram, "filter") == call.filter);
+        CHECK(text_in(diagram, "why") == call.why);
+        CHECK(folder.read("d.pers").find("\n# filter " + call.filter + "\n") != std::string::npos);
+        const std::string points = call.options.substr(0, 5);
+        CHECK(folder.run("check d.pers --points " + points).exit == 0);
+        const std::string asked = call.options.find("--tau") == std::string::npos ? "" : " --tau 3";
+        CHECK(folder.run("persist " + points + asked + " --quiet --filter " + call.filter).out ==
+              folder.read("d.pers"));
+        CHECK(folder.run("persist " + call.options + " --quiet").err == "");
+    }
+    CHECK(folder.run("check d.pers --points t.csv --filter auto").exit == 2);
+    CHECK(folder.run("vineyard t.csv --k 1..2 --filter auto").exit == 2);
+    CHECK(folder.run("size --dim 3 --points 300 --filter auto").out == folder.run("size --dim 3 --points 300").out);
+}
+
 TEST_CASE("persist: refinement by the certificate") {
     const Folder folder;
     CHECK(folder.run("sample sphere --dim 3 -n 150 -o p.csv").exit == 0);
-    const Result plain = folder.run("persist p.csv -o d.pers --json --check --mesh m.node --tau 3");
+    const Result plain = folder.run("persist p.csv --filter complete -o d.pers --json --check --mesh m.node --tau 3");
     CHECK(plain.err == "");
     CHECK(plain.exit == 0);
     CHECK(text_in(plain.out, "method") == "certificate");

@@ -270,7 +270,8 @@ const std::vector<std::vector<std::string>> makings = {{"--bounds"},
                                                        {"--filter", "kdistance", "--k", "4"}};
 
 std::vector<std::string> command(const std::vector<std::string>& making) {
-    std::vector<std::string> line = {"persist", "p.txt", "--quiet", "--representatives", "c.txt"};
+    std::vector<std::string> line = {"persist", "p.txt",    "--quiet", "--representatives",
+                                     "c.txt",   "--filter", "complete"};
     line.insert(line.end(), making.begin(), making.end());
     return line;
 }
