@@ -15,7 +15,7 @@ constexpr double group_gap = 14;
 constexpr double gap_stretch = 40;
 constexpr double group_least = 62;  // so that the labels of a degree fit
 constexpr double label_row = 14;    // of a bar with birth and death beside it
-constexpr double row_most = 9, row_least = 3;
+constexpr double row_most = 12, row_least = 3;
 constexpr double curve_height = 34;
 constexpr double ratio_most = 10;      // of c(r), where the diagram has no ratio
 constexpr double least_ratio = 1.002;  // death / birth of a bar that is worth a row when there are too many
@@ -46,7 +46,7 @@ double persistence(const Bar& bar, const ValueScale& scale) {
 void draw_axis(Svg& svg, const Panel& panel, const Horizontal& x, const ValueScale& scale) {
     const double bottom = panel.y + panel.height;
     const double least = scale.has_zero ? x.left() - 6 : panel.x - 60;
-    draw_value_axis(svg, panel.y, bottom, least, scale, [&](double tick) { return x.at(tick); });
+    draw_value_axis(svg, panel.y, bottom, least, panel.x + panel.width + 40, scale, [&](double tick) { return x.at(tick); });
     svg.line(x.left(), bottom, panel.x + panel.width, bottom, ink, 1);
     if (scale.has_zero) {
         svg.line(x.zero(), panel.y, x.zero(), bottom, rule, 1);
@@ -197,6 +197,10 @@ std::string counted_text(std::uint64_t count, const char* one) {
     return grouped_text(count) + " " + one + (count == 1 ? "" : "s");
 }
 
+std::string simplices_text(std::uint64_t count) {
+    return count == 1 ? "1 simplex" : grouped_text(count) + " simplices";
+}
+
 namespace {
 
 // How many of the longest components stand apart from the others: above the largest gap between deaths.
@@ -282,7 +286,7 @@ void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& gro
         for (std::size_t i = 0; i < group.shown.size(); i++) {
             const double own_row = i < group.labelled ? label_row : row;
             const Bar& bar = group.shown[i];
-            draw_bar(svg, x, bar, at + own_row / 2, std::min(own_row * 0.7, 5.5), style.certain(bar));
+            draw_bar(svg, x, bar, at + own_row / 2, std::min(own_row * 0.65, 6.5), style.certain(bar));
             if (i < group.labelled) {
                 const double right = panel.x + panel.width + 8;
                 svg.text(right, at + own_row / 2 + 4, ends_text(bar), 11, ink, Anchor::start);
@@ -318,10 +322,12 @@ void draw_ratio(Svg& svg, const Panel& panel, const ValueScale& scale, const Bar
                                                   : std::isfinite(style.ratio) && style.ratio > 1 ? style.ratio
                                                                                                   : ratio_most;
     const auto y = [&](double bound) {
-        const double share = additive ? bound / most : std::log(bound) / std::log(most);
+        const double share = !(most > least) ? 0 : additive ? bound / most : std::log(bound) / std::log(most);
         return bottom - std::min(share, 1.0) * panel.height;
     };
-    for (const double bound : {least, most}) {
+    std::vector<double> limits = {least};
+    if (most > least) limits.push_back(most);
+    for (const double bound : limits) {
         svg.line(x.left(), y(bound), x.right(), y(bound), rule, 1);
         svg.text(panel.x - 12, y(bound) + 4, rounded_text(bound, 3), 11, faint_ink, Anchor::end);
     }

@@ -67,20 +67,21 @@ double death_label_width(const ValueScale& scale);
 void draw_scatter(Svg& svg, double x, double y, double side, const std::vector<Bar>& bars, const ValueScale& scale,
                   const BarStyle& style);
 
-// "H" and the degree as a subscript; "40 bars", "1 bar".
+// "H" and the degree as a subscript; "40 bars", "1 bar"; "40 simplices", "1 simplex".
 std::string homology_label(std::uint32_t degree);
 std::string counted_text(std::uint64_t count, const char* one);
+std::string simplices_text(std::uint64_t count);
 
-// Ticks with labels below a panel, as many as there is room for, each not farther left than `least`. `at` says where a
-// value is.
+// Ticks with labels below a panel, as many as there is room for, between the ends `least` and `most`. `at` says where
+// a value is.
 template <class At>
-void draw_value_axis(Svg& svg, double top, double bottom, double least, const ValueScale& scale, At at) {
+void draw_value_axis(Svg& svg, double top, double bottom, double least, double most, const ValueScale& scale, At at) {
     LabelRow labels;
     for (const double tick : scale.ticks()) {
         const double x = at(tick), half = text_width(scale.label(tick), 12) / 2;
         svg.line(x, top, x, bottom, rule, 1);
         svg.line(x, bottom, x, bottom + 5, ink, 1);
-        if (x - half < least || !labels.take(x - half, x + half)) continue;
+        if (x - half < least || x + half > most || !labels.take(x - half, x + half)) continue;
         svg.text(x, bottom + 19, scale.label(tick), 12, ink, Anchor::middle);
     }
 }

@@ -11,7 +11,7 @@ namespace netmesh::tool {
 namespace {
 
 constexpr double page_size = 1000, margin = 40;
-constexpr std::size_t cycles_most = 5;  // shown of one degree
+constexpr std::size_t cycles_most = 3;  // shown of one degree, of those at least half as long as the longest
 
 double length_of(const Bar& bar) {
     return std::isfinite(bar.death) ? bar.death - bar.birth : HUGE_VAL;
@@ -32,8 +32,7 @@ std::vector<const CycleEntry*> chosen_cycles(const std::vector<CycleEntry>& cycl
         const bool first = i == 0 || order[i - 1]->bar.degree != order[i]->bar.degree;
         if (first) of_degree = 0;
         if (first) longest = length_of(order[i]->bar);
-        // Those that are much shorter than the longest are noise more often than not.
-        if (of_degree++ < cycles_most && length_of(order[i]->bar) >= longest / 4) chosen.push_back(order[i]);
+        if (of_degree++ < cycles_most && length_of(order[i]->bar) >= longest / 2) chosen.push_back(order[i]);
     }
     std::reverse(chosen.begin(), chosen.end());
     return chosen;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double page_width = 1280, margin = 40;
 constexpr double axis_height = 52;  // below a panel
-constexpr double panel_height = 520, square_side = 440;
+constexpr double square_side = 440, panel_height = infinity_row + square_side;
 constexpr std::size_t rows_max = 24;  // bars shown of one degree
 constexpr double ratio_height = 60;
 
@@ -40,7 +40,7 @@ std::string subtitle(const netmesh_report& report) {
         return text;
     }
     std::string text = reported_choice_text({diagram.filter, diagram.values});
-    if (mesh.present == 0) return text + separator + grouped_text(diagram.simplices) + " simplices";
+    if (mesh.present == 0) return text + separator + simplices_text(diagram.simplices);
     text += separator + counted_vertices(mesh.vertices) + ", " + counted_text(mesh.cells, "cell");
     if (mesh.is_mesh == 0) return text;
     text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(mesh.aspect_ratio_max, 4);
@@ -141,10 +141,9 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     const BarStyle style = style_of(bars, report, bounds);
     const bool are_radii = !style.is_additive();
     const ValueScale scale = scale_for(bars, is_linear_axis(axis, are_radii, bars));
-    std::string subject = "a complex of " + counted_text(report.diagram.simplices, "simplex");
-    if (report.diagram.simplices != 1) subject.replace(subject.size() - 8, 8, "simplices");
-    if (report.input.dim != 0)
-        subject = counted_text(report.input.points, "point") + " in R" + superscript(report.input.dim);
+    const std::string subject =
+        report.input.dim == 0 ? "a complex of " + simplices_text(report.diagram.simplices)
+                              : counted_text(report.input.points, "point") + " in R" + superscript(report.input.dim);
     const std::string title = "Persistent homology of " + subject;
     Heading heading(page_width - 2 * margin);
     heading.add(title, 20, ink, true);

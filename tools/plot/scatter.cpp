@@ -43,7 +43,7 @@ void draw_axes(Svg& svg, const Square& square, const ValueScale& scale) {
             svg.text(square.panel_x - 9, y + 4, scale.label(tick), 12, ink, Anchor::end);
     }
     const double least = scale.has_zero ? square.zero() + 10 : square.panel_x - 40;
-    draw_value_axis(svg, square.panel_y, square.bottom(), least, scale, [&](double tick) { return square.x(tick); });
+    draw_value_axis(svg, square.panel_y, square.bottom(), least, square.right() + 36, scale, [&](double tick) { return square.x(tick); });
     svg.line(square.panel_x, square.top(), square.right(), square.top(), "#b9bec4", 1);
     svg.text(square.panel_x - 9, square.y(HUGE_VAL) + 4, "\xE2\x88\x9E", 14, ink, Anchor::end);
     if (scale.has_zero) {

@@ -162,8 +162,9 @@ void write_cut_picture(const MeshSource& mesh, TextWriter& out) {
     MeshCounts inputs;
     inputs.markers[0] = counts.markers[0];
     add_vertices(inputs, &legend);
-    legend.add(20, swatch(at_input_rgb), "triangles at an input");
-    legend.add(20, swatch(others_rgb), "other triangles of the cut through " + cells_text(mesh));
+    const bool others = std::any_of(faces.begin(), faces.end(), [](const Face& face) { return !face.at_input; });
+    legend.add(20, swatch(at_input_rgb), "triangles at an input, of a cut through " + cells_text(mesh));
+    if (others) legend.add(20, swatch(others_rgb), "other triangles");
     Svg svg(out, page_size, page_size + legend.height() + margin / 2, mesh_title(mesh, counts),
             "A cut through the middle, in parallel projection. " + mesh_description(mesh, counts));
     const double stroke = std::clamp(24 / std::sqrt(static_cast<double>(faces.size()) + 1), 0.25, 1.0);

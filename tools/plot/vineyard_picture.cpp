@@ -46,7 +46,7 @@ public:
         if (shown < total) title += ", the " + std::to_string(shown) + " longest shown";
         svg_.text(panel_.x, panel_.y - 12, fitted_text(title, 14, true, panel_.width), 14, ink, Anchor::start, true);
         const double bottom = panel_.y + panel_.height;
-        draw_value_axis(svg_, panel_.y, bottom, panel_.x - 40, scale_, [&](double tick) { return x(tick); });
+        draw_value_axis(svg_, panel_.y, bottom, panel_.x - 40, panel_.x + panel_.width + 40, scale_, [&](double tick) { return x(tick); });
         LabelRow labels;
         const std::size_t step = count_ / 20 + 1;
         for (std::size_t i = 0; i < count_; i += step) {
@@ -101,7 +101,7 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report, A
     const std::uint32_t panels = vineyard.max_degree + 1;
     const double width = std::max(gap + panels * (panel_width + gap), 760.0);
     const std::string of =
-        given ? counted_text(vineyard.simplices, vineyard.simplices == 1 ? "simplex" : "simplice") + ", "
+        given ? simplices_text(vineyard.simplices) + ", "
               : counted_text(report.input.points, "point") + ", k = ";
     const std::string title = "Vineyard of " + of + std::to_string(vineyard.k_first) + " to " +
                               std::to_string(vineyard.k_last) + (given ? " of its steps" : "");
