@@ -180,6 +180,7 @@ double BarStyle::doubtful(double birth) const {
 bool BarStyle::certain(const Bar& bar) const {
     if (has_flags) return std::binary_search(real.begin(), real.end(), bar, comes_before);
     if (is_additive()) return bar.death > bar.birth + 2 * error;
+    if (ratio == 1 && from == 0) return true;
     const double start = std::max(bar.birth, from);
     return bar.birth == 0 ? bar.death > from : bar.death > ratio * ratio * start;
 }

@@ -414,9 +414,10 @@ TEST_CASE("pictures are whole documents that show what they should") {
     // Values below 0 are drawn as they are.
     report.input.dim = 0;
     report.diagram.certified_ratio = 1;
-    const std::string negative = diagram_picture({{0, -2, 1}, {0, -3, HUGE_VAL}}, report);
+    const std::string negative = diagram_picture({{0, -2, 0}, {0, -2, 1}, {0, -3, HUGE_VAL}}, report);
     check_whole(negative);
     CHECK(negative.find(">\xE2\x88\x92" "2 to 1<") != std::string::npos);
+    CHECK(negative.find("3 surely real") != std::string::npos);
     CHECK(negative.find("value v") != std::string::npos);
 }
 
