@@ -1,9 +1,10 @@
 // The barcode as SVG: by degree, bars that surely are real first, the longest first; before each the band in which a bar
 // of that birth may be an artefact. Degree 0 shows what stands apart, the rest is counted.
-const barcode_rows = 24;
+const barcode_rows = 12, short_share = 0.03;  // rows of a degree; of the longest bar, what is left out when there are many
 
 const escape_text = text => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');
-const short_number = x => x === Infinity ? '\u221e' : Number(x.toPrecision(4)).toString();
+const short_number = x => x === Infinity ? '\u221e'
+    : x !== 0 && (x < 1e-3 || x >= 1e6) ? x.toExponential(2) : Number(x.toPrecision(4)).toString();
 const sub = degree => String.fromCharCode(0x2080 + degree);
 
 // [{ degree, total, real, shown: [index of a pair] }]
@@ -16,6 +17,8 @@ function barcode_groups(pairs) {
         all.sort(order);
         const real = all.filter(i => pairs[i].real);
         let shown = all.slice(0, barcode_rows);
+        const longest = all.map(length).find(Number.isFinite) ?? 0;
+        if (shown.length < all.length) shown = shown.filter(i => length(i) > short_share * longest);
         if (degree === 0 && all.length > 8) {  // those above the largest gap between deaths
             let apart = all.filter(i => length(i) === Infinity).length, largest = 1.5;
             for (let i = apart; i < Math.min(12, all.length - 1); ++i) {
@@ -36,7 +39,7 @@ function barcode_end(pairs) {
 }
 
 function barcode_svg({ pairs, ratio, has_bounds }, title) {
-    const width = 560, left = 96, right = 118, row = 13, bar = 8;
+    const width = 560, left = 96, right = 130, row = 13, bar = 8;
     const end = barcode_end(pairs), groups = barcode_groups(pairs);
     const x = value => left + Math.max(0, Math.min(value, end)) / end * (width - left - right);
     const parts = [];
@@ -54,8 +57,8 @@ function barcode_svg({ pairs, ratio, has_bounds }, title) {
         if (shown.length < total) parts.push(text(8, y + 54, `${total - shown.length} not shown`, 10, ' fill="#5b626a"'));
         shown.forEach((i, at) => {
             const p = pairs[i], line = y + at * row;
-            const doubt = !has_bounds && ratio > 1 && p.birth > 0 ? rect(x(p.birth), x(ratio * ratio * p.birth), line, row,
-                '#fbf0d0', ' class="doubt"') : '';
+            const doubt = p.after > p.birth
+                ? rect(x(p.birth), x(p.after), line, row, '#fbf0d0', ' class="doubt"') : '';
             const arrow = p.death === Infinity ? `<path d="M${x(end)} ${line + 1}l10 5.5l-10 5.5z" fill="${colour}"/>` : '';
             const note = p.real ? text(width - right + 14, line + 10, `${short_number(p.birth)} to ${short_number(p.death)}`,
                 10, ' fill="#22262b"') : '';
@@ -72,8 +75,9 @@ function barcode_svg({ pairs, ratio, has_bounds }, title) {
         ...ticks.map(t => text(x(t).toFixed(2), y + 15, short_number(Number(t.toPrecision(2))), 10,
             ' text-anchor="middle" fill="#22262b"')), text((left + width - right) / 2, y + 32, 'radius', 11,
             ' text-anchor="middle" fill="#22262b"'));
-    const legend = has_bounds || ratio === 1 ? '' : rect(left, left + 18, y + 42, 11, '#fbf0d0') +
-        text(left + 24, y + 52, `too short to be surely real: death / birth \u2264 ${short_number(ratio * ratio)}`, 10,
+    const limit = has_bounds ? ' by its bounds' : `: death / birth \u2264 ${short_number(ratio * ratio)}`;
+    const legend = ratio === 1 ? '' : rect(left, left + 18, y + 42, 11, '#fbf0d0') +
+        text(left + 24, y + 52, `band: too short to be surely real${limit}`, 10,
             ' fill="#22262b"');
     const height = y + (legend === '' ? 42 : 62);
     const words = groups.map(g => `degree ${g.degree}: ${g.total} bars, ${g.real} surely real`).join('; ');

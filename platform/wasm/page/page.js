@@ -24,7 +24,7 @@ function advise(title, items) {
     $('advice').replaceChildren(title, list);
 }
 const size_text = bytes => bytes >= 1024 * MiB ? `${(bytes / 1024 / MiB).toFixed(1)} GiB`
-    : `${(bytes / MiB).toFixed(bytes < 10 * MiB ? 1 : 0)} MiB`;
+    : bytes < MiB ? `${Math.ceil(bytes / 1024)} KiB` : `${(bytes / MiB).toFixed(bytes < 10 * MiB ? 1 : 0)} MiB`;
 
 // What the options ask for, of so many points; degree 6: all. Throws a sentence.
 function asked_for(dim, count) {

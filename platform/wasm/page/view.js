@@ -54,7 +54,7 @@ class View {
         const middle = low.map((x, k) => (x + high[k]) / 2);
         const span = dim === 2 ? Math.max(high[0] - low[0], high[1] - low[1])
             : Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-        this.scale = size / (1.25 * (span || 1));
+        this.scale = size / ((dim === 2 ? 1.2 : 1.02) * (span || 1));
         for (let i = 0; i < count; ++i) {
             const x = places[i * dim] - middle[0], y = places[i * dim + 1] - middle[1];
             const z = dim > 2 ? places[i * dim + 2] - middle[2] : 0;
@@ -119,7 +119,8 @@ class View {
         const depth = s => s.vertices.reduce((sum, v) => sum + flat[3 * v + 2], 0);
         const shown = triangles.slice(0, Math.min(triangle_count, most));
         if (dim > 2) shown.sort((a, b) => depth(a) - depth(b));
-        g.fillStyle = dim === 2 ? 'rgba(213,89,14,.28)' : 'rgba(213,89,14,.10)';
+        const opacity = dim === 2 ? .28 : Math.max(.03, Math.min(.14, 3.3 / Math.sqrt(shown.length)));
+        g.fillStyle = `rgba(213,89,14,${opacity})`;
         for (const { vertices } of shown) {
             g.beginPath();
             g.moveTo(...corner(vertices[0]));

@@ -59,14 +59,16 @@ function results(exports, dim, asked) {
     const pairs = [];
     for (let i = 0; (at = exports.pair(i) >>> 0) !== 0; ++i) {
         pairs.push({ degree: data.getUint32(at + 4, true), birth: data.getFloat64(at + 8, true),
-            death: data.getFloat64(at + 16, true), real: null, cycle: null });
+            death: data.getFloat64(at + 16, true), real: null, after: 0, cycle: null });
     }
     const ratio = exports.certified_ratio(), from = exports.certified_from();
     pairs.forEach((pair, i) => {
         const bounds = exports.bar_bounds(i) >>> 0;
-        if (bounds !== 0) pair.real = data.getUint32(bounds + 4, true) === 1;
-        else if (pair.birth === 0) pair.real = pair.death > from || ratio === 1;
-        else pair.real = ratio === 1 && from === 0 || pair.death > ratio * ratio * Math.max(pair.birth, from);
+        // Death from which on a bar of that birth surely is real.
+        pair.after = bounds !== 0 ? data.getFloat64(bounds + 40, true)
+            : ratio === 1 && from === 0 ? pair.birth : pair.birth === 0 ? from : ratio * ratio * Math.max(pair.birth, from);
+        pair.real = bounds !== 0 ? data.getUint32(bounds + 4, true) === 1
+            : pair.death > pair.after || ratio === 1 && from === 0;
     });
     if (asked.cycles) longest_cycles(exports, pairs, data);
     const hex = word => (word >>> 0).toString(16).padStart(8, '0');
