@@ -113,7 +113,9 @@ netmesh_status make_all(netmesh::Engine& engine, const Asked& asked) {
 }  // namespace
 
 // Where the page's memory begins: coordinates, row by row, and behind them, at a multiple of 16, the block.
-EXPORT(heap) unsigned char* heap() { return &__heap_base + (16 - reinterpret_cast<std::uintptr_t>(&__heap_base) % 16) % 16; }
+EXPORT(heap) unsigned char* heap() {
+    return &__heap_base + (16 - reinterpret_cast<std::uintptr_t>(&__heap_base) % 16) % 16;
+}
 
 // A function of the page's, an index of the table, that is called now and then with a netmesh_progress; 0: none.
 EXPORT(watch) void watch(std::uint32_t poll) { monitor.poll = reinterpret_cast<netmesh_poll>(poll); }
@@ -141,8 +143,7 @@ int run(const double* points, std::uint32_t n, std::uint32_t dim, void* block, s
     if (!choose(id)) return NETMESH_INVALID_ARGUMENT;
     netmesh::Engine engine(block, bytes);
     if (engine.status() != NETMESH_OK) return engine.status();
-    const netmesh_status status =
-        make_all(engine, {points, n, dim, k, max_degree, ratio, bounds != 0, cycles != 0});
+    const netmesh_status status = make_all(engine, {points, n, dim, k, max_degree, ratio, bounds != 0, cycles != 0});
     context = engine.context();
     report = engine.report();
     detail = engine.detail();
@@ -175,7 +176,8 @@ EXPORT(bar_bounds) const netmesh_bar_bounds* bounds_at(double i) { return item_a
 // How many simplices the cycle of pair i has, and simplex j of it.
 EXPORT(cycle_length) double cycle_length(double i) {
     std::uint64_t count = 0;
-    return netmesh_get_cycle(context, static_cast<std::uint64_t>(i), &count) == NETMESH_OK ? static_cast<double>(count) : 0;
+    return netmesh_get_cycle(context, static_cast<std::uint64_t>(i), &count) == NETMESH_OK ? static_cast<double>(count)
+                                                                                           : 0;
 }
 EXPORT(cycle_simplex) const netmesh_simplex* cycle_simplex(double i, double j) {
     static netmesh_simplex simplex;

@@ -117,7 +117,8 @@ export async function open_page(browser, url, { downloads = null, fresh = true }
         },
         async close() {
             await browser.send('Target.closeTarget', { targetId });
-            if (context !== undefined) await browser.send('Target.disposeBrowserContext', { browserContextId: context });
+            if (context === undefined) return;
+            await browser.send('Target.disposeBrowserContext', { browserContextId: context });
         },
     };
     return page;

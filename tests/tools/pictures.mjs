@@ -56,7 +56,8 @@ try {
             const svg = document.querySelector('svg'), page = svg.getBoundingClientRect(), faults = [];
             const texts = [...svg.querySelectorAll('text')].map(t => [t.textContent, t.getBoundingClientRect()]);
             texts.forEach(([a, p], i) => {
-                if (p.left < 0 || p.top < 0 || p.right > page.right || p.bottom > page.bottom) faults.push('outside: ' + a);
+                if (p.left < 0 || p.top < 0 || p.right > page.right || p.bottom > page.bottom)
+                    faults.push('outside: ' + a);
                 texts.slice(0, i).forEach(([b, q]) => {
                     if (p.left < q.right && q.left < p.right && p.top < q.bottom && q.top < p.bottom)
                         faults.push(a + ' | ' + b);

@@ -269,7 +269,9 @@ std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, 
                         }});
     if (!options.mesh_out.empty()) add_mesh_files(result.mesh, options.mesh_out, &jobs);
     if (!options.svg.empty()) {
-        const auto draw = [&](TextWriter& out) { out << diagram_picture(result.bars, report, result.bounds, options.axis); };
+        const auto draw = [&](TextWriter& out) {
+            out << diagram_picture(result.bars, report, result.bounds, options.axis);
+        };
         jobs.push_back({picture_path(options.svg), draw});
     }
     if (writes_data(options))
@@ -300,7 +302,8 @@ std::vector<FileJob> mesh_jobs(const Options& options, const Measured& measured,
     if (!options.weighted_path.empty())
         jobs.push_back({options.weighted_path, [&](TextWriter& out) { write_weighted_cells(measured, mesh, out); }});
     if (!options.svg.empty())
-        jobs.push_back({picture_path(options.svg), [&](TextWriter& out) { write_mesh_picture(mesh, options.voronoi, out); }});
+        jobs.push_back(
+            {picture_path(options.svg), [&](TextWriter& out) { write_mesh_picture(mesh, options.voronoi, out); }});
     if (writes_data(options)) add_mesh_files(mesh, options.out, &jobs);
     return jobs;
 }

@@ -54,9 +54,8 @@ Outcome finish(double start, const Vines& vines, RunReport* run) {
     run->vines = &vines;
     std::vector<FileJob> jobs;
     if (!options.svg.empty()) {
-        jobs.push_back(
-            {picture_path(options.svg),
-             [&](TextWriter& out) { out << vineyard_picture(vines, *run->engine, options.axis); }});
+        jobs.push_back({picture_path(options.svg),
+                        [&](TextWriter& out) { out << vineyard_picture(vines, *run->engine, options.axis); }});
     }
     if (writes_data(options)) {
         jobs.push_back({options.out, [&](TextWriter& out) { write_vines(vines, run->engine->vineyard, out); }});

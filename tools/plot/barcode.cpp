@@ -21,8 +21,8 @@ constexpr double ratio_most = 10;      // of c(r), where the diagram has no rati
 constexpr double least_ratio = 1.002;  // death / birth of a bar that is worth a row when there are too many
 constexpr double least_share = 0.001;  // of the picture's width, where the scale is linear
 constexpr std::size_t labels_most = 8;
-constexpr std::size_t apart_most = 12;  // components that stand apart
-constexpr double apart_least = 1.5;     // how large the gap is that they stand apart by, as a ratio
+constexpr std::size_t apart_most = 12;    // components that stand apart
+constexpr double apart_least = 1.5;       // how large the gap is that they stand apart by, as a ratio
 constexpr std::size_t rows_degree_0 = 8;  // so few bars need no choice
 
 struct Horizontal {
@@ -46,7 +46,8 @@ double persistence(const Bar& bar, const ValueScale& scale) {
 void draw_axis(Svg& svg, const Panel& panel, const Horizontal& x, const ValueScale& scale) {
     const double bottom = panel.y + panel.height;
     const double least = scale.has_zero ? x.left() - 6 : panel.x - 60;
-    draw_value_axis(svg, panel.y, bottom, least, panel.x + panel.width + 40, scale, [&](double tick) { return x.at(tick); });
+    draw_value_axis(svg, panel.y, bottom, least, panel.x + panel.width + 40, scale,
+                    [&](double tick) { return x.at(tick); });
     svg.line(x.left(), bottom, panel.x + panel.width, bottom, ink, 1);
     if (scale.has_zero) {
         svg.line(x.zero(), panel.y, x.zero(), bottom, rule, 1);

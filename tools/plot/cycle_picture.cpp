@@ -13,9 +13,7 @@ namespace {
 constexpr double page_size = 1000, margin = 40;
 constexpr std::size_t cycles_most = 3;  // shown of one degree, of those at least half as long as the longest
 
-double length_of(const Bar& bar) {
-    return std::isfinite(bar.death) ? bar.death - bar.birth : HUGE_VAL;
-}
+double length_of(const Bar& bar) { return std::isfinite(bar.death) ? bar.death - bar.birth : HUGE_VAL; }
 
 // The longest of each degree from 1 on, the shorter first; of degree 0 a cycle is but a point or two.
 std::vector<const CycleEntry*> chosen_cycles(const std::vector<CycleEntry>& cycles) {
@@ -23,8 +21,7 @@ std::vector<const CycleEntry*> chosen_cycles(const std::vector<CycleEntry>& cycl
     for (const CycleEntry& cycle : cycles)
         if (cycle.bar.degree > 0 && !cycle.simplices.empty()) order.push_back(&cycle);
     std::stable_sort(order.begin(), order.end(), [](const CycleEntry* a, const CycleEntry* b) {
-        return a->bar.degree != b->bar.degree ? a->bar.degree < b->bar.degree
-                                              : length_of(a->bar) > length_of(b->bar);
+        return a->bar.degree != b->bar.degree ? a->bar.degree < b->bar.degree : length_of(a->bar) > length_of(b->bar);
     });
     std::size_t of_degree = 0;
     double longest = 0;
@@ -67,8 +64,8 @@ void draw_piece(const Piece& piece, const Projection& projection, double middle,
 std::vector<Vec3> all_places(const CyclePlaces& places) {
     std::vector<Vec3> all;
     for (std::size_t i = 0; i < places.coordinates.size(); i += places.dim)
-        all.push_back({places.coordinates[i], places.coordinates[i + 1],
-                       places.dim > 2 ? places.coordinates[i + 2] : 0.0});
+        all.push_back(
+            {places.coordinates[i], places.coordinates[i + 1], places.dim > 2 ? places.coordinates[i + 2] : 0.0});
     return all;
 }
 
@@ -99,22 +96,25 @@ void write_cycle_picture(const std::vector<CycleEntry>& cycles, const CyclePlace
         high = std::max(high, piece.depth);
     }
     if (places.dim > 2)
-        std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.depth < b.depth; });
+        std::stable_sort(pieces.begin(), pieces.end(),
+                         [](const Piece& a, const Piece& b) { return a.depth < b.depth; });
 
     Legend legend(page_size - 2 * margin, 14);
-    legend.add(12, [](Svg& svg, double x, double y) { svg.circle(x + 6, y, 4, input_colour, 0.8); },
-               counted_text(inputs, "point"));
+    legend.add(
+        12, [](Svg& svg, double x, double y) { svg.circle(x + 6, y, 4, input_colour, 0.8); },
+        counted_text(inputs, "point"));
     for (std::size_t i = chosen.size(); i-- > 0;) {
         const Bar& bar = chosen[i]->bar;
         const std::uint32_t degree = bar.degree;
-        legend.add(20,
-                   [degree](Svg& svg, double x, double y) {
-                       if (degree == 1) svg.line(x, y, x + 20, y, degree_colour(degree), 3.5);
-                       if (degree > 1)
-                           svg.polygon({x, y - 6, x + 20, y - 6, x + 20, y + 6, x, y + 6}, degree_colour(degree), 0.4);
-                   },
-                   homology_label(degree) + ", from " + rounded_text(bar.birth, 4) + " to " +
-                       (std::isfinite(bar.death) ? rounded_text(bar.death, 4) : "\xE2\x88\x9E"));
+        legend.add(
+            20,
+            [degree](Svg& svg, double x, double y) {
+                if (degree == 1) svg.line(x, y, x + 20, y, degree_colour(degree), 3.5);
+                if (degree > 1)
+                    svg.polygon({x, y - 6, x + 20, y - 6, x + 20, y + 6, x, y + 6}, degree_colour(degree), 0.4);
+            },
+            homology_label(degree) + ", from " + rounded_text(bar.birth, 4) + " to " +
+                (std::isfinite(bar.death) ? rounded_text(bar.death, 4) : "\xE2\x88\x9E"));
     }
     const std::string title = "Cycles of the longest bars of " + counted_text(inputs, "point");
     Svg svg(out, page_size, page_size + legend.height() + margin / 2, title,

@@ -69,11 +69,12 @@ Legend legend_of(const netmesh_report& report, const std::vector<BarGroup>& grou
     bool folds = false, essential = false, labels = false;
     for (const BarGroup& group : groups) {
         const std::uint32_t degree = group.degree;
-        legend.add(9,
-                   [degree](Svg& svg, double x, double y) {
-                       svg.mark(degree_mark(degree), x + 4.5, y, 4.5, degree_colour(degree));
-                   },
-                   homology_label(degree));
+        legend.add(
+            9,
+            [degree](Svg& svg, double x, double y) {
+                svg.mark(degree_mark(degree), x + 4.5, y, 4.5, degree_colour(degree));
+            },
+            homology_label(degree));
         folds = folds || !group.rest.empty();
         labels = labels || group.labelled > 0;
         for (const Bar& bar : group.shown) essential = essential || !std::isfinite(bar.death);
@@ -87,44 +88,49 @@ Legend legend_of(const netmesh_report& report, const std::vector<BarGroup>& grou
     if (doubts) {
         const double c = report.diagram.certified_ratio;
         const std::string limit =
-            style.has_flags ? "" : style.is_additive()
-                                 ? ": death \xE2\x88\x92 birth \xE2\x89\xA4 2 e = " + rounded_text(2 * style.error, 3)
-                                 : ": death / birth \xE2\x89\xA4 c\xC2\xB2 = " + rounded_text(c * c, 3);
+            style.has_flags       ? ""
+            : style.is_additive() ? ": death \xE2\x88\x92 birth \xE2\x89\xA4 2 e = " + rounded_text(2 * style.error, 3)
+                                  : ": death / birth \xE2\x89\xA4 c\xC2\xB2 = " + rounded_text(c * c, 3);
         legend.add(22, swatch(doubt_fill, 1), "too short to be surely real" + limit);
         legend.add(22, swatch(degree_colour(0), 0.45), "faint: may be an artefact");
         legend.add(22, swatch(degree_colour(0), 1), "solid: surely real");
     }
     if (style.has_curve()) {
-        legend.add(22, [](Svg& svg, double x, double y) { svg.line(x, y, x + 22, y, doubt_line, 1.5); },
-                   style.is_additive() ? "e(v): certified error at value v" : "c(r): certified ratio at radius r");
+        legend.add(
+            22, [](Svg& svg, double x, double y) { svg.line(x, y, x + 22, y, doubt_line, 1.5); },
+            style.is_additive() ? "e(v): certified error at value v" : "c(r): certified ratio at radius r");
     }
     if (essential)
-        legend.add(22,
-                   [](Svg& svg, double x, double y) {
-                       svg.line(x, y, x + 14, y, ink, 4);
-                       svg.polygon({x + 13, y - 5, x + 22, y, x + 13, y + 5}, ink);
-                   },
-                   "never dies");
+        legend.add(
+            22,
+            [](Svg& svg, double x, double y) {
+                svg.line(x, y, x + 14, y, ink, 4);
+                svg.polygon({x + 13, y - 5, x + 22, y, x + 13, y + 5}, ink);
+            },
+            "never dies");
     if (folds)
         legend.add(22, swatch(degree_colour(0), 0.3), "curve: how many of the other, shorter bars there are at once");
     legend.add(22, swatch("#eff1f3", 1), "below the diagonal no bar can be");
     if (labels)
-        legend.add(22, [](Svg& svg, double x, double y) { svg.text(x + 11, y + 4, "a to b", 9, ink, Anchor::middle); },
-                   "birth and death of the longest bars that surely are real");
+        legend.add(
+            22, [](Svg& svg, double x, double y) { svg.text(x + 11, y + 4, "a to b", 9, ink, Anchor::middle); },
+            "birth and death of the longest bars that surely are real");
     if (scale.has_zero)
-        legend.add(22, [](Svg& svg, double x, double y) { svg.text(x + 11, y + 4, "0", 12, ink, Anchor::middle); },
-                   "column of bars that are born at 0");
+        legend.add(
+            22, [](Svg& svg, double x, double y) { svg.text(x + 11, y + 4, "0", 12, ink, Anchor::middle); },
+            "column of bars that are born at 0");
     return legend;
 }
 
 // For who cannot see it.
 std::string description_of(const netmesh_report& report, const std::vector<BarGroup>& groups) {
-    std::string text = "A barcode, and beside it the same bars as points, death against birth. " + certificate(report) +
-                       ".";
+    std::string text =
+        "A barcode, and beside it the same bars as points, death against birth. " + certificate(report) + ".";
     for (const BarGroup& group : groups) {
-        text += " Degree " + std::to_string(group.degree) + ": " +
-                (group.total == 0 ? "no bar." : counted_text(group.total, "bar") + ", " + grouped_text(group.real) +
-                                                    " surely real.");
+        text +=
+            " Degree " + std::to_string(group.degree) + ": " +
+            (group.total == 0 ? "no bar."
+                              : counted_text(group.total, "bar") + ", " + grouped_text(group.real) + " surely real.");
         if (group.shown.empty()) continue;
         const Bar& first = group.shown[0];
         text += " First shown: from " + rounded_text(first.birth, 4) + " to " +

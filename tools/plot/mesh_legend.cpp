@@ -70,13 +70,15 @@ void add_vertices(const MeshCounts& counts, Legend* legend) {
     for (std::uint32_t marker = 0; marker < 3; marker++) {
         const std::uint64_t count = counts.markers[marker];
         if (count == 0) continue;
-        const std::string text = marker < 2 ? counted_text(count, names[marker])
-                                            : grouped_text(count) + (count == 1 ? " boundary vertex" : " boundary vertices");
-        legend->add(12,
-                    [marker](Svg& svg, double x, double y) {
-                        svg.mark(vertex_mark(marker), x + 6, y, 5, vertex_colour(marker));
-                    },
-                    text);
+        const std::string text = marker < 2
+                                     ? counted_text(count, names[marker])
+                                     : grouped_text(count) + (count == 1 ? " boundary vertex" : " boundary vertices");
+        legend->add(
+            12,
+            [marker](Svg& svg, double x, double y) {
+                svg.mark(vertex_mark(marker), x + 6, y, 5, vertex_colour(marker));
+            },
+            text);
     }
 }
 
@@ -98,19 +100,22 @@ void add_cells(const MeshSource& mesh, const MeshCounts& counts, bool voronoi, L
         if (counts.markers[2] > 0) legend->add(20, lines("#b4bcc4"), "edges that end at the boundary");
     }
     if (mesh.domain[2] > 0)
-        legend->add(20, [](Svg& svg, double x, double y) { svg.ring(x + 10, y, 7, domain_colour, 1.5, "4 3"); },
-                    "domain");
+        legend->add(
+            20, [](Svg& svg, double x, double y) { svg.ring(x + 10, y, 7, domain_colour, 1.5, "4 3"); }, "domain");
     if (!mesh.cages.empty()) {
-        legend->add(20, [](Svg& svg, double x, double y) { svg.ring(x + 10, y, 7, cage_colour, 1.2); },
-                    counted_text(mesh.cages.size(), "cage"));
-        legend->add(20, [](Svg& svg, double x, double y) { svg.ring(x + 10, y, 7, cage_colour, 1, "3 4"); },
-                    "half of a cage's radius");
+        legend->add(
+            20, [](Svg& svg, double x, double y) { svg.ring(x + 10, y, 7, cage_colour, 1.2); },
+            counted_text(mesh.cages.size(), "cage"));
+        legend->add(
+            20, [](Svg& svg, double x, double y) { svg.ring(x + 10, y, 7, cage_colour, 1, "3 4"); },
+            "half of a cage's radius");
     }
     if (!voronoi || counts.markers[0] < 2) return;
     for (const auto& step : finenesses) {
         const bool first = step.colour == finenesses[0].colour;
         legend->add(20, swatch(step.colour),
-                    first ? std::string("out-radius / distance to the second nearest input ") + step.label : step.label);
+                    first ? std::string("out-radius / distance to the second nearest input ") + step.label
+                          : step.label);
     }
 }
 

@@ -134,7 +134,8 @@ bool draw_voronoi(const MeshSource& mesh, const View& view, double stroke, Svg& 
     std::vector<netmesh_vertex> inputs;
     for (std::uint64_t i = 0; i < mesh.vertex_count; i++)
         if (mesh.vertex(i).marker == 0) inputs.push_back(mesh.vertex(i));
-    const bool coloured = static_cast<double>(mesh.vertex_count) * static_cast<double>(inputs.size()) <= coloured_pairs_max;
+    const bool coloured =
+        static_cast<double>(mesh.vertex_count) * static_cast<double>(inputs.size()) <= coloured_pairs_max;
     for (std::uint64_t v = 0; v < mesh.vertex_count && coloured && inputs.size() > 1; v++) {
         const netmesh_vertex vertex = mesh.vertex(v);
         if (vertex.marker == 2 || cell_of[v] == NETMESH_NONE) continue;
@@ -142,8 +143,8 @@ bool draw_voronoi(const MeshSource& mesh, const View& view, double stroke, Svg& 
         double out_radius = 0;
         for (const std::uint32_t c : cells_around(mesh, static_cast<std::uint32_t>(v), cell_of[v])) {
             outline.insert(outline.end(), {x(corners[c]), y(corners[c])});
-            out_radius = std::max(out_radius, std::hypot(corners[c].x - vertex.coordinates[0],
-                                                         corners[c].y - vertex.coordinates[1]));
+            out_radius = std::max(
+                out_radius, std::hypot(corners[c].x - vertex.coordinates[0], corners[c].y - vertex.coordinates[1]));
         }
         if (!outline.empty()) svg.polygon(outline, fineness_colour(out_radius / feature_size(inputs, vertex)));
     }

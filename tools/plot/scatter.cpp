@@ -39,11 +39,11 @@ void draw_axes(Svg& svg, const Square& square, const ValueScale& scale) {
         const double y = square.y(tick);
         svg.line(square.panel_x, y, square.right(), y, rule, 1);
         svg.line(square.panel_x - 5, y, square.panel_x, y, ink, 1);
-        if (labels.take(y - 8, y + 4))
-            svg.text(square.panel_x - 9, y + 4, scale.label(tick), 12, ink, Anchor::end);
+        if (labels.take(y - 8, y + 4)) svg.text(square.panel_x - 9, y + 4, scale.label(tick), 12, ink, Anchor::end);
     }
     const double least = scale.has_zero ? square.zero() + 10 : square.panel_x - 40;
-    draw_value_axis(svg, square.panel_y, square.bottom(), least, square.right() + 36, scale, [&](double tick) { return square.x(tick); });
+    draw_value_axis(svg, square.panel_y, square.bottom(), least, square.right() + 36, scale,
+                    [&](double tick) { return square.x(tick); });
     svg.line(square.panel_x, square.top(), square.right(), square.top(), "#b9bec4", 1);
     svg.text(square.panel_x - 9, square.y(HUGE_VAL) + 4, "\xE2\x88\x9E", 14, ink, Anchor::end);
     if (scale.has_zero) {
@@ -118,9 +118,9 @@ void draw_regions(Svg& svg, const Square& square, const ValueScale& scale, const
     const double width = 2 * (style.is_additive() ? style.error : std::log(style.ratio));
     if (!(width > 0) || !std::isfinite(width)) return;
     const double reach = std::min(width, span);
-    svg.polygon({square.x_of(scale.low), square.y_of(scale.low), square.x_of(scale.low),
-                 square.y_of(scale.low + reach), square.x_of(scale.high - reach), square.y_of(scale.high),
-                 square.x_of(scale.high), square.y_of(scale.high)},
+    svg.polygon({square.x_of(scale.low), square.y_of(scale.low), square.x_of(scale.low), square.y_of(scale.low + reach),
+                 square.x_of(scale.high - reach), square.y_of(scale.high), square.x_of(scale.high),
+                 square.y_of(scale.high)},
                 doubt_fill);
     if (width < span) {
         svg.line(square.x_of(scale.low), square.y_of(scale.low + width), square.x_of(scale.high - width),

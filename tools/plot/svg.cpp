@@ -103,10 +103,10 @@ void Svg::mark(Mark mark, double x, double y, double radius, const char* fill, d
     static constexpr double square[] = {-0.9, -0.9, 0.9, -0.9, 0.9, 0.9, -0.9, 0.9};
     static constexpr double diamond[] = {0, -1.3, 1.3, 0, 0, 1.3, -1.3, 0};
     static constexpr double triangle[] = {0, -1.5, 1.3, 0.8, -1.3, 0.8};
-    static constexpr double cross[] = {-0.5, -1.4, 0.5, -1.4, 0.5, -0.5, 1.4, -0.5, 1.4,  0.5, 0.5,  0.5,
-                                       0.5,  1.4,  -0.5, 1.4, -0.5, 0.5, -1.4, 0.5, -1.4, -0.5, -0.5, -0.5};
-    static constexpr double star[] = {0, -1.6, 0.45, -0.5, 1.5, -0.5, 0.7, 0.25, 1, 1.4,
-                                      0, 0.7, -1, 1.4, -0.7, 0.25, -1.5, -0.5, -0.45, -0.5};
+    static constexpr double cross[] = {-0.5, -1.4, 0.5,  -1.4, 0.5,  -0.5, 1.4,  -0.5, 1.4,  0.5,  0.5,  0.5,
+                                       0.5,  1.4,  -0.5, 1.4,  -0.5, 0.5,  -1.4, 0.5,  -1.4, -0.5, -0.5, -0.5};
+    static constexpr double star[] = {0, -1.6, 0.45, -0.5, 1.5,  -0.5, 0.7,  0.25, 1,     1.4,
+                                      0, 0.7,  -1,   1.4,  -0.7, 0.25, -1.5, -0.5, -0.45, -0.5};
     static constexpr struct {
         const double* corners;
         int count;

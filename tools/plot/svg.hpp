@@ -12,20 +12,20 @@ namespace netmesh::tool {
 // Shapes of dots, the same share of a page each.
 enum class Mark : std::uint8_t { disc, square, diamond, triangle, cross, star };
 
-// Colours of degrees 0, 1, 2, .. on white, told apart in each kind of colour blindness too (tests/tools/parts/plot.cpp),
-// and their dots.
+// Colours of degrees 0, 1, 2, .. on white, told apart in each kind of colour blindness too
+// (tests/tools/parts/plot.cpp), and their dots.
 const char* degree_colour(std::uint32_t degree);
 Mark degree_mark(std::uint32_t degree);
-constexpr const char* doubt_fill = "#fbf0d0";        // what may be an artefact
+constexpr const char* doubt_fill = "#fbf0d0";  // what may be an artefact
 constexpr const char* doubt_line = "#a97c00";
-constexpr const char* input_colour = "#1f2d4a";      // input points of a mesh, discs
-constexpr const char* steiner_colour = "#d5590e";    // Steiner points, squares
-constexpr const char* boundary_colour = "#9180be";   // vertices of the boundary net, triangles
-constexpr const char* domain_colour = "#1aa77d";     // the domain's circle, and inner circles of cages
-constexpr const char* cage_colour = "#c21dff";       // outer circles of cages
-constexpr const char* ink = "#22262b";        // text and axes
-constexpr const char* faint_ink = "#5b626a";  // lesser text
-constexpr const char* rule = "#e3e6e9";       // grid
+constexpr const char* input_colour = "#1f2d4a";     // input points of a mesh, discs
+constexpr const char* steiner_colour = "#d5590e";   // Steiner points, squares
+constexpr const char* boundary_colour = "#9180be";  // vertices of the boundary net, triangles
+constexpr const char* domain_colour = "#1aa77d";    // the domain's circle, and inner circles of cages
+constexpr const char* cage_colour = "#c21dff";      // outer circles of cages
+constexpr const char* ink = "#22262b";              // text and axes
+constexpr const char* faint_ink = "#5b626a";        // lesser text
+constexpr const char* rule = "#e3e6e9";             // grid
 
 enum class Anchor { start, middle, end };
 

@@ -27,7 +27,8 @@ std::vector<Strip> strips_of(const Vines& vines, std::uint32_t degree, bool is_l
         Strip strip{&vines.points[i], 0, 0};
         for (; i < vines.points.size() && vines.points[i].vine == strip.first->vine; i++, strip.count++) {
             const netmesh_vine_point& p = vines.points[i];
-            const double length = is_linear ? p.death - p.birth : std::log(p.death) - std::log(std::max(p.birth, 4.9e-324));
+            const double length =
+                is_linear ? p.death - p.birth : std::log(p.death) - std::log(std::max(p.birth, 4.9e-324));
             strip.length = std::max(strip.length, length);
         }
         if (strip.first->degree == degree) strips.push_back(strip);
@@ -46,7 +47,8 @@ public:
         if (shown < total) title += ", the " + std::to_string(shown) + " longest shown";
         svg_.text(panel_.x, panel_.y - 12, fitted_text(title, 14, true, panel_.width), 14, ink, Anchor::start, true);
         const double bottom = panel_.y + panel_.height;
-        draw_value_axis(svg_, panel_.y, bottom, panel_.x - 40, panel_.x + panel_.width + 40, scale_, [&](double tick) { return x(tick); });
+        draw_value_axis(svg_, panel_.y, bottom, panel_.x - 40, panel_.x + panel_.width + 40, scale_,
+                        [&](double tick) { return x(tick); });
         LabelRow labels;
         const std::size_t step = count_ / 20 + 1;
         for (std::size_t i = 0; i < count_; i += step) {
@@ -101,8 +103,7 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report, A
     const std::uint32_t panels = vineyard.max_degree + 1;
     const double width = std::max(gap + panels * (panel_width + gap), 760.0);
     const std::string of =
-        given ? simplices_text(vineyard.simplices) + ", "
-              : counted_text(report.input.points, "point") + ", k = ";
+        given ? simplices_text(vineyard.simplices) + ", " : counted_text(report.input.points, "point") + ", k = ";
     const std::string title = "Vineyard of " + of + std::to_string(vineyard.k_first) + " to " +
                               std::to_string(vineyard.k_last) + (given ? " of its steps" : "");
     const std::string what = std::string("a bar from birth to death at every ") + (given ? "step" : "k") +

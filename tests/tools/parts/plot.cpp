@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/common/inputs.hpp"
 #include "netmesh.hpp"
+#include "tests/common/inputs.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/plot/barcode.hpp"
 #include "tools/plot/plots.hpp"
@@ -46,9 +46,9 @@ std::vector<TextBox> boxes_of(const std::string& picture) {
         const double size = attribute(element, "font-size");
         const std::string words = unescaped(picture.substr(end + 1, picture.find("</text>", end) - end - 1));
         const double width = text_width(words, size, element.find("bold") != std::string::npos);
-        const double before = element.find("middle") != std::string::npos ? 0.5
+        const double before = element.find("middle") != std::string::npos    ? 0.5
                               : element.find("\"end\"") != std::string::npos ? 1
-                                                                          : 0;
+                                                                             : 0;
         const double above = 0.78 * size, below = 0.23 * size;
         const std::size_t turned = element.find("translate(");
         if (turned == std::string::npos) {
@@ -119,7 +119,8 @@ double some_value(Random& random, int kind) {
 std::string some_diagram(std::uint64_t seed) {
     Random random(seed);
     const std::uint32_t degrees = 1 + static_cast<std::uint32_t>(seed % 6);
-    netmesh_report report = report_of(2 + static_cast<std::uint32_t>(seed % 5), seed % 7 == 0 ? 1 : 1234567890123456789u);
+    netmesh_report report =
+        report_of(2 + static_cast<std::uint32_t>(seed % 5), seed % 7 == 0 ? 1 : 1234567890123456789u);
     report.diagram.max_degree = degrees - 1;
     report.diagram.simplices = 98765432109876543u;
     report.mesh.vertices = report.mesh.cells = 18446744073709551615u;
@@ -288,7 +289,8 @@ TEST_CASE("texts that touch or leave the page are seen") {
     const auto page = [](const std::string& texts) { return "<svg width=\"100\" height=\"50\">" + texts + "</svg>\n"; };
     const std::string first = "<text x=\"10\" y=\"20\" font-size=\"10\">abcdef</text>";
     CHECK(text_fault(page(first + "<text x=\"60\" y=\"20\" font-size=\"10\">abc</text>")) == "");
-    CHECK(text_fault(page(first + "<text x=\"60\" y=\"20\" font-size=\"10\" text-anchor=\"middle\">abcdef</text>")) != "");
+    CHECK(text_fault(page(first + "<text x=\"60\" y=\"20\" font-size=\"10\" text-anchor=\"middle\">abcdef</text>")) !=
+          "");
     CHECK(text_fault(page(first + "<text x=\"10\" y=\"28\" font-size=\"10\">a</text>")) != "");
     CHECK(text_fault(page("<text x=\"90\" y=\"20\" font-size=\"10\">abc</text>")) != "");
     CHECK(text_fault(page(first + "<text transform=\"translate(20 25) rotate(-90)\" font-size=\"10\">a</text>")) != "");
@@ -384,7 +386,9 @@ TEST_CASE("ticks are round, and labels tell them apart") {
     };
     CHECK(labels({{0, 1, 100}}, false) == "1 2 5 10 20 50 100 ");
     CHECK(labels({{0, 1e-8, 1e8}}, false) == "1e-08 1e-06 0.0001 0.01 1 100 10000 1e+06 1e+08 ");
-    CHECK(labels({{0, -2, 2}}, true) == "\xE2\x88\x92" "2 \xE2\x88\x92" "1 0 1 2 ");
+    CHECK(labels({{0, -2, 2}}, true) == "\xE2\x88\x92"
+                                        "2 \xE2\x88\x92"
+                                        "1 0 1 2 ");
     CHECK(labels({{0, 1e9, 1e9 + 3}}, true).find("1000000001.5 ") != std::string::npos);
 }
 
@@ -416,7 +420,8 @@ TEST_CASE("pictures are whole documents that show what they should") {
     report.diagram.certified_ratio = 1;
     const std::string negative = diagram_picture({{0, -2, 0}, {0, -2, 1}, {0, -3, HUGE_VAL}}, report);
     check_whole(negative);
-    CHECK(negative.find(">\xE2\x88\x92" "2 to 1<") != std::string::npos);
+    CHECK(negative.find(">\xE2\x88\x92"
+                        "2 to 1<") != std::string::npos);
     CHECK(negative.find("3 surely real") != std::string::npos);
     CHECK(negative.find("value v") != std::string::npos);
 }
