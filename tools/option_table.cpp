@@ -473,8 +473,8 @@ const std::vector<OptionEntry>& option_entries() {
          "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
         {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
-         ".vtu, .obj or .svg: a cycle for each bar to look at; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`, then N\n"
-         "                    simplices, one a line: by vertices of the\n"
+         ".vtu, .obj or .svg: a cycle for each bar to look at; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`,\n"
+         "                    then N simplices, one a line: by vertices of the\n"
          "                    mesh, or of scales, rips and cech by the different points in their order"},
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,
          "the diagram's cycles, as persist wrote them: with --mesh, or with --points for scales, rips and cech, each\n"

@@ -1,5 +1,5 @@
-// node check.mjs netmesh.wasm [GOLDEN]: the module imports nothing and asks for no memory, its fingerprints are printed,
-// or compared with a golden file.
+// node check.mjs netmesh.wasm [GOLDEN]: the module imports nothing and asks for no memory, its fingerprints are
+// printed, or compared with a golden file.
 import { readFileSync } from 'node:fs';
 
 const fail = message => { console.log('FAULT ' + message); process.exit(1); };

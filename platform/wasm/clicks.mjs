@@ -1,6 +1,6 @@
 // node clicks.mjs netmesh.html GOLDEN FOLDER [NETMESH]: the page as people use it, in headless Chromium, with real
-// clicks, keys, drops and drags. A screenshot of each path stays in FOLDER. With the program NETMESH the saved diagram is
-// compared with the program's own.
+// clicks, keys, drops and drags. A screenshot of each path stays in FOLDER. With the program NETMESH the saved diagram
+// is compared with the program's own.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -133,8 +133,8 @@ std::string description_of(const netmesh_report& report, const std::vector<BarGr
                               : counted_text(group.total, "bar") + ", " + grouped_text(group.real) + " surely real.");
         if (group.shown.empty()) continue;
         const Bar& first = group.shown[0];
-        text += " First shown: from " + rounded_text(first.birth, 4) + " to " +
-                (std::isfinite(first.death) ? rounded_text(first.death, 4) : "infinity") + ".";
+        text += " First shown: from " + rounded_text(first.birth, 4) +
+                (std::isfinite(first.death) ? " to " + rounded_text(first.death, 4) : " on for ever") + ".";
     }
     return text;
 }
