@@ -322,6 +322,12 @@ template <std::string Options::*path> std::string apply_path(Options& options, c
     return text.empty() ? "must be a file name" : "";
 }
 
+std::string apply_axis(Options& options, const std::string& text) {
+    if (text == "log") options.axis = Axis::log;
+    if (text == "linear") options.axis = Axis::linear;
+    return options.axis == Axis::natural ? "is log or linear" : "";
+}
+
 template <bool Options::*flag> std::string apply_switch(Options& options, const std::string&) {
     options.*flag = true;
     return {};
@@ -479,8 +485,8 @@ const std::vector<OptionEntry>& option_entries() {
          "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
         {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
-         ".vtu or .obj: a cycle for each bar to look at; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`, then N\n"
-         "                    simplices, one a line: by vertices of the\n"
+         ".vtu, .obj or .svg: a cycle for each bar to look at; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`,\n"
+         "                    then N simplices, one a line: by vertices of the\n"
          "                    mesh, or of scales, rips and cech by the different points in their order"},
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,
          "the diagram's cycles, as persist wrote them: with --mesh, or with --points for scales, rips and cech, each\n"
@@ -491,11 +497,15 @@ const std::vector<OptionEntry>& option_entries() {
         {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
         {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
         {"--svg", mesh | delaunay, "FILE", apply_path<&Options::svg>,
-         "picture of a mesh in the plane; - is stdout, for it alone"},
+         "picture of a mesh in 2 dimensions, of a cut through it in 3; - is stdout, for it alone"},
+        {"--voronoi", mesh | delaunay, nullptr, apply_switch<&Options::voronoi>,
+         "the picture shows Voronoi cells, coloured by how fine they are, in 2 dimensions"},
         {"--svg", persist | homology, "FILE", apply_path<&Options::svg>,
          "picture of barcode and diagram; - is stdout, for it alone"},
         {"--svg", vineyard, "FILE", apply_path<&Options::svg>,
          "picture of the vines, k against radius; - is stdout, for it alone"},
+        {"--axis", persist | homology | vineyard, "A", apply_axis,
+         "log or linear, of the picture (log for radii, linear for values that are none)"},
         {"--analyse", mesh | delaunay, nullptr, apply_switch<&Options::analyse>,
          "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
         {"--wasserstein", distance, "P", apply_order,

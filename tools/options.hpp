@@ -13,6 +13,7 @@
 #include "tools/filters.hpp"
 #include "tools/io/table.hpp"
 #include "tools/outcome.hpp"
+#include "tools/plot/axis.hpp"
 
 namespace netmesh::tool {
 
@@ -35,6 +36,8 @@ struct Options {
     std::string weighted_path;    // where the weighted cells of cages go
     double min_persistence = 0;   // of bars that are written
     std::uint64_t top = 0;        // so many of each degree, the longest; 0: all
+    Axis axis = Axis::natural;    // of pictures of diagrams
+    bool voronoi = false;         // pictures of meshes show Voronoi cells
     bool json = false, analyse = false, check = false, all = false, bounds = false, quiet = false, log = false;
 
     std::optional<double> tau;

@@ -1,5 +1,6 @@
-// netmesh for a page: points in, mesh and diagram out, in memory of fixed size that the module owns. No imports.
-// Numbers of 64 bits cross the border as doubles, which hold every count exactly.
+// netmesh for a page: points in, mesh and diagram out, in a block behind the program that the page makes as large as it
+// wants to: the module has no imports and never asks for memory. Numbers of 64 bits cross the border as doubles, which
+// hold every count exactly.
 #include <cstddef>
 #include <cstdint>
 
@@ -8,14 +9,17 @@
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name), visibility("default")))
 
+extern "C" unsigned char __heap_base;  // by the linker: the first byte that the program does not use
+
 namespace {
 
-constexpr std::size_t coordinates_max = 1 << 19, arena_bytes = std::size_t{56} << 20, text_bytes = 1 << 15;
+constexpr std::size_t text_bytes = 1 << 15;
 
-alignas(16) unsigned char arena[arena_bytes];
-double coordinates[coordinates_max];
-const netmesh_context* context;
+netmesh_context* context;
 netmesh_report report;
+netmesh_detail detail;
+netmesh_filter_info filter;
+netmesh_monitor monitor;
 char text[text_bytes];
 std::size_t text_length;
 
@@ -26,58 +30,168 @@ void add_line(const char* line) {
 }
 
 template <class Item>
-const Item* item_at(netmesh_status (*get)(const netmesh_context*, std::uint64_t, Item*), std::uint32_t i) {
+const Item* item_at(netmesh_status (*get)(const netmesh_context*, std::uint64_t, Item*), double i) {
     static Item item;
     item.struct_bytes = sizeof item;
-    return get(context, i, &item) == NETMESH_OK ? &item : nullptr;
+    return get(context, static_cast<std::uint64_t>(i), &item) == NETMESH_OK ? &item : nullptr;
+}
+
+bool choose(std::uint32_t id) {
+    bool found = false;
+    netmesh::for_each_filter([&](const netmesh_filter_info& info) {
+        if (info.filter != static_cast<netmesh_filter>(id)) return;
+        filter = info;
+        found = true;
+    });
+    return found;
+}
+
+// What a job asks for. ratio 0: what the dimension's tau promises.
+struct Asked {
+    const double* points;
+    std::uint32_t count, dim, k, max_degree;
+    double ratio;
+    bool bounds, cycles;
+};
+
+netmesh::requests::Mesh mesh_request(const Asked& asked) {
+    netmesh::requests::Mesh mesh(asked.dim);
+    mesh.points = asked.points;
+    mesh.point_count = asked.count;
+    mesh.purpose = NETMESH_PURPOSE_PERSIST;
+    mesh.monitor = monitor;
+    mesh.certificate.ratio = asked.ratio > 0 ? asked.ratio : __builtin_sqrt(2 + netmesh::tau(mesh));
+    mesh.whole_cells = filter.clips_cells == 0;
+    return mesh;
+}
+
+netmesh::requests::Delaunay delaunay_request(const Asked& asked) {
+    netmesh::requests::Delaunay delaunay(asked.dim);
+    delaunay.points = asked.points;
+    delaunay.point_count = asked.count;
+    delaunay.purpose = filter.purpose;
+    delaunay.monitor = monitor;
+    return delaunay;
+}
+
+netmesh::requests::Points points_request(const Asked& asked) {
+    netmesh::requests::Points points(asked.dim, filter.filter);
+    points.points = asked.points;
+    points.point_count = asked.count;
+    points.max_degree = asked.max_degree;
+    points.representatives = asked.cycles && filter.has_representatives != 0;
+    points.monitor = monitor;
+    if (filter.needs_k != 0) points.k = asked.k;
+    return points;
+}
+
+netmesh_status make(netmesh::Engine& engine, const Asked& asked) {
+    if (filter.source == NETMESH_SOURCE_POINTS) return engine.persist_points(points_request(asked));
+    netmesh_status status = filter.source == NETMESH_SOURCE_DELAUNAY ? engine.delaunay(delaunay_request(asked))
+                                                                     : engine.mesh(mesh_request(asked));
+    if (status != NETMESH_OK) return status;
+    netmesh::requests::Persist persist(filter.filter);
+    persist.max_degree = asked.max_degree;
+    persist.k = filter.needs_k != 0 ? asked.k : 0;
+    persist.monitor = monitor;
+    status = engine.persist(persist);
+    if (status != NETMESH_OK || !asked.bounds) return status;
+    netmesh::requests::Bounds bounds;
+    bounds.monitor = monitor;
+    return engine.bound_bars(bounds);
+}
+
+netmesh_status make_all(netmesh::Engine& engine, const Asked& asked) {
+    const netmesh_status status = make(engine, asked);
+    if (status != NETMESH_OK || !asked.cycles || filter.has_representatives == 0) return status;
+    if (filter.source == NETMESH_SOURCE_POINTS) return status;
+    netmesh::requests::Represent represent;
+    represent.monitor = monitor;
+    return engine.represent(represent);
 }
 
 }  // namespace
 
-// Where the page puts the coordinates, row by row, and how many there is room for.
-EXPORT(points) double* points() { return coordinates; }
-EXPORT(coordinates_max) std::uint32_t most_coordinates() { return coordinates_max; }
-EXPORT(arena_bytes) std::uint32_t all_bytes() { return arena_bytes; }
+// Where the page's memory begins: coordinates, row by row, and behind them, at a multiple of 16, the block.
+EXPORT(heap) unsigned char* heap() {
+    return &__heap_base + (16 - reinterpret_cast<std::uintptr_t>(&__heap_base) % 16) % 16;
+}
 
-// Mesh and diagram of the first n points; a netmesh_status. tau 0: the dimension's default.
-EXPORT(run) int run(std::uint32_t n, std::uint32_t dim, double tau) {
-    netmesh::requests::Mesh mesh(dim);
-    mesh.points = coordinates;
-    mesh.point_count = n;
-    mesh.purpose = NETMESH_PURPOSE_PERSIST;
-    mesh.tau = tau;
-    netmesh::Engine engine(arena, sizeof arena);
-    netmesh_status status = engine.status();
-    if (status == NETMESH_OK) status = engine.mesh(mesh);
-    if (status == NETMESH_OK) status = engine.persist();
+// A function of the page's, an index of the table, that is called now and then with a netmesh_progress; 0: none.
+EXPORT(watch) void watch(std::uint32_t poll) { monitor.poll = reinterpret_cast<netmesh_poll>(poll); }
+
+// Bytes to plan for; 0 when nothing is known about such a request.
+EXPORT(plan)
+double plan(std::uint32_t n, std::uint32_t dim, std::uint32_t id, std::uint32_t k, std::uint32_t max_degree,
+            double ratio) {
+    if (!choose(id)) return 0;
+    const Asked asked{nullptr, n, dim, k, max_degree, ratio, false, false};
+    std::size_t bytes = 0;
+    if (filter.source == NETMESH_SOURCE_POINTS) bytes = netmesh::plan(points_request(asked));
+    if (filter.source == NETMESH_SOURCE_DELAUNAY) bytes = netmesh::plan(delaunay_request(asked));
+    if (filter.source == NETMESH_SOURCE_MESH) bytes = netmesh::plan(mesh_request(asked));
+    return static_cast<double>(bytes);
+}
+
+// Mesh and diagram of n points in block[0, bytes); a netmesh_status.
+EXPORT(run)
+int run(const double* points, std::uint32_t n, std::uint32_t dim, void* block, std::uint32_t bytes, std::uint32_t id,
+        std::uint32_t k, std::uint32_t max_degree, double ratio, std::uint32_t bounds, std::uint32_t cycles) {
+    context = nullptr;
+    report = {};
+    detail = netmesh::sized<netmesh_detail>();
+    if (!choose(id)) return NETMESH_INVALID_ARGUMENT;
+    netmesh::Engine engine(block, bytes);
+    if (engine.status() != NETMESH_OK) return engine.status();
+    const netmesh_status status = make_all(engine, {points, n, dim, k, max_degree, ratio, bounds != 0, cycles != 0});
     context = engine.context();
     report = engine.report();
+    detail = engine.detail();
     return status;
 }
 EXPORT(status_text) const char* text_of_status(int status) {
     return netmesh_status_text(static_cast<netmesh_status>(status));
 }
+EXPORT(version) const char* version_text() { return netmesh_version_text(); }
 
 // Of the last run.
+EXPORT(message) const char* message() { return detail.message != nullptr ? detail.message : ""; }
+EXPORT(bytes_wanted) double bytes_wanted() { return static_cast<double>(detail.bytes_wanted); }
 EXPORT(vertices) double vertex_count() { return static_cast<double>(report.mesh.vertices); }
 EXPORT(inputs) double input_count() { return static_cast<double>(report.mesh.inputs); }
 EXPORT(cells) double cell_count() { return static_cast<double>(report.mesh.cells); }
 EXPORT(simplices) double simplex_count() { return static_cast<double>(report.diagram.simplices); }
 EXPORT(peak_bytes) double peak() { return static_cast<double>(report.memory.peak_bytes); }
 EXPORT(aspect_ratio) double worst_aspect_ratio() { return report.mesh.aspect_ratio_max; }
-EXPORT(certified_ratio) double ratio() { return report.diagram.certified_ratio; }
+EXPORT(certified_ratio) double certified() { return report.diagram.certified_ratio; }
+EXPORT(certified_from) double certified_from() { return report.diagram.certified_from; }
 EXPORT(fingerprint_high) std::uint32_t high_half() { return static_cast<std::uint32_t>(report.fingerprint >> 32); }
 EXPORT(fingerprint_low) std::uint32_t low_half() { return static_cast<std::uint32_t>(report.fingerprint); }
 
 // Item i of the last run, as the struct of netmesh.h; null past the end.
-EXPORT(vertex) const netmesh_vertex* vertex_at(std::uint32_t i) { return item_at(netmesh_get_vertex, i); }
-EXPORT(cell) const netmesh_cell* cell_at(std::uint32_t i) { return item_at(netmesh_get_cell, i); }
-EXPORT(pair) const netmesh_pair* pair_at(std::uint32_t i) { return item_at(netmesh_get_pair, i); }
+EXPORT(vertex) const netmesh_vertex* vertex_at(double i) { return item_at(netmesh_get_vertex, i); }
+EXPORT(cell) const netmesh_cell* cell_at(double i) { return item_at(netmesh_get_cell, i); }
+EXPORT(pair) const netmesh_pair* pair_at(double i) { return item_at(netmesh_get_pair, i); }
+EXPORT(bar_bounds) const netmesh_bar_bounds* bounds_at(double i) { return item_at(netmesh_get_bar_bounds, i); }
+// How many simplices the cycle of pair i has, and simplex j of it.
+EXPORT(cycle_length) double cycle_length(double i) {
+    std::uint64_t count = 0;
+    return netmesh_get_cycle(context, static_cast<std::uint64_t>(i), &count) == NETMESH_OK ? static_cast<double>(count)
+                                                                                           : 0;
+}
+EXPORT(cycle_simplex) const netmesh_simplex* cycle_simplex(double i, double j) {
+    static netmesh_simplex simplex;
+    simplex.struct_bytes = sizeof simplex;
+    const netmesh_status status =
+        netmesh_get_cycle_simplex(context, static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j), &simplex);
+    return status == NETMESH_OK ? &simplex : nullptr;
+}
 
-// The lines of the slice of tests/determinism, as text that ends in a zero.
-EXPORT(fingerprints) const char* fingerprints() {
+// The lines of the slice of tests/determinism, made in block[0, bytes), as text that ends in a zero.
+EXPORT(fingerprints) const char* fingerprints(void* block, std::uint32_t bytes) {
     text_length = 0;
-    slice::run(arena, sizeof arena, NETMESH_DIM_MIN, NETMESH_DIM_MAX, add_line);
-    for (int dim = 2; dim <= 3; ++dim) slice::demo(dim, arena, slice::demo_bytes, &report, add_line);
+    slice::run(static_cast<unsigned char*>(block), bytes, NETMESH_DIM_MIN, NETMESH_DIM_MAX, add_line);
+    for (int dim = 2; dim <= 3; ++dim)
+        slice::demo(dim, static_cast<unsigned char*>(block), slice::demo_bytes, &report, add_line);
     return text;
 }

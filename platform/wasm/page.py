@@ -1,13 +1,23 @@
 #!/usr/bin/env python3
-"""page.py TEMPLATE MODULE OUT: puts the module into the page, so that one file is all there is."""
+"""page.py FOLDER MODULE OUT: puts style, scripts and module into FOLDER/page/page.html, so that one file is all."""
 import base64
+import pathlib
+import re
 import sys
 
-with open(sys.argv[1], encoding="utf-8") as f:
-    page = f.read()
-with open(sys.argv[2], "rb") as f:
-    module = base64.b64encode(f.read()).decode("ascii")
-if page.count("@MODULE@") != 1:
-    sys.exit("the template has no single @MODULE@")
-with open(sys.argv[3], "w", encoding="utf-8") as f:
-    f.write(page.replace("@MODULE@", module))
+folder = pathlib.Path(sys.argv[1]) / "page"
+module = base64.b64encode(pathlib.Path(sys.argv[2]).read_bytes()).decode("ascii")
+
+
+def part(found):
+    name = found.group(1)
+    text = module if name == "MODULE" else (folder / name).read_text(encoding="utf-8")
+    if name != "MODULE" and ("</script" in text or "</style" in text):
+        sys.exit(f"{name} would end its own element")
+    return text
+
+
+page, count = re.subn(r"@([A-Za-z.]+)@", part, (folder / "page.html").read_text(encoding="utf-8"))
+if count != 8:
+    sys.exit(f"the page has {count} parts and not 8")
+pathlib.Path(sys.argv[3]).write_text(page, encoding="utf-8")

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/io/numbers.hpp"
+#include "tools/plot/plots.hpp"
 
 namespace netmesh::tool {
 
@@ -74,7 +75,7 @@ void write_cycles(const Engine& engine, TextWriter& out) { write_cycles_text(eng
 void write_cycles(const Engine& engine, const std::string& path, const std::vector<bool>& chosen,
                   const CyclePlaces& places, TextWriter& out) {
     const std::string ending = ending_of(path);
-    if (ending != ".vtu" && ending != ".obj") return write_cycles_text(engine, chosen, out);
+    if (!needs_places(ending)) return write_cycles_text(engine, chosen, out);
     std::vector<CycleEntry> cycles;
     for_each_chosen(engine, chosen, [&](std::uint64_t i, const netmesh_pair& pair) {
         CycleEntry entry{{pair.degree, pair.birth, pair.death}, {}, 0};
@@ -83,7 +84,9 @@ void write_cycles(const Engine& engine, const std::string& path, const std::vect
         });
         cycles.push_back(std::move(entry));
     });
-    ending == ".vtu" ? write_cycles_vtu(cycles, places, out) : write_cycles_obj(cycles, places, out);
+    if (ending == ".vtu") return write_cycles_vtu(cycles, places, out);
+    if (ending == ".obj") return write_cycles_obj(cycles, places, out);
+    write_cycle_picture(cycles, places, out);
 }
 
 CyclePlaces places_of(const PointCloud& cloud) {
@@ -95,6 +98,7 @@ CyclePlaces places_of(const PointCloud& cloud) {
         if (!seen.emplace(point, point + cloud.dim).second) continue;
         places.coordinates.insert(places.coordinates.end(), point, point + cloud.dim);
     }
+    places.inputs = seen.size();
     return places;
 }
 

@@ -13,8 +13,11 @@ namespace netmesh::tool {
 // `bar DEGREE BIRTH DEATH N` and N lines of vertices for each pair that the engine holds.
 void write_cycles(const Engine& engine, TextWriter& out);
 
-// The same by the ending of `path`, of the bars that are chosen: `chosen` may be empty, for all. Places are for .vtu
-// and .obj alone.
+// Endings of cycles that say where vertices are.
+inline bool needs_places(const std::string& ending) { return ending == ".vtu" || ending == ".obj" || ending == ".svg"; }
+
+// The same by the ending of `path`, of the bars that are chosen: `chosen` may be empty, for all. Places are for .vtu,
+// .obj and .svg alone.
 void write_cycles(const Engine& engine, const std::string& path, const std::vector<bool>& chosen,
                   const CyclePlaces& places, TextWriter& out);
 // The different points in their order, by which cycles of scales and of filters on points go.

@@ -17,7 +17,7 @@ namespace {
 Outcome check_given(const Options& options) {
     static constexpr const char* used[] = {
         "-o",    "--distances", "--sparse", "--threshold", "--filter", "--max-degree", "--all", "--representatives",
-        "--svg", "--json",      "--quiet",  "--memory",    "--check"};
+        "--svg", "--axis",      "--json",   "--quiet",     "--memory", "--check"};
     for (const auto& given : options.given) {
         bool known = false;
         for (const char* const name : used) known = known || given.first == name;
@@ -84,7 +84,8 @@ Outcome run_distances(const Options& given) {
     if (options.json && options.out.empty()) run.bars = &bars;
     std::vector<FileJob> jobs;
     if (!options.svg.empty())
-        jobs.push_back({options.svg, [&](TextWriter& out) { out << diagram_picture(bars, *run.engine); }});
+        jobs.push_back(
+            {options.svg, [&](TextWriter& out) { out << diagram_picture(bars, *run.engine, {}, options.axis); }});
     if (!options.representatives.empty())
         jobs.push_back({options.representatives, [&](TextWriter& out) { write_cycles(engine, out); }});
     if (!options.out.empty() || !options.json)

@@ -66,10 +66,12 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         outcome = check_mesh_ending(options.mesh_out, dim);
     } else if (outcome.good()) {
         outcome = check_mesh_ending(options.out, dim);
-        if (!options.svg.empty() && dim > 2) {
-            return usage_error("--svg " + options.svg + ": draws meshes in the plane, these points have " +
-                               std::to_string(dim) + " dimensions");
+        if (!options.svg.empty() && dim > 3) {
+            return usage_error("--svg " + options.svg + ": draws meshes in 2 or 3 dimensions, these points have " +
+                               std::to_string(dim));
         }
+        if (options.voronoi && dim > 2) return usage_error("--voronoi: draws cells in 2 dimensions");
+        if (options.voronoi && options.svg.empty()) return usage_error("--voronoi goes with --svg");
     }
     if (!outcome.good()) return outcome;
     return check_writable({options.out, options.mesh_out, options.svg, options.representatives, options.pace_path,
@@ -252,6 +254,7 @@ CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const Poin
     for (std::uint64_t i = 0; i < mesh.vertex_count; i++) {
         const netmesh_vertex vertex = mesh.vertex(i);
         places.coordinates.insert(places.coordinates.end(), vertex.coordinates, vertex.coordinates + mesh.dim);
+        places.inputs += vertex.marker == 0;
     }
     return places;
 }
@@ -266,7 +269,9 @@ std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, 
                         }});
     if (!options.mesh_out.empty()) add_mesh_files(result.mesh, options.mesh_out, &jobs);
     if (!options.svg.empty()) {
-        const auto draw = [&](TextWriter& out) { out << diagram_picture(result.bars, report, result.bounds); };
+        const auto draw = [&](TextWriter& out) {
+            out << diagram_picture(result.bars, report, result.bounds, options.axis);
+        };
         jobs.push_back({picture_path(options.svg), draw});
     }
     if (writes_data(options))
@@ -297,7 +302,8 @@ std::vector<FileJob> mesh_jobs(const Options& options, const Measured& measured,
     if (!options.weighted_path.empty())
         jobs.push_back({options.weighted_path, [&](TextWriter& out) { write_weighted_cells(measured, mesh, out); }});
     if (!options.svg.empty())
-        jobs.push_back({picture_path(options.svg), [&](TextWriter& out) { write_mesh_picture(mesh, out); }});
+        jobs.push_back(
+            {picture_path(options.svg), [&](TextWriter& out) { write_mesh_picture(mesh, options.voronoi, out); }});
     if (writes_data(options)) add_mesh_files(mesh, options.out, &jobs);
     return jobs;
 }
@@ -371,7 +377,7 @@ Outcome run_one(const Options& from) {
     keep_chosen(result.chosen, &result.bars, &result.bounds);
     result.head = head_of(options, *run.engine);
     const std::string cycles_ending = ending_of(options.representatives);
-    if (cycles_ending == ".vtu" || cycles_ending == ".obj") result.places = places_of(options, result.mesh, cloud);
+    if (needs_places(cycles_ending)) result.places = places_of(options, result.mesh, cloud);
     if (options.bounds) run.bounds = &result.bounds;
     if (options.json && options.out.empty()) run.bars = &result.bars;
     return finish_run(diagram_jobs(options, session.engine(), result, *run.engine), start, &run);

@@ -51,15 +51,6 @@ SimplexList simplices_of(const SimplexFile& file) {
     return list;
 }
 
-// Radii are drawn on a logarithmic scale.
-Outcome check_picture(const Options& options, const std::vector<Bar>& bars) {
-    if (options.svg.empty()) return {};
-    for (const Bar& bar : bars) {
-        if (bar.birth < 0) return data_error("--svg " + options.svg + ": the logarithmic scale has no negative values");
-    }
-    return {};
-}
-
 }  // namespace
 
 Outcome run_homology(const Options& options) {
@@ -92,13 +83,11 @@ Outcome run_homology(const Options& options) {
     const std::vector<bool> chosen = chosen_bars(options, bars);
     Bounds bounds;
     keep_chosen(chosen, &bars, &bounds);
-    outcome = check_picture(options, bars);
-    if (!outcome.good()) return outcome;
     if (options.json && options.out.empty()) run.bars = &bars;
     std::vector<FileJob> jobs;
     if (!options.svg.empty())
-        jobs.push_back(
-            {picture_path(options.svg), [&](TextWriter& out) { out << diagram_picture(bars, *run.engine); }});
+        jobs.push_back({picture_path(options.svg),
+                        [&](TextWriter& out) { out << diagram_picture(bars, *run.engine, {}, options.axis); }});
     if (!options.representatives.empty())
         jobs.push_back({options.representatives,
                         [&](TextWriter& out) { write_cycles(engine, options.representatives, chosen, {}, out); }});

@@ -160,9 +160,9 @@ Outcome check_picture_ending(const Options& options) {
 
 Outcome check_cycles_ending(const std::string& path, bool has_places, std::uint32_t dim) {
     const std::string ending = ending_of(path);
-    const bool shown = ending == ".vtu" || ending == ".obj";
+    const bool shown = ending == ".vtu" || ending == ".obj" || ending == ".svg";
     if (path.empty() || ending.empty() || ending == ".txt" || ending == ".cycles") return {};
-    if (!shown) return usage_error(path + ": cycles are written to .txt, .cycles, .vtu or .obj");
+    if (!shown) return usage_error(path + ": cycles are written to .txt, .cycles, .vtu, .obj or .svg");
     if (!has_places) return usage_error(path + ": the vertices of a complex have no places; .txt holds them by number");
     if (dim <= 3) return {};
     return usage_error(path + ": " + ending + " holds 2 or 3 dimensions, these points have " + std::to_string(dim) +

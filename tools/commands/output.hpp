@@ -56,8 +56,8 @@ Outcome read_cloud(const Options& options, const std::string& path, PointCloud* 
 // Exit::usage unless `path` is empty or has the ending: "FILE: WHAT is written to ENDING".
 Outcome check_ending(const std::string& path, const char* ending, const char* what);
 
-// The same for those that a diagram, a picture ("-" is stdout) and cycles can be written to; cycles have .vtu and .obj
-// where their vertices have places, in 2 or 3 dimensions (0: not known yet).
+// The same for those that a diagram, a picture ("-" is stdout) and cycles can be written to; cycles have .vtu, .obj and
+// .svg where their vertices have places, in 2 or 3 dimensions (0: not known yet).
 Outcome check_diagram_ending(const std::string& path);
 Outcome check_picture_ending(const Options& options);
 Outcome check_cycles_ending(const std::string& path, bool has_places, std::uint32_t dim);

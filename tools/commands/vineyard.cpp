@@ -54,8 +54,8 @@ Outcome finish(double start, const Vines& vines, RunReport* run) {
     run->vines = &vines;
     std::vector<FileJob> jobs;
     if (!options.svg.empty()) {
-        jobs.push_back(
-            {picture_path(options.svg), [&](TextWriter& out) { out << vineyard_picture(vines, *run->engine); }});
+        jobs.push_back({picture_path(options.svg),
+                        [&](TextWriter& out) { out << vineyard_picture(vines, *run->engine, options.axis); }});
     }
     if (writes_data(options)) {
         jobs.push_back({options.out, [&](TextWriter& out) { write_vines(vines, run->engine->vineyard, out); }});
@@ -79,10 +79,6 @@ Outcome run_with_values(const Options& options) {
     outcome = make_value_vineyard(options, input, session, &vines);
     if (!outcome.good()) return outcome;
     run.engine = session.engine().report();
-    for (const netmesh_vine_point& p : vines.points) {
-        if (p.birth < 0 && !options.svg.empty())
-            return data_error("--svg " + options.svg + ": the logarithmic scale has no negative values");
-    }
     if (options.check) {
         std::string fault;
         outcome = check_value_vineyard(options, input, vines, session, &fault);

@@ -21,6 +21,7 @@ struct CycleEntry {
 struct CyclePlaces {
     std::uint32_t dim = 0;
     std::vector<double> coordinates;  // [vertices][dim]
+    std::size_t inputs = 0;           // so many of the first are input points
 };
 // VTK's unstructured grid of vertices, lines, triangles and tetrahedra, with cell data bar, degree, birth and death.
 void write_cycles_vtu(const std::vector<CycleEntry>& cycles, const CyclePlaces& places, TextWriter& out);

@@ -10,8 +10,10 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double page_width = 1280, page_height = 750;
-constexpr std::size_t rows_max = 40;  // bars shown of one degree
+constexpr double page_width = 1280, margin = 40;
+constexpr double axis_height = 52;  // below a panel
+constexpr double square_side = 440, panel_height = infinity_row + square_side;
+constexpr std::size_t rows_max = 24;  // bars shown of one degree
 constexpr double ratio_height = 60;
 
 std::string superscript(std::uint32_t dim) {
@@ -20,13 +22,17 @@ std::string superscript(std::uint32_t dim) {
     return digits[dim <= 6 ? dim : 0];
 }
 
+std::string counted_vertices(std::uint64_t count) {
+    return count == 1 ? "1 vertex" : grouped_text(count) + " vertices";
+}
+
 constexpr const char* separator = "  \xC2\xB7  ";
 
 std::string subtitle(const netmesh_report& report) {
     const netmesh_diagram_report& diagram = report.diagram;
     const netmesh_mesh_report& mesh = report.mesh;
     if (report.input.dim == 0) {
-        std::string text = grouped_text(report.simplicial_complex.vertices) + " vertices";
+        std::string text = counted_vertices(report.simplicial_complex.vertices);
         for (std::uint32_t degree = 0; degree <= diagram.max_degree; degree++) {
             text += std::string(degree == 0 ? separator : ", ") + (degree == 0 ? "Betti numbers " : "") +
                     grouped_text(diagram.essential[degree]);
@@ -34,8 +40,8 @@ std::string subtitle(const netmesh_report& report) {
         return text;
     }
     std::string text = reported_choice_text({diagram.filter, diagram.values});
-    if (mesh.present == 0) return text + separator + grouped_text(diagram.simplices) + " simplices";
-    text += separator + grouped_text(mesh.vertices) + " vertices, " + grouped_text(mesh.cells) + " cells";
+    if (mesh.present == 0) return text + separator + simplices_text(diagram.simplices);
+    text += separator + counted_vertices(mesh.vertices) + ", " + counted_text(mesh.cells, "cell");
     if (mesh.is_mesh == 0) return text;
     text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(mesh.aspect_ratio_max, 4);
     const double ratio = mesh.certificate.ratio;
@@ -57,60 +63,118 @@ std::string certificate(const netmesh_report& report) {
     return text + ": within ln c = " + rounded_text(std::log(c), 3) + " of the exact diagram of the " + of;
 }
 
-void draw_key(Svg& svg, double x, double y, const netmesh_report& report, const BarStyle& style) {
-    for (std::uint32_t degree = 0; degree <= report.diagram.max_degree; degree++) {
-        svg.circle(x, y - 4, 4, degree_colour(degree));
-        svg.text(x + 9, y, homology_label(degree), 13, ink, Anchor::start);
-        x += 44;
+Legend legend_of(const netmesh_report& report, const std::vector<BarGroup>& groups, const BarStyle& style,
+                 const ValueScale& scale) {
+    Legend legend(page_width - 2 * margin);
+    bool folds = false, essential = false, labels = false;
+    for (const BarGroup& group : groups) {
+        const std::uint32_t degree = group.degree;
+        legend.add(
+            9,
+            [degree](Svg& svg, double x, double y) {
+                svg.mark(degree_mark(degree), x + 4.5, y, 4.5, degree_colour(degree));
+            },
+            homology_label(degree));
+        folds = folds || !group.rest.empty();
+        labels = labels || group.labelled > 0;
+        for (const Bar& bar : group.shown) essential = essential || !std::isfinite(bar.death);
     }
-    if (style.is_additive() ? style.error <= 0 : report.diagram.certified_ratio <= 1) return;
-    const double square = report.diagram.certified_ratio * report.diagram.certified_ratio;
-    svg.rect(x + 8, y - 11, 22, 13, "#fbf3dc");
-    if (style.has_flags) {
-        const std::string curve =
-            style.is_additive() ? "; e(v): certified error at value v" : "; c(r): certified ratio at radius r";
-        const std::string shown = style.has_curve() ? curve : "";
-        svg.text(x + 38, y,
-                 "too short to be surely real by scale; faint bars may be artefacts, every solid class is real" + shown,
-                 12, faint_ink, Anchor::start);
-        return;
+    const auto swatch = [](const char* fill, double opacity) {
+        return [fill, opacity](Svg& svg, double x, double y) {
+            svg.polygon({x, y - 6, x + 22, y - 6, x + 22, y + 6, x, y + 6}, fill, opacity);
+        };
+    };
+    const bool doubts = style.is_additive() ? style.error > 0 : report.diagram.certified_ratio > 1;
+    if (doubts) {
+        const double c = report.diagram.certified_ratio;
+        const std::string limit =
+            style.has_flags       ? ""
+            : style.is_additive() ? ": death \xE2\x88\x92 birth \xE2\x89\xA4 2 e = " + rounded_text(2 * style.error, 3)
+                                  : ": death / birth \xE2\x89\xA4 c\xC2\xB2 = " + rounded_text(c * c, 3);
+        legend.add(22, swatch(doubt_fill, 1), "too short to be surely real" + limit);
+        legend.add(22, swatch(degree_colour(0), 0.45), "faint: may be an artefact");
+        legend.add(22, swatch(degree_colour(0), 1), "solid: surely real");
     }
-    if (style.is_additive()) {
-        svg.text(x + 38, y,
-                 "death \xE2\x88\x92 birth \xE2\x89\xA4 2 e = " + rounded_text(2 * style.error, 3) +
-                     ": drawn faint, may be an artefact; every solid class is real",
-                 12, faint_ink, Anchor::start);
-        return;
+    if (style.has_curve()) {
+        legend.add(
+            22, [](Svg& svg, double x, double y) { svg.line(x, y, x + 22, y, doubt_line, 1.5); },
+            style.is_additive() ? "e(v): certified error at value v" : "c(r): certified ratio at radius r");
     }
-    svg.text(x + 38, y,
-             "death / birth \xE2\x89\xA4 c\xC2\xB2 = " + rounded_text(square, 3) +
-                 ": drawn faint, may be an artefact; every solid class is real",
-             12, faint_ink, Anchor::start);
+    if (essential)
+        legend.add(
+            22,
+            [](Svg& svg, double x, double y) {
+                svg.line(x, y, x + 14, y, ink, 4);
+                svg.polygon({x + 13, y - 5, x + 22, y, x + 13, y + 5}, ink);
+            },
+            "never dies");
+    if (folds)
+        legend.add(22, swatch(degree_colour(0), 0.3), "curve: how many of the other, shorter bars there are at once");
+    legend.add(22, swatch("#eff1f3", 1), "below the diagonal no bar can be");
+    if (labels)
+        legend.add(
+            22, [](Svg& svg, double x, double y) { svg.text(x + 11, y + 4, "a to b", 9, ink, Anchor::middle); },
+            "birth and death of the longest bars that surely are real");
+    if (scale.has_zero)
+        legend.add(
+            22, [](Svg& svg, double x, double y) { svg.text(x + 11, y + 4, "0", 12, ink, Anchor::middle); },
+            "column of bars that are born at 0");
+    return legend;
+}
+
+// For who cannot see it.
+std::string description_of(const netmesh_report& report, const std::vector<BarGroup>& groups) {
+    std::string text =
+        "A barcode, and beside it the same bars as points, death against birth. " + certificate(report) + ".";
+    for (const BarGroup& group : groups) {
+        text +=
+            " Degree " + std::to_string(group.degree) + ": " +
+            (group.total == 0 ? "no bar."
+                              : counted_text(group.total, "bar") + ", " + grouped_text(group.real) + " surely real.");
+        if (group.shown.empty()) continue;
+        const Bar& first = group.shown[0];
+        text += " First shown: from " + rounded_text(first.birth, 4) +
+                (std::isfinite(first.death) ? " to " + rounded_text(first.death, 4) : " on for ever") + ".";
+    }
+    return text;
 }
 
 }  // namespace
 
-std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report, const Bounds& bounds) {
+std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report, const Bounds& bounds,
+                            Axis axis) {
     TextWriter out;
-    Svg svg(out, page_width, page_height);
     const BarStyle style = style_of(bars, report, bounds);
-    const ValueScale scale = scale_for(bars, style.is_additive());
+    const bool are_radii = !style.is_additive();
+    const ValueScale scale = scale_for(bars, is_linear_axis(axis, are_radii, bars));
     const std::string subject =
-        report.input.dim == 0 ? "a complex of " + grouped_text(report.diagram.simplices) + " simplices"
-                              : grouped_text(report.input.points) + " points in R" + superscript(report.input.dim);
-    svg.text(48, 40, "Persistent homology of " + subject, 20, ink, Anchor::start, true);
-    svg.text(48, 62, subtitle(report), 13, faint_ink, Anchor::start);
-    svg.text(48, 82, certificate(report), 13, ink, Anchor::start);
-    Panel barcode{152, 112, 572, 520};
-    if (style.has_curve()) {
-        draw_ratio(svg, {barcode.x, barcode.y, barcode.width, ratio_height}, scale, style);
-        barcode.y += ratio_height + 20;
-        barcode.height -= ratio_height + 20;
-    }
-    draw_barcode(svg, barcode, group_bars(bars, report.diagram.max_degree, rows_max, scale), scale, style);
-    const Panel scatter{800, 112, 440, 520};
-    draw_scatter(svg, scatter, bars, scale, style);
-    draw_key(svg, 52, page_height - 26, report, style);
+        report.input.dim == 0 ? "a complex of " + simplices_text(report.diagram.simplices)
+                              : counted_text(report.input.points, "point") + " in R" + superscript(report.input.dim);
+    const std::string title = "Persistent homology of " + subject;
+    Heading heading(page_width - 2 * margin);
+    heading.add(title, 20, ink, true);
+    heading.add(subtitle(report), 13, faint_ink);
+    heading.add(certificate(report), 13, ink);
+    const std::vector<BarGroup> groups = group_bars(bars, report.diagram.max_degree, rows_max, scale, style);
+    const Legend legend = legend_of(report, groups, style, scale);
+
+    // From the right: the square, labels of deaths, labels of bars; the barcode has the rest.
+    const double top = 18 + heading.height() + 22;
+    const double diagram_x = page_width - margin - square_side - (scale.has_zero ? zero_column : 0);
+    const double barcode_x = margin + degree_width;
+    const double width = diagram_x - death_label_width(scale) - 44 - label_width(groups) - barcode_x;
+    const double curve = style.has_curve() ? ratio_height + 20 : 0;
+    const double height = std::max(panel_height, curve + barcode_height(groups));
+    const Panel barcode{barcode_x, top + curve, width, height - curve};
+    const double legend_y = top + height + axis_height;
+    Svg svg(out, page_width, legend_y + legend.height() + 20, title, description_of(report, groups));
+    heading.draw(svg, margin, 18);
+    if (style.has_curve()) draw_ratio(svg, {barcode_x, top, width, ratio_height}, scale, style);
+    draw_barcode(svg, barcode, groups, scale, style);
+    svg.text(barcode_x + width / 2, top + height + 40, are_radii && report.input.dim != 0 ? "radius r" : "value v", 12,
+             ink, Anchor::middle);
+    draw_scatter(svg, diagram_x, top, square_side, bars, scale, style);
+    legend.draw(svg, margin, legend_y);
     svg.finish();
     return out.text();
 }

@@ -6,19 +6,26 @@
 namespace netmesh::tool {
 
 const char* degree_colour(std::uint32_t degree) {
-    static constexpr const char* colours[] = {"#33485e", "#d1495b", "#1b7f79", "#8e5bb0", "#c98a1b", "#3f86d4"};
+    static constexpr const char* colours[] = {"#1f2d4a", "#d5590e", "#1aa77d", "#c21dff", "#592710", "#9180be"};
     return colours[degree % 6];
 }
 
-Svg::Svg(TextWriter& out, double width, double height) : out_(out) {
-    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+Mark degree_mark(std::uint32_t degree) { return static_cast<Mark>(degree % 6); }
+
+Svg::Svg(TextWriter& out, double width, double height, std::string_view title, std::string_view description)
+    : out_(out) {
+    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-labelledby=\"title description\"";
     attribute("width", width);
     attribute("height", height);
     out_ << " viewBox=\"0 0 ";
     number(width);
     out_ << ' ';
     number(height);
-    out_ << "\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n";
+    out_ << "\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n<title id=\"title\">";
+    escaped(title);
+    out_ << "</title>\n<desc id=\"description\">";
+    escaped(description);
+    out_ << "</desc>\n";
     rect(0, 0, width, height, "#ffffff");
 }
 
@@ -91,6 +98,32 @@ void Svg::circle(double x, double y, double radius, const char* fill, double opa
     out_ << " fill=\"" << std::string_view(fill) << "\"/>\n";
 }
 
+void Svg::mark(Mark mark, double x, double y, double radius, const char* fill, double opacity) {
+    // Corners about (0, 0) of a shape whose area is about that of the circle of radius 1.
+    static constexpr double square[] = {-0.9, -0.9, 0.9, -0.9, 0.9, 0.9, -0.9, 0.9};
+    static constexpr double diamond[] = {0, -1.3, 1.3, 0, 0, 1.3, -1.3, 0};
+    static constexpr double triangle[] = {0, -1.5, 1.3, 0.8, -1.3, 0.8};
+    static constexpr double cross[] = {-0.5, -1.4, 0.5,  -1.4, 0.5,  -0.5, 1.4,  -0.5, 1.4,  0.5,  0.5,  0.5,
+                                       0.5,  1.4,  -0.5, 1.4,  -0.5, 0.5,  -1.4, 0.5,  -1.4, -0.5, -0.5, -0.5};
+    static constexpr double star[] = {0, -1.6, 0.45, -0.5, 1.5,  -0.5, 0.7,  0.25, 1,     1.4,
+                                      0, 0.7,  -1,   1.4,  -0.7, 0.25, -1.5, -0.5, -0.45, -0.5};
+    static constexpr struct {
+        const double* corners;
+        int count;
+    } shapes[] = {{nullptr, 0}, {square, 4}, {diamond, 4}, {triangle, 3}, {cross, 12}, {star, 10}};
+    const auto& shape = shapes[static_cast<int>(mark)];
+    if (shape.count == 0) {
+        circle(x, y, radius, fill, opacity);
+        return;
+    }
+    double points[24];
+    for (int i = 0; i < shape.count; i++) {
+        points[2 * i] = x + radius * shape.corners[2 * i];
+        points[2 * i + 1] = y + radius * shape.corners[2 * i + 1];
+    }
+    polygon(points, shape.count, fill, opacity);
+}
+
 void Svg::ring(double x, double y, double radius, const char* colour, double width, const char* dash) {
     out_ << "<circle";
     attribute("cx", x);
@@ -101,7 +134,7 @@ void Svg::ring(double x, double y, double radius, const char* colour, double wid
     out_ << " fill=\"none\" stroke=\"" << std::string_view(colour) << "\"/>\n";
 }
 
-void Svg::polygon(const double* points, int count, const char* fill, double opacity) {
+void Svg::corners(const double* points, int count) {
     out_ << "<polygon points=\"";
     for (int i = 0; i < count; i++) {
         if (i > 0) out_ << ' ';
@@ -110,8 +143,19 @@ void Svg::polygon(const double* points, int count, const char* fill, double opac
         number(points[2 * i + 1]);
     }
     out_ << '"';
+}
+
+void Svg::polygon(const double* points, int count, const char* fill, double opacity) {
+    corners(points, count);
     if (opacity < 1) attribute("fill-opacity", opacity);
     out_ << " fill=\"" << std::string_view(fill) << "\"/>\n";
+}
+
+void Svg::outlined_polygon(const double* points, int count, const char* fill, const char* colour, double width) {
+    corners(points, count);
+    attribute("stroke-width", width);
+    out_ << " fill=\"" << std::string_view(fill) << "\" stroke-linejoin=\"round\" stroke=\"" << std::string_view(colour)
+         << "\"/>\n";
 }
 
 void Svg::text(double x, double y, std::string_view content, double size, const char* colour, Anchor anchor,

@@ -10,24 +10,26 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double page_height = 730, panel_width = 460, gap = 90;
+constexpr double panel_width = 460, panel_height = 520, gap = 90, margin = 48;
 constexpr std::size_t vines_max = 60;  // shown of one degree
 
 // The points of one vine, and how long it is where it is longest.
 struct Strip {
     const netmesh_vine_point* first;
     std::size_t count;
-    double length;  // ln(death / birth), births at 0 as if at the least positive double
+    double length;  // death - birth, or ln(death / birth), births at 0 as if at the least positive double
 };
 
 // The vines of a degree, the longest first.
-std::vector<Strip> strips_of(const Vines& vines, std::uint32_t degree) {
+std::vector<Strip> strips_of(const Vines& vines, std::uint32_t degree, bool is_linear) {
     std::vector<Strip> strips;
     for (std::size_t i = 0; i < vines.points.size();) {
         Strip strip{&vines.points[i], 0, 0};
         for (; i < vines.points.size() && vines.points[i].vine == strip.first->vine; i++, strip.count++) {
             const netmesh_vine_point& p = vines.points[i];
-            strip.length = std::max(strip.length, std::log(p.death) - std::log(std::max(p.birth, 4.9e-324)));
+            const double length =
+                is_linear ? p.death - p.birth : std::log(p.death) - std::log(std::max(p.birth, 4.9e-324));
+            strip.length = std::max(strip.length, length);
         }
         if (strip.first->degree == degree) strips.push_back(strip);
     }
@@ -37,29 +39,28 @@ std::vector<Strip> strips_of(const Vines& vines, std::uint32_t degree) {
 
 class Plot {
 public:
-    Plot(Svg& svg, const Panel& panel, const ValueScale& scale, const Vines& vines)
-        : svg_(svg), panel_(panel), scale_(scale), first_(vines.k_first), count_(vines.ratios.size()) {}
+    Plot(Svg& svg, const Panel& panel, const ValueScale& scale, const Vines& vines, const char* what)
+        : svg_(svg), panel_(panel), scale_(scale), what_(what), first_(vines.k_first), count_(vines.ratios.size()) {}
 
     void axes(std::uint32_t degree, std::size_t total, std::size_t shown) const {
-        std::string title = homology_label(degree) + ": " + grouped_text(total) + (total == 1 ? " vine" : " vines");
+        std::string title = homology_label(degree) + ": " + counted_text(total, "vine");
         if (shown < total) title += ", the " + std::to_string(shown) + " longest shown";
-        svg_.text(panel_.x, panel_.y - 12, title, 14, ink, Anchor::start, true);
-        for (const double tick : scale_.ticks()) {
-            const double x = panel_.x + (tick - scale_.low) / (scale_.high - scale_.low) * panel_.width;
-            const double bottom = panel_.y + panel_.height;
-            svg_.line(x, panel_.y, x, bottom, rule, 1);
-            svg_.text(x, bottom + 19, logarithm_label(tick), 12, ink, Anchor::middle);
-            svg_.text(x, bottom + 34, radius_label(tick), 11, faint_ink, Anchor::middle);
-        }
+        svg_.text(panel_.x, panel_.y - 12, fitted_text(title, 14, true, panel_.width), 14, ink, Anchor::start, true);
+        const double bottom = panel_.y + panel_.height;
+        draw_value_axis(svg_, panel_.y, bottom, panel_.x - 40, panel_.x + panel_.width + 40, scale_,
+                        [&](double tick) { return x(tick); });
+        LabelRow labels;
         const std::size_t step = count_ / 20 + 1;
         for (std::size_t i = 0; i < count_; i += step) {
             const double at = y(first_ + static_cast<std::uint32_t>(i));
             svg_.line(panel_.x, at, panel_.x + panel_.width, at, rule, 1);
-            svg_.text(panel_.x - 9, at + 4, std::to_string(first_ + i), 12, ink, Anchor::end);
+            if (!labels.take(at - 8, at + 4)) continue;
+            const std::string label = fitted_text(std::to_string(first_ + i), 12, false, 44);
+            svg_.text(panel_.x - 9, at + 4, label, 12, ink, Anchor::end);
         }
-        svg_.text(panel_.x + panel_.width / 2, panel_.y + panel_.height + 53, "ln radius, radius", 12, ink,
+        svg_.text(panel_.x + panel_.width / 2, bottom + 40, scale_.is_linear ? "value" : "radius", 12, ink,
                   Anchor::middle);
-        svg_.upright_text(panel_.x - 38, panel_.y + panel_.height / 2, "k", 12, ink);
+        svg_.upright_text(panel_.x - 62, panel_.y + panel_.height / 2, what_, 12, ink);
     }
     // From birth to death at every k, joined to the next where the vine goes on.
     void draw(const Strip& strip, const char* colour) const {
@@ -84,38 +85,46 @@ private:
     Svg& svg_;
     const Panel& panel_;
     const ValueScale& scale_;
+    const char* what_;  // that grows upwards
     std::uint32_t first_;
     std::size_t count_;
 };
 
 }  // namespace
 
-std::string vineyard_picture(const Vines& vines, const netmesh_report& report) {
+std::string vineyard_picture(const Vines& vines, const netmesh_report& report, Axis axis) {
     std::vector<Bar> bars;
     for (const netmesh_vine_point& p : vines.points) bars.push_back({p.degree, p.birth, p.death});
-    const ValueScale scale = scale_for(bars);
-    TextWriter out;
     const netmesh_vineyard_report& vineyard = report.vineyard;
-    const std::uint32_t panels = vineyard.max_degree + 1;
-    Svg svg(out, gap + panels * (panel_width + gap), page_height);
     const bool given = vineyard.filter == NETMESH_FILTER_NONE;
+    // Values that are given have always been drawn as radii, unless some are negative.
+    const ValueScale scale = scale_for(bars, is_linear_axis(axis, true, bars));
+    TextWriter out;
+    const std::uint32_t panels = vineyard.max_degree + 1;
+    const double width = std::max(gap + panels * (panel_width + gap), 760.0);
     const std::string of =
-        given ? grouped_text(vineyard.simplices) + " simplices, " : grouped_text(report.input.points) + " points, k = ";
-    svg.text(48, 40,
-             "Vineyard of " + of + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) +
-                 (given ? " of its steps" : ""),
-             20, ink, Anchor::start, true);
-    const std::string what = "a bar from birth to death at every ";
-    svg.text(48, 62,
-             given ? what + "step, bands join the bars of one vine"
-                   : choice_text({vineyard.filter, vineyard.values}) + "; " + what +
-                         "k, bands join the bars of one vine; certified ratio at most " +
-                         rounded_text(vineyard.certified_ratio, 4),
-             13, faint_ink, Anchor::start);
+        given ? simplices_text(vineyard.simplices) + ", " : counted_text(report.input.points, "point") + ", k = ";
+    const std::string title = "Vineyard of " + of + std::to_string(vineyard.k_first) + " to " +
+                              std::to_string(vineyard.k_last) + (given ? " of its steps" : "");
+    const std::string what = std::string("a bar from birth to death at every ") + (given ? "step" : "k") +
+                             ", bands join the bars of one vine";
+    const std::string about = given ? what
+                                    : choice_text({vineyard.filter, vineyard.values}) + "; " + what +
+                                          "; certified ratio at most " + rounded_text(vineyard.certified_ratio, 4);
+    Heading heading(width - 2 * margin);
+    heading.add(title, 20, ink, true);
+    heading.add(about, 13, faint_ink);
+    const double top = 18 + heading.height() + 40;
+    std::string description = "For each degree bars of a diagram, one row for each step. " + about + ".";
+    for (std::uint32_t degree = 0; degree < panels; degree++)
+        description += " Degree " + std::to_string(degree) + ": " +
+                       counted_text(strips_of(vines, degree, scale.is_linear).size(), "vine") + ".";
+    Svg svg(out, width, top + panel_height + 64, title, description);
+    heading.draw(svg, margin, 18);
     for (std::uint32_t degree = 0; degree < panels; degree++) {
-        const Panel panel{gap + degree * (panel_width + gap), 110, panel_width, 520};
-        const Plot plot(svg, panel, scale, vines);
-        std::vector<Strip> strips = strips_of(vines, degree);
+        const Panel panel{gap + degree * (panel_width + gap), top, panel_width, panel_height};
+        const Plot plot(svg, panel, scale, vines, given ? "step" : "k");
+        std::vector<Strip> strips = strips_of(vines, degree, scale.is_linear);
         const std::size_t shown = std::min(strips.size(), vines_max);
         plot.axes(degree, strips.size(), shown);
         for (std::size_t i = shown; i-- > 0;) plot.draw(strips[i], degree_colour(degree));

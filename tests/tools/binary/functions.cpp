@@ -195,10 +195,10 @@ TEST_CASE("pictures of a function's diagram: a band, values as they are, e(v)") 
     CHECK(picture.find("certified error e = ") != std::string::npos);
     CHECK(picture.find("birth \xE2\x89\xA4 2 e = ") != std::string::npos);
     CHECK(picture.find("value v") != std::string::npos);
-    CHECK(picture.find("ln r") == std::string::npos);
+    CHECK(picture.find("radius r") == std::string::npos);
     CHECK(picture.find("\xE2\x88\x92"
                        "0.4") != std::string::npos);      // a tick below 0
-    CHECK(picture.find("#fbf3dc") != std::string::npos);  // the band
+    CHECK(picture.find("#fbf0d0") != std::string::npos);  // the band
     CHECK(picture.find("nan") == std::string::npos);
     CHECK(picture.find("inf") == std::string::npos);
     REQUIRE(folder.run(how + " --bounds").exit == 0);

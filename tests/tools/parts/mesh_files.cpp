@@ -5,7 +5,6 @@
 
 #include "tools/io/diagram_file.hpp"
 #include "tools/io/mesh_files.hpp"
-#include "tools/plot/plots.hpp"
 
 using namespace netmesh::tool;
 
@@ -249,57 +248,4 @@ TEST_CASE("diagrams: faults and their lines") {
     CHECK(fault("0 nan 1\n") == "d.pers:1");
     CHECK(fault("0 2 1\n") == "d.pers:1");
     CHECK(fault("0 0 1e999\n") == "d.pers:1");
-}
-
-// The y of the text that has these words.
-static std::string height_of(const std::string& picture, const char* words) {
-    const std::size_t found = picture.find(words);
-    REQUIRE(found != std::string::npos);
-    const std::size_t from = picture.find(" y=\"", picture.rfind("<text", found)) + 4;
-    return picture.substr(from, picture.find('"', from) - from);
-}
-
-TEST_CASE("pictures are whole documents that show what they should") {
-    netmesh_report report = netmesh::sized<netmesh_report>();
-    report.input.dim = 2;
-    report.input.points = 3;
-    report.mesh.present = report.mesh.is_mesh = 1;
-    report.mesh.vertices = 12;
-    report.mesh.tau = 2.5;
-    report.diagram.filter = NETMESH_FILTER_COMPLETE;
-    report.diagram.max_degree = 1;
-    report.diagram.certified_ratio = 2;
-    std::vector<Bar> bars = {{0, 0, HUGE_VAL}, {1, .5, .6}, {1, .5, 2.5}};
-    for (int i = 0; i < 1000; i++) bars.push_back({0, 0, 0.001 * (i + 1)});
-    const std::string picture = diagram_picture(bars, report);
-    CHECK(picture.rfind("<svg ", 0) == 0);
-    CHECK(picture.substr(picture.size() - 7) == "</svg>\n");
-    CHECK(picture.find("1,001 bars") != std::string::npos);
-    CHECK(picture.find("longest 40") != std::string::npos);
-    CHECK(picture.find("certified ratio c = 2") != std::string::npos);
-    CHECK(picture.find("nan") == std::string::npos);
-    CHECK(height_of(picture, "filter complete") != height_of(picture, "certified ratio c"));  // both are long lines
-    CHECK(picture.find("c(r)") == std::string::npos);
-    // The ratio by scale as a curve, cut at the diagram's where it is larger; not of a single ratio.
-    Bounds bounds;
-    bounds.bars.resize(bars.size());
-    bounds.steps = {{0, 0, HUGE_VAL, HUGE_VAL, HUGE_VAL, 2, 0}};
-    CHECK(diagram_picture(bars, report, bounds).find("c(r)") == std::string::npos);
-    bounds.steps = {{0, 0, 0, 1, 1, HUGE_VAL, 0}, {0, .6, .5, 1, 1, 1.8, 0}, {0, 1.1, HUGE_VAL, 1, 1.1, 1, 0}};
-    const std::string curve = diagram_picture(bars, report, bounds);
-    CHECK(curve.find("c(r)") != std::string::npos);
-    CHECK(curve.find("nan") == std::string::npos);
-    CHECK(curve.find("inf") == std::string::npos);
-    const std::string lonely = diagram_picture({{0, 0, HUGE_VAL}}, report);
-    CHECK(lonely.find("nan") == std::string::npos);
-    CHECK(lonely.find("1 bar<") != std::string::npos);
-
-    const Square square;
-    const std::string mesh = text_of(write_mesh_picture, square);
-    CHECK(mesh.find("3 inputs") != std::string::npos);
-    CHECK(mesh.find("1 Steiner points") != std::string::npos);
-    CHECK(mesh.find("2 triangles") != std::string::npos);
-    std::size_t strokes = 0;
-    for (std::size_t at = 0; (at = mesh.find('M', at)) != std::string::npos; at++) strokes++;
-    CHECK(strokes == 5);
 }

@@ -1,0 +1,311 @@
+// node clicks.mjs netmesh.html GOLDEN FOLDER [NETMESH]: the page as people use it, in headless Chromium, with real
+// clicks, keys, drops and drags. A screenshot of each path stays in FOLDER. With the program NETMESH the saved diagram
+// is compared with the program's own.
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { has_chromium, open_browser, open_page } from '../../tests/browser/browser.mjs';
+
+if (!has_chromium()) { console.log('SKIPPED: there is no chromium'); process.exit(0); }
+const [html, golden, folder] = process.argv.slice(2, 5).map(path => resolve(path)), program = process.argv[5];
+const url = 'file://' + html;
+mkdirSync(folder, { recursive: true });
+const files = mkdtempSync(join(tmpdir(), 'clicks-'));
+
+const check = (holds, words) => { if (!holds) throw new Error(words); };
+const equal = (a, b, words) => check(a === b, `${words}: ${JSON.stringify(a)} and not ${JSON.stringify(b)}`);
+const status = page => page.run("document.querySelector('#status').textContent");
+const text = (page, selector) => page.run(`document.querySelector('${selector}').textContent`);
+const done = page => page.until("document.querySelector('#status').textContent.includes('done in')", 'a result');
+const bad = page => page.until("document.querySelector('#status').className === 'bad'", 'a fault');
+const bars = (page, degree) => page.run(`last.result.pairs.filter(p => p.degree === ${degree}).length`);
+const ink = page => page.run("document.querySelector('#view').toDataURL()");
+// A list has no popup without a screen: as the keyboard does it.
+async function choose(page, selector, value) {
+    await page.run(`(() => {
+        const select = document.querySelector('${selector}');
+        select.focus();
+        select.value = ${JSON.stringify(value)};
+        if (select.value !== ${JSON.stringify(value)}) throw new Error('no such entry');
+        select.dispatchEvent(new Event('change', { bubbles: true }));
+    })()`);
+}
+async function type(page, selector, words) {
+    await page.click(selector);
+    await page.run(`document.querySelector('${selector}').select()`);
+    await page.type(words);
+}
+// Uniform points of the cube, by a fixed formula.
+function cube(count, dim) {
+    let state = 1;
+    const next = () => (state = (state * 48271) % 2147483647) / 2147483647;
+    return Array.from({ length: count }, () => Array.from({ length: dim }, next).join(',')).join('\n');
+}
+const ring = Array.from({ length: 24 }, (_, i) =>
+    `${Math.cos(i * Math.PI / 12).toFixed(6)}, ${Math.sin(i * Math.PI / 12).toFixed(6)}`).join('\n');
+
+const paths = {
+    async 'fingerprints'(page) {
+        const lines = await page.run(`new Promise(resolve => {
+            const worker = new Worker(worker_url);
+            worker.onmessage = ({ data }) => { worker.terminate(); resolve(data.fingerprints); };
+            worker.postMessage({ module, fingerprints: true });
+        })`);
+        equal(lines, readFileSync(golden, 'utf8'), 'fingerprints');
+    },
+    async 'sample'(page) {
+        await choose(page, '#sample', 'figure eight, 2D');
+        await done(page);
+        check((await status(page)).includes('120 points in 2 dimensions'), await status(page));
+        check((await status(page)).includes('the exact filter is cheap'), await status(page));
+        check((await text(page, '#barcode-note')).startsWith('exact'), 'the certificate');
+        const long = "last.result.pairs.filter(p => p.degree === 1 && p.death > 3 * p.birth).length";
+        equal(await page.run(long), 2, 'holes');
+    },
+    async 'typed points'(page) {
+        await type(page, '#text', ring);
+        await page.click('#run');
+        await done(page);
+        equal(await bars(page, 0), 24, 'components');
+        equal(await bars(page, 1), 1, 'holes');
+        check((await text(page, '#read')).includes('24 points in 2 dimensions'), 'what was read');
+    },
+    async 'pasted points'(page) {
+        await page.click('#text');
+        await page.run(`(() => {
+            const carried = new DataTransfer();
+            carried.setData('text/plain', ${JSON.stringify(ring)});
+            const field = document.querySelector('#text');
+            const paste = { clipboardData: carried, bubbles: true, cancelable: true };
+            if (field.dispatchEvent(new ClipboardEvent('paste', paste)))
+                document.execCommand('insertText', false, ${JSON.stringify(ring)});
+        })()`);
+        await done(page);
+        equal(await bars(page, 1), 1, 'holes');
+    },
+    async 'dropped file'(page) {
+        const path = join(files, 'ring.csv');
+        writeFileSync(path, 'x;y\n' + ring.replaceAll(', ', ';').replaceAll('.', ',') + '\n');
+        const at = { x: 300, y: 300 }, data = { items: [], files: [path], dragOperationsMask: 1 };
+        for (const kind of ['dragEnter', 'dragOver', 'drop'])
+            await page.send('Input.dispatchDragEvent', { type: kind, ...at, data });
+        await done(page);
+        equal(await bars(page, 1), 1, 'holes');
+        const read = await text(page, '#read');
+        check(read.includes('commas are decimal') && read.includes('line 1 skipped'), read);
+    },
+    async 'chosen file'(page) {
+        const path = join(files, 'cube.txt');
+        writeFileSync(path, cube(60, 3).replaceAll(',', ' '));
+        const { root } = await page.send('DOM.getDocument');
+        const { nodeId } = await page.send('DOM.querySelector', { nodeId: root.nodeId, selector: '#file' });
+        await page.send('DOM.setFileInputFiles', { nodeId, files: [path] });
+        await done(page);
+        check((await status(page)).includes('60 points in 3 dimensions'), await status(page));
+    },
+    async 'wrong line'(page) {
+        await type(page, '#text', '1 2\n3 4\n5 six\n');
+        await page.click('#run');
+        await bad(page);
+        check((await status(page)).startsWith('line 3 is not a row of numbers'), await status(page));
+        await type(page, '#text', '1 2\n3 4 5\n');
+        await page.click('#run');
+        await bad(page);
+        check((await status(page)).includes('line 2 has 3 numbers, the first point has 2'), await status(page));
+    },
+    async 'certified band'(page) {
+        await type(page, '#text', ring);
+        await choose(page, '#filter', '1');
+        await type(page, '#ratio', '1.8');
+        await page.click('#run');
+        await done(page);
+        const ratio = await page.run('last.result.ratio');
+        check(ratio > 1 && ratio <= 1.8, `ratio ${ratio}`);
+        equal(await page.run("document.querySelectorAll('#barcode .doubt').length > 0"), true, 'a band');
+        check((await text(page, '#barcode')).includes('too short to be surely real: death'), 'its legend');
+        check((await text(page, '#figures')).includes('worst aspect ratio'), 'figures of the mesh');
+        await page.click('#bounds');
+        await page.click('#run');
+        await page.until("last.wanted.asked.bounds === 1 && !document.querySelector('#run').disabled", 'bounds');
+        equal(await page.run("last.result.pairs.find(p => p.degree === 1).real"), true, 'the hole is real');
+        check((await text(page, '#barcode')).includes('surely real by its bounds'), 'the legend of bounds');
+    },
+    async 'neighbours'(page) {
+        await type(page, '#text', ring);
+        equal(await page.run("document.querySelector('#k-label').hidden"), true, 'k hidden');
+        await choose(page, '#filter', '4');
+        equal(await page.run("document.querySelector('#k-label').hidden"), false, 'k shown');
+        await type(page, '#k', '99');
+        await page.click('#run');
+        await bad(page);
+        await type(page, '#k', '2');
+        await page.click('#run');
+        await done(page);
+        await choose(page, '#filter', '9');
+        await page.click('#run');
+        await page.until('last.result.filter === 9', 'Rips');
+        equal(await bars(page, 0), 24, 'components of Rips');
+    },
+    async 'cancel'(page) {
+        await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(20000, 3))}`);
+        await choose(page, '#filter', '1');
+        await choose(page, '#memory', '1024');
+        await page.click('#run');
+        await page.until("/vertices, in a block/.test(document.querySelector('#status').textContent)", 'progress');
+        equal(await page.run("document.querySelector('#progress').hidden"), false, 'a bar of progress');
+        await page.click('#cancel');
+        equal(await status(page), 'cancelled', 'status');
+        equal(await page.run("document.querySelector('#progress').hidden"), true, 'no bar of progress');
+        await type(page, '#text', ring);
+        await page.click('#run');
+        await done(page);
+    },
+    async 'short of memory'(page) {
+        await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(3000, 4))}`);
+        await choose(page, '#filter', '3');
+        await choose(page, '#memory', '16');
+        await page.click('#run');
+        await bad(page);
+        equal(await page.run("document.querySelector('#advice').hidden"), false, 'advice');
+        check((await text(page, '#advice')).includes('were not enough'), 'what was not enough');
+        check((await text(page, '#advice button')).includes('try again with 64 MiB'), 'the first advice');
+        await page.click('#advice button');
+        await done(page);
+        check((await page.run('last.result.bytes')) > 16 << 20, 'a larger block');
+        equal(await page.run("document.querySelector('#advice').hidden"), true, 'no advice any more');
+    },
+    async 'slider'(page) {
+        await choose(page, '#sample', 'noisy circle, 2D');
+        await done(page);
+        const state = "[view.counts.edges, view.counts.triangles, Number(document.querySelector('#radius').value)]";
+        await page.drag('#radius', [.02, .5], [.9, .5]);
+        const far = await page.run(state);
+        const far_betti = await text(page, '#betti');
+        await page.drag('#radius', [far[2] / 1000, .5], [.01, .5]);
+        const near = await page.run(state);
+        check(near[2] < 100 && far[2] > 800, `the slider goes from ${near[2]} to ${far[2]}`);
+        check(near[0] < far[0] && near[1] < far[1], 'the complex grows');
+        check(/H₀ 1,/.test(far_betti) && !/H₀ 1,/.test(await text(page, '#betti')), 'components');
+        // All triangles are there at last: V - E + F = 1.
+        await page.run("document.querySelector('#radius').value = 1000, show_radius()");
+        const [edges, triangles] = await page.run('[view.counts.edges, view.counts.triangles]');
+        equal(80 - edges + triangles, 1, 'the Euler characteristic of a disc');
+    },
+    async 'union of balls'(page) {
+        await choose(page, '#sample', 'three clusters, 2D');
+        await done(page);
+        const complex = await ink(page);
+        await choose(page, '#show', 'balls');
+        check(await ink(page) !== complex, 'balls look different');
+        check(!(await text(page, '#view-note')).includes('edges'), 'no edges');
+        await page.click('#radius', .8, .5);
+        const larger = await ink(page);
+        await page.click('#radius', .1, .5);
+        check(await ink(page) !== larger, 'balls shrink');
+    },
+    async 'turn'(page) {
+        await choose(page, '#sample', 'torus, 3D');
+        await done(page);
+        const before = await ink(page);
+        await page.drag('#view', [.4, .5], [.7, .6]);
+        const after = await ink(page);
+        check(before !== after, 'a drag turns it');
+        await page.key('ArrowLeft', 37);
+        check(await ink(page) !== after, 'an arrow key turns it');
+        const long = "last.result.pairs.filter(p => p.degree === 2 && p.death > 1.25 * p.birth).length";
+        equal(await page.run(long), 1, 'voids');
+    },
+    async 'a bar and its cycle'(page) {
+        await choose(page, '#sample', 'two circles, 5D');
+        await done(page);
+        const longest = await page.run("barcode_groups(last.result.pairs).find(g => g.degree === 1).shown[0]");
+        await page.click(`#barcode .bar[data-pair="${longest}"] rect:not(.doubt)`);
+        check((await text(page, '#barcode-note')).includes('a cycle of'), await text(page, '#barcode-note'));
+        equal(await page.run("document.querySelectorAll('#barcode .chosen').length"), 1, 'one bar is chosen');
+        await page.screenshot(join(folder, 'cycle.png'));
+        // Each vertex of a closed curve is on two of its edges.
+        equal(await page.run(`(() => {
+            const ends = new Map();
+            for (const v of last.result.pairs[${longest}].cycle) ends.set(v, (ends.get(v) ?? 0) + 1);
+            return [...ends.values()].every(n => n % 2 === 0);
+        })()`), true, 'the cycle is closed');
+        await page.click(`#barcode .bar[data-pair="${longest}"] rect:not(.doubt)`);
+        equal(await page.run('chosen'), null, 'none is chosen any more');
+    },
+    async 'save'(page, downloads) {
+        await choose(page, '#sample', 'sphere, 3D');
+        await done(page);
+        const saved = async name => {
+            const path = join(downloads, name);
+            for (let tries = 0; tries < 200 && !existsSync(path); ++tries) await new Promise(r => setTimeout(r, 50));
+            return readFileSync(path, 'utf8');
+        };
+        await page.click('#save-pers');
+        const pers = await saved('netmesh.pers');
+        const lines = pers.trim().split('\n').filter(line => !line.startsWith('#'));
+        equal(lines.length, await page.run('last.result.pairs.length'), 'bars saved');
+        check(lines.some(line => /^0 0 inf$/.test(line)), 'the component that never dies');
+        await page.click('#save-svg');
+        const svg = await saved('netmesh.svg');
+        equal(await page.run(`new DOMParser().parseFromString(${JSON.stringify(svg)}, 'image/svg+xml')
+            .querySelector('parsererror') === null`), true, 'the SVG is one');
+        check(svg.includes('<title>Barcode:'), 'its title');
+        if (!program) return;
+        writeFileSync(join(files, 'points.txt'), await page.run("document.querySelector('#text').value"));
+        const run = (...line) => {
+            const ended = spawnSync(resolve(program), line, { cwd: files, encoding: 'utf8' });
+            check(ended.status === 0, ended.stderr);
+            return ended.stdout;
+        };
+        writeFileSync(join(files, 'page.pers'), pers);
+        run('persist', 'points.txt', '--filter', 'alpha', '--quiet', '-o', 'own.pers');
+        const all = readFileSync(join(files, 'own.pers'), 'utf8').trim().split('\n');
+        const own = all.filter(line => !line.startsWith('#'));
+        equal(own.join('\n'), lines.join('\n'), 'the diagram of the program');
+    },
+    async 'link'(page) {
+        await type(page, '#text', ring);
+        await choose(page, '#filter', '1');
+        await page.click('#run');
+        await done(page);
+        await page.click('#link');
+        await page.until("document.querySelector('#link-note').textContent.includes('address')", 'a link');
+        const address = await page.run('location.href'), print = await page.run('last.result.figures.fingerprint');
+        await page.send('Page.navigate', { url: 'about:blank' });
+        await page.until("location.href === 'about:blank'", 'another page');
+        await page.send('Page.navigate', { url: address });
+        await page.until("typeof last !== 'undefined' && last !== null", 'the result of a link');
+        equal(await page.run('last.result.figures.fingerprint'), print, 'fingerprint');
+        equal(await page.run("document.querySelector('#filter').value"), '1', 'filter');
+        await page.send('Page.navigate', { url: 'about:blank' });
+        await page.until("location.href === 'about:blank'", 'another page');
+        await page.send('Page.navigate', { url: url + '#rubbish' });
+        await page.until("document.querySelector('#status')?.className === 'bad'", 'a fault');
+        equal(await status(page), 'this link cannot be read', 'a link that is none');
+    },
+};
+
+let failed = 0;
+const wanted = process.env.NETMESH_PATHS?.split(',') ?? Object.keys(paths);
+const browser = await open_browser(1200, 1300);
+try {
+    for (const name of wanted) {
+        const downloads = mkdtempSync(join(files, 'saved-'));
+        const page = await open_page(browser, url, { downloads });
+        await page.until("typeof compute === 'function'", 'the page');
+        try { await paths[name](page, downloads); } catch (error) {
+            console.log(`FAULT ${name}: ${error.message}; the page says "${await status(page).catch(() => '')}"`);
+            ++failed;
+        }
+        for (const fault of page.faults) { console.log(`FAULT ${name}: ${fault}`); ++failed; }
+        const shot = await page.screenshot(join(folder, name.replaceAll(' ', '-') + '.png'));
+        if (shot.length < 5000) { console.log(`FAULT ${name}: a screenshot of ${shot.length} bytes`); ++failed; }
+        await page.close();
+    }
+    console.log(`${wanted.length} paths by clicks in ${await browser.version()}, ${failed} faults`);
+} finally {
+    await browser.close();
+    rmSync(files, { recursive: true, force: true });
+}
+process.exit(failed === 0 ? 0 : 1);

@@ -1,0 +1,273 @@
+const $ = id => document.getElementById(id);
+const MiB = 1 << 20;
+const module_bytes = Uint8Array.from(atob($('module').textContent), c => c.charCodeAt(0));
+// Compiled in place: a second thread's compiler is nothing that a browser without a screen waits for.
+const module = new WebAssembly.Module(module_bytes);
+const planner = new WebAssembly.Instance(module, {}).exports;
+const worker_url = URL.createObjectURL(new Blob([$('worker').textContent], { type: 'text/javascript' }));
+const view = new View($('view'));
+let worker = null, last = null, chosen = null;
+
+function say(words, bad = false) {
+    $('status').className = bad ? 'bad' : '';
+    $('status').textContent = words;
+}
+function advise(title, items) {
+    $('advice').hidden = items.length === 0;
+    if (items.length === 0) return;
+    const list = document.createElement('ul');
+    list.append(...items.map(item => {
+        const li = document.createElement('li');
+        li.append(item);
+        return li;
+    }));
+    $('advice').replaceChildren(title, list);
+}
+const size_text = bytes => bytes >= 1024 * MiB ? `${(bytes / 1024 / MiB).toFixed(1)} GiB`
+    : bytes < MiB ? `${Math.ceil(bytes / 1024)} KiB` : `${(bytes / MiB).toFixed(bytes < 10 * MiB ? 1 : 0)} MiB`;
+
+// What the options ask for, of so many points; degree 6: all. Throws a sentence.
+function asked_for(dim, count) {
+    const limit = Number($('memory').value) * MiB;
+    const number = (id, otherwise) => $(id).value === '' ? otherwise : Number($(id).value);
+    for (const id of ['k', 'ratio', 'degree']) {
+        const field = $(id);
+        if (!field.closest('label').hidden && (field.validity.badInput || field.validity.rangeUnderflow ||
+            field.validity.rangeOverflow)) throw new Error(`${id}: ${field.validationMessage}`);
+    }
+    const asked = { filter: Number($('filter').value), k: number('k', 1), ratio: number('ratio', 0),
+        degree: number('degree', 6), bounds: $('bounds').checked ? 1 : 0, cycles: 1 };
+    let note = '';
+    if (asked.filter === 0) {  // exact where that is cheap, else certified
+        const planned = planner.plan(count, dim, 3, 1, 6, 0);
+        asked.filter = planned > 0 && planned <= Math.min(limit, 256 * MiB) ? 3 : 1;
+        note = asked.filter === 3 ? 'auto: the exact filter is cheap here'
+            : `auto: certified, as the exact filter plans ${size_text(planned)}`;
+    }
+    if (asked.filter === 9 || asked.filter === 10) asked.degree = Math.min(number('degree', 1), 30);
+    return { asked, limit, note };
+}
+const uses = { k: [4, 5], ratio: [0, 1, 4, 5], bounds: [0, 1, 4, 5] };
+function show_options() {
+    const filter = Number($('filter').value);
+    for (const [id, filters] of Object.entries(uses)) $(id + '-label').hidden = !filters.includes(filter);
+}
+const filter_name = id => [...$('filter').options].find(o => Number(o.value) === id).textContent.split(':')[0];
+
+function stop() {
+    if (worker !== null) worker.terminate();
+    worker = null;
+    $('run').disabled = false;
+    $('cancel').disabled = true;
+    $('progress').hidden = true;
+}
+
+function compute() {
+    stop();
+    advise('', []);
+    let cloud, wanted;
+    try {
+        cloud = parse_points($('text').value);
+        $('read').textContent = `${cloud.count} points in ${cloud.dim} dimensions` +
+            cloud.notes.map(note => `; ${note}`).join('');
+        wanted = asked_for(cloud.dim, cloud.count);
+    } catch (error) {
+        say(error.message, true);
+        return;
+    }
+    worker = new Worker(worker_url);
+    $('run').disabled = true;
+    $('cancel').disabled = false;
+    $('progress').hidden = false;
+    $('progress').removeAttribute('value');
+    say('starting');
+    worker.onmessage = ({ data }) => {
+        if (data.progress !== undefined) { show_progress(data.progress); return; }
+        stop();
+        take_result(data.result, cloud, wanted);
+    };
+    worker.onerror = event => { stop(); say(`the computation broke off: ${event.message}`, true); };
+    worker.postMessage({ module, points: cloud.points, dim: cloud.dim, asked: wanted.asked, limit: wanted.limit });
+}
+
+function show_progress({ stage, done, total, vertices, bytes }) {
+    if (total > 0) $('progress').value = Math.min(1, done / total);
+    else $('progress').removeAttribute('value');
+    const count = vertices > 0 ? `, ${vertices.toLocaleString('en')} vertices` : '';
+    say(`${stage}${count}, in a block of ${size_text(bytes)}`);
+}
+
+function take_result(result, cloud, wanted) {
+    if (result.fault !== undefined) {
+        say(result.fault, true);
+        if (result.kind === 'memory') advise_memory(result, cloud, wanted);
+        return;
+    }
+    last = { result, cloud, wanted, complex: complex_of(result, cloud.points),
+        described: `filter ${filter_name(wanted.asked.filter)}, ${cloud.count} points in ${cloud.dim} dimensions` };
+    chosen = null;
+    const seconds = (result.milliseconds / 1000).toFixed(2);
+    say(`${last.described}: done in ${seconds} s${wanted.note === '' ? '' : '; ' + wanted.note}`);
+    $('results').hidden = false;
+    const certificate = result.ratio === 1 ? 'exact' : `certified ratio ${result.ratio.toFixed(4)}: births and deaths are ` +
+        'within that factor of the exact ones';
+    last.barcode = barcode_svg({ pairs: result.pairs, ratio: result.ratio, has_bounds: wanted.asked.bounds === 1 },
+        `Barcode: ${last.described}, ${certificate}`);
+    $('barcode').innerHTML = last.barcode.svg;
+    $('barcode-note').textContent = `${certificate}. Click a bar to see its cycle.`;
+    $('link-note').textContent = '';
+    show_figures(result, certificate);
+    const longest = Math.max(0, ...result.pairs.filter(p => p.degree > 0).map(p => p.birth + .35 * Math.min(p.death - p.birth,
+        last.barcode.end)));
+    $('radius').value = Math.round(1000 * Math.min(1, (longest || last.barcode.end / 4) / last.barcode.end));
+    show_radius();
+}
+
+// What can be done when the memory does not suffice, each a click where it can be.
+function advise_memory({ bytes, planned }, cloud, { asked, limit }) {
+    const action = (words, change) => {
+        const button = document.createElement('button');
+        button.textContent = words;
+        button.addEventListener('click', () => { change(); show_options(); compute(); });
+        return button;
+    };
+    const items = [];
+    const larger = [...$('memory').options].map(o => Number(o.value)).find(m => m * MiB > limit);
+    if (larger !== undefined)
+        items.push(action(`try again with ${size_text(larger * MiB)}`, () => { $('memory').value = larger; }));
+    if (![1, 9].includes(asked.filter) || (asked.filter === 9 && cloud.dim <= 3))
+        items.push(action('try the certified filter', () => { $('filter').value = 1; }));
+    if (cloud.dim > 3) items.push(action('degrees 0 and 1 only', () => { $('degree').value = 1; }));
+    if (asked.filter === 1) items.push(action('a coarser certificate: ratio 3', () => { $('ratio').value = 3; }));
+    const half = Math.ceil(cloud.count / 2);
+    items.push(action(`every other point: ${half}`, () => {
+        const { points, dim } = cloud, rows = [];
+        for (let i = 0; i < cloud.count; i += 2) rows.push([...points.subarray(i * dim, (i + 1) * dim)].join(', '));
+        $('text').value = rows.join('\n');
+        $('sample').value = '';
+    }));
+    items.push('or the program netmesh, which takes as much memory as the machine has');
+    advise(`${size_text(bytes)} were not enough; about ${size_text(planned)} are planned for such points. What helps:`, items);
+}
+
+function show_figures({ figures, bytes }, certificate) {
+    const rows = [['certificate', certificate], ['vertices', figures.vertices], ['of them input points', figures.inputs],
+        ['cells', figures.cells], ['simplices', figures.simplices], ['memory of the engine',
+            `${size_text(figures.peak_bytes)} of a block of ${size_text(bytes)}`], ['fingerprint', figures.fingerprint]];
+    if (figures.aspect_ratio > 0) rows.splice(4, 0, ['worst aspect ratio', figures.aspect_ratio.toFixed(3)]);
+    $('figures').replaceChildren(...rows.filter(([, value]) => value !== 0).map(([name, value]) => {
+        const tr = document.createElement('tr');
+        for (const t of [name, value]) tr.appendChild(document.createElement('td')).textContent = t;
+        return tr;
+    }));
+}
+
+function show_radius() {
+    if (last === null) return;
+    const { result, cloud, complex, barcode } = last;
+    const radius = Number($('radius').value) / 1000 * barcode.end;
+    $('radius-value').textContent = short_number(radius);
+    const x = barcode.left + radius / barcode.end * (barcode.width - barcode.left - barcode.right);
+    const line = document.querySelector('#barcode .radius');
+    line.setAttribute('d', line.getAttribute('d').replace(/^M[\d.]+/, 'M' + x.toFixed(2)));
+    const cycle = chosen === null || result.pairs[chosen].cycle === null ? null
+        : { degree: result.pairs[chosen].degree, vertices: result.pairs[chosen].cycle };
+    view.show({ dim: cloud.dim, complex, radius, mode: $('show').value, cycle });
+    const degrees = [...new Set(result.pairs.map(p => p.degree))].sort();
+    $('betti').textContent = 'holes at this radius: ' + degrees.map(degree => `H${sub(degree)} ` +
+        result.pairs.filter(p => p.degree === degree && p.birth <= radius && radius < p.death).length).join(', ');
+    const turned = cloud.dim > 2 ? `; drag to turn it${cloud.dim > 3 ? ', of more than three coordinates the first three' : ''}`
+        : '';
+    $('view-note').textContent = `${complex.inputs} points` + ($('show').value === 'balls' ? ''
+        : `, ${view.counts.edges} edges, ${view.counts.triangles} triangles at this radius`) + turned;
+}
+
+$('barcode').addEventListener('click', event => {
+    const bar = event.target.closest('.bar');
+    if (bar === null) return;
+    const pair = Number(bar.dataset.pair);
+    chosen = chosen === pair ? null : pair;
+    for (const other of document.querySelectorAll('#barcode .bar'))
+        other.classList.toggle('chosen', chosen !== null && other === bar);
+    const p = last.result.pairs[pair];
+    if (chosen !== null) $('radius').value = Math.ceil(1000 * Math.min(p.birth, last.barcode.end) / last.barcode.end);
+    $('barcode-note').textContent = chosen === null ? '' : `H${sub(p.degree)}, from ${short_number(p.birth)} to ` +
+        `${short_number(p.death)}` + (p.cycle === null ? ': no cycle is kept of it' : `: a cycle of ` +
+        `${p.cycle.length / (p.degree + 1)} pieces is drawn`);
+    show_radius();
+});
+
+function save(name, type, text) {
+    const a = document.createElement('a');
+    a.href = URL.createObjectURL(new Blob([text], { type }));
+    a.download = name;
+    a.click();
+    setTimeout(() => URL.revokeObjectURL(a.href), 10000);
+}
+$('save-pers').addEventListener('click', () => save('netmesh.pers', 'text/plain', pers_text(last.result, last.described)));
+$('save-svg').addEventListener('click', () => save('netmesh.svg', 'image/svg+xml', last.barcode.svg));
+
+// A link has the options and either the sample's name or the points themselves, squeezed.
+const option_ids = ['filter', 'k', 'ratio', 'degree', 'memory', 'show', 'radius'];
+const link_most = 60000;
+async function piped(bytes, stream) {
+    return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+}
+async function link() {
+    const state = Object.fromEntries(option_ids.map(id => [id, $(id).value]));
+    state.bounds = $('bounds').checked;
+    if ($('sample').value !== '') state.sample = $('sample').value; else state.text = $('text').value;
+    const bytes = await piped(new TextEncoder().encode(JSON.stringify(state)), new CompressionStream('deflate-raw'));
+    const packed = btoa(Array.from(bytes, b => String.fromCharCode(b)).join('')).replaceAll('+', '-').replaceAll('/', '_')
+        .replaceAll('=', '');
+    if (packed.length > link_most) {
+        $('link-note').textContent = 'too many points for a link: save the diagram instead';
+        return;
+    }
+    history.replaceState(null, '', '#' + packed);
+    let copied = false;
+    try { await navigator.clipboard.writeText(location.href); copied = true; } catch { /* not allowed */ }
+    $('link-note').textContent = copied ? 'copied, and in the address' : 'it is in the address now';
+}
+async function follow(packed) {
+    const bytes = Uint8Array.from(atob(packed.replaceAll('-', '+').replaceAll('_', '/')), c => c.charCodeAt(0));
+    const state = JSON.parse(new TextDecoder().decode(await piped(bytes, new DecompressionStream('deflate-raw'))));
+    for (const id of option_ids) if (typeof state[id] === 'string') $(id).value = state[id];
+    $('bounds').checked = state.bounds === true;
+    $('sample').value = state.sample in samples ? state.sample : '';
+    $('text').value = $('sample').value !== '' ? sample_text(state.sample) : String(state.text ?? '');
+    show_options();
+    compute();
+}
+$('link').addEventListener('click', link);
+
+async function take_file(file) {
+    $('sample').value = '';
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (bytes.subarray(0, 4096).includes(0)) { say(`${file.name}: this page reads text, one point a line`, true); return; }
+    $('text').value = new TextDecoder().decode(bytes);
+    compute();
+}
+for (const name of Object.keys(samples)) $('sample').append(new Option(name, name));
+$('sample').addEventListener('change', () => {
+    if ($('sample').value === '') return;
+    $('text').value = sample_text($('sample').value);
+    compute();
+});
+$('text').addEventListener('input', () => { $('sample').value = ''; });
+$('text').addEventListener('paste', () => setTimeout(compute, 0));
+$('file').addEventListener('change', event => { if (event.target.files.length > 0) take_file(event.target.files[0]); });
+document.addEventListener('dragover', event => { event.preventDefault(); document.body.classList.add('over'); });
+document.addEventListener('dragleave', () => document.body.classList.remove('over'));
+document.addEventListener('drop', event => {
+    event.preventDefault();
+    document.body.classList.remove('over');
+    if (event.dataTransfer.files.length > 0) take_file(event.dataTransfer.files[0]);
+});
+$('run').addEventListener('click', compute);
+$('cancel').addEventListener('click', () => { stop(); say('cancelled'); });
+$('filter').addEventListener('change', show_options);
+$('radius').addEventListener('input', show_radius);
+$('show').addEventListener('change', show_radius);
+show_options();
+if (location.hash.length > 1) follow(location.hash.slice(1)).catch(() => say('this link cannot be read', true));

@@ -1,0 +1,164 @@
+// The picture of points, complex, balls and a cycle at one radius; in more than two dimensions the first three turned by
+// the mouse or the arrow keys.
+const degree_colours = ['#1f2d4a', '#d5590e', '#1aa77d', '#c21dff', '#592710', '#9180be'];
+
+class View {
+    constructor(canvas) {
+        this.canvas = canvas;
+        this.turn = 0.6;
+        this.tilt = 0.45;
+        this.shown = null;
+        let held = null;
+        canvas.addEventListener('pointerdown', event => {
+            held = [event.clientX, event.clientY];
+            try { canvas.setPointerCapture(event.pointerId); } catch { /* no such pointer any more */ }
+        });
+        canvas.addEventListener('pointerup', () => { held = null; });
+        canvas.addEventListener('pointermove', event => {
+            if (held === null) return;
+            this.rotate((event.clientX - held[0]) * 0.01, (event.clientY - held[1]) * 0.01);
+            held = [event.clientX, event.clientY];
+        });
+        canvas.addEventListener('keydown', event => {
+            const steps = { ArrowLeft: [-.15, 0], ArrowRight: [.15, 0], ArrowUp: [0, -.15], ArrowDown: [0, .15] };
+            if (!(event.key in steps)) return;
+            event.preventDefault();
+            this.rotate(...steps[event.key]);
+        });
+    }
+    rotate(turn, tilt) {
+        if (this.shown === null || this.shown.dim === 2) return;
+        this.turn += turn;
+        this.tilt = Math.max(-1.57, Math.min(1.57, this.tilt + tilt));
+        this.draw();
+    }
+    // { dim, complex, radius, mode, cycle }
+    show(shown) {
+        this.shown = shown;
+        this.canvas.classList.toggle('turns', shown.dim > 2);
+        this.draw();
+    }
+
+    // [x, y, depth] in pixels for each vertex; the inputs fill the picture.
+    flatten() {
+        const { dim, complex: { places, inputs } } = this.shown, size = this.canvas.width, count = places.length / dim;
+        const ct = Math.cos(this.turn), st = Math.sin(this.turn), cu = Math.cos(this.tilt), su = Math.sin(this.tilt);
+        const flat = new Float64Array(3 * count);
+        const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+        for (let i = 0; i < inputs; ++i) {
+            for (let k = 0; k < Math.min(dim, 3); ++k) {
+                low[k] = Math.min(low[k], places[i * dim + k]);
+                high[k] = Math.max(high[k], places[i * dim + k]);
+            }
+        }
+        const middle = low.map((x, k) => (x + high[k]) / 2);
+        const span = dim === 2 ? Math.max(high[0] - low[0], high[1] - low[1])
+            : Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+        this.scale = size / ((dim === 2 ? 1.2 : 1.02) * (span || 1));
+        for (let i = 0; i < count; ++i) {
+            const x = places[i * dim] - middle[0], y = places[i * dim + 1] - middle[1];
+            const z = dim > 2 ? places[i * dim + 2] - middle[2] : 0;
+            const right = dim > 2 ? ct * x - st * y : x, away = st * x + ct * y;
+            const up = dim > 2 ? cu * z + su * away : y;
+            flat[3 * i] = size / 2 + right * this.scale;
+            flat[3 * i + 1] = size / 2 - up * this.scale;
+            flat[3 * i + 2] = dim > 2 ? su * z - cu * away : 0;
+        }
+        return flat;
+    }
+
+    draw() {
+        const { dim, complex, radius, mode, cycle } = this.shown, { canvas } = this;
+        const g = canvas.getContext('2d'), flat = this.flatten();
+        g.clearRect(0, 0, canvas.width, canvas.height);
+        g.lineJoin = 'round';
+        if (mode !== 'complex') this.draw_balls(g, flat, radius);
+        if (mode !== 'balls') this.draw_complex(g, flat, radius);
+        this.draw_points(g, flat);
+        if (cycle !== null) this.draw_cycle(g, flat, cycle);
+        this.drawn = { dim, radius };
+    }
+    draw_balls(g, flat, radius) {
+        const { dim, complex: { inputs } } = this.shown, size = radius * this.scale;
+        if (!(size > 0)) return;
+        if (dim === 2) {  // one path, so that the union has one shade
+            g.fillStyle = 'rgba(31,45,74,.18)';
+            g.beginPath();
+            for (let i = 0; i < inputs; ++i) {
+                g.moveTo(flat[3 * i] + size, flat[3 * i + 1]);
+                g.arc(flat[3 * i], flat[3 * i + 1], size, 0, 7);
+            }
+            g.fill();
+            return;
+        }
+        const order = Array.from({ length: inputs }, (_, i) => i).sort((i, j) => flat[3 * i + 2] - flat[3 * j + 2]);
+        for (const i of order) {
+            const x = flat[3 * i], y = flat[3 * i + 1];
+            const shade = g.createRadialGradient(x - size / 3, y - size / 3, size / 10, x, y, size);
+            shade.addColorStop(0, '#dfe6f0');
+            shade.addColorStop(1, '#6f86a8');
+            g.fillStyle = shade;
+            g.beginPath();
+            g.arc(x, y, size, 0, 7);
+            g.fill();
+        }
+    }
+    draw_complex(g, flat, radius) {
+        const { dim, complex: { edges, triangles } } = this.shown;
+        const upto = list => {  // the first that enters later
+            let low = 0, high = list.length;
+            while (low < high) {
+                const middle = (low + high) >> 1;
+                if (list[middle].value <= radius) low = middle + 1; else high = middle;
+            }
+            return low;
+        };
+        const corner = v => [flat[3 * v], flat[3 * v + 1]];
+        const triangle_count = upto(triangles), edge_count = upto(edges);
+        const most = 40000;
+        const depth = s => s.vertices.reduce((sum, v) => sum + flat[3 * v + 2], 0);
+        const shown = triangles.slice(0, Math.min(triangle_count, most));
+        if (dim > 2) shown.sort((a, b) => depth(a) - depth(b));
+        const opacity = dim === 2 ? .28 : Math.max(.03, Math.min(.14, 3.3 / Math.sqrt(shown.length)));
+        g.fillStyle = `rgba(213,89,14,${opacity})`;
+        for (const { vertices } of shown) {
+            g.beginPath();
+            g.moveTo(...corner(vertices[0]));
+            g.lineTo(...corner(vertices[1]));
+            g.lineTo(...corner(vertices[2]));
+            g.fill();
+        }
+        g.strokeStyle = 'rgba(70,84,110,' + (dim === 2 ? .9 : Math.min(.7, Math.max(.12, 1500 / edge_count))) + ')';
+        g.lineWidth = 1.6;
+        g.beginPath();
+        for (const { vertices } of edges.slice(0, Math.min(edge_count, most))) {
+            g.moveTo(...corner(vertices[0]));
+            g.lineTo(...corner(vertices[1]));
+        }
+        g.stroke();
+        this.counts = { edges: edge_count, triangles: triangle_count };
+    }
+    draw_points(g, flat) {
+        const { inputs } = this.shown.complex, size = inputs > 2000 ? 2 : inputs > 500 ? 3 : 4.5;
+        g.fillStyle = '#1f2d4a';
+        for (let i = 0; i < inputs; ++i) {
+            g.beginPath();
+            g.arc(flat[3 * i], flat[3 * i + 1], size, 0, 7);
+            g.fill();
+        }
+    }
+    draw_cycle(g, flat, { degree, vertices }) {
+        g.strokeStyle = g.fillStyle = degree_colours[degree % 6];
+        g.lineWidth = 6;
+        for (let i = 0; i < vertices.length; i += degree + 1) {
+            const simplex = vertices.subarray(i, i + degree + 1);
+            g.beginPath();
+            g.moveTo(flat[3 * simplex[0]], flat[3 * simplex[0] + 1]);
+            for (const v of simplex.subarray(1)) g.lineTo(flat[3 * v], flat[3 * v + 1]);
+            if (degree === 1) { g.stroke(); continue; }
+            g.globalAlpha = .3;
+            g.fill();
+            g.globalAlpha = 1;
+        }
+    }
+}
