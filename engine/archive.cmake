@@ -119,6 +119,11 @@ if(NETMESH_ONE_SOURCE)
   target_compile_features(netmesh PUBLIC cxx_std_17)
   set_target_properties(netmesh PROPERTIES CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF)
   target_compile_options(netmesh PRIVATE ${NETMESH_ENGINE_FLAGS} -w) # warnings are those of the many sources
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Passes that g++ runs at -Os, too, and that make this code larger.
+    target_compile_options(netmesh PRIVATE
+      -fno-tree-loop-im -fno-move-loop-invariants -fno-ipa-sra -fno-tree-dominator-opts)
+  endif()
   set_target_properties(netmesh_engine PROPERTIES EXCLUDE_FROM_ALL ON) # for tests of inner folders
 elseif(NETMESH_FINISHED)
   set(combined ${PROJECT_BINARY_DIR}/plain/netmesh.o)
