@@ -1,5 +1,5 @@
 // netmesh, the command-line tool.
-#include <cstdio>
+#include <exception>
 #include <new>
 #include <string>
 #include <vector>
@@ -14,7 +14,8 @@ using namespace netmesh::tool;
 
 Outcome run(const Options& options) {
     if (options.version || options.help) {
-        const std::string text = options.version ? version_text() : help_text(options.command);
+        std::string text = options.version ? version_text() : help_text(options.command);
+        if (options.json) text = json_text(options.command, options.version ? "text" : "help", text);
         return write_files({{"", [&](TextWriter& out) { out << text; }}});
     }
     switch (options.command) {
@@ -32,9 +33,11 @@ Outcome run(const Options& options) {
 
 int main(int count, char** arguments) {
     Outcome outcome;
+    Options options;
     try {
-        Options options;
-        outcome = parse_options(std::vector<std::string>(arguments + (count > 0), arguments + count), &options);
+        const std::vector<std::string> given(arguments + (count > 0), arguments + count);
+        outcome = parse_options(given, &options);
+        if (!outcome.good() || options.help || options.version) options.json = asks_for_json(given);
         if (outcome.good()) {
             netmesh::platform::catch_interrupts();
             outcome = run(options);
@@ -42,7 +45,9 @@ int main(int count, char** arguments) {
     } catch (const std::bad_alloc&) {
         // Not the engine, which has its own block: the tool's copy of the input or of the diagram.
         outcome = {Exit::memory, "netmesh: no memory left to hold the input"};
+    } catch (const std::exception& thrown) {
+        outcome = {Exit::internal, std::string("netmesh: internal error: ") + thrown.what()};
     }
-    if (!outcome.message.empty()) std::fprintf(stderr, "%s\n", outcome.message.c_str());
+    tell_error(outcome, options.command, options.json);
     return static_cast<int>(outcome.exit);
 }

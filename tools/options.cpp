@@ -174,6 +174,11 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
     return outcome.good() ? check_positionals(*options) : outcome;
 }
 
+bool asks_for_json(const std::vector<std::string>& arguments) {
+    const auto end = std::find(arguments.begin(), arguments.end(), "--");
+    return std::find(arguments.begin(), end, "--json") != end;
+}
+
 std::string option_of(const Options& options, netmesh_field field) {
     const char* const name = option_name(field);
     if (name == nullptr) return {};

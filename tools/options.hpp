@@ -84,6 +84,9 @@ struct Options {
 // fault. Positionals are counted; whether required options are there is for the command to say.
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
 
+// Whether --json is among the arguments, also where they cannot be parsed.
+bool asks_for_json(const std::vector<std::string>& arguments);
+
 // The effect of one option of options->command on *options: a complaint, or empty.
 std::string apply_option(Options* options, const std::string& name, const std::string& value);
 // What no command can do with the options that it was given together.

@@ -143,8 +143,10 @@ Outcome compare_cycles(const std::string& path, const Engine& engine) {
         if (i < have.size() && i < due.size() && have[i].bar == due[i].bar && have[i].simplices == due[i].simplices)
             continue;
         const std::uint64_t line = i < have.size() ? have[i].line : have.empty() ? 1 : have.back().line;
-        return {Exit::check, name + ":" + std::to_string(line) + ": check failed: " +
-                                 (i < due.size() ? "not the cycle that the engine makes" : "there is no such bar")};
+        return line_error(name, line,
+                          std::string("check failed: ") +
+                              (i < due.size() ? "not the cycle that the engine makes" : "there is no such bar"),
+                          0, Exit::check);
     }
     return {};
 }

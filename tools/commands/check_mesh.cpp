@@ -61,9 +61,9 @@ Outcome compare_neighbours(const MeshFiles& files, const EngineMesh& mesh) {
             std::uint32_t j = 0;
             while (j + 1 < columns && cell.vertices[j] != opposite) j++;
             if (files.neighbours.entries[c * columns + i] == cell.neighbours[j]) continue;
-            return {Exit::check, files.neighbours.name + ":" + std::to_string(files.neighbours.lines[c]) +
-                                     ": check failed: neighbour " + std::to_string(i) +
-                                     " is not the cell behind that facet"};
+            return line_error(files.neighbours.name, files.neighbours.lines[c],
+                              "check failed: neighbour " + std::to_string(i) + " is not the cell behind that facet", 0,
+                              Exit::check);
         }
     }
     return {};
@@ -149,7 +149,7 @@ Outcome settle_mesh(const Options& options, MeshFiles* files, Session* session) 
     const Outcome outcome = settle_markers(files);
     if (!outcome.good()) return outcome;
     if (node.cage_kind == NETMESH_CAGES_THESIS && node.cloud.dim > 4)
-        return data_error(node.cloud.name + ": there are cages of the thesis in dimensions 2, 3 and 4 only");
+        return file_error(node.cloud.name, "there are cages of the thesis in dimensions 2, 3 and 4 only");
     set_promises(options, node, &session->mesh());
     return {};
 }

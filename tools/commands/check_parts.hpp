@@ -49,7 +49,7 @@ struct DiagramFile {
         return bar < lines.size() ? lines[bar] : lines.empty() ? 1 : lines.back();
     }
     Outcome wrong(std::uint64_t line, const std::string& why) const {  // Exit::check
-        return {Exit::check, name + ":" + std::to_string(line) + ": check failed: " + why};
+        return line_error(name, line, "check failed: " + why, 0, Exit::check);
     }
 };
 

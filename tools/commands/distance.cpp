@@ -99,7 +99,7 @@ Outcome run_distance(const Options& options) {
         if (!outcome.good()) return outcome;
         for (const netmesh_pair& pair : pairs[i])
             if (options.log && pair.birth < 0)
-                return data_error(options.positionals[i] + ": a birth at " + number_text(pair.birth) +
+                return file_error(shown_name(options.positionals[i]), "a birth at " + number_text(pair.birth) +
                                   " has no logarithm; leave --log out");
     }
     RunReport run;

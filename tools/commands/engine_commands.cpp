@@ -1,5 +1,4 @@
 // mesh, delaunay and persist: points in, a few calls of the engine, files out.
-#include <cstdio>
 #include <set>
 
 #include "platform/clock.hpp"
@@ -89,9 +88,9 @@ Outcome read_mesh(Options* options, Input* input) {
     if (!outcome.good()) return outcome;
     const NodeFile& node = input->mesh.node;
     if (node.domain.empty())
-        return data_error(node.cloud.name + ": no mesh with a domain, as `netmesh mesh` makes it: no line `# domain`");
+        return file_error(node.cloud.name, "no mesh with a domain, as `netmesh mesh` makes it: no line `# domain`");
     if (!node.cages.empty())
-        return data_error(node.cloud.name + ": a mesh with cages, which have no filter; --finish removes them");
+        return file_error(node.cloud.name, "a mesh with cages, which have no filter; --finish removes them");
     input->cloud = node.cloud;
     return read_values_at(node, options);
 }
@@ -406,7 +405,7 @@ Outcome run_engine_command(const Options& options) {
     for (const std::string& path : options.positionals) {
         const Outcome outcome = run_one(for_input(options, path));
         if (outcome.exit == Exit::usage || outcome.exit == Exit::cancelled) return outcome;
-        if (!outcome.message.empty()) std::fprintf(stderr, "%s\n", outcome.message.c_str());
+        tell_error(outcome, options.command, options.json);
         if (ended.good()) ended.exit = outcome.exit;
     }
     return ended;

@@ -19,6 +19,10 @@ struct FileJob {
     std::function<void(TextWriter&)> write;
 };
 
+// How a run that fails ends: its message on stderr and, with --json, an object on stdout. Nothing where all has been
+// said.
+void tell_error(const Outcome& outcome, Command command, bool json);
+
 // All of them or, on the first fault or signal, none: the files get their names only when each is complete.
 Outcome write_files(const std::vector<FileJob>& jobs);
 

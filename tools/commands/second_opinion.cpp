@@ -23,18 +23,18 @@ Outcome read_cycles(const DiagramClaim& claim, std::vector<CycleEntry>* cycles) 
     if (!outcome.good()) return outcome;
     for (std::size_t i = 0; i < cycles->size(); i++)
         if (i >= bars.size() || !((*cycles)[i].bar == bars[i]))
-            return {Exit::check, name + ":" + std::to_string((*cycles)[i].line) +
-                                     ": check failed: its bar is not bar " + std::to_string(i) + " of " +
-                                     claim.file.name};
+            return line_error(name, (*cycles)[i].line,
+                              "check failed: its bar is not bar " + std::to_string(i) + " of " + claim.file.name, 0,
+                              Exit::check);
     if (cycles->size() < bars.size())
-        return {Exit::check, name + ": check failed: bar " + bar_text(bars, cycles->size()) + " has no cycle"};
+        return file_error(name, "check failed: bar " + bar_text(bars, cycles->size()) + " has no cycle", Exit::check);
     return {};
 }
 
 Outcome cycle_refused(const DiagramClaim& claim, const std::vector<CycleEntry>& cycles, std::size_t at,
                       const std::string& why) {
-    return {Exit::check, shown_name(claim.cycles_path) + ":" + std::to_string(cycles[at].line) +
-                             ": check failed: bar " + bar_text(claim.file.bars, at) + " " + why};
+    return line_error(shown_name(claim.cycles_path), cycles[at].line,
+                      "check failed: bar " + bar_text(claim.file.bars, at) + " " + why, 0, Exit::check);
 }
 
 namespace {
@@ -68,7 +68,7 @@ private:
     Outcome judge_step(const std::vector<double>& step, const std::string& line, double next, std::uint64_t number);
     Outcome judge_steps(std::size_t* steps);
     Outcome bad_vertex(std::size_t v, const std::string& why) const {
-        return {Exit::check, files_.node.cloud.where(v) + ": check failed: " + why};
+        return files_.node.cloud.fault(v, "check failed: " + why, Exit::check);
     }
 
     const DiagramClaim& claim_;
@@ -303,11 +303,13 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
     if (!has_values) values.assign(opinion.values.begin(), opinion.values.end());
     std::size_t at = 0;
     const std::string complaint = error_complaint(opinion, said, values, &at);
-    if (!complaint.empty()) return {Exit::check, files.node.cloud.where(at) + ": check failed: " + complaint};
+    if (!complaint.empty()) return files.node.cloud.fault(at, "check failed: " + complaint, Exit::check);
     for (at = 0; at < values.size() && are_own; at++)
         if (values[at] != static_cast<double>(opinion.values[at]))
-            return {Exit::check, files.node.cloud.where(at) + ": check failed: filter value " +
-                                     number_text(values[at]) + " where the function is " + shown(opinion.values[at])};
+            return files.node.cloud.fault(at,
+                                          "check failed: filter value " + number_text(values[at]) +
+                                              " where the function is " + shown(opinion.values[at]),
+                                          Exit::check);
     std::size_t steps = 0;
     const Outcome outcome = judge_error_steps(claim, opinion, values, &steps);
     if (!outcome.good()) return outcome;

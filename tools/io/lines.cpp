@@ -128,10 +128,6 @@ std::string quoted(std::string_view piece) {
     return text;
 }
 
-Outcome line_error(const std::string& file, std::uint64_t line, const std::string& complaint) {
-    return data_error(file + ":" + std::to_string(line) + ": " + complaint);
-}
-
 Complaint not_a_number(std::string_view field) { return quoted(field) + " is not a number"; }
 Complaint not_finite(std::string_view field) { return quoted(field) + " is not a finite double"; }
 

@@ -47,9 +47,6 @@ std::vector<std::string_view> split_blanks(std::string_view line);
 // A piece of input fit for a message: quoted, shortened, control characters replaced.
 std::string quoted(std::string_view piece);
 
-// FILE:LINE: complaint
-Outcome line_error(const std::string& file, std::uint64_t line, const std::string& complaint);
-
 // What a complaint about a number says, shared by all readers. `field` is the text at fault.
 Complaint not_a_number(std::string_view field);
 Complaint not_finite(std::string_view field);

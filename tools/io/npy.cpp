@@ -18,7 +18,7 @@ struct Array {
     std::size_t data_offset = 0;
 };
 
-Outcome wrong(const Table& table, const std::string& what) { return data_error(table.name + ": " + what); }
+Outcome wrong(const Table& table, const std::string& what) { return file_error(table.name, what); }
 
 // The text of a value in the header's dictionary, from behind `'key':` up to the comma that ends it (brackets count).
 bool find_value(std::string_view header, std::string_view key, std::string_view* value) {

@@ -178,7 +178,7 @@ Outcome parse_ply_binary(std::string_view content, std::size_t offset, const Ply
         if (element.properties.empty()) continue;
         for (std::uint64_t row = 0; row < element.count; row++) {
             if (!walk_element(element, content, &offset, &starts)) {
-                return data_error(cloud->name + ": ends at byte " + std::to_string(content.size()) + ", inside " +
+                return file_error(cloud->name, "ends at byte " + std::to_string(content.size()) + ", inside " +
                                   element.name + " " + std::to_string(row + 1) + " of " +
                                   std::to_string(element.count));
             }
@@ -187,8 +187,8 @@ Outcome parse_ply_binary(std::string_view content, std::size_t offset, const Ply
                 const std::size_t column = static_cast<std::size_t>(header.columns[k]);
                 const double value = read_scalar(element.properties[column].type, content.data() + starts[column]);
                 if (!std::isfinite(value)) {
-                    return data_error(cloud->where(row) + " (byte " + std::to_string(starts[column]) +
-                                      "): " + not_finite(std::isnan(value) ? "nan" : "inf"));
+                    return cloud->fault(row, "byte " + std::to_string(starts[column]) + ": " +
+                                                 not_finite(std::isnan(value) ? "nan" : "inf"));
                 }
                 cloud->coordinates.push_back(value + 0.0);  // -0.0 becomes 0.0
             }

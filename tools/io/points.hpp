@@ -24,6 +24,10 @@ struct PointCloud {
     std::size_t rows() const { return dim == 0 ? 0 : coordinates.size() / dim; }
     // FILE:LINE of a row, or "FILE: row N" (counted from 1) where rows are not lines.
     std::string where(std::uint64_t row) const;
+    // What is wrong there.
+    Outcome fault(std::uint64_t row, const std::string& complaint, Exit exit = Exit::data) const {
+        return {exit, where(row) + ": " + complaint, name, row < lines.size() ? lines[row] : 0};
+    }
     // "line 7" or "row 7".
     std::string place(std::uint64_t row) const;
 };

@@ -87,8 +87,9 @@ public:
     Outcome parse(std::string_view content);
 
 private:
-    Outcome fault(std::uint64_t line, const std::string& complaint) const {
-        return line_error(table_->name, line, complaint);
+    // column: counted from 1; 0: no one
+    Outcome fault(std::uint64_t line, const std::string& complaint, std::size_t column = 0) const {
+        return line_error(table_->name, line, complaint, column);
     }
     void take_separator_line();
     Outcome find_header();
@@ -289,7 +290,8 @@ Outcome TableParser::explain_width(const TableLine& line) const {
                                                                          : without_blanks(line.text).back()) +
                                                 "'";
         return fault(line.number,
-                     i + 1 < fields.size() ? "nothing before a " + delimiter : "nothing after the last " + delimiter);
+                     i + 1 < fields.size() ? "nothing before a " + delimiter : "nothing after the last " + delimiter,
+                     i + 1);
     }
     const std::uint64_t first = lines_[0].number;
     std::string remedy;
@@ -316,7 +318,8 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
         return explain_width(line);
     if (kind == FieldKind::empty)
         return fault(line.number, "nothing in column " + std::to_string(column + 1) +
-                                      "; a row with a missing value has to be left out or filled in");
+                                      "; a row with a missing value has to be left out or filled in",
+                     column + 1);
     std::string remedy;
     if (lines_.size() > 1 && kind == FieldKind::word && is_word_column(column)) {
         std::string others;
@@ -330,7 +333,8 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
     if (remedy.empty() && above && lines_.size() > 1)
         remedy = "; --skip " + std::to_string(line.number) + " leaves the lines down to this one out";
     return fault(line.number,
-                 (kind == FieldKind::not_finite ? not_finite(field.text) : not_a_number(field.text)) + remedy);
+                 (kind == FieldKind::not_finite ? not_finite(field.text) : not_a_number(field.text)) + remedy,
+                 column + 1);
 }
 
 Outcome TableParser::parse_rows() {
