@@ -7,17 +7,23 @@
 #include "platform/interrupt.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/completion.hpp"
+#include "tools/option_use.hpp"
 
 namespace {
 
 using namespace netmesh::tool;
 
 Outcome run(const Options& options) {
-    if (options.version || options.help) {
+    if (options.version || options.help || !options.completion.empty()) {
         std::string text = options.version ? version_text() : help_text(options.command);
-        if (options.json) text = json_text(options.command, options.version ? "text" : "help", text);
+        if (!options.completion.empty()) text = completion_text(options.completion);
+        const char* const key = options.version ? nullptr : options.help ? "help" : "completion";
+        if (options.json) text = json_text(options.command, key, text);
         return write_files({{"", [&](TextWriter& out) { out << text; }}});
     }
+    const Outcome used = check_use(options);
+    if (!used.good()) return used;
     switch (options.command) {
     case Command::homology: return run_homology(options);
     case Command::distance: return run_distance(options);
@@ -37,7 +43,7 @@ int main(int count, char** arguments) {
     try {
         const std::vector<std::string> given(arguments + (count > 0), arguments + count);
         outcome = parse_options(given, &options);
-        if (!outcome.good() || options.help || options.version) options.json = asks_for_json(given);
+        if (!outcome.good() || options.help || options.version || !options.completion.empty()) options.json = asks_for_json(given);
         if (outcome.good()) {
             netmesh::platform::catch_interrupts();
             outcome = run(options);

@@ -25,6 +25,7 @@ struct Options {
     std::vector<std::string> positionals;
     std::vector<std::pair<std::string, std::string>> given;  // options and their values, as they were written
     bool help = false, version = false;
+    std::string completion;  // the shell whose completion file is asked for
 
     TableOptions table;  // how points are read
     std::string out;     // empty: stdout

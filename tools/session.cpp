@@ -2,6 +2,7 @@
 
 #include "platform/interrupt.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/memory_advice.hpp"
 #include "tools/requests.hpp"
 
 namespace netmesh::tool {
@@ -65,25 +66,27 @@ Outcome Session::run(std::size_t plan, const PointCloud& cloud, const Work& work
     return explain(status, cloud, plan);
 }
 
-std::string Session::memory_message(std::size_t plan) const {
+std::string Session::memory_message(const PointCloud& cloud, std::size_t plan) const {
     std::string text = "netmesh: ";
     if (block_.base() == nullptr) {
         text += options_.memory_bytes == 0
                     ? "the system refuses to reserve memory"
-                    : "the system refuses to reserve " + std::to_string(options_.memory_bytes) + " bytes";
+                    : "the system refuses to reserve " + bytes_text(options_.memory_bytes);
     } else {
-        text += std::to_string(block_.bytes()) + " bytes of memory are too few";
+        text += bytes_text(block_.bytes()) + " of memory are too few";
     }
     const std::uint64_t wanted = engine_.detail().bytes_wanted;
     if (last_.stage != NETMESH_STAGE_NONE) {
         text += "; it got to " + grouped_text(last_.done);
         if (last_.total > 0) text += " of " + grouped_text(last_.total);
         text += std::string(" in stage ") + stage_name(last_.stage);
-        if (last_.vertices > 0) text += " with " + grouped_text(last_.vertices) + " vertices";
+        if (last_.vertices > 0) text += " with " + counted(last_.vertices, "vertex", "vertices");
     }
-    if (wanted > 0) text += "; it takes more than " + std::to_string(wanted - 1) + " bytes";
-    if (plan != SIZE_MAX && plan > block_.bytes()) text += "; plan for " + std::to_string(plan) + " bytes";
-    return text;
+    if (wanted > 0) text += "; it takes more than " + bytes_text(wanted - 1);
+    if (plan != SIZE_MAX && plan > block_.bytes())
+        text += "; plan for " + bytes_text_up(plan) + ": --memory " + memory_option_text(plan);
+    const std::string advice = memory_advice(options_, cloud.dim, cloud.rows(), block_.bytes());
+    return advice.empty() ? text : text + "; or " + advice;
 }
 
 // What the points do not allow is bad data; what no points would, bad usage.
@@ -118,7 +121,7 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
         detail.message == nullptr || detail.message[0] == '\0' ? netmesh_status_text(status) : detail.message;
     switch (status) {
     case NETMESH_OK: return {};
-    case NETMESH_OUT_OF_MEMORY: return {Exit::memory, memory_message(plan)};
+    case NETMESH_OUT_OF_MEMORY: return {Exit::memory, memory_message(cloud, plan)};
     case NETMESH_CANCELLED: return {Exit::cancelled, "netmesh: cancelled"};
     case NETMESH_NOT_FINITE:
         if (said.rfind("the function", 0) == 0)

@@ -7,7 +7,9 @@
 #include "tools/commands/steps.hpp"
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/io/provenance.hpp"
+#include "tools/option_use.hpp"
 #include "tools/vertex_function.hpp"
 
 namespace netmesh::tool {
@@ -175,9 +177,9 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
         const HeadLine& dim = *file.head->find("dim");
         const HeadLine& count = *file.head->find("points");
         if (dim.value != std::to_string(points.dim))
-            return file.wrong(dim.number, points.name + " has " + std::to_string(points.dim) + " dimensions");
+            return file.wrong(dim.number, points.name + " has " + counted(points.dim, "dimension", "dimensions"));
         if (count.value != std::to_string(points.rows()))
-            return file.wrong(count.number, points.name + " has " + std::to_string(points.rows()) + " points");
+            return file.wrong(count.number, points.name + " has " + counted(points.rows(), "point", "points"));
     }
     outcome = check_coordinates(made, points.dim);
     if (!outcome.good()) return explain_refusal(file, outcome);
@@ -211,10 +213,10 @@ Outcome compare_inputs_with(const DiagramFile& file, const NodeFile& node) {
     parse_unsigned(file.head->find("points")->value, &points);
     parse_unsigned(file.head->find("duplicates")->value, &duplicates);
     if (points - duplicates == static_cast<std::uint64_t>(inputs)) return {};
-    return file.wrong(file.head->find("points")->number, std::to_string(points) + " points, " +
+    return file.wrong(file.head->find("points")->number, counted(points, "point", "points") + ", " +
                                                              std::to_string(duplicates) +
                                                              " of them duplicates, where " + node.cloud.name + " has " +
-                                                             std::to_string(inputs) + " inputs");
+                                                             counted(inputs, "input", "inputs"));
 }
 
 // Are they the values and vertices that the head speaks of? Other ones have other bars, so this comes first.
@@ -296,13 +298,17 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     Outcome outcome = read_diagram(options.positionals[0], options, &file);
     if (outcome.good() && file.head) outcome = check_contradiction(*file.head, file.name, options);
     if (!outcome.good()) return outcome;
-    run->checked->push_back(file.name + " has " + grouped_text(file.bars.size()) +
-                            " bars, sorted, with one essential class");
+    run->checked->push_back(file.name + " has " + counted(file.bars.size(), "bar", "bars") + ", sorted, with one essential class");
     if (!file.head && !says_how(options)) {
+        outcome = refuse_options(options, {"--representatives", "--memory", "--columns", "--delimiter", "--skip"},
+                                 "nothing says how " + file.name + " was made, so nothing is made again");
+        if (!outcome.good()) return outcome;
         run->checked->push_back(file.name + " carries no certificate: it does not say how it was made, nor do options");
         return {};
     }
     const Options made = making_of(options, file);
+    if (!file.head) outcome = check_use_in_diagram(made);
+    if (!outcome.good()) return outcome;
     const bool is_of_values = file.head && !file.head->options.values_at.empty();
     if (is_of_values && made.values_at.empty()) {
         if (made.mesh_path.empty() && made.points_path.empty()) {

@@ -67,7 +67,7 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         outcome = check_mesh_ending(options.out, dim);
         if (!options.svg.empty() && dim > 2) {
             return usage_error("--svg " + options.svg + ": draws meshes in the plane, these points have " +
-                               std::to_string(dim) + " dimensions");
+                               counted(dim, "dimension", "dimensions"));
         }
     }
     if (!outcome.good()) return outcome;

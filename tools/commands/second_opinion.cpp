@@ -7,6 +7,7 @@
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/opinion/cell_values.hpp"
 #include "tools/opinion/complexes.hpp"
 #include "tools/opinion/filtered_complex.hpp"
@@ -222,10 +223,8 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
                     std::vector<std::string>* checked) {
     if (!simplices) {
         if (!claim.cycles_path.empty())
-            return usage_error("--representatives: the complex has more than " + grouped_text(opinion_simplices_max) +
-                               " simplices, which are too many to check cycles");
-        checked->push_back("no second opinion on the pairs: more than " + grouped_text(opinion_simplices_max) +
-                           " simplices");
+            return usage_error("--representatives: the complex has more than " + counted(opinion_simplices_max, "simplex", "simplices") + ", which are too many to check cycles");
+        checked->push_back("no second opinion on the pairs: more than " + counted(opinion_simplices_max, "simplex", "simplices"));
         return {};
     }
     const FilteredComplex complex(*simplices, slack);
@@ -233,8 +232,7 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
     const std::string complaint = complex.bars_complaint(claim.file.bars, *claim.made.max_degree, claim.made.all, &at);
     if (!complaint.empty())
         return claim.file.wrong(claim.file.line_of(at), bar_text(claim.file.bars, at) + ": " + complaint);
-    checked->push_back("second opinion: " + grouped_text(claim.file.bars.size()) +
-                       " bars are the pairs of a plain reduction of " + grouped_text(complex.count()) + " simplices");
+    checked->push_back("second opinion: " + counted(claim.file.bars.size(), "bar", "bars") + " are the pairs of a plain reduction of " + counted(complex.count(), "simplex", "simplices"));
     return judge_cycles(claim, complex, checked);
 }
 

@@ -72,8 +72,7 @@ Outcome take_square(const std::vector<Row>& rows, DistanceFile* file) {
     }
     if (rows.size() != rows[0].count)
         return line_error(file->place.name, rows.back().line,
-                          "a matrix of " + std::to_string(rows.size()) + " rows and " + std::to_string(rows[0].count) +
-                              " columns; one of distances is square");
+                          "a matrix of " + counted(rows.size(), "row", "rows") + " and " + counted(rows[0].count, "column", "columns") + "; one of distances is square");
     file->layout = NETMESH_DISTANCES_FULL;
     file->points = rows.size();
     return {};

@@ -28,9 +28,15 @@ std::string number_text(double value);
 std::string rounded_text(double value, int digits);
 // 12345 -> 12,345
 std::string grouped_text(std::uint64_t value);
+// 1 point, 1,200 points
+std::string counted(std::uint64_t count, const char* one, const char* many);
 // 16 digits
 std::string hexadecimal(std::uint64_t value);
 // 1536 -> 1.5 KiB
 std::string bytes_text(std::uint64_t bytes);
+// Never less than the bytes: 1500 -> 1.5 KiB.
+std::string bytes_text_up(std::uint64_t bytes);
+// The same as --memory takes it, in whole units: 1500 -> 2K.
+std::string memory_option_text(std::uint64_t bytes);
 
 }  // namespace netmesh::tool

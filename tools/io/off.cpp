@@ -84,13 +84,13 @@ Outcome parse_off_points(std::string_view content, PointCloud* cloud) {
         if (!reader.next_content(&line)) {
             return line_error(cloud->name, reader.number(),
                               "the file ends after " + std::to_string(i) + " of " +
-                                  std::to_string(header.vertex_count) + " vertices");
+                                  counted(header.vertex_count, "vertex", "vertices"));
         }
         const Complaint complaint = parse_numbers(line, &row);
         if (!complaint.empty()) return line_error(cloud->name, reader.number(), complaint);
         if (row.size() < header.dim || (row.size() > header.dim && !header.more_columns)) {
             return line_error(cloud->name, reader.number(),
-                              "a vertex of " + std::to_string(row.size()) + " numbers where " +
+                              "a vertex of " + counted(row.size(), "number", "numbers") + " where " +
                                   std::to_string(header.dim) + " are due");
         }
         cloud->coordinates.insert(cloud->coordinates.end(), row.begin(), row.begin() + header.dim);

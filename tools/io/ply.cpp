@@ -217,7 +217,7 @@ Outcome parse_ply_ascii(LineReader& reader, const PlyHeader& header, PointCloud*
             if (lists || row.size() != due) {
                 return line_error(cloud->name, reader.number(),
                                   lists ? "vertices with lists are read from binary files only"
-                                        : "a vertex of " + std::to_string(row.size()) + " numbers where " +
+                                        : "a vertex of " + counted(row.size(), "number", "numbers") + " where " +
                                               std::to_string(due) + " are due");
             }
             for (std::uint32_t k = 0; k < header.dim; k++) {

@@ -120,7 +120,7 @@ Outcome parse_obj_points(std::string_view content, PointCloud* cloud) {
         const std::size_t count = numbers.size();
         if (count != 3 && count != 4 && count != 6 && count != 7)
             return line_error(cloud->name, reader.number(),
-                              "a vertex of " + std::to_string(count) + " numbers where 3 are due");
+                              "a vertex of " + counted(count, "number", "numbers") + " where 3 are due");
         if ((count == 4 || count == 7) && numbers[3] != 1)
             return line_error(cloud->name, reader.number(), "a vertex with a weight other than 1; write x y z alone");
         cloud->coordinates.insert(cloud->coordinates.end(), numbers.begin(), numbers.begin() + 3);

@@ -173,7 +173,7 @@ std::string json_text(Command command, const char* key, const std::string& text)
     Json json;
     open_report(json, command);
     json.null_entry("error");
-    json.entry(key, std::string_view(text));
+    if (key != nullptr) json.entry(key, std::string_view(text));
     json.close('}');
     return json.text();
 }
